@@ -1,0 +1,16 @@
+/// The one exception type that brindle throws for failures a user can act on.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace brindle {
+
+/// A job that could not be done. The message names what failed (file and line where there is one)
+/// and, where one is known, the remedy.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace brindle

@@ -1,0 +1,60 @@
+/// Threads behind two functions. Both give bit-identical results for every number of threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+namespace tbb::detail::d1 {
+class global_control;
+}
+
+namespace brindle {
+
+/// Ranges shorter than this run on the calling thread: waking another costs more.
+inline constexpr std::size_t kParallelGrain = 2048;
+
+/// Calls `body(begin, end)` on disjoint ranges that cover [0, count). The body must not depend on
+/// how the range is cut.
+template <class Body>
+void parallel_for(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
+  if (count <= grain) {
+    if (count > 0) body(std::size_t{0}, count);
+    return;
+  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                    [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
+}
+
+/// The sum of `body(begin, end)` over ranges that cover [0, count). Ranges and the order of the
+/// additions depend on `count` and `grain` alone, so the sum is the same for any thread count.
+template <class Value, class Body>
+Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
+  return tbb::parallel_deterministic_reduce(
+      tbb::blocked_range<std::size_t>(0, count, grain), Value{},
+      [&](const tbb::blocked_range<std::size_t>& r, Value sum) {
+        return r.empty() ? sum : sum + body(r.begin(), r.end());
+      },
+      std::plus<Value>());
+}
+
+/// Limits the number of threads while it lives; 0 means all that the machine has.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+  /// The number of threads now in force.
+  static int current();
+
+ private:
+  std::unique_ptr<tbb::detail::d1::global_control> control_;
+};
+
+}  // namespace brindle

@@ -1,0 +1,39 @@
+/// Lifted phases at the corners of every triangle: ordinary linear coordinates away from branches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brindle/base/types.h"
+#include "brindle/surface/mesh.h"
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle {
+
+enum class TriangleKind : std::uint8_t {
+  regular,            ///< phases lift to linear coordinates
+  branch,             ///< the phase does not close: a stripe begins or ends here
+  field_singularity,  ///< the corners cannot be oriented alike
+  no_wave             ///< a corner has no wave
+};
+
+/// What `corner_phases` finds for one triangle.
+struct CornerPhases {
+  std::array<float, 3> phase{};  ///< lifted phases of the oriented corners, in radians
+  std::array<float, 3> sign{};   ///< s_m: -1 where the corner's wave was turned round
+  int branch_index = 0;          ///< closing error over 2 pi
+  TriangleKind kind = TriangleKind::no_wave;
+};
+
+/// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the
+/// phase shift plus the wrapped remainder. The closing error over 2 pi is the branch index.
+CornerPhases corner_phases(const Triangle& triangle, const WaveSet& waves,
+                           std::span<const Complex> z, PhaseShiftKind kind);
+
+/// The same for all triangles of a mesh.
+std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
+                                        std::span<const Complex> z, PhaseShiftKind kind);
+
+}  // namespace brindle

@@ -1,0 +1,27 @@
+/// How well a pattern follows its field: branches, angle and spacing errors (paper, Fig. 8).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brindle/pattern/corner_phases.h"
+
+namespace brindle {
+
+struct PatternQuality {
+  std::size_t branches = 0;             ///< triangles of kind branch or field_singularity
+  std::size_t field_singularities = 0;  ///< triangles of kind field_singularity
+  double angle_error_mean_deg = 0;      ///< over regular triangles; gradient against mean direction
+  double angle_error_share_over_5deg = 0;  ///< share of regular triangles, between 0 and 1
+  double spacing_error_mean = 0;  ///< mean of | |gradient| / (2 pi f) - 1 |, regular triangles
+};
+
+/// Angle in degrees, 0 to 180, between the gradient of the lifted corner phases and the mean corner
+/// direction, for every triangle; -1 where the triangle is not regular.
+std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
+                                    std::span<const CornerPhases> corners);
+
+PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
+                               std::span<const CornerPhases> corners);
+
+}  // namespace brindle

@@ -1,0 +1,21 @@
+/// Smooth direction fields by the multilevel phase solver (DESIGN section 2).
+#pragma once
+
+#include "brindle/pipeline/surface.h"
+#include "brindle/waves/direction_field.h"
+
+namespace brindle {
+
+struct SmoothFieldOptions {
+  int symmetry = 2;            ///< N: 1 vector, 2 line, 4 cross field
+  float curvature_anchor = 0;  ///< how strongly principal curvature attracts the field; 0: not
+  CurvatureDirection curvature_direction = CurvatureDirection::maximum;
+  int sweeps = 4;  ///< coloured sweeps per level
+};
+
+/// A direction field that turns as little as possible from vertex to vertex: each direction's angle
+/// theta in its tangent basis enters as u = exp(i N theta), coupled by parallel transport.
+DirectionField smooth_direction_field(const Surface& surface,
+                                      const SmoothFieldOptions& options = {});
+
+}  // namespace brindle

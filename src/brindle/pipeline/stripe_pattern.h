@@ -1,0 +1,39 @@
+/// The main job: from a surface with waves to a measured stripe pattern.
+#pragma once
+
+#include "brindle/base/progress.h"
+#include "brindle/pattern/quality.h"
+#include "brindle/phases/solver.h"
+#include "brindle/pipeline/surface.h"
+
+namespace brindle {
+
+struct StripeOptions {
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+  SolverOptions solver;
+};
+
+/// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.
+struct StripeMilliseconds {
+  double load = 0;
+  double topology = 0;  ///< neighbourhood and normals, colours, aggregates: once per connectivity
+  double couple = 0;    ///< phase shifts
+  double solve = 0;
+  double pattern = 0;  ///< corner phases and quality
+};
+
+struct StripePattern {
+  WaveSet waves;
+  PhaseSolution solution;             ///< `solution.z`: one phase per vertex
+  std::vector<CornerPhases> corners;  ///< one entry per triangle
+  PatternQuality quality;
+  StripeMilliseconds milliseconds;
+};
+
+/// Couples the waves along the edges of the surface, solves for phases, lifts them to the corners
+/// of the triangles and measures the result. `waves` has one entry per vertex. Throws Error if
+/// sizes do not match, and what `solve_phases` throws.
+StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
+                             const StripeOptions& options = {}, const Progress& progress = {});
+
+}  // namespace brindle
