@@ -1,0 +1,18 @@
+# Installs the library so that find_package(brindle) finds brindle::brindle.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brindle)
+install(TARGETS brindle EXPORT brindle-targets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/brindle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN *.h)
+install(EXPORT brindle-targets NAMESPACE brindle:: DESTINATION ${package_dir})
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brindle-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/brindle-config.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/brindle-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/brindle-config.cmake
+              ${PROJECT_BINARY_DIR}/brindle-config-version.cmake
+        DESTINATION ${package_dir})
