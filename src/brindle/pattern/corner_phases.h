@@ -21,9 +21,9 @@ enum class TriangleKind : std::uint8_t {
 
 /// What `corner_phases` finds for one triangle.
 struct CornerPhases {
-  std::array<float, 3> phase{};  ///< lifted phases of the oriented corners, in radians
-  std::array<float, 3> sign{};   ///< s_m: -1 where the corner's wave was turned round
-  int branch_index = 0;          ///< closing error over 2 pi
+  std::array<float, 3> phase{};       ///< lifted phases of the oriented corners, in radians
+  std::array<std::int8_t, 3> sign{};  ///< s_m: -1 where the corner's wave was turned round
+  std::int8_t branch_index = 0;       ///< closing error over 2 pi
   TriangleKind kind = TriangleKind::no_wave;
 };
 

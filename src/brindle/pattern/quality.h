@@ -17,7 +17,7 @@ struct PatternQuality {
 };
 
 /// Angle in degrees, 0 to 180, between the gradient of the lifted corner phases and the mean corner
-/// direction, for every triangle; -1 where the triangle is not regular.
+/// direction in the triangle's plane, for every triangle; -1 where the triangle is not regular.
 std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
                                     std::span<const CornerPhases> corners);
 

@@ -8,8 +8,15 @@
 
 namespace brindle {
 
+/// What multiplies the paper's weight |<d_i, d_j>| of an edge.
+enum class EdgeWeights {
+  paper,     ///< nothing
+  cotangent  ///< `cotangent_weights`: lower angle errors for a longer coupling stage
+};
+
 struct StripeOptions {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+  EdgeWeights weights = EdgeWeights::paper;
   SolverOptions solver;
 };
 

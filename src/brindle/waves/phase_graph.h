@@ -34,7 +34,9 @@ struct PhaseGraph {
 /// A coarser graph whose inputs are averages of a finer one's (paper, 3.4).
 struct AveragedLevel {
   PhaseGraph graph;
-  std::vector<Index> parent;  ///< for every fine node its node in `graph`
+  std::vector<Index> parent;      ///< for every fine node its node in `graph`
+  std::vector<Complex> transfer;  ///< z_i = transfer_i z_parent, or transfer_i conj(z_parent)...
+  std::vector<std::uint8_t> transfer_reflects;  ///< ...where this is 1
 };
 
 /// What every node of a phase graph's front end has.

@@ -1,0 +1,98 @@
+#include "brindle/pattern/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+#include "brindle/surface/normals.h"
+
+namespace brindle {
+namespace {
+
+struct TriangleError {
+  float angle_deg = -1;
+  float spacing = 0;
+};
+
+/// The gradient of the linear function with the given values at the corners; zero without area.
+Vec3 gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value) {
+  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  const float square = normal.squaredNorm();
+  if (!(square > 0)) return Vec3::Zero();
+  const Vec3 sum = (value[1] - value[0]) * (corner[0] - corner[2]) +
+                   (value[2] - value[0]) * (corner[1] - corner[0]);
+  return normal.cross(sum) / square;
+}
+
+TriangleError triangle_error(const Triangle& triangle, const Mesh& mesh, const WaveSet& waves,
+                             const CornerPhases& corners) {
+  if (corners.kind != TriangleKind::regular) return {};
+  std::array<Vec3, 3> position;
+  Vec3 direction = Vec3::Zero();
+  float frequency = 0;
+  for (int m = 0; m < 3; ++m) {
+    position[m] = mesh.positions[triangle[m]];
+    direction += corners.sign[m] * waves.directions[triangle[m]];
+    frequency += waves.frequencies[triangle[m]] / 3;
+  }
+  const Vec3 slope = gradient(position, corners.phase);
+  // The gradient lies in the triangle; what sticks out of it cannot be followed by any pattern.
+  const Vec3 normal = triangle_normal(mesh, triangle);
+  direction -= direction.dot(normal) * normal;
+  const float angle = std::atan2(slope.cross(direction).norm(), slope.dot(direction));
+  const float expected = 2 * std::numbers::pi_v<float> * frequency;
+  return {angle * 180 / std::numbers::pi_v<float>, std::abs(slope.norm() / expected - 1)};
+}
+
+struct Sums {
+  std::size_t branches = 0, field_singularities = 0, regular = 0, over_5deg = 0;
+  double angle = 0, spacing = 0;
+
+  Sums operator+(const Sums& o) const {
+    return {branches + o.branches, field_singularities + o.field_singularities,
+            regular + o.regular,   over_5deg + o.over_5deg,
+            angle + o.angle,       spacing + o.spacing};
+  }
+  void count(TriangleKind kind, const TriangleError& error) {
+    branches += kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
+    field_singularities += kind == TriangleKind::field_singularity;
+    if (kind != TriangleKind::regular) return;
+    ++regular;
+    over_5deg += error.angle_deg > 5;
+    angle += error.angle_deg;
+    spacing += error.spacing;
+  }
+};
+
+}  // namespace
+
+std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
+                                    std::span<const CornerPhases> corners) {
+  std::vector<float> errors(mesh.triangle_count());
+  parallel_for(errors.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      errors[t] = triangle_error(mesh.triangles[t], mesh, waves, corners[t]).angle_deg;
+    }
+  });
+  return errors;
+}
+
+PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
+                               std::span<const CornerPhases> corners) {
+  const Sums sums =
+      parallel_sum<Sums>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+        Sums sum;
+        for (std::size_t t = begin; t < end; ++t) {
+          sum.count(corners[t].kind, triangle_error(mesh.triangles[t], mesh, waves, corners[t]));
+        }
+        return sum;
+      });
+  const double regular = std::max<double>(1, static_cast<double>(sums.regular));
+  return {sums.branches, sums.field_singularities, sums.angle / regular,
+          static_cast<double>(sums.over_5deg) / regular, sums.spacing / regular};
+}
+
+}  // namespace brindle

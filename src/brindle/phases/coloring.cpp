@@ -1,0 +1,63 @@
+#include "brindle/phases/coloring.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/phases/one_at_a_time.h"
+
+namespace brindle {
+namespace {
+
+constexpr Index kUncolored = ~Index{0};
+
+}  // namespace
+
+Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed) {
+  const std::size_t nodes = adjacency.node_count();
+  std::vector<Index> color(nodes, kUncolored);
+  // Ties of the hash go to the larger node number.
+  const auto priority = [seed](Index node) { return std::pair(one_at_a_time(node + seed), node); };
+
+  std::vector<Index> remaining(nodes);
+  for (Index node = 0; node < nodes; ++node) remaining[node] = node;
+  std::vector<std::uint8_t> chosen(nodes);
+  Index round = 0;
+  for (; !remaining.empty(); ++round) {
+    parallel_for(remaining.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end; ++r) {
+        const Index node = remaining[r];
+        chosen[node] = std::ranges::all_of(adjacency.of(node), [&](Index neighbor) {
+          return color[neighbor] != kUncolored || priority(neighbor) < priority(node);
+        });
+      }
+    });
+    std::erase_if(remaining, [&](Index node) {
+      if (chosen[node]) color[node] = round;
+      return chosen[node] != 0;
+    });
+  }
+  return {std::move(color), round};
+}
+
+Coloring greedy_coloring(const Adjacency& adjacency) {
+  const std::size_t nodes = adjacency.node_count();
+  Coloring coloring{std::vector<Index>(nodes, kUncolored), 0};
+  std::vector<Index> taken_by;  // the last node that saw a neighbour of this colour
+  for (Index node = 0; node < nodes; ++node) {
+    for (const Index neighbor : adjacency.of(node)) {
+      const Index color = coloring.color[neighbor];
+      if (color != kUncolored) taken_by[color] = node;
+    }
+    Index color = 0;
+    while (color < coloring.color_count && taken_by[color] == node) ++color;
+    if (color == coloring.color_count) {
+      ++coloring.color_count;
+      taken_by.push_back(kUncolored);
+    }
+    coloring.color[node] = color;
+  }
+  return coloring;
+}
+
+}  // namespace brindle

@@ -1,0 +1,149 @@
+#include "brindle/phases/global.h"
+
+#ifndef BRINDLE_HAS_CHOLMOD
+
+namespace brindle {
+
+PhaseSolution solve_global(const PhaseGraph&, const SolverOptions&, const Progress&) {
+  throw Error(
+      "this build of brindle has no CHOLMOD; install libsuitesparse-dev and configure with "
+      "-DBRINDLE_CHOLMOD=ON, or use another solver");
+}
+
+}  // namespace brindle
+
+#else
+
+#include <cmath>
+
+#include <Eigen/CholmodSupport>
+#include <Eigen/SparseCore>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/phases/one_at_a_time.h"
+
+namespace brindle {
+namespace {
+
+// 64-bit indices: the factor of a million vertices has more than 2^31 entries.
+using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
+using Vector = Eigen::VectorXd;
+
+/// Added to the energy matrix, as a share of its mean diagonal, to make it positive definite.
+constexpr double kShift = 1e-7;
+
+/// One real 2x2 block a coupling, lower triangle only: A z has [[re, -im], [im, re]], B conj(z) has
+/// [[re, im], [im, -re]].
+void add_coupling(std::vector<Eigen::Triplet<double, SuiteSparse_long>>& entries, Index i, Index j,
+                  std::complex<double> c, bool reflecting) {
+  const double sign = reflecting ? -1 : 1;
+  entries.emplace_back(2 * i, 2 * j, -c.real());
+  entries.emplace_back(2 * i, 2 * j + 1, sign * c.imag());
+  entries.emplace_back(2 * i + 1, 2 * j, -c.imag());
+  entries.emplace_back(2 * i + 1, 2 * j + 1, -sign * c.real());
+}
+
+std::vector<double> weight_sums(const PhaseGraph& graph) {
+  std::vector<double> sums(graph.node_count());
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
+      sums[i] += std::abs(graph.coupling[edge]);
+    }
+  }
+  return sums;
+}
+
+double mass_of(const PhaseGraph& graph, Index node) {
+  return graph.mass.empty() ? 1.0 : static_cast<double>(graph.mass[node]);
+}
+
+/// The quadratic form of the energy, shifted by a multiple of the mass.
+Matrix energy_matrix(const PhaseGraph& graph) {
+  const std::vector<double> weights = weight_sums(graph);
+  const auto nodes = static_cast<Index>(graph.node_count());
+  double total_weight = 0, total_mass = 0;
+  for (Index i = 0; i < nodes; ++i) {
+    total_weight += weights[i];
+    total_mass += mass_of(graph, i);
+  }
+  const double shift = kShift * total_weight / total_mass;
+  std::vector<Eigen::Triplet<double, SuiteSparse_long>> entries;
+  entries.reserve(2 * nodes + 2 * graph.coupling.size());
+  for (Index i = 0; i < nodes; ++i) {
+    // A node without couplings stands alone, whatever its phase.
+    const double diagonal = weights[i] > 0 ? weights[i] + shift * mass_of(graph, i) : 1.0;
+    entries.emplace_back(2 * i, 2 * i, diagonal);
+    entries.emplace_back(2 * i + 1, 2 * i + 1, diagonal);
+    for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
+      const Index j = graph.adjacency->neighbors[edge];
+      if (j < i) add_coupling(entries, i, j, graph.coupling[edge], graph.reflecting[edge]);
+    }
+  }
+  Matrix matrix(2 * nodes, 2 * nodes);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Vector mass_vector(const PhaseGraph& graph) {
+  Vector mass(2 * graph.node_count());
+  for (Index i = 0; i < graph.node_count(); ++i) {
+    mass[2 * i] = mass[2 * i + 1] = mass_of(graph, i);
+  }
+  return mass;
+}
+
+Vector start_vector(const PhaseGraph& graph, std::uint32_t seed) {
+  Vector x(2 * graph.node_count());
+  for (Index i = 0; i < graph.node_count(); ++i) {
+    const Complex z = random_phase(i, seed);
+    x[2 * i] = z.real();
+    x[2 * i + 1] = z.imag();
+  }
+  return x;
+}
+
+std::vector<Complex> unit_numbers(const Vector& x) {
+  std::vector<Complex> z(static_cast<std::size_t>(x.size() / 2));
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const std::complex<double> value(x[2 * i], x[2 * i + 1]);
+    const double length = std::abs(value);
+    z[i] = length > 0 ? Complex(value / length) : Complex(1);
+  }
+  return z;
+}
+
+}  // namespace
+
+PhaseSolution solve_global(const PhaseGraph& graph, const SolverOptions& options,
+                           const Progress& progress) {
+  PhaseSolution solution;
+  if (graph.node_count() == 0) return solution;
+  Stopwatch watch;
+  progress.report("global: energy matrix", 0);
+  const Matrix matrix = energy_matrix(graph);
+  progress.report("global: Cholesky factor", 0);
+  Eigen::CholmodDecomposition<Matrix, Eigen::Lower> factor;
+  factor.cholmod().print = 0;
+  factor.compute(matrix);
+  if (factor.info() != Eigen::Success) {
+    throw Error("the global solver could not factorise the energy matrix of " +
+                std::to_string(graph.node_count()) +
+                " nodes; free some memory or use the multilevel solver");
+  }
+  const Vector mass = mass_vector(graph);
+  Vector x = start_vector(graph, options.seed);
+  for (; solution.iterations < options.global_iterations; ++solution.iterations) {
+    progress.report("global: inverse iteration",
+                    static_cast<double>(solution.iterations) / options.global_iterations);
+    x = factor.solve(mass.cwiseProduct(x).eval()).eval();
+    x /= std::sqrt(x.dot(mass.cwiseProduct(x)));
+  }
+  solution.z = unit_numbers(x);
+  solution.solve_milliseconds = watch.lap();
+  solution.energy = energy(graph, solution.z);
+  return solution;
+}
+
+}  // namespace brindle
+
+#endif

@@ -1,0 +1,73 @@
+#include "brindle/phases/relaxation.h"
+
+#include <cmath>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/phases/coloring.h"
+#include "brindle/phases/one_at_a_time.h"
+#include "brindle/phases/sliced_graph.h"
+
+namespace brindle {
+namespace {
+
+std::vector<Complex> start_phases(const SlicedLayout& layout, std::span<const Complex> start,
+                                  std::uint32_t seed) {
+  std::vector<Complex> z(layout.slot_count(), Complex(1));
+  for (Index node = 0; node < layout.slot_of.size(); ++node) {
+    z[layout.slot_of[node]] = start.empty() ? random_phase(node, seed) : start[node];
+  }
+  return z;
+}
+
+double sum_of_weights(const PhaseGraph& graph) {
+  double sum = 0;
+  for (const Complex& coupling : graph.coupling) sum += std::abs(coupling);
+  return sum;
+}
+
+/// One iteration over the colours; returns by how much it lowers the energy.
+double relax_colors(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                    std::span<Complex> z, Momentum& momentum, Index colors) {
+  double drop = 0;
+  for (Index color = 0; color < colors; ++color) {
+    drop += relax_color(layout, couplings, z, momentum, color);
+  }
+  return drop;
+}
+
+}  // namespace
+
+PhaseSolution relax(const PhaseGraph& graph, const SolverOptions& options,
+                    std::span<const Complex> start, const Progress& progress) {
+  PhaseSolution solution;
+  Stopwatch watch;
+  const SlicedLayout layout =
+      sliced_layout(*graph.adjacency, luby_coloring(*graph.adjacency, options.seed));
+  solution.topology_milliseconds = watch.lap();
+
+  SlicedCouplings couplings(layout);
+  load_couplings(graph, layout, couplings);
+  std::vector<Complex> z = start_phases(layout, start, options.seed);
+  Momentum momentum{options.momentum, std::vector<Complex>(layout.slot_count())};
+  const double weight = sum_of_weights(graph);
+  const Index all = layout.color_count();
+  const Index first_two_thirds = all - all / 3;
+
+  solution.energy_per_iteration.push_back(energy(graph, to_nodes(layout, z)));
+  while (weight > 0 && solution.iterations < options.max_iterations) {
+    const bool skip = options.skip_last_third && solution.iterations % 2 == 1;
+    const double drop =
+        relax_colors(layout, couplings, z, momentum, skip ? first_two_thirds : all) / weight;
+    const double before = solution.energy_per_iteration.back();
+    solution.energy_per_iteration.push_back(before - drop);
+    ++solution.iterations;
+    progress.report("relaxation", 1 - std::min(1.0, (before - drop) / 0.5));
+    if (!(drop > 0) || drop / before < options.epsilon) break;
+  }
+  solution.z = to_nodes(layout, z);
+  solution.energy = energy(graph, solution.z);
+  solution.solve_milliseconds = watch.lap();
+  return solution;
+}
+
+}  // namespace brindle

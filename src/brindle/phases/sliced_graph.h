@@ -1,0 +1,111 @@
+/// A phase graph laid out for speed: colours contiguous, rows in slices of equal width.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/base/adjacency.h"
+#include "brindle/base/types.h"
+#include "brindle/phases/coloring.h"
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle {
+
+/// Rows of a slice, updated together: the widest vector of floats that processors have.
+inline constexpr Index kLanes = 16;
+inline constexpr Index kNone = ~Index{0};
+
+/// Where everything stands (sliced ELLPACK, Kreutzer et al. 2014). Nodes are renumbered to slots: a
+/// colour fills whole slices of `kLanes` slots, its nodes sorted by degree within windows. The
+/// neighbours of a slice's rows stand in columns of `kLanes` entries, one entry a row; rows shorter
+/// than the slice is wide are filled up with entries that point to their own slot.
+struct SlicedLayout {
+  std::vector<Index> slot_of;      ///< node -> slot
+  std::vector<Index> node_at;      ///< slot -> node, kNone for filling
+  std::vector<Index> color_begin;  ///< colour c owns slices color_begin[c] .. color_begin[c+1] - 1
+  std::vector<Index>
+      column_begin;             ///< slice s owns columns column_begin[s] .. column_begin[s+1] - 1
+  std::vector<Index> neighbor;  ///< entry -> slot of the neighbour
+
+  Index slot_count() const { return static_cast<Index>(node_at.size()); }
+  Index slice_count() const { return slot_count() / kLanes; }
+  Index color_count() const { return static_cast<Index>(color_begin.size()) - 1; }
+  std::size_t entry_count() const { return neighbor.size(); }
+
+  /// Entries of a row are `first_entry(slot) + k * kLanes`, k from 0 to `width(slot)` - 1.
+  std::size_t first_entry(Index slot) const {
+    return std::size_t{column_begin[slot / kLanes]} * kLanes + slot % kLanes;
+  }
+  Index width(Index slot) const {
+    return column_begin[slot / kLanes + 1] - column_begin[slot / kLanes];
+  }
+};
+
+SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring);
+
+/// Couplings in a layout's entries, as real and imaginary parts side by side: a column of kLanes
+/// entries takes 2 * kLanes floats, first all real, then all imaginary parts. An entry may have
+/// both a direct and a reflecting coupling, as sums of finer ones do. The reflecting ones of a
+/// slice count, and are initialised, only where `slice_reflects` says so: pages that no slice needs
+/// are never touched.
+struct SlicedCouplings {
+  explicit SlicedCouplings(const SlicedLayout& layout);
+
+  std::unique_ptr<float[]> direct;
+  std::unique_ptr<float[]> reflecting;
+  std::vector<std::uint8_t> slice_reflects;
+  std::vector<Complex> anchor;  ///< T_i by slot; empty for none
+
+  static std::size_t real_part(std::size_t entry) {
+    return (entry / kLanes) * (2 * kLanes) + entry % kLanes;
+  }
+  static Complex get(const float* couplings, std::size_t entry) {
+    const float* re = couplings + real_part(entry);
+    return {re[0], re[kLanes]};
+  }
+  static void set(float* couplings, std::size_t entry, Complex value) {
+    float* re = couplings + real_part(entry);
+    re[0] = value.real();
+    re[kLanes] = value.imag();
+  }
+  static void add(float* couplings, std::size_t entry, Complex value) {
+    float* re = couplings + real_part(entry);
+    re[0] += value.real();
+    re[kLanes] += value.imag();
+  }
+  /// Sets all couplings of a slice to zero, and no longer reflecting.
+  void clear_slice(const SlicedLayout& layout, Index slice);
+  /// Adds to B of an entry; the slice becomes reflecting.
+  void add_reflecting(const SlicedLayout& layout, Index slice, std::size_t entry, Complex value);
+  /// B of an entry, zero where its slice does not reflect.
+  Complex reflecting_at(Index slice, std::size_t entry) const {
+    return slice_reflects[slice] ? get(reflecting.get(), entry) : Complex(0);
+  }
+};
+
+/// Copies the couplings and anchors of a graph with the layout's adjacency.
+void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
+                    SlicedCouplings& couplings);
+
+/// One coloured sweep of z_i = t_i / |t_i| over all slots; nodes without a target keep their phase.
+/// Each update can only lower the energy.
+void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z);
+
+/// What the paper's relaxation carries from one iteration to the next.
+struct Momentum {
+  float strength;          ///< s_m of Eq. 11
+  std::vector<Complex> m;  ///< m_i by slot, zero at first
+};
+
+/// Updates the slots of one colour by Eq. 10 and 11 and returns by how much that lowers the energy
+/// sum of Eq. 5 (anchors included): exactly Re(conj(z_i new - z_i old) t_i) a slot, since no two of
+/// them are neighbours.
+double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                   std::span<Complex> z, Momentum& momentum, Index color);
+
+/// Slot order <-> node order.
+std::vector<Complex> to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot);
+
+}  // namespace brindle

@@ -1,0 +1,76 @@
+#include "brindle/phases/solver.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/phases/averaged.h"
+#include "brindle/phases/global.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/phases/relaxation.h"
+
+namespace brindle {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Solver>, 4> kNames{
+    {{"multilevel", Solver::multilevel},
+     {"relaxation", Solver::relaxation},
+     {"averaged", Solver::averaged},
+     {"global", Solver::global}}};
+
+void require(bool holds, const char* message) {
+  if (!holds) throw Error(std::string("solver options: ") + message);
+}
+
+void check(const SolverOptions& options) {
+  require(std::isfinite(options.epsilon) && options.epsilon >= 0, "epsilon must be 0 or above");
+  require(options.momentum >= 0 && options.momentum < 1, "momentum must be in [0, 1)");
+  require(options.max_iterations > 0, "max_iterations must be above 0");
+  require(options.sweeps >= 0, "sweeps must be 0 or above");
+  require(options.global_iterations > 0, "global_iterations must be above 0");
+}
+
+PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& options,
+                               const Progress& progress) {
+  PhaseSolution solution;
+  Hierarchy hierarchy = build_hierarchy(graph, progress);
+  solution.topology_milliseconds = hierarchy.topology_milliseconds;
+  Stopwatch watch;
+  descend(hierarchy, options.sweeps);
+  solution.z = to_nodes(hierarchy.levels[0].layout, hierarchy.levels[0].z);
+  solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
+  solution.iterations = options.sweeps;
+  solution.energy = energy(graph, solution.z);
+  return solution;
+}
+
+}  // namespace
+
+std::optional<Solver> solver_of(std::string_view name) {
+  for (const auto& [known, solver] : kNames) {
+    if (known == name) return solver;
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(Solver solver) { return kNames[static_cast<std::size_t>(solver)].first; }
+
+PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,
+                           const Progress& progress) {
+  check(options);
+  switch (options.solver) {
+    case Solver::relaxation:
+      return relax(graph, options, {}, progress);
+    case Solver::averaged:
+      return solve_averaged(graph, options, progress);
+    case Solver::global:
+      return solve_global(graph, options, progress);
+    case Solver::multilevel:
+      break;
+  }
+  return solve_multilevel(graph, options, progress);
+}
+
+}  // namespace brindle

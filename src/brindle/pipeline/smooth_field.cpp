@@ -1,0 +1,60 @@
+#include "brindle/pipeline/smooth_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/phases/solver.h"
+#include "brindle/surface/curvature.h"
+#include "brindle/waves/direction_graph.h"
+
+namespace brindle {
+namespace {
+
+/// How far the principal curvatures of each vertex differ, over the largest difference that nine
+/// vertices in ten stay below: noise and creases must not drown the rest.
+std::vector<float> anisotropy(std::span<const PrincipalCurvature> curvatures) {
+  std::vector<float> difference(curvatures.size());
+  for (std::size_t i = 0; i < difference.size(); ++i) {
+    difference[i] = std::abs(curvatures[i].maximum - curvatures[i].minimum);
+  }
+  std::vector<float> sorted = difference;
+  const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
+  std::nth_element(sorted.begin(), tenth, sorted.end());
+  const float scale = *tenth > 0 ? 1 / *tenth : 0;
+  for (float& d : difference) d = std::min(1.0f, d * scale);
+  return difference;
+}
+
+void add_curvature_anchors(PhaseGraph& graph, const Surface& surface,
+                           const SmoothFieldOptions& options) {
+  const auto curvatures =
+      principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
+  const DirectionField directions =
+      curvature_direction_field(curvatures, options.curvature_direction);
+  const std::vector<float> trust = anisotropy(curvatures);
+  graph.anchor.resize(graph.node_count());
+  for (Index i = 0; i < graph.node_count(); ++i) {
+    const auto degree = static_cast<float>(graph.adjacency->of(i).size());
+    graph.anchor[i] = options.curvature_anchor * trust[i] * degree *
+                      representation(directions[i], surface.normals[i], options.symmetry);
+  }
+}
+
+}  // namespace
+
+DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options) {
+  if (options.symmetry < 1) throw Error("smooth field: the symmetry N must be 1 or above");
+  if (surface.mesh.vertex_count() == 0) return {};
+  PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry);
+  if (options.curvature_anchor > 0) add_curvature_anchors(graph, surface, options);
+  SolverOptions solver;
+  solver.sweeps = options.sweeps;
+  const PhaseSolution solution = solve_phases(graph, solver);
+  return directions_of(solution.z, surface.normals, options.symmetry);
+}
+
+}  // namespace brindle

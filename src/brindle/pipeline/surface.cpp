@@ -1,0 +1,18 @@
+#include "brindle/pipeline/surface.h"
+
+#include <utility>
+
+#include "brindle/surface/neighborhood.h"
+#include "brindle/surface/normals.h"
+
+namespace brindle {
+
+Surface make_surface(Mesh mesh) {
+  Surface surface;
+  surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(mesh));
+  surface.normals = vertex_normals(mesh);
+  surface.mesh = std::move(mesh);
+  return surface;
+}
+
+}  // namespace brindle

@@ -1,0 +1,23 @@
+/// The paper's hierarchy: waves averaged level by level (3.4, after Jakob et al. 2015).
+#pragma once
+
+#include <span>
+
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle {
+
+/// What averaging needs besides the waves: one entry per node.
+struct SurfaceElements {
+  std::vector<Vec3> normals;  ///< unit
+  std::vector<float> areas;   ///< above 0; of the node's share of the surface
+};
+
+/// Builds up to `levels` coarser graphs, each with about half the nodes of the one before, and
+/// attaches them to `graph`. Neighbours with similar normals and areas are merged first; position,
+/// direction (turned to run alike), frequency and normal of a merged node are area-weighted
+/// averages. `waves` and `elements` are those that `graph` was built from.
+void attach_averaged_levels(PhaseGraph& graph, const WaveSet& waves,
+                            const SurfaceElements& elements, PhaseShiftKind kind, int levels = 10);
+
+}  // namespace brindle

@@ -1,0 +1,85 @@
+#include "brindle/waves/direction_graph.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+/// `vector`, tangent at `from`, turned into the tangent plane of `to` by the smallest rotation that
+/// takes one unit normal to the other.
+Vec3 transported(const Vec3& vector, const Vec3& from, const Vec3& to) {
+  const Vec3 axis = from.cross(to);
+  const float cosine = from.dot(to);
+  return vector * cosine + axis.cross(vector) + axis * (axis.dot(vector) / (1 + cosine));
+}
+
+float angle_of(const Vec3& direction, const TangentBasis& basis) {
+  return std::atan2(direction.dot(basis.y), direction.dot(basis.x));
+}
+
+struct Transport {
+  float radians;    ///< the angle at i of what has angle 0 at j
+  bool reflecting;  ///< angles at i count against those at j
+};
+
+Transport transport(const Vec3& n_j, const Vec3& n_i) {
+  const bool reflecting = n_j.dot(n_i) < 0;
+  const Vec3 x = transported(tangent_basis(n_j).x, n_j, reflecting ? Vec3(-n_i) : n_i);
+  return {angle_of(x, tangent_basis(n_i)), reflecting};
+}
+
+}  // namespace
+
+TangentBasis tangent_basis(const Vec3& normal) {
+  // Duff et al. 2017: no branch but the sign, no loss of digits near the pole.
+  const float sign = std::copysign(1.0f, normal.z());
+  const float a = -1 / (sign + normal.z());
+  const float b = normal.x() * normal.y() * a;
+  return {{1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()},
+          {b, sign + normal.y() * normal.y() * a, -normal.y()}};
+}
+
+PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
+                                 std::span<const Vec3> normals, int symmetry) {
+  PhaseGraph graph;
+  graph.coupling.resize(adjacency->directed_edge_count());
+  graph.reflecting.resize(adjacency->directed_edge_count());
+  parallel_for(adjacency->node_count(), [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) {
+      for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
+        const Transport t = transport(normals[adjacency->neighbors[edge]], normals[i]);
+        graph.coupling[edge] = std::polar(1.0f, static_cast<float>(symmetry) * t.radians);
+        graph.reflecting[edge] = t.reflecting;
+      }
+    }
+  });
+  graph.adjacency = std::move(adjacency);
+  return graph;
+}
+
+Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) {
+  if (direction.isZero(0)) return 0;
+  const float theta = angle_of(direction, tangent_basis(normal));
+  return std::polar(1.0f, static_cast<float>(symmetry) * theta);
+}
+
+DirectionField directions_of(std::span<const Complex> u, std::span<const Vec3> normals,
+                             int symmetry) {
+  DirectionField directions(u.size());
+  parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float theta = std::arg(u[i]) / static_cast<float>(symmetry);
+      const TangentBasis basis = tangent_basis(normals[i]);
+      directions[i] = normals[i].isZero(0)
+                          ? Vec3(Vec3::Zero())
+                          : Vec3(std::cos(theta) * basis.x + std::sin(theta) * basis.y);
+    }
+  });
+  return directions;
+}
+
+}  // namespace brindle

@@ -1,0 +1,34 @@
+/// Smooth direction fields as a phase graph (DESIGN section 2; Knöppel et al. 2013).
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "brindle/waves/direction_field.h"
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle {
+
+/// The fixed tangent basis (x, y) of a unit normal: x × y = normal.
+struct TangentBasis {
+  Vec3 x;
+  Vec3 y;
+};
+TangentBasis tangent_basis(const Vec3& normal);
+
+/// An N-direction field as a phase graph: node i has u_i = exp(i N theta_i), theta_i the angle of
+/// one of its N directions in the tangent basis, and A_ij = exp(i N rho_ji) with the angle rho_ji
+/// of parallel transport from j to i. Where the normals of an edge point to opposite sides
+/// (unorientable surfaces), angles are counted against each other: there the edge is reflecting,
+/// B_ij. All weights are 1. `normals` has one entry per node, `symmetry` is N.
+PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
+                                 std::span<const Vec3> normals, int symmetry);
+
+/// u = exp(i N theta) of a tangent direction; zero for a zero direction.
+Complex representation(const Vec3& direction, const Vec3& normal, int symmetry);
+
+/// One of the N directions that each u stands for: theta = arg(u) / N. Zero where the normal is.
+DirectionField directions_of(std::span<const Complex> u, std::span<const Vec3> normals,
+                             int symmetry);
+
+}  // namespace brindle

@@ -1,0 +1,31 @@
+#include "brindle/waves/frequency_field.h"
+
+#include <cmath>
+#include <string>
+
+#include "brindle/base/error.h"
+
+namespace brindle {
+namespace {
+
+void require_positive(float value, const char* what) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw Error(std::string(what) + " must be a finite number above zero, not " +
+                std::to_string(value));
+  }
+}
+
+}  // namespace
+
+FrequencyField constant_frequency_field(float frequency, std::size_t vertex_count) {
+  require_positive(frequency, "frequency");
+  return FrequencyField(vertex_count, frequency);
+}
+
+float frequency_of_stripes(float stripes, float diagonal) {
+  require_positive(stripes, "number of stripes");
+  require_positive(diagonal, "bounding box diagonal");
+  return stripes / diagonal;
+}
+
+}  // namespace brindle

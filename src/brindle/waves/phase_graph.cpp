@@ -1,0 +1,76 @@
+#include "brindle/waves/phase_graph.h"
+
+#include <cmath>
+
+#include "brindle/base/error.h"
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+Wave wave_at(const WaveSet& waves, Index node) {
+  return {waves.positions[node], waves.directions[node], waves.frequencies[node]};
+}
+
+}  // namespace
+
+PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
+                             PhaseShiftKind kind, std::span<const float> edge_weights) {
+  const std::size_t nodes = adjacency->node_count();
+  const std::size_t edges = adjacency->directed_edge_count();
+  if (waves.positions.size() != nodes || waves.directions.size() != nodes ||
+      waves.frequencies.size() != nodes ||
+      (!edge_weights.empty() && edge_weights.size() != edges)) {
+    throw Error(
+        "phase graph: positions, directions and frequencies must have one entry for each of " +
+        std::to_string(nodes) + " nodes, weights one for each of " + std::to_string(edges) +
+        " directed edges");
+  }
+  PhaseGraph graph;
+  graph.coupling.resize(edges);
+  graph.reflecting.resize(edges);
+  parallel_for(nodes, [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) {
+      const Wave w_i = wave_at(waves, i);
+      for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
+        const Wave w_j = wave_at(waves, adjacency->neighbors[edge]);
+        float weight = std::abs(w_i.direction.dot(w_j.direction));
+        if (!edge_weights.empty()) weight *= edge_weights[edge];
+        const PhaseShift shift = phase_shift(kind, w_j, w_i);
+        graph.reflecting[edge] = shift.reflecting;
+        graph.coupling[edge] = shift.reflecting ? -std::polar(weight, -shift.radians)
+                                                : std::polar(weight, shift.radians);
+      }
+    }
+  });
+  graph.adjacency = std::move(adjacency);
+  return graph;
+}
+
+double energy(const PhaseGraph& graph, std::span<const Complex> z) {
+  struct Sums {
+    double energy = 0, weight = 0;
+    Sums operator+(const Sums& other) const {
+      return {energy + other.energy, weight + other.weight};
+    }
+  };
+  const Adjacency& adjacency = *graph.adjacency;
+  const Sums sums = parallel_sum<Sums>(graph.node_count(), [&](std::size_t begin, std::size_t end) {
+    Sums sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::complex<double> z_i = z[i];
+      for (Index edge = adjacency.offsets[i]; edge < adjacency.offsets[i + 1]; ++edge) {
+        const std::complex<double> z_j = z[adjacency.neighbors[edge]];
+        const std::complex<double> c = graph.coupling[edge];
+        const std::complex<double> target = c * (graph.reflecting[edge] ? std::conj(z_j) : z_j);
+        const double weight = std::abs(c);
+        sum.weight += weight;
+        sum.energy += 0.5 * (weight - (std::conj(z_i) * target).real());
+      }
+    }
+    return sum;
+  });
+  return sums.weight > 0 ? sums.energy / sums.weight : 0;
+}
+
+}  // namespace brindle
