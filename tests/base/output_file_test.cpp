@@ -64,6 +64,17 @@ TEST_F(OutputFile, FolderIsRefused) {
   EXPECT_THROW(write_file(folder, [](std::ostream&) {}), Error);
 }
 
+TEST_F(OutputFile, PathIsCheckedWithoutTouchingIt) {
+  check_output_path(folder / "a");
+  EXPECT_EQ(files(), 0u);
+  EXPECT_THROW(check_output_path(folder), Error);
+  EXPECT_THROW(check_output_path(folder / "none" / "a"), Error);
+  write_file(folder / "a", [](std::ostream& out) { out << "old"; });
+  check_output_path(folder / "a");
+  EXPECT_EQ(content(folder / "a"), "old");
+  EXPECT_THROW(check_output_path(folder / "a" / "b"), Error);
+}
+
 TEST(OutputFileDevice, FullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   try {

@@ -6,6 +6,8 @@
 #include <random>
 #include <string>
 
+#include <unistd.h>
+
 #include "brindle/base/error.h"
 
 namespace brindle {
@@ -13,10 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+bool is_device(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
 [[noreturn]] void fail(const fs::path& path, int reason) {
   std::string message = "cannot write '" + path.string() + "'";
   if (reason != 0) message += std::string(": ") + std::strerror(reason);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(path);
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
     message += "; the folder '" + folder.string() + "' does not exist, create it first";
@@ -26,6 +37,12 @@ namespace fs = std::filesystem;
     message += "; check the folder's permissions or choose another path";
   }
   throw Error(message);
+}
+
+void refuse_folder(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return;
+  throw Error("cannot write '" + path.string() + "': it is a folder; name a file in it");
 }
 
 void write_to(const fs::path& path, const fs::path& named,
@@ -50,14 +67,12 @@ fs::path temporary_name(const fs::path& path) {
 }  // namespace
 
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    throw Error("cannot write '" + path.string() + "': it is a folder; name a file in it");
-  }
-  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
+  refuse_folder(path);
+  if (is_device(path)) {
     write_to(path, path, write);
     return;
   }
+  std::error_code ignored;
   const fs::path temporary = temporary_name(path);
   try {
     write_to(temporary, path, write);
@@ -69,6 +84,12 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     fs::remove(temporary, ignored);
     throw;
   }
+}
+
+void check_output_path(const fs::path& path) {
+  refuse_folder(path);
+  const fs::path written = is_device(path) ? path : folder_of(path) / ".";
+  if (access(written.c_str(), W_OK) != 0) fail(path, errno);
 }
 
 }  // namespace brindle

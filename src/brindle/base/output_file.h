@@ -14,4 +14,8 @@ namespace brindle {
 /// cannot be written to or is full; passes on what `write` throws.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
+/// Throws the Error that `write_file` would throw for a `path` that is a folder, lies in a folder
+/// that does not exist or may not be written to. Ask before a long job, whose result would be lost.
+void check_output_path(const std::filesystem::path& path);
+
 }  // namespace brindle
