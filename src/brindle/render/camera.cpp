@@ -1,0 +1,119 @@
+#include "brindle/render/camera.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace brindle {
+namespace {
+
+constexpr double kFieldOfViewDeg = 28;  ///< of the longer side: calm perspective
+constexpr double kMargin = 0.05;        ///< of half a side, left free on either side
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// Rows: right, up, backwards (towards the viewer).
+Eigen::Matrix3d camera_axes(const CameraView& view) {
+  const double azimuth = radians(view.azimuth_deg);
+  const double elevation = radians(view.elevation_deg);
+  const double s = std::sin(azimuth);
+  const double c = std::cos(azimuth);
+  Eigen::Matrix3d axes;
+  axes.row(0) << c, 0, -s;
+  axes.row(2) << s * std::cos(elevation), std::sin(elevation), c * std::cos(elevation);
+  axes.row(1) = axes.row(2).cross(axes.row(0));
+  if (view.up == UpAxis::z) {
+    Eigen::Matrix3d y_up_from_z_up;
+    y_up_from_z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    axes = axes * y_up_from_z_up;
+  }
+  return axes;
+}
+
+/// The largest values of x + t z, -x + t z, y + u z and -y + u z over all vertices, and the range
+/// of z: the planes of a viewing pyramid touch the mesh there.
+struct Extent {
+  static constexpr double kNone = -std::numeric_limits<double>::infinity();
+  double right = kNone, left = kNone, top = kNone, bottom = kNone, front = kNone, back = kNone;
+};
+
+Extent extent_in(const Mesh& mesh, const Vec3& origin, const Eigen::Matrix3d& axes, double t,
+                 double u) {
+  Extent extent;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const Index vertex : triangle) {
+      const Eigen::Vector3d p = axes * (mesh.positions[vertex] - origin).cast<double>();
+      extent.right = std::max(extent.right, p.x() + t * p.z());
+      extent.left = std::max(extent.left, -p.x() + t * p.z());
+      extent.top = std::max(extent.top, p.y() + u * p.z());
+      extent.bottom = std::max(extent.bottom, -p.y() + u * p.z());
+      extent.front = std::max(extent.front, p.z());
+      extent.back = std::max(extent.back, -p.z());
+    }
+  }
+  return mesh.triangles.empty() ? Extent{0, 0, 0, 0, 0, 0} : extent;
+}
+
+Eigen::Matrix4f perspective(double t, double u, double near_plane, double far_plane) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+  m(0, 0) = 1 / t;
+  m(1, 1) = 1 / u;
+  m(2, 2) = -(far_plane + near_plane) / (far_plane - near_plane);
+  m(2, 3) = -2 * far_plane * near_plane / (far_plane - near_plane);
+  m(3, 2) = -1;
+  return m.cast<float>();
+}
+
+}  // namespace
+
+std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
+  std::vector<float> numbers;
+  const char* next = text.data();
+  const char* end = text.data() + text.size();
+  while (true) {
+    float number = 0;
+    const auto [rest, failure] = std::from_chars(next, end, number);
+    if (failure != std::errc() || !std::isfinite(number)) return {};
+    numbers.push_back(number);
+    if (rest == end) break;
+    if (*rest != ',') return {};
+    next = rest + 1;
+  }
+  if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90) return {};
+  const float zoom = numbers.size() == 3 ? numbers[2] : 1.0f;
+  if (zoom < 0.01f || zoom > 10000) return {};
+  return CameraView{numbers[0], numbers[1], zoom, up};
+}
+
+Camera framed_camera(const Mesh& mesh, const CameraView& view, int width, int height) {
+  Camera camera;
+  camera.origin = bounding_box(mesh).center();
+  const Eigen::Matrix3d axes = camera_axes(view);
+  const double longer_side = std::max(width, height);
+  const double t = std::tan(radians(kFieldOfViewDeg / 2)) * width / longer_side;
+  const double u = std::tan(radians(kFieldOfViewDeg / 2)) * height / longer_side;
+  const double inner_t = t * (1 - kMargin);
+  const double inner_u = u * (1 - kMargin);
+
+  // The eye (x, y, z) sees a vertex if p.x + t p.z <= x + t z and so on for the other three planes.
+  const Extent extent = extent_in(mesh, camera.origin, axes, inner_t, inner_u);
+  const double size = std::max(
+      {extent.front + extent.back, extent.left + extent.right, extent.top + extent.bottom, 1e-30});
+  Eigen::Vector3d eye((extent.right - extent.left) / 2, (extent.top - extent.bottom) / 2, 0);
+  eye.z() = std::max({(extent.right + extent.left) / (2 * inner_t),
+                      (extent.top + extent.bottom) / (2 * inner_u), extent.front + 0.01 * size});
+
+  camera.view_from_world.topLeftCorner<3, 3>() = axes.cast<float>();
+  camera.view_from_world.topRightCorner<3, 1>() = -eye.cast<float>();
+  const double near_plane = std::max(0.9 * (eye.z() - extent.front), 1e-3 * size);
+  const double far_plane = 1.1 * (eye.z() + extent.back) + 1e-3 * size;
+  camera.clip_from_view = perspective(t / view.zoom, u / view.zoom, near_plane, far_plane);
+  return camera;
+}
+
+}  // namespace brindle

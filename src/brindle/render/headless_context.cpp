@@ -1,0 +1,188 @@
+#include "brindle/render/headless_context.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include <dlfcn.h>
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include "brindle/base/error.h"
+
+namespace brindle {
+
+/// Displays are shared by the whole process and stay initialised: to terminate one would take it
+/// from every other context.
+struct HeadlessContext::State {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+  std::string renderer;
+  std::vector<std::string> errors;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (context == EGL_NO_CONTEXT) return;
+    if (eglGetCurrentContext() == context) {
+      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    eglDestroyContext(display, context);
+  }
+};
+
+namespace {
+
+constexpr const char* kRemedy =
+    "install a GPU driver with EGL or Mesa's software renderer "
+    "(Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
+
+struct Candidate {
+  std::string name;
+  EGLDisplay display;
+};
+
+bool has_extension(const char* list, const char* name) {
+  return list != nullptr && std::strstr(list, name) != nullptr;
+}
+
+/// Software devices come after the surfaceless platform, which may know a better one.
+std::vector<Candidate> candidate_displays(const char* client_extensions) {
+  std::vector<Candidate> hardware;
+  std::vector<Candidate> software;
+  if (has_extension(client_extensions, "EGL_EXT_platform_device") &&
+      has_extension(client_extensions, "EGL_EXT_device_enumeration")) {
+    std::array<EGLDeviceEXT, 32> devices{};
+    EGLint count = 0;
+    if (!eglQueryDevicesEXT(devices.size(), devices.data(), &count)) count = 0;
+    for (EGLint d = 0; d < count; ++d) {
+      const bool soft = has_extension(eglQueryDeviceStringEXT(devices[d], EGL_EXTENSIONS),
+                                      "EGL_MESA_device_software");
+      (soft ? software : hardware)
+          .push_back({"EGL device " + std::to_string(d) + (soft ? " (software)" : ""),
+                      eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[d], nullptr)});
+    }
+  }
+  std::vector<Candidate> candidates = std::move(hardware);
+  if (has_extension(client_extensions, "EGL_MESA_platform_surfaceless")) {
+    candidates.push_back(
+        {"Mesa's surfaceless platform",
+         eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+  }
+  candidates.insert(candidates.end(), software.begin(), software.end());
+  return candidates;
+}
+
+EGLContext create_context(EGLDisplay display) {
+  const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                         4,
+                                         EGL_CONTEXT_MINOR_VERSION,
+                                         5,
+                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                         EGL_CONTEXT_OPENGL_DEBUG,
+                                         EGL_TRUE,
+                                         EGL_NONE};
+  const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
+                                     EGL_NONE};
+  EGLConfig config = EGL_NO_CONFIG_KHR;
+  EGLint configs = 0;
+  if (!eglChooseConfig(display, wanted.data(), &config, 1, &configs) || configs == 0) {
+    config = EGL_NO_CONFIG_KHR;
+  }
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+}
+
+std::string egl_failure(const char* step) {
+  std::array<char, 16> code{};
+  std::snprintf(code.data(), code.size(), "0x%04x", static_cast<unsigned>(eglGetError()));
+  return std::string(step) + " failed (EGL error " + code.data() + ")";
+}
+
+/// A current context on the display, or EGL_NO_CONTEXT and the reason.
+EGLContext open_context(EGLDisplay display, std::string& reason) {
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) {
+    reason = egl_failure("opening it");
+    return EGL_NO_CONTEXT;
+  }
+  if (!has_extension(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+    reason = "it cannot draw without a window";
+    return EGL_NO_CONTEXT;
+  }
+  eglBindAPI(EGL_OPENGL_API);
+  EGLContext context = create_context(display);
+  if (context == EGL_NO_CONTEXT) {
+    reason = egl_failure("creating an OpenGL 4.5 core context");
+    return EGL_NO_CONTEXT;
+  }
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    reason = egl_failure("making its OpenGL 4.5 core context current");
+    eglDestroyContext(display, context);
+    return EGL_NO_CONTEXT;
+  }
+  return context;
+}
+
+std::string gl_string(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text == nullptr ? "?" : reinterpret_cast<const char*>(text);
+}
+
+void GLAPIENTRY collect_error(GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
+                              const GLchar* message, const void* errors) {
+  if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+  auto* list = static_cast<std::vector<std::string>*>(const_cast<void*>(errors));
+  if (list->size() < 16) list->emplace_back(message);
+}
+
+}  // namespace
+
+HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
+  // libepoxy would end the program where there is no EGL.
+  if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr) {
+    throw Error(std::string("there is no EGL on this system; ") + kRemedy);
+  }
+  std::string tried;
+  for (const Candidate& candidate :
+       candidate_displays(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS))) {
+    std::string reason;
+    state_->display = candidate.display;
+    state_->context = open_context(candidate.display, reason);
+    if (state_->context != EGL_NO_CONTEXT) break;
+    tried += (tried.empty() ? "" : "; ") + candidate.name + ": " + reason;
+  }
+  if (state_->context == EGL_NO_CONTEXT) {
+    throw Error("no OpenGL 4.5 core context without a window (" +
+                (tried.empty() ? "EGL lists no device and no surfaceless platform" : tried) +
+                "); " + kRemedy);
+  }
+  state_->renderer = gl_string(GL_RENDERER) + ", OpenGL " + gl_string(GL_VERSION);
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  glDebugMessageCallback(collect_error, &state_->errors);
+}
+
+HeadlessContext::~HeadlessContext() = default;
+HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
+HeadlessContext& HeadlessContext::operator=(HeadlessContext&&) noexcept = default;
+
+void HeadlessContext::make_current() const {
+  if (!eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context)) {
+    throw Error("cannot make the OpenGL context current: " + egl_failure("eglMakeCurrent"));
+  }
+}
+
+const std::string& HeadlessContext::renderer() const { return state_->renderer; }
+
+void HeadlessContext::check_errors(std::string_view job) const {
+  if (state_->errors.empty()) return;
+  std::string message = std::string(job) + " failed on " + state_->renderer + ":";
+  for (const std::string& error : state_->errors) message += " " + error + ";";
+  state_->errors.clear();
+  throw Error(message);
+}
+
+}  // namespace brindle

@@ -1,0 +1,419 @@
+#include "brindle/render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "brindle/base/error.h"
+#include "brindle/render/gl_name.h"
+#include "brindle/render/headless_context.h"
+#include "brindle/render/shader_program.h"
+
+namespace brindle {
+namespace {
+
+// What the shaders take for plain floats and integers.
+static_assert(sizeof(Triangle) == 12 && sizeof(Vec3) == 12 && sizeof(Complex) == 8);
+
+constexpr int kWantedSamples = 8;
+
+enum Binding { kTriangles, kPositions, kNormals, kWaves, kPhases, kTriangleColors, kMarks };
+
+GLint limit(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+void check_gl(const std::string& job) {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  throw Error(job + " failed: " +
+              (error == GL_OUT_OF_MEMORY ? "OpenGL is out of memory; take a smaller mesh or picture"
+                                         : "OpenGL error " + std::to_string(error)));
+}
+
+template <class Item>
+GlBuffer buffer_of(std::span<const Item> items, const char* what) {
+  GlBuffer buffer;
+  if (items.empty()) return buffer;
+  GLint64 largest = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+  if (items.size_bytes() > static_cast<std::size_t>(largest)) {
+    throw Error("cannot draw this mesh: its " + std::string(what) + " take " +
+                std::to_string(items.size_bytes()) + " bytes and this driver's buffers hold " +
+                std::to_string(largest) + "; take a smaller mesh");
+  }
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  buffer = GlBuffer(name);
+  glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), 0);
+  return buffer;
+}
+
+template <class Item>
+GlBuffer buffer_of(const std::vector<Item>& items, const char* what) {
+  return buffer_of(std::span<const Item>(items), what);
+}
+
+std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
+  std::vector<Eigen::Vector4f> packed(waves.directions.size());
+  for (std::size_t v = 0; v < packed.size(); ++v) {
+    packed[v] << waves.directions[v], waves.frequencies[v];
+  }
+  return packed;
+}
+
+std::vector<std::uint32_t> packed_colors(std::span<const TriangleColor> colors) {
+  const auto byte = [](float value) {
+    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+  };
+  std::vector<std::uint32_t> packed;
+  packed.reserve(colors.size());
+  for (const TriangleColor& c : colors) {
+    packed.push_back(byte(c.color.red) | byte(c.color.green) << 8 | byte(c.color.blue) << 16 |
+                     byte(c.amount) << 24);
+  }
+  return packed;
+}
+
+std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
+  std::vector<Vec3> packed;
+  packed.reserve(2 * marks.size());
+  for (const Mark& mark : marks) {
+    packed.insert(packed.end(), {mark.position, linear_light(mark.color)});
+  }
+  return packed;
+}
+
+void check_count(std::size_t count, std::size_t wanted, const char* what, const char* of) {
+  if (count == 0 || count == wanted) return;
+  throw Error("cannot draw this scene: it has " + std::to_string(count) + " " + what + " for " +
+              std::to_string(wanted) + " " + of);
+}
+
+void check_scene(const StripeScene& scene) {
+  const std::size_t vertices = scene.mesh.vertex_count();
+  check_count(scene.normals.size(), vertices, "normals", "vertices");
+  check_count(scene.z.size(), vertices, "phases", "vertices");
+  check_count(scene.triangle_colors.size(), scene.mesh.triangle_count(), "triangle colours",
+              "triangles");
+  if (scene.waves == nullptr) return;
+  check_count(scene.waves->directions.size(), vertices, "directions", "vertices");
+  check_count(scene.waves->frequencies.size(), vertices, "frequencies", "vertices");
+}
+
+void check_options(const RenderOptions& options) {
+  check_image_size(options.width, options.height);
+  if (!(options.stripe_width >= 0 && options.stripe_width <= 1)) {
+    throw Error("a stripe width of " + std::to_string(options.stripe_width) +
+                " is no share of the period; give a number from 0 to 1");
+  }
+  if (options.supersampling < 1 || options.supersampling > 4) {
+    throw Error("supersampling of " + std::to_string(options.supersampling) +
+                " is out of range; give a number from 1 to 4");
+  }
+  if (options.tile_side < 64) throw Error("tiles must be at least 64 samples wide");
+  if (!(options.mark_radius > 0)) throw Error("the radius of marks must be above 0 pixels");
+}
+
+GlTexture texture_of(GLenum format, int width, int height, int samples = 0) {
+  GLuint name = 0;
+  glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &name);
+  GlTexture texture(name);
+  if (samples > 0) {
+    glTextureStorage2DMultisample(texture, samples, format, width, height, GL_TRUE);
+  } else {
+    glTextureStorage2D(texture, 1, format, width, height);
+  }
+  return texture;
+}
+
+/// A framebuffer with its textures: colours first, then depth if it has one.
+struct Target {
+  GlFramebuffer framebuffer;
+  std::vector<GlTexture> textures;
+};
+
+Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height,
+                 int samples = 0) {
+  Target target;
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  target.framebuffer = GlFramebuffer(name);
+  std::vector<GLenum> attachments;
+  for (const GLenum format : colors) {
+    attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
+    target.textures.push_back(texture_of(format, width, height, samples));
+    glNamedFramebufferTexture(target.framebuffer, attachments.back(), target.textures.back(), 0);
+  }
+  if (depth) {
+    target.textures.push_back(texture_of(GL_DEPTH_COMPONENT32F, width, height, samples));
+    glNamedFramebufferTexture(target.framebuffer, GL_DEPTH_ATTACHMENT, target.textures.back(), 0);
+  }
+  glNamedFramebufferDrawBuffers(target.framebuffer, static_cast<GLsizei>(attachments.size()),
+                                attachments.data());
+  if (glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) !=
+      GL_FRAMEBUFFER_COMPLETE) {
+    throw Error("OpenGL cannot draw into a picture of " + std::to_string(width) + " x " +
+                std::to_string(height) + " pixels; take a smaller one");
+  }
+  return target;
+}
+
+/// A part of the picture, in finished pixels from the lower left.
+struct Tile {
+  int x, y, width, height;
+};
+
+/// Scale and offset that spread the tile's part of clip space over the whole of it.
+Eigen::Vector4f tile_transform(const Tile& tile, int width, int height) {
+  const auto scale_x = static_cast<float>(width) / static_cast<float>(tile.width);
+  const auto scale_y = static_cast<float>(height) / static_cast<float>(tile.height);
+  const auto middle_x = static_cast<float>(2 * tile.x + tile.width) / static_cast<float>(width) - 1;
+  const auto middle_y =
+      static_cast<float>(2 * tile.y + tile.height) / static_cast<float>(height) - 1;
+  return {scale_x, scale_y, -middle_x * scale_x, -middle_y * scale_y};
+}
+
+/// Rows from the bottom, as OpenGL counts them, become rows from the top.
+template <class Item>
+void flip_rows(std::vector<Item>& items, int width, int height) {
+  for (int y = 0; y < height / 2; ++y) {
+    std::swap_ranges(items.begin() + static_cast<std::ptrdiff_t>(y) * width,
+                     items.begin() + static_cast<std::ptrdiff_t>(y + 1) * width,
+                     items.begin() + static_cast<std::ptrdiff_t>(height - 1 - y) * width);
+  }
+}
+
+Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
+  return camera.view_from_world.block<3, 1>(0, up == UpAxis::y ? 1 : 2);
+}
+
+}  // namespace
+
+struct Renderer::State {
+  ShaderProgram surface{{"surface_buffers.glsl", "surface.vert"},
+                        {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
+                         "striped_surface.frag"}};
+  ShaderProgram probe{{"surface_buffers.glsl", "surface.vert"},
+                      {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
+                       "fragment_probe.frag"}};
+  ShaderProgram mark{{"mark.vert"}, {"mark.frag"}};
+  ShaderProgram develop{{"full_screen.vert"}, {"develop.frag"}};
+  GlVertexArray no_attributes;
+
+  Mesh frame;  ///< what a camera has to frame
+  std::array<GlBuffer, 7> buffers;
+  GLsizei mark_count = 0;
+
+  void draw_surface(const ShaderProgram& program, const Camera& camera,
+                    const Eigen::Vector4f& tile) const;
+  void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
+                  const RenderOptions& options) const;
+  void draw_light(const Target& target, const Camera& camera, const Tile& tile,
+                  const RenderOptions& options) const;
+  void draw_background_under(const Target& light, const Target& finished, const Tile& tile,
+                             const RenderOptions& options) const;
+};
+
+void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& camera,
+                                   const Eigen::Vector4f& tile) const {
+  program.set("origin", camera.origin);
+  program.set("view_from_world", camera.view_from_world);
+  program.set("clip_from_view", camera.clip_from_view);
+  program.set("tile", tile);
+  program.set("smooth_normals", buffers[kNormals] != 0);
+  program.set("has_waves", buffers[kWaves] != 0 && buffers[kPhases] != 0);
+  program.set("has_triangle_colors", buffers[kTriangleColors] != 0);
+  for (GLuint binding = 0; binding < buffers.size(); ++binding) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
+  }
+  glUseProgram(program.name());
+  glBindVertexArray(no_attributes);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * frame.triangle_count()));
+}
+
+void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
+                                 const RenderOptions& options) const {
+  if (mark_count == 0) return;
+  mark.set("origin", camera.origin);
+  mark.set("view_from_world", camera.view_from_world);
+  mark.set("clip_from_view", camera.clip_from_view);
+  mark.set("tile", tile);
+  mark.set("mark_size",
+           Eigen::Vector2f(2 * options.mark_radius / static_cast<float>(options.width),
+                           2 * options.mark_radius / static_cast<float>(options.height)));
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  glUseProgram(mark.name());
+  glDrawArrays(GL_TRIANGLES, 0, 6 * mark_count);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+void Renderer::State::draw_light(const Target& target, const Camera& camera, const Tile& tile,
+                                 const RenderOptions& options) const {
+  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, kNothing.data());
+  glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  glViewport(0, 0, tile.width * options.supersampling, tile.height * options.supersampling);
+  glEnable(GL_DEPTH_TEST);
+  surface.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
+                                             tile.height * options.supersampling));
+  surface.set("shading", options.shading);
+  surface.set("base_color", linear_light(options.base_color));
+  surface.set("stripe_color", linear_light(options.stripe_color));
+  surface.set("stripe_width", options.stripe_width);
+  surface.set("up", up_seen_by(camera, options.camera.up));
+  const Eigen::Vector4f transform = tile_transform(tile, options.width, options.height);
+  draw_surface(surface, camera, transform);
+  draw_marks(camera, transform, options);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Renderer::State::draw_background_under(const Target& light, const Target& finished,
+                                            const Tile& tile, const RenderOptions& options) const {
+  develop.set("light", 0);
+  develop.set("supersampling", options.supersampling);
+  develop.set("tile_corner", Eigen::Vector2i(tile.x, tile.y));
+  develop.set("picture_size", Eigen::Vector2f(options.width, options.height));
+  develop.set("background_center", linear_light(options.background_center));
+  develop.set("background_edge", linear_light(options.background_edge));
+  develop.set("transparent", options.transparent);
+  glBindTextureUnit(0, light.textures[0]);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished.framebuffer);
+  glViewport(0, 0, tile.width, tile.height);
+  glUseProgram(develop.name());
+  glBindVertexArray(no_attributes);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+RenderOptions with_faint_stripes(RenderOptions options) {
+  options.base_color = {0.900f, 0.900f, 0.895f};
+  options.stripe_color = {0.735f, 0.745f, 0.760f};
+  return options;
+}
+
+Renderer::Renderer() : state_(std::make_unique<State>()) {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  state_->no_attributes = GlVertexArray(name);
+}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::upload(const StripeScene& scene) {
+  check_scene(scene);
+  state_->frame = scene.mesh;
+  auto& buffers = state_->buffers;
+  buffers = {};
+  buffers[kTriangles] = buffer_of(scene.mesh.triangles, "triangles");
+  buffers[kPositions] = buffer_of(scene.mesh.positions, "positions");
+  buffers[kNormals] = buffer_of(scene.normals, "normals");
+  if (scene.waves != nullptr) buffers[kWaves] = buffer_of(packed_waves(*scene.waves), "waves");
+  buffers[kPhases] = buffer_of(scene.z, "phases");
+  buffers[kTriangleColors] = buffer_of(packed_colors(scene.triangle_colors), "triangle colours");
+  buffers[kMarks] = buffer_of(packed_marks(scene.marks), "marks");
+  state_->mark_count = static_cast<GLsizei>(scene.marks.size());
+  check_gl("copying the mesh to OpenGL");
+}
+
+Image Renderer::draw(const RenderOptions& options) const {
+  check_options(options);
+  const Camera camera = framed_camera(state_->frame, options.camera, options.width, options.height);
+  const int s = options.supersampling;
+  const int side =
+      std::min({options.tile_side, limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS)});
+  // An even number of pixels, so that derivatives pair the same pixels in every tiling.
+  const int step = side / s / 2 * 2;
+  const int tile_width = std::min(step, options.width);
+  const int tile_height = std::min(step, options.height);
+  const int samples = std::min(kWantedSamples, limit(GL_MAX_SAMPLES));
+  const Target many =
+      target_of({GL_RGBA16F}, true, tile_width * s, tile_height * s, std::max(samples, 1));
+  const Target light = target_of({GL_RGBA16F}, false, tile_width * s, tile_height * s);
+  const Target finished = target_of({GL_RGBA8}, false, tile_width, tile_height);
+  Image image(options.width, options.height);
+  glPixelStorei(GL_PACK_ROW_LENGTH, options.width);
+  for (int y = 0; y < options.height; y += step) {
+    for (int x = 0; x < options.width; x += step) {
+      const Tile tile{x, y, std::min(step, options.width - x), std::min(step, options.height - y)};
+      state_->draw_light(many, camera, tile, options);
+      glBlitNamedFramebuffer(many.framebuffer, light.framebuffer, 0, 0, tile.width * s,
+                             tile.height * s, 0, 0, tile.width * s, tile.height * s,
+                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
+      state_->draw_background_under(light, finished, tile, options);
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, finished.framebuffer);
+      glReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE, &image.at(x, y));
+    }
+  }
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  check_gl("drawing the picture");
+  flip_rows(image.pixels, image.width, image.height);
+  return image;
+}
+
+FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
+  check_options(options);
+  const int width = options.width;
+  const int height = options.height;
+  if (std::max(width, height) > std::min(limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS))) {
+    throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels is beyond this driver's framebuffers; take a smaller one");
+  }
+  const Target target = target_of({GL_RG32F, GL_RGBA32F, GL_R32UI}, true, width, height);
+  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
+  constexpr std::array<GLuint, 4> kNoTriangles{FragmentImage::kNoTriangle, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, kNothing.data());
+  glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 1, kNothing.data());
+  glClearNamedFramebufferuiv(target.framebuffer, GL_COLOR, 2, kNoTriangles.data());
+  glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glViewport(0, 0, width, height);
+  glEnable(GL_DEPTH_TEST);
+  if (state_->buffers[kWaves] == 0 || state_->buffers[kPhases] == 0) {
+    throw Error("the scene has no waves whose phases could be drawn");
+  }
+  state_->draw_surface(state_->probe, framed_camera(state_->frame, options.camera, width, height),
+                       {1, 1, 0, 0});
+  glDisable(GL_DEPTH_TEST);
+  FragmentImage image{width, height, {}, {}, {}};
+  const std::size_t count = static_cast<std::size_t>(width) * height;
+  image.z.resize(count);
+  image.barycentric.resize(count);
+  image.triangle.resize(count);
+  glNamedFramebufferReadBuffer(target.framebuffer, GL_COLOR_ATTACHMENT0);
+  glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, image.z.data());
+  glNamedFramebufferReadBuffer(target.framebuffer, GL_COLOR_ATTACHMENT1);
+  glReadPixels(0, 0, width, height, GL_RGB, GL_FLOAT, image.barycentric.data());
+  glNamedFramebufferReadBuffer(target.framebuffer, GL_COLOR_ATTACHMENT2);
+  glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, image.triangle.data());
+  check_gl("drawing the fragments");
+  flip_rows(image.z, width, height);
+  flip_rows(image.barycentric, width, height);
+  flip_rows(image.triangle, width, height);
+  return image;
+}
+
+Image render_picture(const StripeScene& scene, const RenderOptions& options) {
+  check_options(options);
+  const HeadlessContext context;
+  Renderer renderer;
+  renderer.upload(scene);
+  Image image = renderer.draw(options);
+  context.check_errors("drawing the picture");
+  return image;
+}
+
+}  // namespace brindle

@@ -1,0 +1,115 @@
+#include "brindle/render/shader_program.h"
+
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "brindle/base/error.h"
+
+namespace brindle {
+namespace {
+
+std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetShaderInfoLog) read) {
+  GLint size = 0;
+  get(object, GL_INFO_LOG_LENGTH, &size);
+  std::string log(static_cast<std::size_t>(size > 0 ? size : 1), '\0');
+  read(object, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  while (!log.empty() && (log.back() == '\0' || log.back() == '\n')) log.pop_back();
+  return log;
+}
+
+GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> files) {
+  std::string text = "#version 450 core\n";
+  int number = 0;
+  for (const std::string_view file : files) {
+    const std::string_view body = shader_text(file);
+    if (body.empty()) throw Error("there is no shader file '" + std::string(file) + "'");
+    text += "#line 1 " + std::to_string(number++) + "\n" + std::string(body);
+  }
+  const GLuint shader = glCreateShader(stage);
+  const char* source = text.c_str();
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  GLint compiled = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (compiled) return shader;
+  const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+  glDeleteShader(shader);
+  throw Error("a shader does not compile on this driver:\n" + with_file_names(log, files));
+}
+
+}  // namespace
+
+std::string with_file_names(std::string_view log, std::initializer_list<std::string_view> files) {
+  const std::vector<std::string_view> names(files);
+  static const std::regex place(R"(^(ERROR: )?(\d+)[:(](\d+)\)?(\(\d+\))?)");
+  std::istringstream lines{std::string(log)};
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, place) && match[2].length() < 4) {
+      const std::size_t file = std::stoul(match[2].str());
+      if (file < names.size()) {
+        line = std::string(names[file]) + ":" + match[3].str() + match.suffix().str();
+      }
+    }
+    result += (result.empty() ? "" : "\n") + line;
+  }
+  return result;
+}
+
+ShaderProgram::ShaderProgram(std::initializer_list<std::string_view> vertex_files,
+                             std::initializer_list<std::string_view> fragment_files) {
+  const GLuint vertex = compiled_shader(GL_VERTEX_SHADER, vertex_files);
+  GLuint fragment = 0;
+  try {
+    fragment = compiled_shader(GL_FRAGMENT_SHADER, fragment_files);
+  } catch (...) {
+    glDeleteShader(vertex);
+    throw;
+  }
+  name_ = glCreateProgram();
+  glAttachShader(name_, vertex);
+  glAttachShader(name_, fragment);
+  glLinkProgram(name_);
+  glDeleteShader(vertex);
+  glDeleteShader(fragment);
+  GLint linked = 0;
+  glGetProgramiv(name_, GL_LINK_STATUS, &linked);
+  if (linked) return;
+  const std::string log = log_of(name_, glGetProgramiv, glGetProgramInfoLog);
+  glDeleteProgram(name_);
+  throw Error("the shaders of '" + std::string(*(fragment_files.end() - 1)) +
+              "' do not link on this driver:\n" + log);
+}
+
+ShaderProgram::~ShaderProgram() { glDeleteProgram(name_); }
+
+void ShaderProgram::set(const char* uniform, bool value) const {
+  glProgramUniform1i(name_, glGetUniformLocation(name_, uniform), value ? 1 : 0);
+}
+void ShaderProgram::set(const char* uniform, int value) const {
+  glProgramUniform1i(name_, glGetUniformLocation(name_, uniform), value);
+}
+void ShaderProgram::set(const char* uniform, float value) const {
+  glProgramUniform1f(name_, glGetUniformLocation(name_, uniform), value);
+}
+void ShaderProgram::set(const char* uniform, const Eigen::Vector2i& value) const {
+  glProgramUniform2iv(name_, glGetUniformLocation(name_, uniform), 1, value.data());
+}
+void ShaderProgram::set(const char* uniform, const Eigen::Vector2f& value) const {
+  glProgramUniform2fv(name_, glGetUniformLocation(name_, uniform), 1, value.data());
+}
+void ShaderProgram::set(const char* uniform, const Eigen::Vector3f& value) const {
+  glProgramUniform3fv(name_, glGetUniformLocation(name_, uniform), 1, value.data());
+}
+void ShaderProgram::set(const char* uniform, const Eigen::Vector4f& value) const {
+  glProgramUniform4fv(name_, glGetUniformLocation(name_, uniform), 1, value.data());
+}
+void ShaderProgram::set(const char* uniform, const Eigen::Matrix4f& value) const {
+  glProgramUniformMatrix4fv(name_, glGetUniformLocation(name_, uniform), 1, GL_FALSE, value.data());
+}
+
+}  // namespace brindle

@@ -1,0 +1,46 @@
+/// OpenGL programs from the shader files embedded in the library.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+namespace brindle {
+
+/// The text of a file of render/shaders; empty if there is none of that name.
+std::string_view shader_text(std::string_view name);
+
+/// A linked program of a vertex and a fragment shader. Needs a current OpenGL 4.5 context.
+class ShaderProgram {
+ public:
+  /// Each shader is its files one after the other.
+  /// Throws Error with the driver's message, naming file and line, if they do not compile or link.
+  ShaderProgram(std::initializer_list<std::string_view> vertex_files,
+                std::initializer_list<std::string_view> fragment_files);
+  ~ShaderProgram();
+  ShaderProgram(const ShaderProgram&) = delete;
+  ShaderProgram& operator=(const ShaderProgram&) = delete;
+
+  unsigned name() const { return name_; }
+
+  /// Sets a uniform; names that the program does not use are ignored.
+  void set(const char* uniform, bool value) const;
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, const Eigen::Vector2i& value) const;
+  void set(const char* uniform, const Eigen::Vector2f& value) const;
+  void set(const char* uniform, const Eigen::Vector3f& value) const;
+  void set(const char* uniform, const Eigen::Vector4f& value) const;
+  void set(const char* uniform, const Eigen::Matrix4f& value) const;
+
+ private:
+  unsigned name_;
+};
+
+/// Puts file names into a driver's log, which names them by their number in `files`:
+/// "1:12(3): error" (Mesa) and "1(12) : error" (NVIDIA) begin with "waves.glsl:12".
+std::string with_file_names(std::string_view log, std::initializer_list<std::string_view> files);
+
+}  // namespace brindle

@@ -1,0 +1,262 @@
+#include "brindle/render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/error.h"
+#include "brindle/pattern/fragment_phase.h"
+#include "render/test_scenes.h"
+
+namespace brindle {
+namespace {
+
+using namespace test;
+
+CornerWave corner_of(const WavySurface& s, Index v) {
+  return {{s.mesh.positions[v], s.waves.directions[v], s.waves.frequencies[v]}, s.z[v]};
+}
+
+/// The largest difference between the shader's phase and its twin's over all pixels that show a
+/// triangle, leaving out the surroundings of singular points, where any rounding turns the phase.
+struct TwinError {
+  float largest = 0;
+  int pixels = 0;
+  int left_out = 0;
+};
+
+TwinError twin_error(const WavySurface& s, const RenderOptions& options) {
+  Studio::shared().renderer.upload(s.scene());
+  const FragmentImage image = Studio::shared().renderer.draw_fragments(options);
+  TwinError error;
+  for (std::size_t p = 0; p < image.z.size(); ++p) {
+    if (image.triangle[p] == FragmentImage::kNoTriangle) continue;
+    const Triangle& t = s.mesh.triangles[image.triangle[p]];
+    const std::array<CornerWave, 3> corners{corner_of(s, t[0]), corner_of(s, t[1]),
+                                            corner_of(s, t[2])};
+    const Vec3 b = image.barycentric[p];
+    const Complex z = fragment_phase(corners, b).z;
+    const Complex nudged = fragment_phase(corners, b + Vec3(1e-5f, -2e-5f, 1e-5f)).z;
+    ++error.pixels;
+    if (std::abs(nudged - z) > 1e-2f) {
+      ++error.left_out;
+      continue;
+    }
+    error.largest = std::max(error.largest, std::abs(image.z[p] - z));
+  }
+  return error;
+}
+
+TEST(Renderer, ShaderAgreesWithItsTwinOnAPlaneWave) {
+  const TwinError error = twin_error(plane_wave(saddle(8), Vec3::UnitX(), 12), plain_options());
+  EXPECT_GT(error.pixels, 5000);
+  EXPECT_EQ(error.left_out, 0);
+  EXPECT_LT(error.largest, 1e-4);
+}
+
+TEST(Renderer, ShaderAgreesWithItsTwinAtBranchesSingularitiesAndFlips) {
+  RenderOptions options = plain_options(320, 240);
+  options.camera = {.azimuth_deg = 25, .elevation_deg = 30};
+  const TwinError error = twin_error(with_flips(random_waves(saddle(6), 10)), options);
+  EXPECT_GT(error.pixels, 10000);
+  EXPECT_LT(error.left_out, error.pixels / 50);
+  EXPECT_LT(error.largest, 1e-4);
+}
+
+TEST(Renderer, ShaderAgreesWithItsTwinOnManyStripesPerTriangle) {
+  const Vec3 direction = Vec3(1, 2, 0).normalized();
+  const TwinError error = twin_error(plane_wave(square(1), direction, 20), plain_options());
+  EXPECT_GT(error.pixels, 5000);
+  EXPECT_LT(error.largest, 1e-4);
+}
+
+TEST(Renderer, ShaderAgreesWithItsTwinFarFromTheOrigin) {
+  WavySurface surface = plane_wave(square(4), Vec3::UnitY(), 8);
+  for (Vec3& p : surface.mesh.positions) p += Vec3(1000, -2000, 500);
+  surface.waves.positions = surface.mesh.positions;
+  const TwinError error = twin_error(surface, plain_options());
+  EXPECT_GT(error.pixels, 5000);
+  EXPECT_LT(error.largest, 1e-4);
+}
+
+TEST(Renderer, FragmentsCoverThePictureAndHaveWeights) {
+  Studio::shared().renderer.upload(plane_wave(square(2), Vec3::UnitX(), 3).scene());
+  const FragmentImage image = Studio::shared().renderer.draw_fragments(plain_options(120, 120));
+  int seen = 0;
+  for (std::size_t p = 0; p < image.triangle.size(); ++p) {
+    if (image.triangle[p] == FragmentImage::kNoTriangle) continue;
+    ++seen;
+    EXPECT_LT(image.triangle[p], 8u);
+    EXPECT_NEAR(image.barycentric[p].sum(), 1, 1e-5);
+    EXPECT_NEAR(std::abs(image.z[p]), 1, 1e-5);
+  }
+  EXPECT_NEAR(seen, 114 * 114, 500);  // all but the margin
+}
+
+TEST(Renderer, FlippedWavesGiveTheSamePicture) {
+  const WavySurface surface = plane_wave(saddle(6), Vec3::UnitX(), 9);
+  const Image one = Studio::shared().draw(surface.scene(), plain_options());
+  const Image other = Studio::shared().draw(with_flips(surface).scene(), plain_options());
+  for (std::size_t p = 0; p < one.pixels.size(); ++p) {
+    ASSERT_NEAR(one.pixels[p].red, other.pixels[p].red, 2);
+  }
+}
+
+/// Mean light of the middle of a picture of white stripes on black, and the range of its pixels.
+struct Light {
+  double mean = 0;
+  double lowest = 1;
+  double highest = 0;
+};
+
+Light light_in_the_middle(const Image& image) {
+  Light light;
+  int count = 0;
+  for (int y = image.height / 4; y < image.height * 3 / 4; ++y) {
+    for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
+      const double value = linear_light({static_cast<float>(image.at(x, y).red) / 255, 0, 0})[0];
+      light.mean += value;
+      light.lowest = std::min(light.lowest, value);
+      light.highest = std::max(light.highest, value);
+      ++count;
+    }
+  }
+  light.mean /= count;
+  return light;
+}
+
+TEST(Renderer, StripeWidthIsTheShareOfLight) {
+  const WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 16);
+  RenderOptions options = plain_options(256, 256);
+  for (const float width : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
+    options.stripe_width = width;
+    const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), options));
+    EXPECT_NEAR(light.mean, width, 0.05) << width;
+  }
+}
+
+TEST(Renderer, StripesFinerThanPixelsBecomeTheirMeanWithoutMoire) {
+  RenderOptions options = plain_options(128, 128);
+  options.stripe_width = 0.3f;
+  for (const float frequency : {150.0f, 244.0f, 400.0f, 1000.0f, 30000.0f}) {
+    const WavySurface surface = plane_wave(square(4), Vec3(3, 4, 0) / 5, frequency);
+    const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), options));
+    EXPECT_NEAR(light.mean, 0.3, 0.02) << frequency;
+    EXPECT_LT(light.highest - light.lowest, 0.08) << frequency;
+  }
+}
+
+TEST(Renderer, WideStripesHaveFullContrast) {
+  const WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
+  const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), plain_options()));
+  EXPECT_LT(light.lowest, 0.01);
+  EXPECT_GT(light.highest, 0.99);
+}
+
+TEST(Renderer, TilesDoNotShow) {
+  const WavySurface surface = random_waves(saddle(5), 20);
+  const std::vector<Mark> marks{{Vec3(0.4f, 0.6f, 0.1f), {1, 0, 0}}};
+  StripeScene scene = surface.scene();
+  scene.marks = marks;
+  RenderOptions options = plain_options(300, 201);
+  options.transparent = false;
+  for (const int supersampling : {1, 2}) {
+    options.supersampling = supersampling;
+    options.tile_side = 2048;
+    const Image whole = Studio::shared().draw(scene, options);
+    options.tile_side = 132;
+    const Image tiled = Studio::shared().draw(scene, options);
+    double difference = 0;
+    for (std::size_t p = 0; p < whole.pixels.size(); ++p) {
+      difference += std::abs(whole.pixels[p].red - tiled.pixels[p].red);
+    }
+    EXPECT_LT(difference / static_cast<double>(whole.pixels.size()), 0.05);
+  }
+}
+
+TEST(Renderer, SurfaceWithoutWavesIsPlain) {
+  WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
+  for (Vec3& d : surface.waves.directions) d.setZero();
+  const Light none = light_in_the_middle(Studio::shared().draw(surface.scene(), plain_options()));
+  EXPECT_EQ(none.highest, 0);
+  const Light bare =
+      light_in_the_middle(Studio::shared().draw({.mesh = surface.mesh}, plain_options()));
+  EXPECT_EQ(bare.highest, 0);
+}
+
+TEST(Renderer, BothSidesAreLitAlike) {
+  WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
+  RenderOptions options = plain_options();
+  options.shading = true;
+  const Image front = Studio::shared().draw(surface.scene(), options);
+  for (std::size_t t = 0; t < surface.mesh.triangle_count(); t += 2) {
+    std::swap(surface.mesh.triangles[t][1], surface.mesh.triangles[t][2]);
+  }
+  const Image mixed = Studio::shared().draw(surface.scene(), options);
+  for (std::size_t p = 0; p < front.pixels.size(); ++p) {
+    ASSERT_NEAR(front.pixels[p].red, mixed.pixels[p].red, 3);
+  }
+}
+
+TEST(Renderer, BackgroundIsThereUnlessTransparent) {
+  const Mesh mesh = square(1);
+  RenderOptions options = plain_options();
+  EXPECT_EQ(Studio::shared().draw({.mesh = mesh}, options).at(0, 0).alpha, 0);
+  options.transparent = false;
+  const Image image = Studio::shared().draw({.mesh = mesh}, options);
+  EXPECT_EQ(image.at(0, 0).alpha, 255);
+  EXPECT_GT(image.at(0, 0).red, 150);
+}
+
+TEST(Renderer, TriangleColorsAndMarksAreSeen) {
+  const Mesh mesh = square(1);
+  const std::vector<TriangleColor> colors{{{1, 0, 0}, 1}, {{0, 0, 0}, 0}};
+  const std::vector<Mark> marks{{Vec3(0.25f, 0.75f, 0), {0, 1, 0}}};
+  const Image image = Studio::shared().draw(
+      {.mesh = mesh, .triangle_colors = colors, .marks = marks}, plain_options(200, 200));
+  EXPECT_EQ(image.at(150, 150), (Pixel{255, 0, 0, 255}));  // lower right: the first triangle
+  EXPECT_EQ(image.at(55, 100).red, 0);
+  const Pixel mark = image.at(52, 52);
+  EXPECT_GT(mark.green, 250);
+  EXPECT_LT(mark.red, 10);
+}
+
+TEST(Renderer, HiddenMarksStayHidden) {
+  Mesh mesh = square(1);
+  const std::vector<Mark> marks{{Vec3(0.5f, 0.5f, -0.5f), {1, 1, 1}}};
+  const Light light =
+      light_in_the_middle(Studio::shared().draw({.mesh = mesh, .marks = marks}, plain_options()));
+  EXPECT_EQ(light.highest, 0);
+}
+
+TEST(Renderer, EmptyMeshGivesTheBackground) {
+  const Image image = Studio::shared().draw({.mesh = Mesh{}}, plain_options());
+  for (const Pixel& pixel : image.pixels) ASSERT_EQ(pixel.alpha, 0);
+}
+
+TEST(Renderer, WrongSizesAreErrors) {
+  const WavySurface surface = plane_wave(square(2), Vec3::UnitX(), 3);
+  StripeScene scene = surface.scene();
+  scene.z = scene.z.first(3);
+  EXPECT_THROW(Studio::shared().renderer.upload(scene), Error);
+  RenderOptions options;
+  options.width = 100000;
+  EXPECT_THROW(Studio::shared().renderer.draw(options), Error);
+  options = {};
+  options.stripe_width = 1.5f;
+  EXPECT_THROW(Studio::shared().renderer.draw(options), Error);
+}
+
+TEST(HeadlessContext, SeveralLiveSideBySide) {
+  Studio::shared();
+  {
+    HeadlessContext second;
+    EXPECT_NE(second.renderer().find("OpenGL 4."), std::string::npos);
+    HeadlessContext moved = std::move(second);
+    EXPECT_FALSE(moved.renderer().empty());
+  }
+  Studio::shared().context.make_current();
+  const Image image = Studio::shared().draw({.mesh = square(1)}, plain_options());
+  EXPECT_EQ(image.at(80, 60).alpha, 255);
+}
+
+}  // namespace
+}  // namespace brindle
