@@ -1,0 +1,74 @@
+#include "brindle/surface/neighborhood.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/parallel.h"
+#include "brindle/surface/shapes.h"
+
+namespace brindle {
+namespace {
+
+std::vector<Index> row(const Adjacency& neighborhood, Index v) {
+  const auto neighbors = neighborhood.of(v);
+  return {neighbors.begin(), neighbors.end()};
+}
+
+TEST(Neighborhood, OfOneTriangleIsTheOtherCorners) {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const Adjacency neighborhood = vertex_neighborhood(mesh);
+  EXPECT_EQ(row(neighborhood, 0), (std::vector<Index>{1, 2}));
+  EXPECT_EQ(row(neighborhood, 1), (std::vector<Index>{0, 2}));
+  EXPECT_EQ(row(neighborhood, 2), (std::vector<Index>{0, 1}));
+}
+
+TEST(Neighborhood, UnusedVerticesHaveNone) {
+  const Mesh mesh{{{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {{0, 2, 3}}};
+  const Adjacency neighborhood = vertex_neighborhood(mesh);
+  EXPECT_EQ(neighborhood.node_count(), 5u);
+  EXPECT_TRUE(neighborhood.of(1).empty());
+  EXPECT_TRUE(neighborhood.of(4).empty());
+}
+
+TEST(Neighborhood, CountsAnEdgeOfManyTrianglesOnce) {
+  const Mesh mesh{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}},
+                  {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+  EXPECT_EQ(row(vertex_neighborhood(mesh), 0), (std::vector<Index>{1, 2, 3, 4}));
+}
+
+TEST(Neighborhood, OfAnEmptyMeshIsEmpty) { EXPECT_EQ(vertex_neighborhood({}).node_count(), 0u); }
+
+TEST(Neighborhood, IsSymmetricSortedAndMatchesTheEdgesOfEveryShape) {
+  for (const std::string& name : shape_names()) {
+    const Mesh mesh = make_shape(name);
+    std::set<std::pair<Index, Index>> edges;
+    for (const Triangle& t : mesh.triangles) {
+      for (int c = 0; c < 3; ++c) {
+        edges.insert({t[c], t[(c + 1) % 3]});
+        edges.insert({t[(c + 1) % 3], t[c]});
+      }
+    }
+    const Adjacency neighborhood = vertex_neighborhood(mesh);
+    std::set<std::pair<Index, Index>> found;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const auto neighbors = neighborhood.of(v);
+      EXPECT_TRUE(std::is_sorted(neighbors.begin(), neighbors.end()));
+      for (const Index n : neighbors) EXPECT_TRUE(found.insert({v, n}).second) << name;
+    }
+    EXPECT_TRUE(found == edges) << name;
+  }
+}
+
+TEST(Neighborhood, IsTheSameWithOneThreadAndMany) {
+  const Mesh mesh = make_shape("torus");
+  const Adjacency many = vertex_neighborhood(mesh);
+  const ThreadLimit limit(1);
+  const Adjacency one = vertex_neighborhood(mesh);
+  EXPECT_EQ(one.offsets, many.offsets);
+  EXPECT_EQ(one.neighbors, many.neighbors);
+}
+
+}  // namespace
+}  // namespace brindle
