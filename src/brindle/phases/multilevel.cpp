@@ -4,9 +4,17 @@
 
 namespace brindle {
 
+namespace {
+
+/// The peak of the wave: the one phase, but for the trough, that stays when a direction is turned
+/// round (z -> -conj(z)), so that the pattern does not depend on how directions are signed.
+constexpr Complex kPeak(0, 1);
+
+}  // namespace
+
 void descend(Hierarchy& hierarchy, int sweeps) {
   auto& levels = hierarchy.levels;
-  std::ranges::fill(levels.back().z, Complex(1));
+  std::ranges::fill(levels.back().z, kPeak);
   for (std::size_t l = levels.size(); l-- > 0;) {
     if (l + 1 < levels.size()) prolong(levels[l + 1], levels[l]);
     for (int s = 0; s < sweeps; ++s) sweep(levels[l].layout, levels[l].couplings, levels[l].z);

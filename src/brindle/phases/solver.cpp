@@ -57,6 +57,15 @@ std::optional<Solver> solver_of(std::string_view name) {
 
 std::string_view name_of(Solver solver) { return kNames[static_cast<std::size_t>(solver)].first; }
 
+bool is_available(Solver solver) {
+#ifdef BRINDLE_HAS_CHOLMOD
+  constexpr bool has_cholmod = true;
+#else
+  constexpr bool has_cholmod = false;
+#endif
+  return has_cholmod || solver != Solver::global;
+}
+
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,
                            const Progress& progress) {
   check(options);

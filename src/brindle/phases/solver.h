@@ -21,6 +21,9 @@ enum class Solver {
 std::optional<Solver> solver_of(std::string_view name);
 std::string_view name_of(Solver solver);
 
+/// Whether this build has the solver: all but `global` are always there.
+bool is_available(Solver solver);
+
 struct SolverOptions {
   Solver solver = Solver::multilevel;
 

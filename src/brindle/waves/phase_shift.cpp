@@ -19,8 +19,9 @@ struct Distance {
 };
 
 /// Eq. 2 and 7: both wave lines are projected into the plane through v_i, v_j and
-/// p = (v_i + d_i + v_j + d_j) / 2 and meet there in C, the common source. (Eq. 2 writes
-/// <C - v_j, d_j> for what can only be its sign: d_ji is a length.)
+/// p = (v_i + d_i + v_j + d_j) / 2 and meet there in C, the common source. Two readings are needed:
+/// Eq. 2 writes <C - v_j, d_j> for what can only be its sign, since d_ji is a length; and d_i is
+/// turned to run like d_j before p is taken, or p would depend on how directions are signed.
 Distance common_source_distance(const Wave& j, const Wave& i) {
   using Vec3d = Eigen::Vector3d;
   const Vec3d e = (i.position - j.position).cast<double>();
@@ -33,7 +34,7 @@ Distance common_source_distance(const Wave& j, const Wave& i) {
   if (!(length > 0)) return parallel;
 
   const Vec3d x = e / length;
-  const Vec3d to_p = 0.5 * (e + d_i + d_j);
+  const Vec3d to_p = 0.5 * (e + (cosine < 0 ? -1.0 : 1.0) * d_i + d_j);
   const Vec3d off_edge = to_p - to_p.dot(x) * x;
   if (off_edge.norm() < 1e-9 * to_p.norm() || to_p.isZero(0)) return parallel;
   const Vec3d y = off_edge.normalized();

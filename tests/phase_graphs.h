@@ -1,0 +1,54 @@
+/// Surfaces with waves, ready to be solved, for the tests of several rooms.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string_view>
+
+#include "brindle/surface/mesh.h"
+#include "brindle/surface/neighborhood.h"
+#include "brindle/surface/normals.h"
+#include "brindle/surface/shapes.h"
+#include "brindle/waves/direction_field.h"
+#include "brindle/waves/frequency_field.h"
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle::testing_support {
+
+struct WavySurface {
+  Mesh mesh;
+  std::vector<Vec3> normals;
+  std::shared_ptr<const Adjacency> neighborhood;
+  WaveSet waves;
+
+  PhaseGraph graph(PhaseShiftKind kind = PhaseShiftKind::aligned) const {
+    return build_phase_graph(neighborhood, waves, kind);
+  }
+};
+
+/// A built-in shape with the global vector `axis` projected and `stripes` along its diagonal.
+inline WavySurface wavy_surface(std::string_view shape, const Vec3& axis, float stripes) {
+  WavySurface s;
+  s.mesh = make_shape(shape);
+  s.normals = vertex_normals(s.mesh);
+  s.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(s.mesh));
+  s.waves = {
+      s.mesh.positions, projected_direction_field(axis, s.normals),
+      constant_frequency_field(frequency_of_stripes(stripes, bounding_box(s.mesh).diagonal()),
+                               s.mesh.vertex_count())};
+  return s;
+}
+
+/// Turns about half of the directions round; returns which (1 or 0).
+inline std::vector<std::uint8_t> flip_half(WaveSet& waves, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint8_t> flipped(waves.directions.size());
+  for (std::size_t i = 0; i < flipped.size(); ++i) {
+    flipped[i] = random() % 2;
+    if (flipped[i]) waves.directions[i] = -waves.directions[i];
+  }
+  return flipped;
+}
+
+}  // namespace brindle::testing_support

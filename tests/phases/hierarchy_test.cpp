@@ -1,0 +1,128 @@
+#include "brindle/phases/hierarchy.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "brindle/phases/multilevel.h"
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::flip_half;
+using testing_support::wavy_surface;
+
+/// sum_i Re(conj(z_i) t_i) over the entries of a level and, twice, over its anchors: what the
+/// energy is lowered by.
+double agreement(const Level& level) {
+  double sum = 0;
+  for (Index slot = 0; slot < level.layout.slot_count(); ++slot) {
+    if (level.layout.node_at[slot] == kNone) continue;
+    std::complex<double> target = 0;
+    std::size_t entry = level.layout.first_entry(slot);
+    for (Index k = 0; k < level.layout.width(slot); ++k, entry += kLanes) {
+      const std::complex<double> z_j = level.z[level.layout.neighbor[entry]];
+      if (level.layout.neighbor[entry] == slot) continue;
+      target +=
+          std::complex<double>(SlicedCouplings::get(level.couplings.direct.get(), entry)) * z_j +
+          std::complex<double>(level.couplings.reflecting_at(slot / kLanes, entry)) *
+              std::conj(z_j);
+    }
+    if (!level.couplings.anchor.empty()) {
+      target += 2.0 * std::complex<double>(level.couplings.anchor[slot]);
+    }
+    sum += (std::conj(std::complex<double>(level.z[slot])) * target).real();
+  }
+  return sum;
+}
+
+void randomize(Level& level, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> angle(0, 6.2831853f);
+  for (Complex& z : level.z) z = std::polar(1.0f, angle(random));
+}
+
+PhaseGraph graph_with_reflections_and_anchors() {
+  auto surface = wavy_surface("torus,resolution=40", Vec3(0.3f, 0.9f, 0.2f), 12);
+  flip_half(surface.waves, 5);
+  PhaseGraph graph = surface.graph();
+  std::mt19937 random(3);
+  std::normal_distribution<float> component;
+  for (std::size_t i = 0; i < graph.node_count(); ++i) {
+    graph.anchor.emplace_back(component(random), component(random));
+  }
+  return graph;
+}
+
+TEST(Hierarchy, CoarseEnergyIsThatOfTheProlongedPhasesUpToAConstant) {
+  Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  ASSERT_GT(hierarchy.levels.size(), 4u);
+  // Only the first coarsening: later ones drop what reflects an aggregate onto itself.
+  Level& fine = hierarchy.levels[0];
+  Level& coarse = hierarchy.levels[1];
+  std::vector<double> differences;
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    randomize(coarse, seed);
+    prolong(coarse, fine);
+    differences.push_back(agreement(fine) - agreement(coarse));
+  }
+  const double scale = std::abs(agreement(fine));
+  for (const double d : differences) EXPECT_NEAR(d, differences[0], 1e-5 * scale);
+}
+
+TEST(Hierarchy, EveryLevelHasAtMostAboutHalfTheNodesOfTheOneBefore) {
+  const Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  for (std::size_t l = 1; l < hierarchy.levels.size(); ++l) {
+    EXPECT_LE(2 * hierarchy.levels[l].layout.slot_of.size(),
+              hierarchy.levels[l - 1].layout.slot_of.size());
+  }
+  EXPECT_EQ(hierarchy.levels.back().layout.entry_count(), 0u);
+}
+
+TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
+  const auto surface = wavy_surface("pieces,count=5,resolution=6", Vec3(0.1f, 1, 0.2f), 10);
+  const Hierarchy hierarchy = build_hierarchy(surface.graph());
+  std::size_t survivors = 0;
+  for (const Level& level : hierarchy.levels) {
+    if (level.aggregation.coarse_slot.empty()) survivors += level.layout.slot_of.size();
+  }
+  EXPECT_LE(survivors, 5u);
+  EXPECT_GE(survivors, 1u);
+}
+
+TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
+  Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  const double before = [&] {
+    randomize(hierarchy.levels[2], 1);
+    return agreement(hierarchy.levels[2]);
+  }();
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    renew_gauges(hierarchy.levels[l]);
+    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1]);
+  }
+  EXPECT_EQ(agreement(hierarchy.levels[2]), before);
+}
+
+TEST(Hierarchy, OfAStarAndOfNothingIsBuilt) {
+  // A hub with a hundred leaves must not need a hundred levels.
+  auto adjacency = std::make_shared<Adjacency>();
+  adjacency->offsets.push_back(100);
+  for (Index leaf = 1; leaf <= 100; ++leaf) adjacency->neighbors.push_back(leaf);
+  for (Index leaf = 1; leaf <= 100; ++leaf) {
+    adjacency->neighbors.push_back(0);
+    adjacency->offsets.push_back(100 + leaf);
+  }
+  PhaseGraph star;
+  star.coupling.assign(200, Complex(1));
+  star.reflecting.assign(200, 0);
+  star.adjacency = adjacency;
+  EXPECT_LE(build_hierarchy(star).levels.size(), 3u);
+
+  PhaseGraph nothing;
+  nothing.adjacency = std::make_shared<Adjacency>();
+  EXPECT_EQ(build_hierarchy(nothing).levels.size(), 1u);
+}
+
+}  // namespace
+}  // namespace brindle

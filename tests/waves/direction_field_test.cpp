@@ -1,0 +1,113 @@
+#include "brindle/waves/direction_field.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/error.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+TEST(DirectionField, ProjectionIsAUnitTangentVector) {
+  const std::vector<Vec3> normals{Vec3(1, 2, 3).normalized(), Vec3(0, 0, 1)};
+  for (const Vec3& d : projected_direction_field(Vec3(5, 0, 1), normals)) {
+    EXPECT_NEAR(d.norm(), 1, 1e-6);
+  }
+  EXPECT_NEAR(projected_direction_field(Vec3(5, 0, 1), normals)[0].dot(normals[0]), 0, 1e-6);
+  EXPECT_LT((projected_direction_field(Vec3(5, 0, 1), normals)[1] - Vec3(1, 0, 0)).norm(), 1e-6);
+}
+
+TEST(DirectionField, HasNoWaveWhereTheVectorIsZeroOrNormalOrNotFinite) {
+  const std::vector<Vec3> normals(4, Vec3(0, 0, 1));
+  const std::vector<Vec3> vectors{Vec3(0, 0, 0), Vec3(0, 0, 2), Vec3(1, kNaN, 0),
+                                  Vec3(std::numeric_limits<float>::infinity(), 0, 0)};
+  for (const Vec3& d : tangent_directions(vectors, normals)) EXPECT_EQ(d, Vec3(0, 0, 0));
+}
+
+TEST(DirectionField, LengthOfVectorsDoesNotMatter) {
+  const std::vector<Vec3> normals(2, Vec3(0, 0, 1));
+  const auto d = tangent_directions(
+      std::vector<Vec3>{Vec3(3e-20f, 4e-20f, 0), Vec3(3e15f, 4e15f, 0)}, normals);
+  EXPECT_LT((d[0] - d[1]).norm(), 1e-6);
+  EXPECT_NEAR(d[0].norm(), 1, 1e-6);
+}
+
+TEST(DirectionField, RefusesAZeroAxis) {
+  EXPECT_THROW(projected_direction_field(Vec3::Zero(), std::vector<Vec3>{Vec3(0, 0, 1)}), Error);
+  EXPECT_THROW(projected_direction_field(Vec3(kNaN, 0, 0), std::vector<Vec3>{Vec3(0, 0, 1)}),
+               Error);
+}
+
+TEST(DirectionField, RotationIsCounterClockwiseAboutTheNormal) {
+  const auto turned = rotated(std::vector<Vec3>{Vec3(1, 0, 0)}, std::vector<Vec3>{Vec3(0, 0, 1)},
+                              static_cast<float>(M_PI / 2));
+  EXPECT_LT((turned[0] - Vec3(0, 1, 0)).norm(), 1e-6);
+}
+
+struct FieldCsv : testing::Test {
+  fs::path path =
+      fs::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  void TearDown() override { fs::remove(path); }
+
+  FieldFile read(const std::string& text, std::size_t vertices) {
+    std::ofstream(path) << text;
+    return read_field_csv(path, vertices);
+  }
+  std::string error(const std::string& text, std::size_t vertices) {
+    try {
+      read(text, vertices);
+    } catch (const Error& failure) {
+      return failure.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(FieldCsv, ReadsThreeColumns) {
+  const FieldFile field = read("x,y,z\n1,2,3\n# note\n\n -4.5e-1 , +5 , 6\r\n", 2);
+  ASSERT_EQ(field.vectors.size(), 2u);
+  EXPECT_EQ(field.vectors[0], Vec3(1, 2, 3));
+  EXPECT_EQ(field.vectors[1], Vec3(-0.45f, 5, 6));
+  EXPECT_TRUE(field.frequencies.empty());
+}
+
+TEST_F(FieldCsv, ReadsTheFrequencyFromTheFourthColumn) {
+  EXPECT_EQ(read("1,0,0,12.5\n0,1,0,3\n", 2).frequencies, (std::vector<float>{12.5f, 3}));
+}
+
+TEST_F(FieldCsv, NanMeansNoWave) {
+  EXPECT_TRUE(std::isnan(read("nan,nan,nan\n", 1).vectors[0].x()));
+}
+
+TEST_F(FieldCsv, NamesFileLineAndRemedy) {
+  const std::string too_few = error("1,0,0\n", 2);
+  EXPECT_NE(too_few.find(path.string()), std::string::npos);
+  EXPECT_NE(too_few.find("has 1 rows, but the mesh has 2 vertices"), std::string::npos) << too_few;
+  EXPECT_NE(error("1,0,0\n1,zero,0\n", 2).find("line 2"), std::string::npos);
+  EXPECT_NE(error("1,0,0\n1,0\n", 2).find("line 2: 2 columns"), std::string::npos);
+  EXPECT_NE(error("1,0,0\n1,0,0,4\n", 2).find("line 2"), std::string::npos);
+  EXPECT_NE(error("1,0,0\n1,0,0\n1,0,0\n", 2).find("line 3: more rows"), std::string::npos);
+  for (const char* frequency : {"0", "-1", "inf", "nan"}) {
+    EXPECT_NE(error(std::string("1,0,0,") + frequency + "\n", 1).find("line 1: the frequency"),
+              std::string::npos)
+        << frequency;
+  }
+  EXPECT_NE(error("", 1).find("0 rows"), std::string::npos);
+}
+
+TEST(FieldCsvFile, MissingFileAndFolderAreNamed) {
+  EXPECT_THROW(read_field_csv("/no/such/field.csv", 1), Error);
+  EXPECT_THROW(read_field_csv(testing::TempDir(), 1), Error);
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,96 @@
+#include "brindle/waves/direction_graph.h"
+
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::wavy_surface;
+
+TEST(TangentBasis, IsOrthonormalAndRightHandedForEveryNormal) {
+  std::mt19937 random(1);
+  std::normal_distribution<float> component;
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 normal = Vec3(component(random), component(random), component(random)).normalized();
+    const TangentBasis basis = tangent_basis(normal);
+    EXPECT_NEAR(basis.x.norm(), 1, 1e-5);
+    EXPECT_NEAR(basis.x.dot(basis.y), 0, 1e-5);
+    EXPECT_LT((basis.x.cross(basis.y) - normal).norm(), 1e-5);
+  }
+  EXPECT_LT(
+      (tangent_basis(Vec3(0, 0, -1)).x.cross(tangent_basis(Vec3(0, 0, -1)).y) - Vec3(0, 0, -1))
+          .norm(),
+      1e-6);
+}
+
+TEST(DirectionGraph, DirectionsSurviveTheirRepresentation) {
+  const auto surface = wavy_surface("sphere,resolution=8", Vec3(0, 1, 0), 5);
+  for (const int symmetry : {1, 2, 4}) {
+    std::vector<Complex> u;
+    for (std::size_t i = 0; i < surface.normals.size(); ++i) {
+      u.push_back(representation(surface.waves.directions[i], surface.normals[i], symmetry));
+    }
+    const auto directions = directions_of(u, surface.normals, symmetry);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      if (surface.waves.directions[i].isZero(0)) continue;
+      EXPECT_LT(std::abs(representation(directions[i], surface.normals[i], symmetry) - u[i]), 1e-4);
+      EXPECT_NEAR(directions[i].dot(surface.normals[i]), 0, 1e-5);
+    }
+  }
+}
+
+TEST(DirectionGraph, AParallelFieldOnACylinderHasNoEnergy) {
+  const auto surface = wavy_surface("cylinder,resolution=48", Vec3(0, 0, 1), 5);
+  const PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, 2);
+  std::vector<Complex> u;
+  for (std::size_t i = 0; i < surface.normals.size(); ++i) {
+    u.push_back(representation(surface.waves.directions[i], surface.normals[i], 2));
+  }
+  EXPECT_LT(energy(graph, u), 1e-7);
+}
+
+TEST(DirectionGraph, IsSymmetricAlsoAcrossNormalsOnOppositeSides) {
+  auto surface = wavy_surface("sphere,resolution=6", Vec3(0, 1, 0), 5);
+  for (std::size_t i = 0; i < surface.normals.size(); i += 3) {
+    surface.normals[i] = -surface.normals[i];
+  }
+  const PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, 2);
+  const Adjacency& adjacency = *graph.adjacency;
+  std::size_t reflecting = 0;
+  for (Index i = 0; i < graph.node_count(); ++i) {
+    for (Index edge = adjacency.offsets[i]; edge < adjacency.offsets[i + 1]; ++edge) {
+      const auto row = adjacency.of(adjacency.neighbors[edge]);
+      const Index back = adjacency.offsets[adjacency.neighbors[edge]] +
+                         static_cast<Index>(std::ranges::lower_bound(row, i) - row.begin());
+      const Complex expected =
+          graph.reflecting[edge] ? graph.coupling[edge] : std::conj(graph.coupling[edge]);
+      EXPECT_LT(std::abs(graph.coupling[back] - expected), 1e-4f);
+      reflecting += graph.reflecting[edge];
+    }
+  }
+  EXPECT_GT(reflecting, 0u);
+}
+
+TEST(DirectionGraph, TurningNormalsRoundLeavesTheEnergyOfAField) {
+  auto surface = wavy_surface("sphere,resolution=6", Vec3(0.2f, 1, 0), 5);
+  const auto field_energy = [&] {
+    std::vector<Complex> u;
+    for (std::size_t i = 0; i < surface.normals.size(); ++i) {
+      u.push_back(representation(surface.waves.directions[i], surface.normals[i], 2));
+    }
+    return energy(build_direction_graph(surface.neighborhood, surface.normals, 2), u);
+  };
+  const double before = field_energy();
+  for (std::size_t i = 0; i < surface.normals.size(); i += 2) {
+    surface.normals[i] = -surface.normals[i];
+  }
+  EXPECT_NEAR(field_energy(), before, 1e-5);
+}
+
+}  // namespace
+}  // namespace brindle
