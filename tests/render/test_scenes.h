@@ -111,6 +111,7 @@ inline RenderOptions plain_options(int width = 160, int height = 120) {
   options.stripe_color = {1, 1, 1};
   options.shading = false;
   options.transparent = true;
+  options.supersampling = 1;
   return options;
 }
 
