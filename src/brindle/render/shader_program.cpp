@@ -1,6 +1,7 @@
 #include "brindle/render/shader_program.h"
 
-#include <regex>
+#include <charconv>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -18,6 +19,32 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
   read(object, static_cast<GLsizei>(log.size()), nullptr, log.data());
   while (!log.empty() && (log.back() == '\0' || log.back() == '\n')) log.pop_back();
   return log;
+}
+
+/// Where a driver's message says that the fault is, and how many letters it takes to say so.
+struct Place {
+  std::size_t file;
+  std::size_t line;
+  std::size_t length;
+};
+
+/// Reads "ERROR: 1:12", "1:12(3)" or "1(12)" at the start of a message.
+std::optional<Place> place_of(std::string_view message) {
+  constexpr std::string_view kError = "ERROR: ";
+  Place place{};
+  const char* const end = message.data() + message.size();
+  const char* next = message.data() + (message.starts_with(kError) ? kError.size() : 0);
+  const auto file = std::from_chars(next, end, place.file);
+  if (file.ec != std::errc() || file.ptr == end || (*file.ptr != ':' && *file.ptr != '('))
+    return {};
+  const auto line = std::from_chars(file.ptr + 1, end, place.line);
+  if (line.ec != std::errc()) return {};
+  next = line.ptr;
+  const std::size_t closing = message.find(')', static_cast<std::size_t>(next - message.data()));
+  const bool bracket = next != end && (*next == '(' || *file.ptr == '(');
+  if (bracket && closing != std::string_view::npos) next = message.data() + closing + 1;
+  place.length = static_cast<std::size_t>(next - message.data());
+  return place;
 }
 
 GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> files) {
@@ -44,16 +71,12 @@ GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> fil
 
 std::string with_file_names(std::string_view log, std::initializer_list<std::string_view> files) {
   const std::vector<std::string_view> names(files);
-  static const std::regex place(R"(^(ERROR: )?(\d+)[:(](\d+)\)?(\(\d+\))?)");
   std::istringstream lines{std::string(log)};
   std::string result;
   for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (std::regex_search(line, match, place) && match[2].length() < 4) {
-      const std::size_t file = std::stoul(match[2].str());
-      if (file < names.size()) {
-        line = std::string(names[file]) + ":" + match[3].str() + match.suffix().str();
-      }
+    if (const auto place = place_of(line); place && place->file < names.size()) {
+      line = std::string(names[place->file]) + ":" + std::to_string(place->line) +
+             line.substr(place->length);
     }
     result += (result.empty() ? "" : "\n") + line;
   }
