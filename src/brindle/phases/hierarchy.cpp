@@ -14,11 +14,13 @@ namespace {
 /// Coarse slices that one task sums at least.
 constexpr std::size_t kSliceGrain = 16;
 
-/// Which aggregate each slot belongs to; aggregates are numbered in the order of node numbers.
+/// Which aggregate each slot belongs to; aggregates are numbered in the order in which they grew.
 struct Matching {
-  std::vector<Index> aggregate;    ///< slot -> aggregate or kNone
-  std::vector<Index> gauge_entry;  ///< as in Aggregation
-  Index count = 0;
+  std::vector<Index> aggregate;  ///< slot -> aggregate or kNone
+  std::vector<Index> begin{0};   ///< aggregate a has members begin[a] .. begin[a+1] - 1
+  std::vector<Index> member;     ///< slots, in the order in which they joined
+
+  Index count() const { return static_cast<Index>(begin.size()) - 1; }
 };
 
 float strength(const Level& level, Index slot, std::size_t entry) {
@@ -44,101 +46,121 @@ std::vector<float> inverse_root_degrees(const Level& level) {
   return result;
 }
 
-struct Strongest {
-  Index slot = kNone;
-  Index entry = kNone;
-};
+/// Grows the aggregates of a level one by one.
+class Grower {
+ public:
+  explicit Grower(const Level& level)
+      : level_(level), inverse_root_degree_(inverse_root_degrees(level)) {
+    matching_.aggregate.assign(level.layout.slot_count(), kNone);
+    matching_.member.reserve(level.layout.slot_of.size());
+  }
 
-/// The neighbour of `slot` with the strongest normalised coupling among those that `admits`.
-template <class Admits>
-Strongest strongest_neighbor(const Level& level, const std::vector<float>& inverse_root_degree,
-                             Index slot, const Admits& admits) {
-  Strongest best;
-  float best_strength = 0;
-  std::size_t entry = level.layout.first_entry(slot);
-  for (Index k = 0; k < level.layout.width(slot); ++k, entry += kLanes) {
-    const Index neighbor = level.layout.neighbor[entry];
-    if (neighbor == slot || !admits(neighbor)) continue;
-    const float s = strength(level, slot, entry) * inverse_root_degree[neighbor];
-    if (s > best_strength) {
-      best_strength = s;
-      best = {neighbor, static_cast<Index>(entry)};
+  Matching grow() {
+    for (const Index slot : level_.layout.slot_of) {
+      if (matching_.aggregate[slot] == kNone && inverse_root_degree_[slot] > 0) grow_from(slot);
     }
+    join_left_over();
+    return std::move(matching_);
   }
-  return best;
-}
 
-/// The entry in the row of `slot` that leads to `neighbor`.
-Index entry_to(const SlicedLayout& layout, Index slot, Index neighbor) {
-  std::size_t entry = layout.first_entry(slot);
-  while (layout.neighbor[entry] != neighbor) entry += kLanes;
-  return static_cast<Index>(entry);
-}
-
-Matching match(const Level& level) {
-  const SlicedLayout& layout = level.layout;
-  const std::vector<float> inverse_root_degree = inverse_root_degrees(level);
-  Matching matching{std::vector<Index>(layout.slot_count(), kNone),
-                    std::vector<Index>(layout.slot_count(), kNone), 0};
-  std::vector<Index> left_over;
-  for (const Index slot : layout.slot_of) {
-    if (matching.aggregate[slot] != kNone || inverse_root_degree[slot] == 0) continue;
-    const auto partner = strongest_neighbor(level, inverse_root_degree, slot, [&](Index other) {
-      return matching.aggregate[other] == kNone;
-    });
-    if (partner.slot == kNone) {
-      left_over.push_back(slot);
-      continue;
-    }
-    matching.aggregate[slot] = matching.aggregate[partner.slot] = matching.count++;
-    matching.gauge_entry[partner.slot] = entry_to(layout, partner.slot, slot);
-  }
-  // All neighbours of a node left over are paired, or it would have been paired with one.
-  const std::vector<Index> paired = matching.aggregate;
-  for (const Index slot : left_over) {
-    const auto host = strongest_neighbor(level, inverse_root_degree, slot,
-                                         [&](Index other) { return paired[other] != kNone; });
-    matching.aggregate[slot] = paired[host.slot];
-    matching.gauge_entry[slot] = host.entry;
-  }
-  return matching;
-}
-
-/// Members by aggregate, in an order in which every gauge hangs on a member before it.
-struct Members {
-  std::vector<Index> begin;
-  std::vector<Index> slot;
-};
-
-Members members_of(const Matching& matching, const SlicedLayout& layout) {
-  Members members{std::vector<Index>(matching.count + 1, 0), {}};
-  for (const Index slot : layout.slot_of) {
-    if (matching.aggregate[slot] != kNone) ++members.begin[matching.aggregate[slot] + 1];
-  }
-  for (Index a = 0; a < matching.count; ++a) members.begin[a + 1] += members.begin[a];
-  members.slot.resize(members.begin.back());
-  std::vector<Index> end(members.begin.begin(), members.begin.end() - 1);
-  // First references, then those that hang on a reference, then those that hang on these.
-  const auto depth = [&](Index slot) {
-    const Index entry = matching.gauge_entry[slot];
-    if (entry == kNone) return 0;
-    return matching.gauge_entry[layout.neighbor[entry]] == kNone ? 1 : 2;
+ private:
+  struct Candidate {
+    Index slot;
+    float strength;
   };
-  for (int pass = 0; pass < 3; ++pass) {
-    for (const Index slot : layout.slot_of) {
-      const Index aggregate = matching.aggregate[slot];
-      if (aggregate != kNone && depth(slot) == pass) members.slot[end[aggregate]++] = slot;
+
+  void grow_from(Index seed) {
+    candidates_.clear();
+    Index next = seed;
+    const Index aggregate = matching_.count();
+    for (Index size = 0; size < kAggregateSize && next != kNone; ++size) {
+      matching_.aggregate[next] = aggregate;
+      matching_.member.push_back(next);
+      add_candidates(next);
+      next = take_strongest();
+    }
+    if (matching_.member.size() - matching_.begin.back() > 1) {
+      matching_.begin.push_back(static_cast<Index>(matching_.member.size()));
+      return;
+    }
+    matching_.member.pop_back();
+    matching_.aggregate[seed] = kNone;
+    left_over_.push_back(seed);
+  }
+
+  /// Adds what the free neighbours of a new member are coupled to it.
+  void add_candidates(Index slot) {
+    std::size_t entry = level_.layout.first_entry(slot);
+    for (Index k = 0; k < level_.layout.width(slot); ++k, entry += kLanes) {
+      const Index neighbor = level_.layout.neighbor[entry];
+      if (matching_.aggregate[neighbor] != kNone) continue;
+      const float s = strength(level_, slot, entry) * inverse_root_degree_[neighbor];
+      if (!(s > 0)) continue;
+      const auto known = std::ranges::find(candidates_, neighbor, &Candidate::slot);
+      if (known == candidates_.end()) {
+        candidates_.push_back({neighbor, s});
+      } else {
+        known->strength += s;
+      }
     }
   }
-  return members;
-}
+
+  Index take_strongest() {
+    const auto best = std::ranges::max_element(candidates_, {}, &Candidate::strength);
+    if (best == candidates_.end()) return kNone;
+    const Index slot = best->slot;
+    candidates_.erase(best);
+    return slot;
+  }
+
+  /// All neighbours of a node left over are in aggregates, or it would have grown with one.
+  void join_left_over() {
+    std::vector<std::pair<Index, Index>> joins;  // aggregate, slot
+    for (const Index slot : left_over_) joins.emplace_back(strongest_aggregate(slot), slot);
+    std::ranges::stable_sort(joins, {}, &std::pair<Index, Index>::first);
+    Matching joined;
+    joined.aggregate = std::move(matching_.aggregate);
+    joined.member.reserve(matching_.member.size() + joins.size());
+    auto join = joins.begin();
+    for (Index a = 0; a < matching_.count(); ++a) {
+      joined.member.insert(joined.member.end(), matching_.member.begin() + matching_.begin[a],
+                           matching_.member.begin() + matching_.begin[a + 1]);
+      for (; join != joins.end() && join->first == a; ++join) {
+        joined.aggregate[join->second] = a;
+        joined.member.push_back(join->second);
+      }
+      joined.begin.push_back(static_cast<Index>(joined.member.size()));
+    }
+    matching_ = std::move(joined);
+  }
+
+  Index strongest_aggregate(Index slot) const {
+    Index best = kNone;
+    float best_strength = 0;
+    std::size_t entry = level_.layout.first_entry(slot);
+    for (Index k = 0; k < level_.layout.width(slot); ++k, entry += kLanes) {
+      const Index neighbor = level_.layout.neighbor[entry];
+      const float s = strength(level_, slot, entry) * inverse_root_degree_[neighbor];
+      if (matching_.aggregate[neighbor] == kNone || !(s > best_strength)) continue;
+      best_strength = s;
+      best = matching_.aggregate[neighbor];
+    }
+    return best;
+  }
+
+  const Level& level_;
+  std::vector<float> inverse_root_degree_;
+  Matching matching_;
+  std::vector<Candidate> candidates_;
+  std::vector<Index> left_over_;
+};
 
 /// Neighbouring aggregates of one, ascending, into `row`.
-void collect_row(const Level& level, const Matching& matching, const Members& members,
-                 Index aggregate, std::vector<Index>& row) {
+void collect_row(const Level& level, const Matching& matching, Index aggregate,
+                 std::vector<Index>& row) {
   row.clear();
-  for (Index m = members.begin[aggregate]; m < members.begin[aggregate + 1]; ++m) {
-    const Index slot = members.slot[m];
+  for (Index m = matching.begin[aggregate]; m < matching.begin[aggregate + 1]; ++m) {
+    const Index slot = matching.member[m];
     std::size_t entry = level.layout.first_entry(slot);
     for (Index k = 0; k < level.layout.width(slot); ++k, entry += kLanes) {
       const Index other = matching.aggregate[level.layout.neighbor[entry]];
@@ -149,12 +171,12 @@ void collect_row(const Level& level, const Matching& matching, const Members& me
   row.erase(std::unique(row.begin(), row.end()), row.end());
 }
 
-Adjacency coarse_adjacency(const Level& level, const Matching& matching, const Members& members) {
+Adjacency coarse_adjacency(const Level& level, const Matching& matching) {
   Adjacency adjacency;
-  adjacency.offsets.reserve(matching.count + 1);
+  adjacency.offsets.reserve(matching.begin.size());
   std::vector<Index> row;
-  for (Index aggregate = 0; aggregate < matching.count; ++aggregate) {
-    collect_row(level, matching, members, aggregate, row);
+  for (Index aggregate = 0; aggregate < matching.count(); ++aggregate) {
+    collect_row(level, matching, aggregate, row);
     adjacency.neighbors.insert(adjacency.neighbors.end(), row.begin(), row.end());
     adjacency.offsets.push_back(static_cast<Index>(adjacency.neighbors.size()));
   }
@@ -183,16 +205,27 @@ std::vector<Index> coarse_entries(const Level& fine, const Matching& matching,
   return result;
 }
 
-/// Members in the order of coarse slots.
-void arrange_members(Aggregation& aggregation, const Members& members, const SlicedLayout& coarse) {
+/// Members in the order of coarse slots, and what their gauges hang on.
+void arrange_members(Aggregation& aggregation, const Matching& matching, const SlicedLayout& fine,
+                     const SlicedLayout& coarse) {
   aggregation.member_begin.assign(1, 0);
   aggregation.member_begin.reserve(coarse.slot_count() + 1);
-  aggregation.member.reserve(members.slot.size());
+  aggregation.member.reserve(matching.member.size());
+  aggregation.gauge_begin.assign(1, 0);
+  aggregation.gauge_begin.reserve(matching.member.size() + 1);
   for (const Index aggregate : coarse.node_at) {
     if (aggregate != kNone) {
-      aggregation.member.insert(aggregation.member.end(),
-                                members.slot.begin() + members.begin[aggregate],
-                                members.slot.begin() + members.begin[aggregate + 1]);
+      const auto begin = matching.member.begin() + matching.begin[aggregate];
+      const auto end = matching.member.begin() + matching.begin[aggregate + 1];
+      for (auto member = begin; member != end; ++member) {
+        aggregation.member.push_back(*member);
+        std::size_t entry = fine.first_entry(*member);
+        for (Index k = 0; k < fine.width(*member); ++k, entry += kLanes) {
+          if (std::find(begin, member, fine.neighbor[entry]) == member) continue;
+          aggregation.gauge_entry.push_back(static_cast<Index>(entry));
+        }
+        aggregation.gauge_begin.push_back(static_cast<Index>(aggregation.gauge_entry.size()));
+      }
     }
     aggregation.member_begin.push_back(static_cast<Index>(aggregation.member.size()));
   }
@@ -201,21 +234,19 @@ void arrange_members(Aggregation& aggregation, const Members& members, const Sli
 Level make_level(const Adjacency& adjacency) {
   SlicedLayout layout = sliced_layout(adjacency, greedy_coloring(adjacency));
   SlicedCouplings couplings(layout);
-  std::vector<Complex> z(layout.slot_count(), Complex(1));
+  std::vector<Complex> z(layout.slot_count(), kPeak);
   return {std::move(layout), std::move(couplings), {}, {}, std::move(z)};
 }
 
 /// Aggregates `fine` and returns the next coarser level, its couplings not yet summed.
 Level coarsen(Level& fine) {
-  Matching matching = match(fine);
-  const Members members = members_of(matching, fine.layout);
-  const Adjacency adjacency = coarse_adjacency(fine, matching, members);
+  Matching matching = Grower(fine).grow();
+  const Adjacency adjacency = coarse_adjacency(fine, matching);
   Level coarse = make_level(adjacency);
 
   Aggregation& aggregation = fine.aggregation;
   aggregation.coarse_entry = coarse_entries(fine, matching, adjacency, coarse.layout);
-  arrange_members(aggregation, members, coarse.layout);
-  aggregation.gauge_entry = std::move(matching.gauge_entry);
+  arrange_members(aggregation, matching, fine.layout, coarse.layout);
   aggregation.coarse_slot = std::move(matching.aggregate);
   for (Index& slot : aggregation.coarse_slot) {
     if (slot != kNone) slot = coarse.layout.slot_of[slot];
@@ -225,24 +256,27 @@ Level coarsen(Level& fine) {
   return coarse;
 }
 
-/// The gauge of one member from the already gauged one that it hangs on: the stronger of its two
-/// couplings decides whether the wave is passed on or reflected.
-void renew_gauge(Level& level, Index slot) {
-  const Index entry = level.aggregation.gauge_entry[slot];
+/// The gauge of one member: the phase that the earlier members of its aggregate, each in its own
+/// gauge, draw it to. The stronger of the two sums decides whether it takes Z or conj(Z).
+void renew_gauge(Level& level, Index m) {
+  const Aggregation& aggregation = level.aggregation;
   Gauges& gauges = level.gauges;
-  if (entry == kNone) {
-    gauges.g[slot] = 1;
-    gauges.conjugated[slot] = 0;
-    return;
+  const Index slot = aggregation.member[m];
+  Complex direct = 0, conjugated = 0;
+  for (Index g = aggregation.gauge_begin[m]; g < aggregation.gauge_begin[m + 1]; ++g) {
+    const Index entry = aggregation.gauge_entry[g];
+    const Index from = level.layout.neighbor[entry];
+    const Complex a = SlicedCouplings::get(level.couplings.direct.get(), entry) * gauges.g[from];
+    const Complex b =
+        level.couplings.reflecting_at(slot / kLanes, entry) * std::conj(gauges.g[from]);
+    direct += gauges.conjugated[from] ? b : a;
+    conjugated += gauges.conjugated[from] ? a : b;
   }
-  const Index from = level.layout.neighbor[entry];
-  const Complex a = SlicedCouplings::get(level.couplings.direct.get(), entry);
-  const Complex b = level.couplings.reflecting_at(slot / kLanes, entry);
-  const bool reflects = std::norm(b) > std::norm(a);
-  const Complex product = reflects ? b * std::conj(gauges.g[from]) : a * gauges.g[from];
-  const float length = std::abs(product);
-  gauges.g[slot] = length > 0 ? product / length : Complex(1);
-  gauges.conjugated[slot] = gauges.conjugated[from] ^ static_cast<std::uint8_t>(reflects);
+  const bool takes_conjugate = std::norm(conjugated) > std::norm(direct);
+  const Complex sum = takes_conjugate ? conjugated : direct;
+  const float length = std::abs(sum);
+  gauges.g[slot] = length > 0 ? sum / length : Complex(1);
+  gauges.conjugated[slot] = takes_conjugate;
 }
 
 /// Adds the couplings of one fine row to the coarse ones, turned into the aggregates' gauges.
@@ -315,7 +349,7 @@ void renew_gauges(Level& level) {
   const Aggregation& aggregation = level.aggregation;
   parallel_for(aggregation.member_begin.size() - 1, [&](std::size_t begin, std::size_t end) {
     for (Index m = aggregation.member_begin[begin]; m < aggregation.member_begin[end]; ++m) {
-      renew_gauge(level, aggregation.member[m]);
+      renew_gauge(level, m);
     }
   });
 }

@@ -16,10 +16,10 @@ struct Aggregation {
   std::vector<Index> coarse_slot;   ///< slot of the aggregate in the coarser level; kNone for
                                     ///< filling and for nodes without any coupling
   std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
-  std::vector<Index> member;        ///< members of all aggregates; the reference comes first, and
-                                    ///< every other after the one that its gauge hangs on
-  std::vector<Index> gauge_entry;   ///< entry in the member's own row that leads to the member its
-                                    ///< gauge hangs on; kNone for references
+  std::vector<Index> member;        ///< members of all aggregates, the reference first
+  std::vector<Index> gauge_begin;   ///< member m has gauge_begin[m] .. gauge_begin[m+1] - 1 of...
+  std::vector<Index> gauge_entry;   ///< ...the entries in its own row that lead to earlier members
+                                    ///< of its aggregate, on which its gauge hangs
   std::vector<Index> coarse_entry;  ///< entry -> entry of the coarser level that it adds to; kNone
                                     ///< inside an aggregate and in filling
 };
@@ -45,9 +45,18 @@ struct Hierarchy {
   double numeric_milliseconds = 0;   ///< gauges and sums of the first build
 };
 
-/// Builds all levels for a graph: pairs each node with its most strongly coupled free neighbour, by
-/// max(|A|, |B|) / sqrt(deg_i deg_j), and nodes left over with their most strongly coupled
-/// neighbour's aggregate; until no coupling is left.
+/// Nodes that grow into one aggregate.
+inline constexpr Index kAggregateSize = 4;
+
+/// The phase that a descent starts from on the coarsest level: the wave's peak, one of the two
+/// phases that stay when a direction is turned round (z -> -conj(z)), so that the pattern does not
+/// depend on how directions are signed.
+inline constexpr Complex kPeak(0, 1);
+
+/// Builds all levels for a graph, until no coupling is left. Aggregates grow one by one, in the
+/// order of node numbers: the free neighbour that is most strongly coupled to the aggregate, by sum
+/// max(|A|, |B|) / sqrt(deg), joins it until it has `kAggregateSize` members. Nodes left alone join
+/// the neighbour's aggregate that they are most strongly coupled to.
 Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress = {});
 
 /// Renews the gauges of a level from its couplings.

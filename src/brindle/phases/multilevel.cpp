@@ -4,14 +4,6 @@
 
 namespace brindle {
 
-namespace {
-
-/// The peak of the wave: the one phase, but for the trough, that stays when a direction is turned
-/// round (z -> -conj(z)), so that the pattern does not depend on how directions are signed.
-constexpr Complex kPeak(0, 1);
-
-}  // namespace
-
 void descend(Hierarchy& hierarchy, int sweeps) {
   auto& levels = hierarchy.levels;
   std::ranges::fill(levels.back().z, kPeak);
