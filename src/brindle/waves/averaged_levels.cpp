@@ -84,7 +84,7 @@ std::shared_ptr<const Adjacency> merged_adjacency(const Adjacency& fine, const M
     }
   }
   std::ranges::sort(edges);
-  edges.erase(std::ranges::unique(edges).begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   auto adjacency = std::make_shared<Adjacency>();
   adjacency->offsets.assign(merge.count + 1, 0);
   for (const auto& [i, j] : edges) {
