@@ -1,10 +1,14 @@
 #include <cstdio>
 
-#include "brindle/surface/mesh.h"
+#include "brindle/pipeline/smooth_field.h"
+#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/surface/shapes.h"
+#include "brindle/waves/frequency_field.h"
 
 int main() {
-  brindle::Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  mesh.triangles = {{0, 1, 2}};
-  std::printf("diagonal %.4f\n", static_cast<double>(brindle::bounding_box(mesh).diagonal()));
+  const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));
+  const auto pattern = brindle::stripe_pattern(
+      surface, {surface.mesh.positions, brindle::smooth_direction_field(surface),
+                brindle::constant_frequency_field(10, surface.mesh.vertex_count())});
+  std::printf("energy %.4f, %zu branches\n", pattern.solution.energy, pattern.quality.branches);
 }

@@ -1,0 +1,78 @@
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "commands.h"
+#include "outputs.h"
+#include "preparation.h"
+#include "report.h"
+#include "solving_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  brindle compare shape:vessels
+  brindle compare horse.ply --direction 0.31,0.9,0.27 --stripes 160 --json horse.json)";
+
+// In the order of the paper, then the reference.
+const std::vector<Solver> kSolvers = {Solver::relaxation, Solver::averaged, Solver::multilevel,
+#ifdef BRINDLE_HAS_CHOLMOD
+                                      Solver::global
+#endif
+};
+
+struct CompareArguments {
+  SurfaceOptions surface;
+  WaveOptions waves;
+  SolvingOptions solving;
+  std::string json;
+  bool quiet = false;
+};
+
+std::vector<Report> reports_of_all(const CompareArguments& arguments) {
+  ProgressDisplay display(arguments.quiet);
+  const Preparation prepared = prepare(arguments.surface, arguments.waves, display);
+  std::vector<Report> reports;
+  for (const Solver solver : kSolvers) {
+    display.stage(name_of(solver));
+    StripeOptions options = arguments.solving.stripes;
+    options.solver.solver = solver;
+    const StripePattern pattern =
+        stripe_pattern(prepared.surface, prepared.waves, options, display.progress());
+    reports.push_back(make_report(prepared, pattern, solver));
+  }
+  return reports;
+}
+
+void run(const CompareArguments& arguments) {
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  const ThreadLimit threads(arguments.solving.threads);
+  const std::vector<Report> reports = reports_of_all(arguments);
+  if (!arguments.json.empty()) {
+    auto json = nlohmann::ordered_json::array();
+    for (const Report& report : reports) json.push_back(to_json(report));
+    write_json(arguments.json, json);
+  }
+  if (!arguments.quiet) print_table(std::cout, reports);
+}
+
+}  // namespace
+
+Command add_compare_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("compare", "All solvers on the same input, in one table");
+  command->footer(kExamples);
+  const auto arguments = std::make_shared<CompareArguments>();
+  add_surface_options(*command, arguments->surface);
+  add_wave_options(*command, arguments->waves);
+  add_solving_options(*command, arguments->solving);
+  command->add_option("--json", arguments->json, "write the reports here, as a list")
+      ->type_name("FILE.json");
+  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
+  return {command, [arguments] { run(*arguments); }};
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,98 @@
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "brindle/base/error.h"
+#include "brindle/base/progress.h"
+#include "brindle/surface/shapes.h"
+#include "commands.h"
+
+namespace brindle::tool {
+namespace {
+
+enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kCancelled = 130 };
+
+constexpr const char* kExamples = R"(Examples:
+  brindle stripe shape:torus --output torus.png
+  brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
+  brindle compare horse.ply --stripes 160
+  brindle info horse.ply
+
+'brindle COMMAND --help' tells more of each command.)";
+
+ExitCode fail(ExitCode code, const std::string& message) {
+  std::cerr << "brindle: " << message << '\n';
+  return code;
+}
+
+// What is wrong with the command line whose first word is `first`, and where help is.
+std::string explanation(const CLI::ParseError& error, const std::vector<Command>& commands,
+                        const std::string& first) {
+  std::string names;
+  for (const Command& command : commands) {
+    const std::string name = command.app->get_name();
+    if (command.app->parsed()) {
+      return std::string(error.what()) + "\nbrindle: 'brindle " + name + " --help' tells more";
+    }
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  std::string wrong = first.empty() ? "name a command" : "'" + first + "' is no command";
+  if (first.starts_with('-')) wrong = error.what();
+  return wrong + "; commands are: " + names + "\nbrindle: 'brindle --help' tells more";
+}
+
+ExitCode run(const std::vector<Command>& commands) {
+  try {
+    for (const Command& command : commands) {
+      if (command.app->parsed()) command.run();
+    }
+    std::cout.flush();
+    if (!std::cout) throw Error("cannot write to standard output");
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    return fail(kWrongUsage, error.what());
+  } catch (const Cancelled&) {
+    return fail(kCancelled, "cancelled");
+  } catch (const std::bad_alloc&) {
+    return fail(kFailed, "not enough memory; try a smaller mesh or a smaller --subdivide");
+  } catch (const std::exception& error) {
+    return fail(kFailed, error.what());
+  }
+}
+
+ExitCode parse_and_run(int argc, char** argv) {
+  CLI::App app{"Lays stripe patterns over surfaces, aligned to a direction field.", "brindle"};
+  app.set_version_flag("--version", "brindle " BRINDLE_VERSION, "Print the version and exit");
+  app.add_flag_callback(
+      "--shapes",
+      [] {
+        std::cout << shape_help();
+        throw CLI::Success();
+      },
+      "List the built-in shapes and exit");
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  const std::vector<Command> commands = {add_stripe_command(app), add_compare_command(app),
+                                         add_info_command(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success) == 0 ? kDone : kFailed;
+  } catch (const CLI::ParseError& error) {
+    return fail(kWrongUsage, explanation(error, commands, argc > 1 ? argv[1] : ""));
+  }
+  return run(commands);
+}
+
+}  // namespace
+}  // namespace brindle::tool
+
+int main(int argc, char** argv) {
+  try {
+    return brindle::tool::parse_and_run(argc, argv);
+  } catch (const std::exception& error) {
+    return brindle::tool::fail(brindle::tool::kFailed, error.what());
+  }
+}

@@ -1,0 +1,65 @@
+#include "option_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace brindle::tool {
+
+void wrong_usage(const std::string& option, const std::string& expected, const std::string& value) {
+  throw CLI::ValidationError(option, "expected " + expected + ", got '" + value + "'");
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos;
+       end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+namespace {
+
+// Empty unless all of the text is one finite number.
+std::optional<float> finite_number(const std::string& text) {
+  const bool plus = !text.empty() && text.front() == '+';
+  float value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+float number_of(const std::string& option, const std::string& text) {
+  const auto value = finite_number(text);
+  if (!value) wrong_usage(option, "a finite number", text);
+  return *value;
+}
+
+float positive_number_of(const std::string& option, const std::string& text) {
+  const auto value = finite_number(text);
+  if (!value || *value <= 0) wrong_usage(option, "a finite number above zero", text);
+  return *value;
+}
+
+Vec3 direction_of(const std::string& option, const std::string& text) {
+  const char* expected = "x,y,z: three finite numbers, not all zero";
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) wrong_usage(option, expected, text);
+  Vec3 direction;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value = finite_number(parts[static_cast<std::size_t>(axis)]);
+    if (!value) wrong_usage(option, expected, text);
+    direction[axis] = *value;
+  }
+  if (direction.isZero(0)) wrong_usage(option, expected, text);
+  return direction;
+}
+
+}  // namespace brindle::tool

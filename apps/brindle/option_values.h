@@ -1,0 +1,52 @@
+/// How the values of options are written. Each function throws CLI::ValidationError, naming the
+/// option and what it expects, so that a mistyped value ends as wrong usage.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/base/types.h"
+
+namespace brindle::tool {
+
+/// The wrong use of an option.
+[[noreturn]] void wrong_usage(const std::string& option, const std::string& expected,
+                              const std::string& value);
+
+/// A finite number and nothing else.
+float number_of(const std::string& option, const std::string& text);
+
+/// A finite number above zero.
+float positive_number_of(const std::string& option, const std::string& text);
+
+/// "x,y,z", finite and not all zero.
+Vec3 direction_of(const std::string& option, const std::string& text);
+
+/// The parts of "a,b,c".
+std::vector<std::string> split(const std::string& text, char separator);
+
+/// Adds an option whose text `parse(option, text)` turns into the value of `target`.
+template <class Target, class Parse>
+CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, Target& target, Parse parse,
+                               const std::string& description) {
+  return app.add_option_function<std::string>(
+      name, [name, &target, parse](const std::string& text) { target = parse(name, text); },
+      description);
+}
+
+/// Adds an option that takes one of a few names; `value_of(name)` gives an optional value.
+template <class Target, class ValueOf>
+CLI::Option* add_named_option(CLI::App& app, const std::string& name, Target& target,
+                              ValueOf value_of, const std::string& names,
+                              const std::string& description) {
+  const auto parse = [value_of, names](const std::string& option, const std::string& text) {
+    const auto value = value_of(text);
+    if (!value) wrong_usage(option, "one of " + names, text);
+    return *value;
+  };
+  return add_parsed_option(app, name, target, parse, description)->type_name(names);
+}
+
+}  // namespace brindle::tool

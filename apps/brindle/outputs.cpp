@@ -1,0 +1,62 @@
+#include "outputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <complex>
+#include <ostream>
+
+#include "brindle/base/error.h"
+#include "brindle/base/output_file.h"
+
+namespace brindle::tool {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Output plan_output(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".png") {
+    check_pictures_available();
+    return {path, OutputKind::picture};
+  }
+  if (extension == ".json") return {path, OutputKind::report};
+  throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
+              "'; use .png for a picture, .json for a report");
+}
+
+}  // namespace
+
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths) {
+  std::vector<Output> outputs;
+  for (const std::string& path : paths) {
+    outputs.push_back(plan_output(path));
+    check_output_path(path);
+  }
+  return outputs;
+}
+
+Output plan_report(const std::string& path) {
+  check_output_path(path);
+  return {path, OutputKind::report};
+}
+
+void write_output(const Output& output, const Surface& surface, const StripePattern& pattern,
+                  const Report& report, const PictureOptions& picture) {
+  switch (output.kind) {
+    case OutputKind::picture:
+      return write_picture(output.path, surface, pattern, picture);
+    case OutputKind::report:
+      return write_json(output.path, to_json(report));
+  }
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
+  write_file(path, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,35 @@
+/// The files that `brindle stripe` writes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "brindle/pipeline/stripe_pattern.h"
+#include "picture.h"
+#include "report.h"
+
+namespace brindle::tool {
+
+enum class OutputKind { picture, report };
+
+struct Output {
+  std::filesystem::path path;
+  OutputKind kind;
+};
+
+/// What each path asks for, by its extension: .png a picture, .json a report. Throws Error if an
+/// extension is unknown, this build cannot write it, or a file could not be written there: better
+/// now than after a long job.
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths);
+
+/// As `plan_outputs`, for a path that is a report whatever its extension.
+Output plan_report(const std::string& path);
+
+void write_output(const Output& output, const Surface& surface, const StripePattern& pattern,
+                  const Report& report, const PictureOptions& picture);
+
+/// Writes indented JSON.
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);
+
+}  // namespace brindle::tool

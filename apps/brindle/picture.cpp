@@ -1,0 +1,155 @@
+#include "picture.h"
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brindle/base/error.h"
+#include "brindle/pattern/quality.h"
+#include "brindle/render/renderer.h"
+#include "option_values.h"
+
+namespace brindle::tool {
+
+enum class View { stripes, branches, angle_error };
+
+struct PictureOptions {
+  View view = View::stripes;
+  std::optional<UpAxis> up;  // the user's choice
+  RenderOptions render;
+};
+
+namespace {
+
+constexpr float kLargestAngleErrorDeg = 30;  // darkest colour of the angle_error view
+
+std::optional<View> view_of(std::string_view name) {
+  if (name == "stripes") return View::stripes;
+  if (name == "branches") return View::branches;
+  if (name == "angle_error") return View::angle_error;
+  return std::nullopt;
+}
+
+std::optional<UpAxis> up_axis_of(std::string_view name) {
+  if (name == "y") return UpAxis::y;
+  if (name == "z") return UpAxis::z;
+  return std::nullopt;
+}
+
+float share_of(const std::string& option, const std::string& text) {
+  const float value = number_of(option, text);
+  if (value < 0 || value > 1) wrong_usage(option, "a number from 0 to 1", text);
+  return value;
+}
+
+std::optional<int> whole_number(const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  return value;
+}
+
+void set_size(RenderOptions& render, const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, 'x');
+  const auto width = whole_number(parts.front());
+  const auto height = whole_number(parts.back());
+  if (parts.size() != 2 || !width || !height) wrong_usage(option, "WIDTHxHEIGHT in pixels", text);
+  try {
+    check_image_size(*width, *height);
+  } catch (const Error& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+  render.width = *width;
+  render.height = *height;
+}
+
+void set_camera(RenderOptions& render, const std::string& option, const std::string& text) {
+  const auto view = parse_camera_view(text, render.camera.up);
+  if (!view) {
+    wrong_usage(option, "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90",
+                text);
+  }
+  render.camera = *view;
+}
+
+void set_colors(RenderOptions& render, const std::string& option, const std::string& text) {
+  std::vector<Color> colors;
+  for (const std::string& part : split(text, ',')) {
+    const auto color = parse_color(part);
+    if (!color) wrong_usage(option, "colours like #1c325a or 1c325a", text);
+    colors.push_back(*color);
+  }
+  if (colors.size() < 2 || colors.size() > 3) {
+    wrong_usage(option, "STRIPE,SURFACE or STRIPE,SURFACE,BACKGROUND", text);
+  }
+  render.stripe_color = colors[0];
+  render.base_color = colors[1];
+  if (colors.size() == 3) render.background_center = render.background_edge = colors[2];
+}
+
+Overlay overlay_of(View view, const Surface& surface, const StripePattern& pattern) {
+  if (view == View::branches) return branch_overlay(surface.mesh, pattern.corners);
+  if (view == View::angle_error) {
+    return error_overlay(angle_errors_deg(surface.mesh, pattern.waves, pattern.corners),
+                         kLargestAngleErrorDeg);
+  }
+  return {};
+}
+
+// An option whose text changes the rendering options.
+template <class Set>
+CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOptions& render,
+                               Set set, const std::string& description) {
+  return app.add_option_function<std::string>(
+      name, [name, &render, set](const std::string& text) { set(render, name, text); },
+      description);
+}
+
+}  // namespace
+
+std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
+  const auto options = std::make_shared<PictureOptions>();
+  RenderOptions& render = options->render;
+  add_named_option(app, "--view", options->view, view_of, "stripes|branches|angle_error",
+                   "picture of the stripes (default), of branches, or of angle errors up to 30 "
+                   "degrees");
+  add_render_option(app, "--camera", render, set_camera,
+                    "picture: where from, in degrees (default 30,20)")
+      ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
+  add_named_option(app, "--up", options->up, up_axis_of, "y|z",
+                   "picture: the axis that points up (default z for shapes, y for files)");
+  add_render_option(app, "--size", render, set_size, "picture: pixels (default 1200x900)")
+      ->type_name("WIDTHxHEIGHT");
+  add_render_option(app, "--colors", render, set_colors, "picture: colours like #1c325a")
+      ->type_name("STRIPE,SURFACE[,BACKGROUND]");
+  add_parsed_option(app, "--stripe-width", render.stripe_width, share_of,
+                    "picture: share of the period (default 0.5)")
+      ->type_name("W");
+  return options;
+}
+
+void stand_on_z(PictureOptions& options) {
+  if (!options.up) options.up = UpAxis::z;
+}
+
+void check_pictures_available() {}
+
+void write_picture(const std::filesystem::path& path, const Surface& surface,
+                   const StripePattern& pattern, const PictureOptions& options) {
+  const Overlay overlay = overlay_of(options.view, surface, pattern);
+  const StripeScene scene{.mesh = surface.mesh,
+                          .normals = surface.normals,
+                          .waves = &pattern.waves,
+                          .z = pattern.solution.z,
+                          .triangle_colors = overlay.triangle_colors,
+                          .marks = overlay.marks};
+  RenderOptions render = options.render;
+  if (options.view != View::stripes) render = with_faint_stripes(render);
+  render.camera.up = options.up.value_or(render.camera.up);
+  write_png(path, render_picture(scene, render));
+}
+
+}  // namespace brindle::tool

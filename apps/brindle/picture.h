@@ -1,0 +1,28 @@
+/// Pictures of a pattern. A build without OpenGL offers none of the options and draws nothing.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/pipeline/stripe_pattern.h"
+
+namespace brindle::tool {
+
+struct PictureOptions;
+
+/// The options live as long as the pointer, which must outlive `app.parse`.
+std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
+
+/// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
+void stand_on_z(PictureOptions& options);
+
+/// Throws Error in a build without OpenGL.
+void check_pictures_available();
+
+/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+void write_picture(const std::filesystem::path& path, const Surface& surface,
+                   const StripePattern& pattern, const PictureOptions& options);
+
+}  // namespace brindle::tool

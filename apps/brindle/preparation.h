@@ -1,0 +1,22 @@
+/// The stages that come before the stripes, the same for every command.
+#pragma once
+
+#include "progress_display.h"
+#include "surface_options.h"
+#include "wave_options.h"
+
+namespace brindle::tool {
+
+/// A surface with waves, and what it took.
+struct Preparation {
+  Surface surface;
+  WaveSet waves;
+  double load_milliseconds = 0;      ///< reading or making the mesh and its field
+  double topology_milliseconds = 0;  ///< neighbourhood and normals
+};
+
+/// Loads the mesh and makes its waves. Notes on the display what had to be repaired.
+Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
+                    ProgressDisplay& display);
+
+}  // namespace brindle::tool

@@ -1,0 +1,52 @@
+/// Progress of a long job on stderr, and Ctrl-C.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "brindle/base/progress.h"
+
+namespace brindle::tool {
+
+/// Once a job has taken longer than a second, shows its stage: as one line that is rewritten where
+/// stderr is a terminal, as one line a stage elsewhere. While it lives, Ctrl-C cancels the job at
+/// its next report; a second Ctrl-C ends the program at once.
+class ProgressDisplay {
+ public:
+  /// A quiet display shows nothing, but still cancels.
+  explicit ProgressDisplay(bool quiet);
+  ~ProgressDisplay();
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  /// What to hand to a long job.
+  Progress progress();
+
+  /// Names the stage that begins. Throws Cancelled after Ctrl-C.
+  void stage(std::string_view name) { progress().report(name, 0); }
+
+  /// A line that stays; nothing if the display is quiet or the text empty.
+  void note(const std::string& text);
+
+ private:
+  bool update(std::string_view stage, double fraction);
+  void watch(const std::stop_token& stop);
+  void show();
+  void erase_line();
+
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const bool quiet_;
+  const bool terminal_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::string stage_;
+  std::string shown_;
+  double fraction_ = 0;
+  std::jthread watcher_;  // last: stops before what it reads goes
+};
+
+}  // namespace brindle::tool

@@ -1,0 +1,100 @@
+#include "report.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <ostream>
+#include <string>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle::tool {
+namespace {
+
+// std::format is not in g++ 12.
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  const int size = std::snprintf(nullptr, 0, format, values...);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
+  return text;
+}
+
+}  // namespace
+
+Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver) {
+  const Surface& surface = prepared.surface;
+  Report report;
+  report.vertices = surface.mesh.vertex_count();
+  report.triangles = surface.mesh.triangle_count();
+  report.edges = surface.neighborhood->edge_count();
+  report.solver = solver;
+  report.threads = ThreadLimit::current();
+  report.iterations = pattern.solution.iterations;
+  report.energy = pattern.solution.energy;
+  report.quality = pattern.quality;
+  report.milliseconds = pattern.milliseconds;
+  report.milliseconds.load += prepared.load_milliseconds;
+  report.milliseconds.topology += prepared.topology_milliseconds;
+  return report;
+}
+
+nlohmann::ordered_json to_json(const Report& report) {
+  const StripeMilliseconds& time = report.milliseconds;
+  return {{"vertices", report.vertices},
+          {"triangles", report.triangles},
+          {"edges", report.edges},
+          {"solver", name_of(report.solver)},
+          {"threads", report.threads},
+          {"iterations", report.iterations},
+          {"energy", report.energy},
+          {"branches", report.quality.branches},
+          {"field_singularities", report.quality.field_singularities},
+          {"angle_error_mean_deg", report.quality.angle_error_mean_deg},
+          {"angle_error_share_over_5deg", report.quality.angle_error_share_over_5deg},
+          {"spacing_error_mean", report.quality.spacing_error_mean},
+          {"milliseconds",
+           {{"load", time.load},
+            {"topology", time.topology},
+            {"couple", time.couple},
+            {"solve", time.solve},
+            {"pattern", time.pattern}}}};
+}
+
+void print_report(std::ostream& out, const Report& report) {
+  const PatternQuality& quality = report.quality;
+  const StripeMilliseconds& time = report.milliseconds;
+  out << formatted("surface   %zu vertices, %zu triangles, %zu edges\n", report.vertices,
+                   report.triangles, report.edges)
+      << formatted("solver    %s, %d iteration%s, %d thread%s\n", name_of(report.solver).data(),
+                   report.iterations, report.iterations == 1 ? "" : "s", report.threads,
+                   report.threads == 1 ? "" : "s")
+      << formatted("energy    %.6f\n", report.energy)
+      << formatted("branches  %zu, of these %zu where the field has a singularity\n",
+                   quality.branches, quality.field_singularities)
+      << formatted(
+             "errors    angle %.2f degrees on average, above 5 degrees in %.1f %%, "
+             "spacing %.1f %%\n",
+             quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
+             100 * quality.spacing_error_mean)
+      << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f ms\n",
+                   time.load, time.topology, time.couple, time.solve, time.pattern);
+}
+
+void print_table(std::ostream& out, const std::vector<Report>& reports) {
+  out << "            topology   couple     solve  pattern  itera-                     angle error "
+         " "
+         "spacing\n"
+         "solver            ms       ms        ms       ms   tions    energy  branches   mean  "
+         ">5 deg    error\n";
+  for (const Report& report : reports) {
+    const PatternQuality& quality = report.quality;
+    const StripeMilliseconds& time = report.milliseconds;
+    out << formatted("%-11s %8.1f %8.1f %9.1f %8.1f %7d %9.6f %9zu %6.2f %6.1f%% %7.1f%%\n",
+                     name_of(report.solver).data(), time.topology, time.couple, time.solve,
+                     time.pattern, report.iterations, report.energy, quality.branches,
+                     quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
+                     100 * quality.spacing_error_mean);
+  }
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,56 @@
+#include "solving_options.h"
+
+#include <string>
+
+#include "option_values.h"
+
+namespace brindle::tool {
+namespace {
+
+float not_negative_number_of(const std::string& option, const std::string& text) {
+  const float value = number_of(option, text);
+  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
+  return value;
+}
+
+float momentum_of(const std::string& option, const std::string& text) {
+  const float value = number_of(option, text);
+  if (value < 0 || value >= 1) wrong_usage(option, "a number from 0 to below 1", text);
+  return value;
+}
+
+}  // namespace
+
+void add_solving_options(CLI::App& app, SolvingOptions& options) {
+  SolverOptions& solver = options.stripes.solver;
+  add_named_option(app, "--phase-shift", options.stripes.phase_shift, phase_shift_kind,
+                   "aligned|common_source|trapezoid",
+                   "distance between two waves: closed form (default), the paper's Eq. 2, or "
+                   "Knöppel et al.'s");
+  add_parsed_option(app, "--epsilon", solver.epsilon, not_negative_number_of,
+                    "relaxation, averaged: stop at a smaller relative improvement (default 0.02)")
+      ->type_name("E");
+  add_parsed_option(app, "--momentum", solver.momentum, momentum_of,
+                    "relaxation, averaged: momentum of Eq. 11 (default 0.2; 0: none)")
+      ->type_name("M");
+  app.add_option("--seed", solver.seed, "relaxation, averaged: seed of the random start")
+      ->type_name("N");
+  app.add_option("--sweeps", solver.sweeps, "multilevel: sweeps on each level")
+      ->type_name("N")
+      ->check(CLI::Range(0, 10000));
+  app.add_option("--global-iterations", solver.global_iterations, "global: inverse iterations")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  app.add_option("--threads", options.threads, "0: all that the machine has (default)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+}
+
+void add_solver_option(CLI::App& app, SolvingOptions& options) {
+  add_named_option(app, "--solver", options.stripes.solver.solver, solver_of,
+                   "multilevel|relaxation|averaged|global",
+                   "multilevel (default), the paper's relaxation or averaged hierarchy, or the "
+                   "global eigenvector");
+}
+
+}  // namespace brindle::tool

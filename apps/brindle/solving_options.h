@@ -1,0 +1,20 @@
+/// How the phases are found.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/pipeline/stripe_pattern.h"
+
+namespace brindle::tool {
+
+struct SolvingOptions {
+  StripeOptions stripes;
+  int threads = 0;  ///< 0: all that the machine has
+};
+
+/// All options but --solver.
+void add_solving_options(CLI::App& app, SolvingOptions& options);
+
+void add_solver_option(CLI::App& app, SolvingOptions& options);
+
+}  // namespace brindle::tool

@@ -1,0 +1,47 @@
+#include "surface_options.h"
+
+#include <string_view>
+
+#include "brindle/base/error.h"
+#include "brindle/surface/shapes.h"
+#include "brindle/surface/subdivide.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr std::string_view kShapePrefix = "shape:";
+
+Mesh make_named_shape(const SurfaceOptions& options) {
+  try {
+    return make_shape(std::string_view(options.mesh).substr(kShapePrefix.size()));
+  } catch (const Error& error) {
+    throw CLI::ValidationError("MESH", error.what());
+  }
+}
+
+}  // namespace
+
+void add_surface_options(CLI::App& app, SurfaceOptions& options) {
+  app.add_option("MESH", options.mesh,
+                 "a built-in shape, such as shape:torus or "
+                 " shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
+      ->required();
+  app.add_option("--subdivide", options.subdivide, "split every triangle in four, K times")
+      ->type_name("K")
+      ->check(CLI::Range(0, 10));
+}
+
+bool is_shape(const SurfaceOptions& options) {
+  return std::string_view(options.mesh).starts_with(kShapePrefix);
+}
+
+LoadedMesh load_mesh(const SurfaceOptions& options) {
+  if (!is_shape(options)) {
+    throw CLI::ValidationError("MESH", "expected a built-in shape, got '" + options.mesh + "'");
+  }
+  LoadedMesh loaded{make_named_shape(options), ""};
+  if (options.subdivide > 0) loaded.mesh = subdivide(std::move(loaded.mesh), options.subdivide);
+  return loaded;
+}
+
+}  // namespace brindle::tool

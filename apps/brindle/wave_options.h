@@ -1,0 +1,30 @@
+/// Where the waves run and how dense they are.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/pipeline/surface.h"
+#include "brindle/waves/direction_field.h"
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle::tool {
+
+struct WaveOptions {
+  std::optional<Vec3> direction;  ///< a global vector, instead of `field`
+  std::string field = "smooth";   ///< "smooth", "curvature" or a file
+  CurvatureDirection curvature_direction = CurvatureDirection::maximum;
+  float curvature_anchor = 0;  ///< of the smooth field
+  float rotate_deg = 0;
+  std::optional<float> stripes;    ///< along the diagonal of the bounding box
+  std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
+};
+
+void add_wave_options(CLI::App& app, WaveOptions& options);
+
+/// One wave per vertex, without phases. Throws Error if a field file does not fit.
+WaveSet make_waves(const Surface& surface, const WaveOptions& options);
+
+}  // namespace brindle::tool

@@ -1,0 +1,77 @@
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tool.h"
+
+namespace brindle::test {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(ToolTest, HelpHasExamples) {
+  EXPECT_TRUE(has(run({"--help"}).out, "Examples:"));
+  for (const char* command : {"stripe", "compare", "info"}) {
+    const ToolResult result = run({command, "--help"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;
+    EXPECT_TRUE(has(result.out, "Examples:")) << result.out;
+  }
+}
+
+TEST_F(ToolTest, VersionNamesTheProgram) {
+  const ToolResult result = run({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "brindle " BRINDLE_VERSION "\n");
+}
+
+TEST_F(ToolTest, ShapesAreListed) {
+  const ToolResult result = run({"--shapes"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(has(result.out, "torus")) << result.out;
+}
+
+TEST_F(ToolTest, CompareHasOneRowASolver) {
+  const ToolResult result =
+      run({"compare", "shape:torus,resolution=48", "--direction", "0,0,1", "--json", "all.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(content(folder / "all.json"));
+  std::set<std::string> solvers;
+  for (const auto& report : json) {
+    solvers.insert(report["solver"].get<std::string>());
+    EXPECT_TRUE(has(result.out, report["solver"])) << result.out;
+  }
+  std::set<std::string> expected = {"averaged", "multilevel", "relaxation"};
+#ifdef BRINDLE_HAS_CHOLMOD
+  expected.insert("global");
+#endif
+  EXPECT_EQ(solvers, expected);
+}
+
+TEST_F(ToolTest, InfoCountsAClosedSurface) {
+  const ToolResult result = run({"info", "shape:sphere,resolution=4"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.out, "vertices      162\n")) << result.out;
+  EXPECT_TRUE(has(result.out, "triangles     320\n")) << result.out;
+  EXPECT_TRUE(has(result.out, "480, 0 on a boundary, 0 non-manifold")) << result.out;
+  EXPECT_TRUE(has(result.out, "components    1\n")) << result.out;
+  EXPECT_TRUE(has(result.out, "orientable, wound alike")) << result.out;
+}
+
+TEST_F(ToolTest, InfoKnowsAMoebiusStrip) {
+  EXPECT_TRUE(has(run({"info", "shape:mobius,resolution=6"}).out, "not orientable"));
+}
+
+TEST_F(ToolTest, InfoKnowsNonManifoldEdges) {
+  const ToolResult result = run({"info", "shape:sheets,resolution=4"});
+  EXPECT_FALSE(has(result.out, " 0 non-manifold")) << result.out;
+}
+
+TEST_F(ToolTest, InfoCountsPieces) {
+  EXPECT_TRUE(has(run({"info", "shape:pieces,count=4"}).out, "components    4\n"));
+}
+
+}  // namespace
+}  // namespace brindle::test

@@ -1,0 +1,147 @@
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tool.h"
+
+namespace brindle::test {
+namespace {
+
+const char* const kSmallTorus = "shape:torus,resolution=64";
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+struct Stripe : ToolTest {
+  // Runs with extra arguments and returns the report.
+  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+    Arguments arguments = {"stripe", mesh, "--report", "report.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(content(folder / "report.json"));
+  }
+};
+
+TEST_F(Stripe, ReportHasTheContractsKeys) {
+  const Json report = this->report({});
+  for (const char* key : {"vertices", "triangles", "edges", "solver", "threads", "iterations",
+                          "energy", "branches", "field_singularities", "angle_error_mean_deg",
+                          "angle_error_share_over_5deg", "spacing_error_mean", "milliseconds"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  for (const char* key : {"load", "topology", "couple", "solve", "pattern"}) {
+    EXPECT_GE(report["milliseconds"].at(key).get<double>(), 0) << key;
+  }
+  EXPECT_EQ(report["solver"], "multilevel");
+  EXPECT_EQ(
+      report["vertices"].get<int>() - report["edges"].get<int>() + report["triangles"].get<int>(),
+      0);  // a torus
+}
+
+TEST_F(Stripe, NumbersDoNotDependOnThreads) {
+  for (const char* solver : {"multilevel", "relaxation", "averaged"}) {
+    Json one = report({"--solver", solver, "--threads", "1"});
+    Json two = report({"--solver", solver, "--threads", "2"});
+    EXPECT_EQ(one["threads"], 1);
+    EXPECT_EQ(two["threads"], 2);
+    for (const char* key : {"threads", "milliseconds"}) {
+      one.erase(key);
+      two.erase(key);
+    }
+    EXPECT_EQ(one, two) << solver;
+  }
+}
+
+TEST_F(Stripe, SubdivisionSplitsEveryTriangleInFour) {
+  EXPECT_EQ(report({"--subdivide", "1"})["triangles"].get<int>(),
+            4 * report({})["triangles"].get<int>());
+}
+
+TEST_F(Stripe, AnswersOnStdoutUnlessQuiet) {
+  const ToolResult result = run({"stripe", kSmallTorus});
+  EXPECT_NE(result.out.find("branches"), std::string::npos) << result.out;
+  const ToolResult quiet = run({"stripe", kSmallTorus, "--quiet"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+struct AcceptedOption : Stripe, testing::WithParamInterface<Arguments> {};
+
+TEST_P(AcceptedOption, GivesAPattern) {
+  const Json report = this->report(GetParam());
+  EXPECT_LT(report["energy"].get<double>(), 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stripe, AcceptedOption,
+    testing::Values(
+        Arguments{"--direction", "-0.31,0.9,0.27"}, Arguments{"--field", "smooth"},
+        Arguments{"--field", "curvature"},
+        Arguments{"--field", "curvature", "--curvature-direction", "min"},
+        Arguments{"--field", "smooth", "--curvature-anchor", "0.1"}, Arguments{"--rotate", "-90"},
+        Arguments{"--stripes", "10"}, Arguments{"--frequency", "5.5"},
+        Arguments{"--solver", "multilevel", "--sweeps", "3"},
+        Arguments{"--solver", "relaxation", "--epsilon", "0.001", "--momentum", "0", "--seed", "7"},
+        Arguments{"--solver", "averaged"}, Arguments{"--phase-shift", "aligned"},
+        Arguments{"--phase-shift", "common_source"}, Arguments{"--phase-shift", "trapezoid"},
+        Arguments{"--threads", "2"}, Arguments{"--threads", "0"}, Arguments{"--subdivide", "0"},
+        Arguments{"--quiet"}));
+
+#ifdef BRINDLE_HAS_CHOLMOD
+INSTANTIATE_TEST_SUITE_P(Global, AcceptedOption,
+                         testing::Values(Arguments{"--solver", "global", "--global-iterations",
+                                                   "10"}));
+#else
+TEST_F(Stripe, MissingGlobalSolverIsNamed) {
+  expect_refusal(1, "CHOLMOD", {"stripe", kSmallTorus, "--solver", "global"});
+}
+#endif
+
+#ifdef BRINDLE_HAS_GL
+// Width and height as a PNG file's header has them.
+std::pair<int, int> png_size(const std::string& png) {
+  const auto big_endian = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  return {big_endian(16), big_endian(20)};
+}
+
+TEST_F(Stripe, DrawsEveryView) {
+  std::set<std::string> pictures;
+  for (const char* view : {"stripes", "branches", "angle_error"}) {
+    report({"--output", "a.png", "--view", view, "--size", "320x200"});
+    const std::string picture = content(folder / "a.png");
+    EXPECT_EQ(png_size(picture), std::pair(320, 200));
+    pictures.insert(picture);
+  }
+  EXPECT_EQ(pictures.size(), 3u);
+}
+
+TEST_F(Stripe, PictureOptionsChangeThePicture) {
+  std::set<std::string> pictures;
+  const std::vector<Arguments> all = {{},
+                                      {"--camera", "-60,45"},
+                                      {"--camera", "30,20,3"},
+                                      {"--up", "y"},
+                                      {"--colors", "#ff0000,#00ff00"},
+                                      {"--colors", "f00,0f0,000"},
+                                      {"--stripe-width", "0.2"}};
+  for (Arguments options : all) {
+    options.insert(options.end(), {"--output", "a.png", "--size", "160x120"});
+    report(options);
+    pictures.insert(content(folder / "a.png"));
+  }
+  EXPECT_EQ(pictures.size(), all.size());
+}
+#else
+TEST_F(Stripe, PicturesAreRefusedBeforeTheWork) {
+  expect_refusal(1, "BRINDLE_GL", {"stripe", kSmallTorus, "--output", "a.png"});
+}
+#endif
+
+}  // namespace
+}  // namespace brindle::test
