@@ -27,7 +27,8 @@ TEST(Camera, FramesAnyMeshTightlyAndWhole) {
     for (Vec3& p : mesh.positions) p = scale * Vec3(p.x() + 3, 0.3f * p.y(), p.z());
     for (const auto& [width, height] : {std::pair{1200, 900}, {300, 900}, {640, 640}}) {
       for (const CameraView view : {CameraView{30, 20, 1}, {200, -70, 1}, {0, 90, 1, UpAxis::z}}) {
-        const auto box = seen_box(mesh, framed_camera(mesh, view, width, height));
+        const auto box =
+            seen_box(mesh, framed_camera(points_of_triangles(mesh), view, width, height));
         EXPECT_LE(box.max().cwiseAbs().maxCoeff(), 0.951f);
         EXPECT_LE(box.min().cwiseAbs().maxCoeff(), 0.951f);
         const bool fills_x = box.max().x() > 0.949f && box.min().x() < -0.949f;
@@ -40,8 +41,8 @@ TEST(Camera, FramesAnyMeshTightlyAndWhole) {
 
 TEST(Camera, ZoomEnlargesAboutTheMiddle) {
   const Mesh mesh = test::square(2);
-  const auto box = seen_box(mesh, framed_camera(mesh, {0, 0, 1}, 400, 400));
-  const auto zoomed = seen_box(mesh, framed_camera(mesh, {0, 0, 2}, 400, 400));
+  const auto box = seen_box(mesh, framed_camera(points_of_triangles(mesh), {0, 0, 1}, 400, 400));
+  const auto zoomed = seen_box(mesh, framed_camera(points_of_triangles(mesh), {0, 0, 2}, 400, 400));
   EXPECT_TRUE(zoomed.max().isApprox(2 * box.max(), 1e-4f));
   EXPECT_TRUE(zoomed.min().isApprox(2 * box.min(), 1e-4f));
 }
@@ -49,7 +50,9 @@ TEST(Camera, ZoomEnlargesAboutTheMiddle) {
 TEST(Camera, AnglesTurnAsDocumented) {
   const Mesh mesh = test::square(1);
   const auto axis_seen = [&](const CameraView& view, const Vec3& axis) -> Vec3 {
-    return framed_camera(mesh, view, 100, 100).view_from_world.topLeftCorner<3, 3>() * axis;
+    return framed_camera(points_of_triangles(mesh), view, 100, 100)
+               .view_from_world.topLeftCorner<3, 3>() *
+           axis;
   };
   // Seen from the camera: x to the right, y up, z towards it.
   EXPECT_TRUE(axis_seen({0, 0}, Vec3::UnitZ()).isApprox(Vec3::UnitZ(), 1e-5f));
@@ -63,12 +66,19 @@ TEST(Camera, AnglesTurnAsDocumented) {
 
 TEST(Camera, MeshWithoutExtentGivesFiniteMatrices) {
   Mesh mesh;
-  EXPECT_TRUE(framed_camera(mesh, {}, 10, 10).clip_from_view.allFinite());
+  EXPECT_TRUE(framed_camera(points_of_triangles(mesh), {}, 10, 10).clip_from_view.allFinite());
   mesh.positions.assign(3, Vec3(1, 2, 3));
   mesh.triangles.push_back({0, 1, 2});
-  const Camera camera = framed_camera(mesh, {}, 10, 10);
+  const Camera camera = framed_camera(points_of_triangles(mesh), {}, 10, 10);
   EXPECT_TRUE(camera.clip_from_view.allFinite());
   EXPECT_TRUE(camera.view_from_world.allFinite());
+}
+
+TEST(Camera, VerticesWithoutTriangleAreNotFramed) {
+  Mesh mesh = test::square(2);
+  const std::size_t count = mesh.vertex_count();
+  mesh.positions.push_back(Vec3(100, 0, 0));
+  EXPECT_EQ(points_of_triangles(mesh).size(), count);
 }
 
 TEST(CameraView, IsReadFromText) {

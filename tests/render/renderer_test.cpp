@@ -172,6 +172,24 @@ TEST(Renderer, TilesDoNotShow) {
   }
 }
 
+TEST(Renderer, TrianglesSmallerThanPixelsKeepThePhase) {
+  // More than a batch of triangles, and several to a pixel.
+  const TwinError error = twin_error(plane_wave(saddle(200), Vec3::UnitX(), 9), plain_options());
+  EXPECT_GT(error.pixels, 5000);
+  EXPECT_EQ(error.left_out, 0);
+  EXPECT_LT(error.largest, 1e-4);
+}
+
+TEST(Renderer, PictureOfTheSameStripesIsTheSameOnAFinerMesh) {
+  const Image coarse =
+      Studio::shared().draw(plane_wave(square(2), Vec3::UnitX(), 9).scene(), plain_options());
+  const Image fine =
+      Studio::shared().draw(plane_wave(square(200), Vec3::UnitX(), 9).scene(), plain_options());
+  for (int y = 30; y < 90; ++y) {
+    for (int x = 50; x < 110; ++x) ASSERT_NEAR(coarse.at(x, y).red, fine.at(x, y).red, 6);
+  }
+}
+
 TEST(Renderer, SurfaceWithoutWavesIsPlain) {
   WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
   for (Vec3& d : surface.waves.directions) d.setZero();

@@ -42,21 +42,31 @@ struct Extent {
   double right = kNone, left = kNone, top = kNone, bottom = kNone, front = kNone, back = kNone;
 };
 
-Extent extent_in(const Mesh& mesh, const Vec3& origin, const Eigen::Matrix3d& axes, double t,
-                 double u) {
+Extent extent_of(std::span<const Vec3> points, const Vec3& origin, const Eigen::Matrix3d& axes,
+                 double t, double u) {
+  if (points.empty()) return {0, 0, 0, 0, 0, 0};
   Extent extent;
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const Index vertex : triangle) {
-      const Eigen::Vector3d p = axes * (mesh.positions[vertex] - origin).cast<double>();
-      extent.right = std::max(extent.right, p.x() + t * p.z());
-      extent.left = std::max(extent.left, -p.x() + t * p.z());
-      extent.top = std::max(extent.top, p.y() + u * p.z());
-      extent.bottom = std::max(extent.bottom, -p.y() + u * p.z());
-      extent.front = std::max(extent.front, p.z());
-      extent.back = std::max(extent.back, -p.z());
-    }
+  for (const Vec3& point : points) {
+    const Eigen::Vector3d p = axes * (point - origin).cast<double>();
+    extent.right = std::max(extent.right, p.x() + t * p.z());
+    extent.left = std::max(extent.left, -p.x() + t * p.z());
+    extent.top = std::max(extent.top, p.y() + u * p.z());
+    extent.bottom = std::max(extent.bottom, -p.y() + u * p.z());
+    extent.front = std::max(extent.front, p.z());
+    extent.back = std::max(extent.back, -p.z());
   }
-  return mesh.triangles.empty() ? Extent{0, 0, 0, 0, 0, 0} : extent;
+  return extent;
+}
+
+Vec3 middle_of(std::span<const Vec3> points) {
+  if (points.empty()) return Vec3::Zero();
+  Vec3 lower = points[0];
+  Vec3 upper = points[0];
+  for (const Vec3& point : points) {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  return lower + (upper - lower) / 2;
 }
 
 Eigen::Matrix4f perspective(double t, double u, double near_plane, double far_plane) {
@@ -90,9 +100,21 @@ std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
   return CameraView{numbers[0], numbers[1], zoom, up};
 }
 
-Camera framed_camera(const Mesh& mesh, const CameraView& view, int width, int height) {
+std::vector<Vec3> points_of_triangles(const Mesh& mesh) {
+  std::vector<bool> used(mesh.vertex_count());
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const Index vertex : triangle) used[vertex] = true;
+  }
+  std::vector<Vec3> points;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) points.push_back(mesh.positions[v]);
+  }
+  return points;
+}
+
+Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int width, int height) {
   Camera camera;
-  camera.origin = bounding_box(mesh).center();
+  camera.origin = middle_of(points);
   const Eigen::Matrix3d axes = camera_axes(view);
   const double longer_side = std::max(width, height);
   const double t = std::tan(radians(kFieldOfViewDeg / 2)) * width / longer_side;
@@ -101,7 +123,7 @@ Camera framed_camera(const Mesh& mesh, const CameraView& view, int width, int he
   const double inner_u = u * (1 - kMargin);
 
   // The eye (x, y, z) sees a vertex if p.x + t p.z <= x + t z and so on for the other three planes.
-  const Extent extent = extent_in(mesh, camera.origin, axes, inner_t, inner_u);
+  const Extent extent = extent_of(points, camera.origin, axes, inner_t, inner_u);
   const double size = std::max(
       {extent.front + extent.back, extent.left + extent.right, extent.top + extent.bottom, 1e-30});
   Eigen::Vector3d eye((extent.right - extent.left) / 2, (extent.top - extent.bottom) / 2, 0);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -36,8 +38,11 @@ struct Camera {
   Eigen::Matrix4f clip_from_view = Eigen::Matrix4f::Identity();   ///< OpenGL's clip space
 };
 
-/// The camera whose picture of `width` x `height` pixels the mesh fills up to a small margin: the
-/// closest one from which no vertex of a triangle is cut off.
-Camera framed_camera(const Mesh& mesh, const CameraView& view, int width, int height);
+/// The positions of all vertices that a triangle uses, each once.
+std::vector<Vec3> points_of_triangles(const Mesh& mesh);
+
+/// The camera whose picture of `width` x `height` pixels the points fill up to a small margin: the
+/// closest one from which none is cut off. No points count as one at zero.
+Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int width, int height);
 
 }  // namespace brindle

@@ -19,6 +19,9 @@ static_assert(sizeof(Triangle) == 12 && sizeof(Vec3) == 12 && sizeof(Complex) ==
 
 constexpr int kWantedSamples = 8;
 
+/// Triangles drawn at once. Software renderers keep all that they have not yet drawn in memory.
+constexpr std::size_t kBatch = 1 << 16;
+
 enum Binding { kTriangles, kPositions, kNormals, kWaves, kPhases, kTriangleColors, kMarks };
 
 GLint limit(GLenum name) {
@@ -165,6 +168,16 @@ Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, in
   return target;
 }
 
+/// Samples a pixel beside supersampling; 0 for one. Where triangles are about as small as pixels
+/// each sample would be shaded by itself anyway, and software renderers take five times as long.
+int samples_for(std::size_t triangle_count, const RenderOptions& options) {
+  const double pixels = static_cast<double>(options.width) * options.height *
+                        options.supersampling * options.supersampling;
+  if (4 * static_cast<double>(triangle_count) > pixels) return 0;
+  const int samples = std::min(kWantedSamples, limit(GL_MAX_SAMPLES));
+  return samples > 1 ? samples : 0;
+}
+
 /// A part of the picture, in finished pixels from the lower left.
 struct Tile {
   int x, y, width, height;
@@ -207,7 +220,8 @@ struct Renderer::State {
   ShaderProgram develop{{"full_screen.vert"}, {"develop.frag"}};
   GlVertexArray no_attributes;
 
-  Mesh frame;  ///< what a camera has to frame
+  std::vector<Vec3> points;  ///< what a camera has to frame
+  std::size_t triangle_count = 0;
   std::array<GlBuffer, 7> buffers;
   GLsizei mark_count = 0;
 
@@ -235,7 +249,11 @@ void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& c
   }
   glUseProgram(program.name());
   glBindVertexArray(no_attributes);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * frame.triangle_count()));
+  for (std::size_t first = 0; first < triangle_count; first += kBatch) {
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
+                 static_cast<GLsizei>(3 * std::min(kBatch, triangle_count - first)));
+    if (first + kBatch < triangle_count) glFinish();
+  }
 }
 
 void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
@@ -314,7 +332,8 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::upload(const StripeScene& scene) {
   check_scene(scene);
-  state_->frame = scene.mesh;
+  state_->points = points_of_triangles(scene.mesh);
+  state_->triangle_count = scene.mesh.triangle_count();
   auto& buffers = state_->buffers;
   buffers = {};
   buffers[kTriangles] = buffer_of(scene.mesh.triangles, "triangles");
@@ -330,7 +349,8 @@ void Renderer::upload(const StripeScene& scene) {
 
 Image Renderer::draw(const RenderOptions& options) const {
   check_options(options);
-  const Camera camera = framed_camera(state_->frame, options.camera, options.width, options.height);
+  const Camera camera =
+      framed_camera(state_->points, options.camera, options.width, options.height);
   const int s = options.supersampling;
   const int side =
       std::min({options.tile_side, limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS)});
@@ -338,9 +358,8 @@ Image Renderer::draw(const RenderOptions& options) const {
   const int step = side / s / 2 * 2;
   const int tile_width = std::min(step, options.width);
   const int tile_height = std::min(step, options.height);
-  const int samples = std::min(kWantedSamples, limit(GL_MAX_SAMPLES));
-  const Target many =
-      target_of({GL_RGBA16F}, true, tile_width * s, tile_height * s, std::max(samples, 1));
+  const int samples = samples_for(state_->triangle_count, options);
+  const Target many = target_of({GL_RGBA16F}, true, tile_width * s, tile_height * s, samples);
   const Target light = target_of({GL_RGBA16F}, false, tile_width * s, tile_height * s);
   const Target finished = target_of({GL_RGBA8}, false, tile_width, tile_height);
   Image image(options.width, options.height);
@@ -385,7 +404,7 @@ FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   if (state_->buffers[kWaves] == 0 || state_->buffers[kPhases] == 0) {
     throw Error("the scene has no waves whose phases could be drawn");
   }
-  state_->draw_surface(state_->probe, framed_camera(state_->frame, options.camera, width, height),
+  state_->draw_surface(state_->probe, framed_camera(state_->points, options.camera, width, height),
                        {1, 1, 0, 0});
   glDisable(GL_DEPTH_TEST);
   FragmentImage image{width, height, {}, {}, {}};

@@ -37,7 +37,7 @@ struct RenderOptions {
   bool transparent = false;  ///< no background: its alpha is 0
   bool shading = true;       ///< false: plain colours without light
   float mark_radius = 6;     ///< pixels
-  int supersampling = 2;     ///< 1 to 4: samples along each side of a pixel, beside 4x MSAA
+  int supersampling = 2;     ///< 1 to 4: samples along each side of a pixel, beside multisampling
   int tile_side =
       2048;  ///< samples along a side of the parts that a picture is drawn in, at least 64
 };

@@ -2,10 +2,10 @@
 
 layout(location = 0) out vec2 z;
 layout(location = 1) out vec4 weights;
-layout(location = 2) out uint triangle;
+layout(location = 2) out uint triangle_number;
 
 void main() {
   z = wave_here().z;
   weights = vec4(weights_here(), 0.0);
-  triangle = uint(gl_PrimitiveID);
+  triangle_number = triangle;
 }

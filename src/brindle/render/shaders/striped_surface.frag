@@ -50,7 +50,7 @@ vec3 surface_color() {
     }
   }
   if (has_triangle_colors) {
-    vec4 paint = unpackUnorm4x8(triangle_colors[gl_PrimitiveID]);
+    vec4 paint = unpackUnorm4x8(triangle_colors[triangle]);
     surface = mix(surface, linear_light(paint.rgb), paint.a);
   }
   return surface;

@@ -5,6 +5,8 @@ uniform mat4 clip_from_view;
 uniform vec4 tile;  // scale and offset of clip coordinates: the part of the picture being drawn
 uniform bool smooth_normals;
 
+flat out uint triangle;
+
 // At the pixel's centre, which may lie outside where the triangle covers only a part of the pixel.
 out vec3 centre_barycentric;
 // Where the triangle covers the pixel.
@@ -14,7 +16,7 @@ centroid out vec3 view_position;
 centroid out vec3 view_normal;
 
 void main() {
-  uint triangle = uint(gl_VertexID) / 3u;
+  triangle = uint(gl_VertexID) / 3u;
   uint corner = uint(gl_VertexID) % 3u;
   vec3 a = position_of(vertex_of(triangle, 0u)) - origin;
   vec3 b = position_of(vertex_of(triangle, 1u)) - origin;

@@ -1,5 +1,6 @@
 // What every fragment of the surface knows.
 
+flat in uint triangle;
 in vec3 centre_barycentric;
 centroid in vec3 barycentric;
 centroid in vec3 clip_position;
@@ -17,7 +18,7 @@ FragmentWave wave_here() {
   vec3 barycentric_dy = dFdy(centre_barycentric);
   CornerWave corners[3];
   for (uint m = 0u; m < 3u; ++m) {
-    uint vertex = vertex_of(uint(gl_PrimitiveID), m);
+    uint vertex = vertex_of(triangle, m);
     vec4 wave = waves[vertex];
     corners[m] = CornerWave(position_of(vertex), wave.xyz, wave.w, phases[vertex]);
   }
