@@ -25,8 +25,8 @@ double agreement(const Level& level) {
       const std::complex<double> z_j = level.z[level.layout.neighbor[entry]];
       if (level.layout.neighbor[entry] == slot) continue;
       target +=
-          std::complex<double>(SlicedCouplings::get(level.couplings.direct.get(), entry)) * z_j +
-          std::complex<double>(level.couplings.reflecting_at(slot / kLanes, entry)) *
+          std::complex<double>(level.couplings.direct_at(entry)) * z_j +
+          std::complex<double>(level.couplings.reflecting_at(level.layout, slot / kLanes, entry)) *
               std::conj(z_j);
     }
     if (!level.couplings.anchor.empty()) {
@@ -97,9 +97,10 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
     randomize(hierarchy.levels[2], 1);
     return agreement(hierarchy.levels[2]);
   }();
+  std::vector<Complex> gauged(hierarchy.levels[0].layout.entry_count() + 1);
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     renew_gauges(hierarchy.levels[l]);
-    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1]);
+    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], gauged);
   }
   EXPECT_EQ(agreement(hierarchy.levels[2]), before);
 }

@@ -10,32 +10,41 @@
 
 namespace brindle {
 
+/// The members that join their aggregates as the (r+1)-th, in groups of kLanes. The gauge of a
+/// member hangs on the couplings to earlier members: a round has for every lane one entry of its
+/// row that leads to one of them, or kNone.
+struct GaugeRank {
+  std::vector<Index> member;       ///< slots, kNone for filling; a multiple of kLanes
+  std::vector<Index> round_begin;  ///< group g has rounds round_begin[g] .. round_begin[g+1] - 1
+  std::vector<Index> entry;        ///< kLanes entries a round
+};
+
+/// The fine entries that add to each coarse entry, in rounds: a round has for every lane of a
+/// coarse column one fine entry, or the number of fine entries for none.
+struct SourceRounds {
+  std::vector<Index> round_begin;  ///< coarse column c has rounds round_begin[c] .. [c+1] - 1
+  std::vector<Index> entry;        ///< kLanes entries a round
+};
+
 /// How the nodes of a level are joined to those of the next coarser one. All in slots of the finer
 /// level unless said otherwise. Fixed once the hierarchy is built.
 struct Aggregation {
-  std::vector<Index> coarse_slot;   ///< slot of the aggregate in the coarser level; kNone for
-                                    ///< filling and for nodes without any coupling
+  std::vector<Index> coarse_slot;  ///< slot of the aggregate in the coarser level; its slot_count()
+                                   ///< for filling and for nodes without any coupling
   std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
   std::vector<Index> member;        ///< members of all aggregates, the reference first
-  std::vector<Index> gauge_begin;   ///< member m has gauge_begin[m] .. gauge_begin[m+1] - 1 of...
-  std::vector<Index> gauge_entry;   ///< ...the entries in its own row that lead to earlier members
-                                    ///< of its aggregate, on which its gauge hangs
-  std::vector<Index> coarse_entry;  ///< entry -> entry of the coarser level that it adds to; kNone
-                                    ///< inside an aggregate and in filling
-};
-
-/// z_i = g_i Z, or g_i conj(Z) where conjugated; by slot of the finer level.
-struct Gauges {
-  std::vector<Complex> g;
-  std::vector<std::uint8_t> conjugated;
+  std::vector<GaugeRank> gauge_ranks;  ///< second, third, ... members of all aggregates
+  SourceRounds sources;                ///< which entries add to which coarse entry
 };
 
 struct Level {
   SlicedLayout layout;
   SlicedCouplings couplings;
-  Aggregation aggregation;  ///< empty on the coarsest level
-  Gauges gauges;            ///< empty on the coarsest level
-  std::vector<Complex> z;   ///< phases by slot
+  Aggregation aggregation;     ///< empty on the coarsest level
+  std::vector<Complex> gauge;  ///< by slot: z_i = g_i Z, or g_i conj(Z) where its conjugate bit
+                               ///< (sliced_kernels.h) is set; empty on the coarsest level
+  std::vector<Complex> z;  ///< phases by slot; one more, always kPeak, for finer slots without an
+                           ///< aggregate
 };
 
 struct Hierarchy {
@@ -62,8 +71,9 @@ Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress = {}
 /// Renews the gauges of a level from its couplings.
 void renew_gauges(Level& level);
 
-/// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`.
-void renew_sums(const Level& fine, Level& coarse);
+/// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`. `gauged` is
+/// scratch space with room for the entries of `fine` and one more.
+void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged);
 
 /// Sets the phases of `fine` from those of `coarse`.
 void prolong(const Level& coarse, Level& fine);

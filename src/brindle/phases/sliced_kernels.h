@@ -1,0 +1,87 @@
+/// The inner loops of the solvers over slices of a SlicedLayout, twice: portable C++, and Highway
+/// vectors with the instruction set chosen at run time. Both follow the same order of operations;
+/// results differ only where a fused multiply-add rounds once instead of twice.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "brindle/base/types.h"
+#include "brindle/phases/sliced_graph.h"
+
+namespace brindle {
+
+/// A gauge or a coupling that says in the lowest bit of its real part, a relative error of 1e-7,
+/// whether it goes with the conjugate. One gather then brings both.
+constexpr Complex with_conjugate_bit(Complex value, bool conjugate) {
+  const auto bits = std::bit_cast<std::uint32_t>(value.real());
+  return {std::bit_cast<float>((bits & ~1u) | static_cast<std::uint32_t>(conjugate)), value.imag()};
+}
+constexpr bool conjugate_bit(Complex value) {
+  return (std::bit_cast<std::uint32_t>(value.real()) & 1u) != 0;
+}
+
+struct SliceRange {
+  Index begin;
+  Index end;
+};
+
+/// z_i = t_i / |t_i| for all rows; rows without a target keep their phase. The rows of a range must
+/// have one colour.
+using SweepSlices = void(const SlicedLayout&, const SlicedCouplings&, Complex* z, SliceRange);
+
+/// Eq. 10 and 11 for all rows; returns by how much it lowers the energy.
+using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex* z, float strength,
+                           Complex* momentum, SliceRange);
+
+/// Turns the direct couplings of all entries of a range into the gauges at their ends:
+/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z); entry by entry into `gauged`. The conjugate
+/// bit of a result says that it adds to B of the coarser level, not to A.
+using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Complex* gauge,
+                         Complex* gauged, SliceRange);
+
+/// Gauges of one rank (GaugeRank of hierarchy.h) from the direct couplings to earlier members: with
+/// S = sum A g over members without and C over members with the conjugate bit, the longer of the
+/// two over its length, its own conjugate bit set if that is C. Without either, 1.
+using GaugeMembers = void(const SlicedLayout&, const SlicedCouplings&, const Index* member,
+                          const Index* round_begin, const Index* round_entry, Complex* gauge,
+                          SliceRange groups);
+
+/// Direct couplings of the coarse slices of a range: sums of the gauged entries without conjugate
+/// bit that the rounds name. `marked` tells for every slice whether there are others.
+using SumSlices = void(const SlicedLayout& coarse, const Index* round_begin,
+                       const Index* round_entry, const Complex* gauged, float* direct,
+                       std::uint8_t* marked, SliceRange);
+
+/// z_i = g_i Z or g_i conj(Z) with Z = coarse[coarse_slot[i]], for all slots of a range.
+using ProlongSlices = void(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
+                           Complex* z, SliceRange);
+
+namespace portable {
+SweepSlices sweep_slices;
+RelaxSlices relax_slices;
+GaugeSlices gauge_slices;
+GaugeMembers gauge_members;
+SumSlices sum_slices;
+ProlongSlices prolong_slices;
+}  // namespace portable
+
+#ifdef BRINDLE_HAS_HIGHWAY
+namespace simd {
+SweepSlices sweep_slices;
+RelaxSlices relax_slices;
+GaugeSlices gauge_slices;
+GaugeMembers gauge_members;
+SumSlices sum_slices;
+ProlongSlices prolong_slices;
+
+/// The instruction set in use, such as "AVX3" or "NEON".
+const char* target_name();
+}  // namespace simd
+namespace kernels = simd;
+#else
+namespace kernels = portable;
+#endif
+
+}  // namespace brindle

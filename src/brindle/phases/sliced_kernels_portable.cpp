@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "brindle/phases/sliced_kernels.h"
+
+namespace brindle::portable {
+namespace {
+
+struct Lanes {
+  float re[kLanes];
+  float im[kLanes];
+};
+
+/// t_i of Eq. 8 for the rows of one slice.
+Lanes targets(const SlicedLayout& layout, const SlicedCouplings& couplings, const Complex* z,
+              Index slice) {
+  Lanes t{};
+  if (!couplings.anchor.empty()) {
+    for (Index lane = 0; lane < kLanes; ++lane) {
+      t.re[lane] = couplings.anchor[slice * kLanes + lane].real();
+      t.im[lane] = couplings.anchor[slice * kLanes + lane].imag();
+    }
+  }
+  for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
+       ++column) {
+    const Index* neighbor = layout.neighbor.data() + column * kLanes;
+    const float* a = couplings.direct.get() + column * 2 * kLanes;
+    for (Index lane = 0; lane < kLanes; ++lane) {
+      const Complex z_j = z[neighbor[lane]];
+      t.re[lane] += a[lane] * z_j.real() - a[kLanes + lane] * z_j.imag();
+      t.im[lane] += a[lane] * z_j.imag() + a[kLanes + lane] * z_j.real();
+    }
+  }
+  for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
+    const Complex added = b * std::conj(z[layout.neighbor[entry]]);
+    t.re[entry % kLanes] += added.real();
+    t.im[entry % kLanes] += added.imag();
+  }
+  return t;
+}
+
+bool has_direction(float re, float im) {
+  return re * re + im * im > std::numeric_limits<float>::min();
+}
+
+Complex normalized(float re, float im) {
+  const float scale = 1 / std::sqrt(re * re + im * im);
+  return {re * scale, im * scale};
+}
+
+}  // namespace
+
+void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
+                  SliceRange range) {
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    const Lanes t = targets(layout, couplings, z, slice);
+    for (Index lane = 0; lane < kLanes; ++lane) {
+      if (!has_direction(t.re[lane], t.im[lane])) continue;
+      z[slice * kLanes + lane] = normalized(t.re[lane], t.im[lane]);
+    }
+  }
+}
+
+double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
+                    float strength, Complex* momentum, SliceRange range) {
+  double drop = 0;
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    const Lanes t = targets(layout, couplings, z, slice);
+    float slice_drop = 0;
+    for (Index lane = 0; lane < kLanes; ++lane) {
+      if (!has_direction(t.re[lane], t.im[lane])) continue;
+      const Index slot = slice * kLanes + lane;
+      const Complex before = z[slot];
+      const Complex pulled = Complex(t.re[lane], t.im[lane]) + momentum[slot];
+      if (has_direction(pulled.real(), pulled.imag())) {
+        z[slot] = normalized(pulled.real(), pulled.imag());
+      }
+      momentum[slot] = strength * (Complex(t.re[lane], t.im[lane]) - before);
+      slice_drop += (z[slot].real() - before.real()) * t.re[lane] +
+                    (z[slot].imag() - before.imag()) * t.im[lane];
+    }
+    drop += slice_drop;
+  }
+  return drop;
+}
+
+void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                  const Complex* gauge, Complex* gauged, SliceRange range) {
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
+         entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
+      const Complex g_i = gauge[slice * kLanes + entry % kLanes];
+      const Complex g_j = gauge[layout.neighbor[entry]];
+      const Complex c = std::conj(g_i) * (couplings.direct_at(entry) * g_j);
+      gauged[entry] = with_conjugate_bit(conjugate_bit(g_i) ? std::conj(c) : c,
+                                         conjugate_bit(g_i) != conjugate_bit(g_j));
+    }
+  }
+}
+
+void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                   const Index* member, const Index* round_begin, const Index* round_entry,
+                   Complex* gauge, SliceRange groups) {
+  for (Index m = groups.begin * kLanes; m < groups.end * kLanes; ++m) {
+    if (member[m] == kNone) continue;
+    Complex sums[2] = {0, 0};
+    for (Index round = round_begin[m / kLanes]; round < round_begin[m / kLanes + 1]; ++round) {
+      const Index entry = round_entry[round * kLanes + m % kLanes];
+      if (entry == kNone) continue;
+      const Complex from = gauge[layout.neighbor[entry]];
+      sums[conjugate_bit(from)] += couplings.direct_at(entry) * from;
+    }
+    const bool conjugate = std::norm(sums[1]) > std::norm(sums[0]);
+    const Complex sum = sums[conjugate];
+    gauge[member[m]] = with_conjugate_bit(
+        has_direction(sum.real(), sum.imag()) ? normalized(sum.real(), sum.imag()) : Complex(1),
+        conjugate);
+  }
+}
+
+void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Index* round_entry,
+                const Complex* gauged, float* direct, std::uint8_t* marked, SliceRange range) {
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    marked[slice] = 0;
+    for (Index column = coarse.column_begin[slice]; column < coarse.column_begin[slice + 1];
+         ++column) {
+      Lanes sum{};
+      for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
+        for (Index lane = 0; lane < kLanes; ++lane) {
+          const Complex c = gauged[round_entry[std::size_t{round} * kLanes + lane]];
+          marked[slice] |= static_cast<std::uint8_t>(conjugate_bit(c));
+          if (conjugate_bit(c)) continue;
+          sum.re[lane] += c.real();
+          sum.im[lane] += c.imag();
+        }
+      }
+      std::copy_n(sum.re, kLanes, direct + std::size_t{column} * 2 * kLanes);
+      std::copy_n(sum.im, kLanes, direct + std::size_t{column} * 2 * kLanes + kLanes);
+    }
+  }
+}
+
+void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
+                    Complex* z, SliceRange range) {
+  for (Index slot = range.begin * kLanes; slot < range.end * kLanes; ++slot) {
+    const Complex coarse_z = coarse[coarse_slot[slot]];
+    z[slot] = gauge[slot] * (conjugate_bit(gauge[slot]) ? std::conj(coarse_z) : coarse_z);
+  }
+}
+
+}  // namespace brindle::portable

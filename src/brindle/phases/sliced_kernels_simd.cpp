@@ -1,0 +1,331 @@
+#include <limits>
+
+#include "brindle/phases/sliced_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "brindle/phases/sliced_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace brindle::simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, kLanes>;
+using U = hn::RebindToUnsigned<D>;
+using V = hn::Vec<D>;
+using Indices = hn::Vec<U>;
+
+/// Complex numbers, one a lane.
+struct Z {
+  V re;
+  V im;
+};
+
+HWY_INLINE Index lanes() { return static_cast<Index>(hn::Lanes(D())); }
+
+HWY_INLINE Z gather(const Complex* z, Indices index) {
+#if HWY_TARGET == HWY_SCALAR
+  const Complex value = z[hn::GetLane(index)];
+  return {hn::Set(D(), value.real()), hn::Set(D(), value.imag())};
+#else
+  const hn::Repartition<std::uint64_t, D> wide;
+  const hn::RebindToSigned<decltype(wide)> offset;
+  const hn::Half<U> half;
+  const auto* pairs = reinterpret_cast<const std::uint64_t*>(z);
+  const auto low = hn::BitCast(offset, hn::PromoteTo(wide, hn::LowerHalf(half, index)));
+  const auto high = hn::BitCast(offset, hn::PromoteTo(wide, hn::UpperHalf(half, index)));
+  const V first = hn::BitCast(D(), hn::GatherIndex(wide, pairs, low));
+  const V second = hn::BitCast(D(), hn::GatherIndex(wide, pairs, high));
+  return {hn::ConcatEven(D(), second, first), hn::ConcatOdd(D(), second, first)};
+#endif
+}
+
+HWY_INLINE Z load(const Complex* z) {
+  Z result;
+  hn::LoadInterleaved2(D(), reinterpret_cast<const float*>(z), result.re, result.im);
+  return result;
+}
+
+HWY_INLINE void store(Z value, Complex* z) {
+  hn::StoreInterleaved2(value.re, value.im, D(), reinterpret_cast<float*>(z));
+}
+
+/// Real and imaginary parts of a part of a column of couplings.
+HWY_INLINE Z load_column(const float* column) {
+  return {hn::LoadU(D(), column), hn::LoadU(D(), column + kLanes)};
+}
+
+/// Adds B conj(z_j) of a slice to the targets of its rows lane .. lane + Lanes - 1.
+HWY_NOINLINE void add_reflecting(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                                 const Complex* z, Index slice, Index lane, Z& t) {
+  alignas(64) float re[kLanes], im[kLanes];
+  hn::Store(t.re, D(), re);
+  hn::Store(t.im, D(), im);
+  for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
+    const Index row = entry % kLanes - lane;
+    if (row >= lanes()) continue;
+    const Complex added = b * std::conj(z[layout.neighbor[entry]]);
+    re[row] += added.real();
+    im[row] += added.imag();
+  }
+  t = {hn::Load(D(), re), hn::Load(D(), im)};
+}
+
+/// t_i of Eq. 8 for the rows slice * kLanes + lane .. + Lanes - 1.
+HWY_INLINE Z targets(const SlicedLayout& layout, const SlicedCouplings& couplings, const Complex* z,
+                     Index slice, Index lane) {
+  Z t{hn::Zero(D()), hn::Zero(D())};
+  if (!couplings.anchor.empty()) t = load(couplings.anchor.data() + slice * kLanes + lane);
+  for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
+       ++column) {
+    const Z z_j = gather(z, hn::LoadU(U(), layout.neighbor.data() + column * kLanes + lane));
+    const Z a = load_column(couplings.direct.get() + column * 2 * kLanes + lane);
+    t.re = hn::NegMulAdd(a.im, z_j.im, hn::MulAdd(a.re, z_j.re, t.re));
+    t.im = hn::MulAdd(a.im, z_j.re, hn::MulAdd(a.re, z_j.im, t.im));
+  }
+  if (couplings.reflecting_count[slice] > 0) add_reflecting(layout, couplings, z, slice, lane, t);
+  return t;
+}
+
+HWY_INLINE V square(Z z) { return hn::MulAdd(z.re, z.re, hn::Mul(z.im, z.im)); }
+
+HWY_INLINE hn::Mask<D> has_direction(Z z) {
+  return hn::Gt(square(z), hn::Set(D(), std::numeric_limits<float>::min()));
+}
+
+/// `z` / |z| where it has a direction, `otherwise` elsewhere.
+HWY_INLINE Z normalized_or(Z z, Z otherwise, hn::Mask<D> directed) {
+  const V scale = hn::Div(hn::Set(D(), 1.0f), hn::Sqrt(square(z)));
+  return {hn::IfThenElse(directed, hn::Mul(z.re, scale), otherwise.re),
+          hn::IfThenElse(directed, hn::Mul(z.im, scale), otherwise.im)};
+}
+
+void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
+                  SliceRange range) {
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    for (Index lane = 0; lane < kLanes; lane += lanes()) {
+      const Z t = targets(layout, couplings, z, slice, lane);
+      Complex* const z_i = z + slice * kLanes + lane;
+      store(normalized_or(t, load(z_i), has_direction(t)), z_i);
+    }
+  }
+}
+
+double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
+                    float strength, Complex* momentum, SliceRange range) {
+  double drop = 0;
+  const V s_m = hn::Set(D(), strength);
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    for (Index lane = 0; lane < kLanes; lane += lanes()) {
+      const Index slot = slice * kLanes + lane;
+      const Z t = targets(layout, couplings, z, slice, lane);
+      const Z before = load(z + slot), m = load(momentum + slot);
+      const Z pulled{hn::Add(t.re, m.re), hn::Add(t.im, m.im)};
+      const auto directed = hn::And(has_direction(t), has_direction(pulled));
+      const Z after = normalized_or(pulled, before, directed);
+      store(after, z + slot);
+      store({hn::Mul(s_m, hn::Sub(t.re, before.re)), hn::Mul(s_m, hn::Sub(t.im, before.im))},
+            momentum + slot);
+      const V lowered = hn::MulAdd(hn::Sub(after.re, before.re), t.re,
+                                   hn::Mul(hn::Sub(after.im, before.im), t.im));
+      drop += hn::GetLane(hn::SumOfLanes(D(), lowered));
+    }
+  }
+  return drop;
+}
+
+/// conj(g_i) A g_j, conjugated and marked as gauge_slices says.
+HWY_INLINE Z gauged_coupling(Z a, Z g_i, Z g_j) {
+  const Z turned{hn::NegMulAdd(a.im, g_j.im, hn::Mul(a.re, g_j.re)),
+                 hn::MulAdd(a.im, g_j.re, hn::Mul(a.re, g_j.im))};
+  const V re = hn::MulAdd(g_i.re, turned.re, hn::Mul(g_i.im, turned.im));
+  const V im = hn::NegMulAdd(g_i.im, turned.re, hn::Mul(g_i.re, turned.im));
+  const U bits;
+  const Indices one = hn::Set(bits, 1u);
+  const Indices conjugated_i = hn::And(hn::BitCast(bits, g_i.re), one);
+  const Indices conjugated_j = hn::And(hn::BitCast(bits, g_j.re), one);
+  const Indices mark = hn::Xor(conjugated_i, conjugated_j);
+  const Indices marked = hn::Or(hn::AndNot(one, hn::BitCast(bits, re)), mark);
+  const Indices conjugated = hn::Xor(hn::BitCast(bits, im), hn::ShiftLeft<31>(conjugated_i));
+  return {hn::BitCast(D(), marked), hn::BitCast(D(), conjugated)};
+}
+
+void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                  const Complex* gauge, Complex* gauged, SliceRange range) {
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    for (Index lane = 0; lane < kLanes; lane += lanes()) {
+      const Z g_i = load(gauge + slice * kLanes + lane);
+      for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
+           ++column) {
+        const std::size_t entry = column * kLanes + lane;
+        const Z g_j = gather(gauge, hn::LoadU(U(), layout.neighbor.data() + entry));
+        const Z a = load_column(couplings.direct.get() + column * 2 * kLanes + lane);
+        store(gauged_coupling(a, g_i, g_j), gauged + entry);
+      }
+    }
+  }
+}
+
+HWY_INLINE hn::Mask<D> conjugate_mask(Z z) {
+  const U bits;
+  const Indices one = hn::Set(bits, 1u);
+  return hn::RebindMask(D(), hn::Eq(hn::And(hn::BitCast(bits, z.re), one), one));
+}
+
+/// Direct couplings of scattered entries.
+HWY_INLINE Z gather_couplings(const float* direct, Indices entry) {
+  const hn::RebindToSigned<D> offset;
+  const U bits;
+  const Indices lane = hn::And(entry, hn::Set(bits, kLanes - 1));
+  const auto re = hn::BitCast(offset, hn::Add(hn::ShiftLeft<1>(hn::Sub(entry, lane)), lane));
+  return {hn::GatherIndex(D(), direct, re),
+          hn::GatherIndex(D(), direct, hn::Add(re, hn::Set(offset, kLanes)))};
+}
+
+/// kLanes / Lanes parts of one group of gauge_members.
+HWY_INLINE void gauge_group(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                            const Index* member, Index first_round, Index end_round,
+                            const Index* round_entry, Index lane, Complex* gauge) {
+  const U bits;
+  const hn::RebindToSigned<D> offset;
+  const V zero = hn::Zero(D());
+  Z plain{zero, zero}, conjugated{zero, zero};
+  for (Index round = first_round; round < end_round; ++round) {
+    const Indices stored = hn::LoadU(bits, round_entry + std::size_t{round} * kLanes + lane);
+    const auto none = hn::Eq(stored, hn::Set(bits, kNone));
+    const Indices entry = hn::IfThenZeroElse(none, stored);
+    const Indices from = hn::BitCast(
+        bits, hn::GatherIndex(offset, reinterpret_cast<const std::int32_t*>(layout.neighbor.data()),
+                              hn::BitCast(offset, entry)));
+    const Z g = gather(gauge, from), a = gather_couplings(couplings.direct.get(), entry);
+    const auto empty = hn::RebindMask(D(), none);
+    const V re = hn::IfThenZeroElse(empty, hn::NegMulAdd(a.im, g.im, hn::Mul(a.re, g.re)));
+    const V im = hn::IfThenZeroElse(empty, hn::MulAdd(a.im, g.re, hn::Mul(a.re, g.im)));
+    const auto conjugate = conjugate_mask(g);
+    plain = {hn::Add(plain.re, hn::IfThenZeroElse(conjugate, re)),
+             hn::Add(plain.im, hn::IfThenZeroElse(conjugate, im))};
+    conjugated = {hn::Add(conjugated.re, hn::IfThenElseZero(conjugate, re)),
+                  hn::Add(conjugated.im, hn::IfThenElseZero(conjugate, im))};
+  }
+  const auto conjugate = hn::Gt(square(conjugated), square(plain));
+  const Z sum{hn::IfThenElse(conjugate, conjugated.re, plain.re),
+              hn::IfThenElse(conjugate, conjugated.im, plain.im)};
+  const Z unit = normalized_or(sum, {hn::Set(D(), 1.0f), zero}, has_direction(sum));
+  alignas(64) float re[kLanes], im[kLanes], flag[kLanes];
+  hn::Store(unit.re, D(), re);
+  hn::Store(unit.im, D(), im);
+  hn::Store(hn::IfThenElseZero(conjugate, hn::Set(D(), 1.0f)), D(), flag);
+  for (Index l = 0; l < lanes(); ++l) {
+    if (member[l] != kNone) {
+      gauge[member[l]] = with_conjugate_bit(Complex(re[l], im[l]), flag[l] != 0);
+    }
+  }
+}
+
+void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                   const Index* member, const Index* round_begin, const Index* round_entry,
+                   Complex* gauge, SliceRange groups) {
+  for (Index group = groups.begin; group < groups.end; ++group) {
+    for (Index lane = 0; lane < kLanes; lane += lanes()) {
+      gauge_group(layout, couplings, member + group * kLanes + lane, round_begin[group],
+                  round_begin[group + 1], round_entry, lane, gauge);
+    }
+  }
+}
+
+void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Index* round_entry,
+                const Complex* gauged, float* direct, std::uint8_t* marked, SliceRange range) {
+  const U bits;
+  const V zero = hn::Zero(D());
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    Indices seen = hn::Zero(bits);
+    for (Index column = coarse.column_begin[slice]; column < coarse.column_begin[slice + 1];
+         ++column) {
+      for (Index lane = 0; lane < kLanes; lane += lanes()) {
+        Z sum{zero, zero};
+        for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
+          const Z c =
+              gather(gauged, hn::LoadU(bits, round_entry + std::size_t{round} * kLanes + lane));
+          const auto conjugate = conjugate_mask(c);
+          seen = hn::Or(seen, hn::BitCast(bits, c.re));
+          sum = {hn::Add(sum.re, hn::IfThenZeroElse(conjugate, c.re)),
+                 hn::Add(sum.im, hn::IfThenZeroElse(conjugate, c.im))};
+        }
+        float* const out = direct + std::size_t{column} * 2 * kLanes + lane;
+        hn::StoreU(sum.re, D(), out);
+        hn::StoreU(sum.im, D(), out + kLanes);
+      }
+    }
+    const auto any = hn::Ne(hn::And(seen, hn::Set(bits, 1u)), hn::Zero(bits));
+    marked[slice] = hn::AllFalse(bits, any) ? 0 : 1;
+  }
+}
+
+void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
+                    Complex* z, SliceRange range) {
+  const U bits;
+  for (Index slot = range.begin * kLanes; slot < range.end * kLanes; slot += lanes()) {
+    const Z g = load(gauge + slot);
+    Z z_coarse = gather(coarse, hn::LoadU(bits, coarse_slot + slot));
+    const Indices conjugated = hn::ShiftLeft<31>(hn::BitCast(bits, g.re));
+    z_coarse.im = hn::BitCast(D(), hn::Xor(hn::BitCast(bits, z_coarse.im), conjugated));
+    store({hn::NegMulAdd(g.im, z_coarse.im, hn::Mul(g.re, z_coarse.re)),
+           hn::MulAdd(g.im, z_coarse.re, hn::Mul(g.re, z_coarse.im))},
+          z + slot);
+  }
+}
+
+const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace brindle::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brindle::simd {
+
+HWY_EXPORT(sweep_slices);
+HWY_EXPORT(relax_slices);
+HWY_EXPORT(gauge_slices);
+HWY_EXPORT(gauge_members);
+HWY_EXPORT(sum_slices);
+HWY_EXPORT(prolong_slices);
+HWY_EXPORT(target_name);
+
+void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
+                  SliceRange range) {
+  HWY_DYNAMIC_DISPATCH(sweep_slices)(layout, couplings, z, range);
+}
+
+double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
+                    float strength, Complex* momentum, SliceRange range) {
+  return HWY_DYNAMIC_DISPATCH(relax_slices)(layout, couplings, z, strength, momentum, range);
+}
+
+void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                  const Complex* gauge, Complex* gauged, SliceRange range) {
+  HWY_DYNAMIC_DISPATCH(gauge_slices)(layout, couplings, gauge, gauged, range);
+}
+
+void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                   const Index* member, const Index* round_begin, const Index* round_entry,
+                   Complex* gauge, SliceRange groups) {
+  HWY_DYNAMIC_DISPATCH(gauge_members)
+  (layout, couplings, member, round_begin, round_entry, gauge, groups);
+}
+
+void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Index* round_entry,
+                const Complex* gauged, float* direct, std::uint8_t* marked, SliceRange range) {
+  HWY_DYNAMIC_DISPATCH(sum_slices)(coarse, round_begin, round_entry, gauged, direct, marked, range);
+}
+
+void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
+                    Complex* z, SliceRange range) {
+  HWY_DYNAMIC_DISPATCH(prolong_slices)(gauge, coarse_slot, coarse, z, range);
+}
+
+const char* target_name() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+
+}  // namespace brindle::simd
+#endif  // HWY_ONCE

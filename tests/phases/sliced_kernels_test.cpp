@@ -1,0 +1,126 @@
+#include "brindle/phases/sliced_kernels.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "brindle/phases/hierarchy.h"
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+TEST(ConjugateBit, IsKeptBesideTheValue) {
+  for (const bool bit : {false, true}) {
+    const Complex value = with_conjugate_bit(Complex(-0.6f, 0.8f), bit);
+    EXPECT_EQ(conjugate_bit(value), bit);
+    EXPECT_NEAR(value.real(), -0.6f, 1e-7);
+    EXPECT_EQ(value.imag(), 0.8f);
+  }
+}
+
+#ifdef BRINDLE_HAS_HIGHWAY
+
+/// A hierarchy with reflecting edges, anchors and, in its gauges, conjugates.
+Hierarchy reflecting_hierarchy() {
+  auto surface = testing_support::wavy_surface("torus,resolution=50", Vec3(0.3f, 0.9f, 0.2f), 12);
+  testing_support::flip_half(surface.waves, 5);
+  PhaseGraph graph = surface.graph();
+  std::mt19937 random(3);
+  std::normal_distribution<float> component;
+  for (std::size_t i = 0; i < graph.node_count(); ++i) {
+    graph.anchor.emplace_back(component(random), component(random));
+  }
+  Hierarchy hierarchy = build_hierarchy(graph);
+  for (Complex& z : hierarchy.levels[0].z) {
+    z = std::polar(1.0f, 6.2831853f * component(random));
+  }
+  return hierarchy;
+}
+
+void expect_near(const std::vector<Complex>& a, const std::vector<Complex>& b, float tolerance) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_LT(std::abs(a[i] - b[i]), tolerance) << i;
+}
+
+TEST(SlicedKernels, VectorsSweepLikePortableCode) {
+  Hierarchy hierarchy = reflecting_hierarchy();
+  for (Level& level : hierarchy.levels) {
+    std::vector<Complex> a = level.z, b = level.z;
+    for (Index c = 0; c < level.layout.color_count(); ++c) {
+      const SliceRange color{level.layout.color_begin[c], level.layout.color_begin[c + 1]};
+      portable::sweep_slices(level.layout, level.couplings, a.data(), color);
+      simd::sweep_slices(level.layout, level.couplings, b.data(), color);
+    }
+    expect_near(a, b, 1e-4f);
+  }
+}
+
+TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
+  Hierarchy hierarchy = reflecting_hierarchy();
+  Level& level = hierarchy.levels[0];
+  std::vector<Complex> a = level.z, b = level.z;
+  std::vector<Complex> m_a(a.size()), m_b(b.size());
+  for (int iteration = 0; iteration < 3; ++iteration) {
+    for (Index c = 0; c < level.layout.color_count(); ++c) {
+      const SliceRange color{level.layout.color_begin[c], level.layout.color_begin[c + 1]};
+      const double drop_a =
+          portable::relax_slices(level.layout, level.couplings, a.data(), 0.2f, m_a.data(), color);
+      const double drop_b =
+          simd::relax_slices(level.layout, level.couplings, b.data(), 0.2f, m_b.data(), color);
+      EXPECT_NEAR(drop_a, drop_b, 1e-4 * std::abs(drop_a) + 1e-3);
+    }
+  }
+  expect_near(a, b, 1e-3f);
+}
+
+TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
+  Hierarchy hierarchy = reflecting_hierarchy();
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    Level& fine = hierarchy.levels[l];
+    Level& coarse = hierarchy.levels[l + 1];
+    const SliceRange slices{0, fine.layout.slice_count()};
+
+    std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
+    for (const GaugeRank& rank : fine.aggregation.gauge_ranks) {
+      const SliceRange groups{0, static_cast<Index>(rank.member.size() / kLanes)};
+      portable::gauge_members(fine.layout, fine.couplings, rank.member.data(),
+                              rank.round_begin.data(), rank.entry.data(), gauge_a.data(), groups);
+      simd::gauge_members(fine.layout, fine.couplings, rank.member.data(), rank.round_begin.data(),
+                          rank.entry.data(), gauge_b.data(), groups);
+    }
+    expect_near(gauge_a, gauge_b, 1e-4f);
+
+    std::vector<Complex> gauged_a(fine.layout.entry_count() + 1), gauged_b = gauged_a;
+    portable::gauge_slices(fine.layout, fine.couplings, fine.gauge.data(), gauged_a.data(), slices);
+    simd::gauge_slices(fine.layout, fine.couplings, fine.gauge.data(), gauged_b.data(), slices);
+    expect_near(gauged_a, gauged_b, 1e-4f);
+    for (std::size_t e = 0; e < gauged_a.size(); ++e) {
+      ASSERT_EQ(conjugate_bit(gauged_a[e]), conjugate_bit(gauged_b[e]));
+    }
+
+    const std::size_t floats = 2 * coarse.layout.entry_count();
+    std::vector<float> sums_a(floats), sums_b(floats);
+    std::vector<std::uint8_t> marked_a(coarse.layout.slice_count()), marked_b = marked_a;
+    const SliceRange coarse_slices{0, coarse.layout.slice_count()};
+    const SourceRounds& sources = fine.aggregation.sources;
+    portable::sum_slices(coarse.layout, sources.round_begin.data(), sources.entry.data(),
+                         gauged_a.data(), sums_a.data(), marked_a.data(), coarse_slices);
+    simd::sum_slices(coarse.layout, sources.round_begin.data(), sources.entry.data(),
+                     gauged_a.data(), sums_b.data(), marked_b.data(), coarse_slices);
+    EXPECT_EQ(sums_a, sums_b);
+    EXPECT_EQ(marked_a, marked_b);
+
+    std::vector<Complex> z_a(fine.layout.slot_count()), z_b = z_a;
+    portable::prolong_slices(fine.gauge.data(), fine.aggregation.coarse_slot.data(),
+                             coarse.z.data(), z_a.data(), slices);
+    simd::prolong_slices(fine.gauge.data(), fine.aggregation.coarse_slot.data(), coarse.z.data(),
+                         z_b.data(), slices);
+    expect_near(z_a, z_b, 1e-6f);
+  }
+}
+
+#endif  // BRINDLE_HAS_HIGHWAY
+
+}  // namespace
+}  // namespace brindle
