@@ -17,17 +17,17 @@ using testing_support::wavy_surface;
 /// energy is lowered by.
 double agreement(const Level& level) {
   double sum = 0;
-  for (Index slot = 0; slot < level.layout.slot_count(); ++slot) {
-    if (level.layout.node_at[slot] == kNone) continue;
+  for (Index slot = 0; slot < level.layout().slot_count(); ++slot) {
+    if (level.layout().node_at[slot] == kNone) continue;
     std::complex<double> target = 0;
-    std::size_t entry = level.layout.first_entry(slot);
-    for (Index k = 0; k < level.layout.width(slot); ++k, entry += kLanes) {
-      const std::complex<double> z_j = level.z[level.layout.neighbor[entry]];
-      if (level.layout.neighbor[entry] == slot) continue;
-      target +=
-          std::complex<double>(level.couplings.direct_at(entry)) * z_j +
-          std::complex<double>(level.couplings.reflecting_at(level.layout, slot / kLanes, entry)) *
-              std::conj(z_j);
+    std::size_t entry = level.layout().first_entry(slot);
+    for (Index k = 0; k < level.layout().width(slot); ++k, entry += kLanes) {
+      const std::complex<double> z_j = level.z[level.layout().neighbor[entry]];
+      if (level.layout().neighbor[entry] == slot) continue;
+      target += std::complex<double>(level.couplings.direct_at(entry)) * z_j +
+                std::complex<double>(
+                    level.couplings.reflecting_at(level.layout(), slot / kLanes, entry)) *
+                    std::conj(z_j);
     }
     if (!level.couplings.anchor.empty()) {
       target += 2.0 * std::complex<double>(level.couplings.anchor[slot]);
@@ -74,10 +74,10 @@ TEST(Hierarchy, CoarseEnergyIsThatOfTheProlongedPhasesUpToAConstant) {
 TEST(Hierarchy, EveryLevelHasAtMostAboutHalfTheNodesOfTheOneBefore) {
   const Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
   for (std::size_t l = 1; l < hierarchy.levels.size(); ++l) {
-    EXPECT_LE(2 * hierarchy.levels[l].layout.slot_of.size(),
-              hierarchy.levels[l - 1].layout.slot_of.size());
+    EXPECT_LE(2 * hierarchy.levels[l].layout().slot_of.size(),
+              hierarchy.levels[l - 1].layout().slot_of.size());
   }
-  EXPECT_EQ(hierarchy.levels.back().layout.entry_count(), 0u);
+  EXPECT_EQ(hierarchy.levels.back().layout().entry_count(), 0u);
 }
 
 TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
@@ -85,7 +85,7 @@ TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
   const Hierarchy hierarchy = build_hierarchy(surface.graph());
   std::size_t survivors = 0;
   for (const Level& level : hierarchy.levels) {
-    if (level.aggregation.coarse_slot.empty()) survivors += level.layout.slot_of.size();
+    if (level.aggregation().coarse_slot.empty()) survivors += level.layout().slot_of.size();
   }
   EXPECT_LE(survivors, 5u);
   EXPECT_GE(survivors, 1u);
@@ -97,7 +97,7 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
     randomize(hierarchy.levels[2], 1);
     return agreement(hierarchy.levels[2]);
   }();
-  std::vector<Complex> gauged(hierarchy.levels[0].layout.entry_count() + 1);
+  std::vector<Complex> gauged(hierarchy.levels[0].layout().entry_count() + 1);
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     renew_gauges(hierarchy.levels[l]);
     renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], gauged);

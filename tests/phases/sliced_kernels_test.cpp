@@ -47,10 +47,10 @@ TEST(SlicedKernels, VectorsSweepLikePortableCode) {
   Hierarchy hierarchy = reflecting_hierarchy();
   for (Level& level : hierarchy.levels) {
     std::vector<Complex> a = level.z, b = level.z;
-    for (Index c = 0; c < level.layout.color_count(); ++c) {
-      const SliceRange color{level.layout.color_begin[c], level.layout.color_begin[c + 1]};
-      portable::sweep_slices(level.layout, level.couplings, a.data(), color);
-      simd::sweep_slices(level.layout, level.couplings, b.data(), color);
+    for (Index c = 0; c < level.layout().color_count(); ++c) {
+      const SliceRange color{level.layout().color_begin[c], level.layout().color_begin[c + 1]};
+      portable::sweep_slices(level.layout(), level.couplings, a.data(), color);
+      simd::sweep_slices(level.layout(), level.couplings, b.data(), color);
     }
     expect_near(a, b, 1e-4f);
   }
@@ -62,12 +62,12 @@ TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
   std::vector<Complex> a = level.z, b = level.z;
   std::vector<Complex> m_a(a.size()), m_b(b.size());
   for (int iteration = 0; iteration < 3; ++iteration) {
-    for (Index c = 0; c < level.layout.color_count(); ++c) {
-      const SliceRange color{level.layout.color_begin[c], level.layout.color_begin[c + 1]};
-      const double drop_a =
-          portable::relax_slices(level.layout, level.couplings, a.data(), 0.2f, m_a.data(), color);
+    for (Index c = 0; c < level.layout().color_count(); ++c) {
+      const SliceRange color{level.layout().color_begin[c], level.layout().color_begin[c + 1]};
+      const double drop_a = portable::relax_slices(level.layout(), level.couplings, a.data(), 0.2f,
+                                                   m_a.data(), color);
       const double drop_b =
-          simd::relax_slices(level.layout, level.couplings, b.data(), 0.2f, m_b.data(), color);
+          simd::relax_slices(level.layout(), level.couplings, b.data(), 0.2f, m_b.data(), color);
       EXPECT_NEAR(drop_a, drop_b, 1e-4 * std::abs(drop_a) + 1e-3);
     }
   }
@@ -79,42 +79,43 @@ TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     Level& fine = hierarchy.levels[l];
     Level& coarse = hierarchy.levels[l + 1];
-    const SliceRange slices{0, fine.layout.slice_count()};
+    const SliceRange slices{0, fine.layout().slice_count()};
 
     std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
-    for (const GaugeRank& rank : fine.aggregation.gauge_ranks) {
+    for (const GaugeRank& rank : fine.aggregation().gauge_ranks) {
       const SliceRange groups{0, static_cast<Index>(rank.member.size() / kLanes)};
-      portable::gauge_members(fine.layout, fine.couplings, rank.member.data(),
+      portable::gauge_members(fine.layout(), fine.couplings, rank.member.data(),
                               rank.round_begin.data(), rank.entry.data(), gauge_a.data(), groups);
-      simd::gauge_members(fine.layout, fine.couplings, rank.member.data(), rank.round_begin.data(),
-                          rank.entry.data(), gauge_b.data(), groups);
+      simd::gauge_members(fine.layout(), fine.couplings, rank.member.data(),
+                          rank.round_begin.data(), rank.entry.data(), gauge_b.data(), groups);
     }
     expect_near(gauge_a, gauge_b, 1e-4f);
 
-    std::vector<Complex> gauged_a(fine.layout.entry_count() + 1), gauged_b = gauged_a;
-    portable::gauge_slices(fine.layout, fine.couplings, fine.gauge.data(), gauged_a.data(), slices);
-    simd::gauge_slices(fine.layout, fine.couplings, fine.gauge.data(), gauged_b.data(), slices);
+    std::vector<Complex> gauged_a(fine.layout().entry_count() + 1), gauged_b = gauged_a;
+    portable::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged_a.data(),
+                           slices);
+    simd::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged_b.data(), slices);
     expect_near(gauged_a, gauged_b, 1e-4f);
     for (std::size_t e = 0; e < gauged_a.size(); ++e) {
       ASSERT_EQ(conjugate_bit(gauged_a[e]), conjugate_bit(gauged_b[e]));
     }
 
-    const std::size_t floats = 2 * coarse.layout.entry_count();
+    const std::size_t floats = 2 * coarse.layout().entry_count();
     std::vector<float> sums_a(floats), sums_b(floats);
-    std::vector<std::uint8_t> marked_a(coarse.layout.slice_count()), marked_b = marked_a;
-    const SliceRange coarse_slices{0, coarse.layout.slice_count()};
-    const SourceRounds& sources = fine.aggregation.sources;
-    portable::sum_slices(coarse.layout, sources.round_begin.data(), sources.entry.data(),
+    std::vector<std::uint8_t> marked_a(coarse.layout().slice_count()), marked_b = marked_a;
+    const SliceRange coarse_slices{0, coarse.layout().slice_count()};
+    const SourceRounds& sources = fine.aggregation().sources;
+    portable::sum_slices(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
                          gauged_a.data(), sums_a.data(), marked_a.data(), coarse_slices);
-    simd::sum_slices(coarse.layout, sources.round_begin.data(), sources.entry.data(),
+    simd::sum_slices(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
                      gauged_a.data(), sums_b.data(), marked_b.data(), coarse_slices);
     EXPECT_EQ(sums_a, sums_b);
     EXPECT_EQ(marked_a, marked_b);
 
-    std::vector<Complex> z_a(fine.layout.slot_count()), z_b = z_a;
-    portable::prolong_slices(fine.gauge.data(), fine.aggregation.coarse_slot.data(),
+    std::vector<Complex> z_a(fine.layout().slot_count()), z_b = z_a;
+    portable::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(),
                              coarse.z.data(), z_a.data(), slices);
-    simd::prolong_slices(fine.gauge.data(), fine.aggregation.coarse_slot.data(), coarse.z.data(),
+    simd::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(), coarse.z.data(),
                          z_b.data(), slices);
     expect_near(z_a, z_b, 1e-6f);
   }

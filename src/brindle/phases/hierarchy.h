@@ -3,48 +3,32 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "brindle/base/progress.h"
+#include "brindle/phases/aggregation.h"
 #include "brindle/phases/sliced_graph.h"
 
 namespace brindle {
 
-/// The members that join their aggregates as the (r+1)-th, in groups of kLanes. The gauge of a
-/// member hangs on the couplings to earlier members: a round has for every lane one entry of its
-/// row that leads to one of them, or kNone.
-struct GaugeRank {
-  std::vector<Index> member;       ///< slots, kNone for filling; a multiple of kLanes
-  std::vector<Index> round_begin;  ///< group g has rounds round_begin[g] .. round_begin[g+1] - 1
-  std::vector<Index> entry;        ///< kLanes entries a round
-};
-
-/// The fine entries that add to each coarse entry, in rounds: a round has for every lane of a
-/// coarse column one fine entry, or the number of fine entries for none.
-struct SourceRounds {
-  std::vector<Index> round_begin;  ///< coarse column c has rounds round_begin[c] .. [c+1] - 1
-  std::vector<Index> entry;        ///< kLanes entries a round
-};
-
-/// How the nodes of a level are joined to those of the next coarser one. All in slots of the finer
-/// level unless said otherwise. Fixed once the hierarchy is built.
-struct Aggregation {
-  std::vector<Index> coarse_slot;  ///< slot of the aggregate in the coarser level; its slot_count()
-                                   ///< for filling and for nodes without any coupling
-  std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
-  std::vector<Index> member;        ///< members of all aggregates, the reference first
-  std::vector<GaugeRank> gauge_ranks;  ///< second, third, ... members of all aggregates
-  SourceRounds sources;                ///< which entries add to which coarse entry
+/// What a level keeps as long as its graph's connectivity stays.
+struct LevelTopology {
+  SlicedLayout layout;
+  Aggregation aggregation;  ///< empty on the coarsest level
 };
 
 struct Level {
-  SlicedLayout layout;
+  std::shared_ptr<const LevelTopology> topology;
   SlicedCouplings couplings;
-  Aggregation aggregation;     ///< empty on the coarsest level
   std::vector<Complex> gauge;  ///< by slot: z_i = g_i Z, or g_i conj(Z) where its conjugate bit
                                ///< (sliced_kernels.h) is set; empty on the coarsest level
-  std::vector<Complex> z;  ///< phases by slot; one more, always kPeak, for finer slots without an
-                           ///< aggregate
+  std::vector<Complex> z;      ///< phases by slot; one more, always kPeak, for finer slots without
+                               ///< an aggregate
+
+  const SlicedLayout& layout() const { return topology->layout; }
+  const Aggregation& aggregation() const { return topology->aggregation; }
 };
 
 struct Hierarchy {
@@ -53,9 +37,6 @@ struct Hierarchy {
   double topology_milliseconds = 0;  ///< colours, aggregates, layouts
   double numeric_milliseconds = 0;   ///< gauges and sums of the first build
 };
-
-/// Nodes that grow into one aggregate.
-inline constexpr Index kAggregateSize = 4;
 
 /// The phase that a descent starts from on the coarsest level: the wave's peak, one of the two
 /// phases that stay when a direction is turned round (z -> -conj(z)), so that the pattern does not
@@ -67,6 +48,10 @@ inline constexpr Complex kPeak(0, 1);
 /// max(|A|, |B|) / sqrt(deg), joins it until it has `kAggregateSize` members. Nodes left alone join
 /// the neighbour's aggregate that they are most strongly coupled to.
 Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress = {});
+
+/// Levels of the same topology with couplings, gauges and phases of their own, not yet set: for a
+/// second field on the same graph.
+Hierarchy sibling(const Hierarchy& hierarchy);
 
 /// Renews the gauges of a level from its couplings.
 void renew_gauges(Level& level);

@@ -9,7 +9,7 @@ void descend(Hierarchy& hierarchy, int sweeps) {
   std::ranges::fill(levels.back().z, kPeak);
   for (std::size_t l = levels.size(); l-- > 0;) {
     if (l + 1 < levels.size()) prolong(levels[l + 1], levels[l]);
-    for (int s = 0; s < sweeps; ++s) sweep(levels[l].layout, levels[l].couplings, levels[l].z);
+    for (int s = 0; s < sweeps; ++s) sweep(levels[l].layout(), levels[l].couplings, levels[l].z);
   }
 }
 

@@ -39,7 +39,7 @@ PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& opt
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
   Stopwatch watch;
   descend(hierarchy, options.sweeps);
-  solution.z = to_nodes(hierarchy.levels[0].layout, hierarchy.levels[0].z);
+  solution.z = to_nodes(hierarchy.levels[0].layout(), hierarchy.levels[0].z);
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
   solution.iterations = options.sweeps;
   solution.energy = energy(graph, solution.z);
