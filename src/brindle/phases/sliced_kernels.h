@@ -9,6 +9,7 @@
 
 #include "brindle/base/types.h"
 #include "brindle/phases/sliced_graph.h"
+#include "brindle/waves/phase_shift.h"
 
 namespace brindle {
 
@@ -26,6 +27,13 @@ struct SliceRange {
   Index begin;
   Index end;
 };
+
+struct SlicedWave;
+
+/// The couplings of all entries of a range and the sums of their weights by slot; see `couple` in
+/// sliced_waves.h. `entry_weights` may be null.
+using CoupleSlices = void(const SlicedLayout&, const SlicedWave* waves, PhaseShiftKind kind,
+                          const float* entry_weights, SlicedCouplings&, float* degree, SliceRange);
 
 /// z_i = t_i / |t_i| for all rows; rows without a target keep their phase. The rows of a range must
 /// have one colour.
@@ -59,6 +67,7 @@ using ProlongSlices = void(const Complex* gauge, const Index* coarse_slot, const
                            Complex* z, SliceRange);
 
 namespace portable {
+CoupleSlices couple_slices;
 SweepSlices sweep_slices;
 RelaxSlices relax_slices;
 GaugeSlices gauge_slices;
@@ -69,6 +78,7 @@ ProlongSlices prolong_slices;
 
 #ifdef BRINDLE_HAS_HIGHWAY
 namespace simd {
+CoupleSlices couple_slices;
 SweepSlices sweep_slices;
 RelaxSlices relax_slices;
 GaugeSlices gauge_slices;

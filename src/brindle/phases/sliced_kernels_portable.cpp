@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "brindle/phases/sliced_kernels.h"
+#include "brindle/phases/sliced_waves.h"
 
 namespace brindle::portable {
 namespace {
@@ -49,7 +51,57 @@ Complex normalized(float re, float im) {
   return {re * scale, im * scale};
 }
 
+struct EdgeShift {
+  float cosine;  ///< <d_i, d_j>
+  float turns;   ///< Phi_ji / 2 pi
+};
+
+EdgeShift edge_shift(const SlicedWave& j, const SlicedWave& i, bool trapezoid) {
+  float cosine = 0, along_j = 0, along_i = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float e = i.position[axis] - j.position[axis];
+    cosine += i.direction[axis] * j.direction[axis];
+    along_j += e * j.direction[axis];
+    along_i += e * i.direction[axis];
+  }
+  const float along = along_j + (cosine < 0 ? -along_i : along_i);
+  const float distance = along / (trapezoid ? 2 : 1 + std::abs(cosine));
+  return {cosine, i.root_frequency * j.root_frequency * distance};
+}
+
+/// exp(2 pi i turns).
+Complex unit(float turns) {
+  return std::polar(1.0f, 2 * std::numbers::pi_v<float> * (turns - std::round(turns)));
+}
+
 }  // namespace
+
+void couple_slices(const SlicedLayout& layout, const SlicedWave* waves, PhaseShiftKind kind,
+                   const float* entry_weights, SlicedCouplings& couplings, float* degree,
+                   SliceRange range) {
+  const bool trapezoid = kind == PhaseShiftKind::trapezoid;
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    couplings.reflecting_count[slice] = 0;
+    std::fill_n(degree + slice * kLanes, kLanes, 0.0f);
+    for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
+         entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
+      const Index i = slice * kLanes + static_cast<Index>(entry % kLanes);
+      const Index j = layout.neighbor[entry];
+      couplings.set_direct(entry, 0);
+      if (i == j) continue;
+      const EdgeShift shift = edge_shift(waves[j], waves[i], trapezoid);
+      float weight = std::abs(shift.cosine);
+      if (entry_weights) weight *= entry_weights[entry];
+      degree[i] += weight;
+      if (shift.cosine < 0) {
+        couplings.append_reflecting(layout, slice,
+                                    {static_cast<Index>(entry), -weight * unit(-shift.turns)});
+      } else {
+        couplings.set_direct(entry, weight * unit(shift.turns));
+      }
+    }
+  }
+}
 
 void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
                   SliceRange range) {

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <limits>
 
 #include "brindle/phases/sliced_kernels.h"
+#include "brindle/phases/sliced_waves.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "brindle/phases/sliced_kernels_simd.cpp"
@@ -55,6 +57,106 @@ HWY_INLINE void store(Z value, Complex* z) {
 /// Real and imaginary parts of a part of a column of couplings.
 HWY_INLINE Z load_column(const float* column) {
   return {hn::LoadU(D(), column), hn::LoadU(D(), column + kLanes)};
+}
+
+/// exp(2 pi i turns): Taylor series about the nearest half turn, errors below 1e-7.
+HWY_INLINE Z unit(V turns) {
+  const D d;
+  const V half_turns = hn::Round(hn::Add(turns, turns));
+  const V x = hn::Mul(hn::NegMulAdd(half_turns, hn::Set(d, 0.5f), turns), hn::Set(d, 6.283185307f));
+  const V x2 = hn::Mul(x, x);
+  V sine = hn::Set(d, -2.505210839e-8f);
+  for (const float c : {2.755731922e-6f, -1.984126984e-4f, 8.333333333e-3f, -0.1666666667f, 1.0f}) {
+    sine = hn::MulAdd(sine, x2, hn::Set(d, c));
+  }
+  V cosine = hn::Set(d, 2.087675699e-9f);
+  for (const float c :
+       {-2.755731922e-7f, 2.480158730e-5f, -1.388888889e-3f, 4.166666667e-2f, -0.5f, 1.0f}) {
+    cosine = hn::MulAdd(cosine, x2, hn::Set(d, c));
+  }
+  // An odd number of half turns changes both signs.
+  const hn::RebindToSigned<D> whole;
+  const auto sign = hn::BitCast(d, hn::ShiftLeft<31>(hn::ConvertTo(whole, half_turns)));
+  return {hn::Xor(cosine, sign), hn::Xor(hn::Mul(sine, x), sign)};
+}
+
+/// Waves, one a lane.
+struct Waves {
+  V x, y, z, root_frequency, dx, dy, dz;
+};
+
+HWY_INLINE Waves gather_waves(const SlicedWave* waves, Indices slot) {
+  // A wave is four pairs of floats.
+  const auto* pairs = reinterpret_cast<const Complex*>(waves);
+  const Indices first = hn::ShiftLeft<2>(slot);
+  const U bits;
+  const Z xy = gather(pairs, first), zf = gather(pairs, hn::Add(first, hn::Set(bits, 1u)));
+  const Z d = gather(pairs, hn::Add(first, hn::Set(bits, 2u)));
+  const Z d3 = gather(pairs, hn::Add(first, hn::Set(bits, 3u)));
+  return {xy.re, xy.im, zf.re, zf.im, d.re, d.im, d3.re};
+}
+
+/// What couple_slices does to Lanes entries; returns their weights.
+HWY_INLINE V couple_entries(const SlicedLayout& layout, const Waves& i, const SlicedWave* waves,
+                            bool trapezoid, const float* entry_weights, Index slice,
+                            std::size_t entry, SlicedCouplings& couplings) {
+  const D d;
+  const U bits;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const Indices slot_j = hn::LoadU(bits, layout.neighbor.data() + entry);
+  const auto own = static_cast<Index>(slice * kLanes + entry % kLanes);
+  const auto filling = hn::RebindMask(d, hn::Eq(slot_j, hn::Iota(bits, own)));
+  const Waves j = gather_waves(waves, slot_j);
+  const V ex = hn::Sub(i.x, j.x), ey = hn::Sub(i.y, j.y), ez = hn::Sub(i.z, j.z);
+  const auto dot = [](V ax, V ay, V az, V bx, V by, V bz) {
+    return hn::MulAdd(az, bz, hn::MulAdd(ay, by, hn::Mul(ax, bx)));
+  };
+  const V cosine = dot(i.dx, i.dy, i.dz, j.dx, j.dy, j.dz);
+  const V along_j = dot(ex, ey, ez, j.dx, j.dy, j.dz);
+  const V along_i = dot(ex, ey, ez, i.dx, i.dy, i.dz);
+  const auto reflects = hn::Lt(cosine, zero);
+  const V along = hn::Add(along_j, hn::IfThenElse(reflects, hn::Neg(along_i), along_i));
+  const V distance = hn::Div(along, trapezoid ? hn::Set(d, 2.0f) : hn::Add(one, hn::Abs(cosine)));
+  const V turns = hn::Mul(hn::Mul(i.root_frequency, j.root_frequency), distance);
+  V weight = hn::IfThenZeroElse(filling, hn::Abs(cosine));
+  if (entry_weights) weight = hn::Mul(weight, hn::LoadU(d, entry_weights + entry));
+  const Z e = unit(turns);
+  const V re = hn::Mul(weight, e.re), im = hn::Mul(weight, e.im);
+  float* const column = couplings.direct.get() + SlicedCouplings::real_part(entry);
+  hn::StoreU(hn::IfThenZeroElse(reflects, re), d, column);
+  hn::StoreU(hn::IfThenZeroElse(reflects, im), d, column + kLanes);
+  if (hn::AllFalse(d, reflects)) return weight;
+  alignas(64) float b_re[kLanes], b_im[kLanes];
+  hn::Store(hn::Neg(re), d, b_re);
+  hn::Store(im, d, b_im);
+  std::uint8_t reflects_bits[8] = {};
+  hn::StoreMaskBits(d, reflects, reflects_bits);
+  for (Index lane = 0; lane < lanes(); ++lane) {
+    if (((reflects_bits[lane / 8] >> (lane % 8)) & 1) == 0) continue;
+    couplings.append_reflecting(
+        layout, slice, {static_cast<Index>(entry + lane), Complex(b_re[lane], b_im[lane])});
+  }
+  return weight;
+}
+
+void couple_slices(const SlicedLayout& layout, const SlicedWave* waves, PhaseShiftKind kind,
+                   const float* entry_weights, SlicedCouplings& couplings, float* degree,
+                   SliceRange range) {
+  const D d;
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    couplings.reflecting_count[slice] = 0;
+    float* const sum = degree + slice * kLanes;
+    std::fill_n(sum, kLanes, 0.0f);
+    for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
+         ++column) {
+      for (Index lane = 0; lane < kLanes; lane += lanes()) {
+        const Waves i = gather_waves(waves, hn::Iota(U(), slice * kLanes + lane));
+        const V weight = couple_entries(layout, i, waves, kind == PhaseShiftKind::trapezoid,
+                                        entry_weights, slice, column * kLanes + lane, couplings);
+        hn::StoreU(hn::Add(hn::LoadU(d, sum + lane), weight), d, sum + lane);
+      }
+    }
+  }
 }
 
 /// Adds B conj(z_j) of a slice to the targets of its rows lane .. lane + Lanes - 1.
@@ -285,6 +387,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace brindle::simd {
 
+HWY_EXPORT(couple_slices);
 HWY_EXPORT(sweep_slices);
 HWY_EXPORT(relax_slices);
 HWY_EXPORT(gauge_slices);
@@ -292,6 +395,12 @@ HWY_EXPORT(gauge_members);
 HWY_EXPORT(sum_slices);
 HWY_EXPORT(prolong_slices);
 HWY_EXPORT(target_name);
+
+void couple_slices(const SlicedLayout& layout, const SlicedWave* waves, PhaseShiftKind kind,
+                   const float* entry_weights, SlicedCouplings& couplings, float* degree,
+                   SliceRange range) {
+  HWY_DYNAMIC_DISPATCH(couple_slices)(layout, waves, kind, entry_weights, couplings, degree, range);
+}
 
 void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
                   SliceRange range) {
