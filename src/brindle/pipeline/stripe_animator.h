@@ -1,0 +1,83 @@
+/// Stripes that follow changing input, frame by frame (DESIGN section 3, "Changing input").
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/base/adjacency.h"
+#include "brindle/base/types.h"
+#include "brindle/waves/phase_shift.h"
+
+namespace brindle {
+
+/// How a frame's phases follow from the last frame's.
+enum class FrameSolver {
+  multilevel,  ///< a whole descent, drawn towards the last phases by anchors of weight lambda
+  relaxation   ///< the paper's way (section 4, "Dynamic Input"): iterations from the last phases
+};
+
+struct AnimatorOptions {
+  FrameSolver solver = FrameSolver::multilevel;
+  float lambda = 0.02f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
+                         ///< from scratch
+  int sweeps = 2;        ///< coloured sweeps per level, multilevel
+  int iterations = 3;    ///< per frame, relaxation
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
+};
+
+/// One frame's input, one entry per vertex each. Spans are read during the call only.
+struct FrameInput {
+  std::span<const Vec3> positions;
+  std::span<const Vec3> directions;  ///< unit tangent vectors, or zero for no wave
+  std::span<const float> frequencies;
+};
+
+struct FrameMilliseconds {
+  double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
+  double sum = 0;     ///< gauges and coarse sums
+  double solve = 0;   ///< descent or iterations, phases back into vertex order
+};
+
+struct FrameResult {
+  std::span<const Complex> z;  ///< one phase per vertex; valid until the next frame
+  double phase_step = 0;       ///< mean |angle| between this frame's phases and the last one's, in
+                               ///< radians, over vertices with a wave; 0 in the first frame
+  bool unchanged = false;      ///< the input was that of the last frame, and so are the phases
+  FrameMilliseconds milliseconds;
+};
+
+/// Lays stripes over one surface for one field that changes from frame to frame. What depends on the
+/// connectivity alone is built in the first frame; later frames renew couplings, gauges and coarse
+/// sums, allocate nothing, and take time linear in the number of edges. A field for two orthogonal
+/// directions is two animators, the second made by `sibling`.
+class StripeAnimator {
+ public:
+  /// Throws Error for options out of range.
+  explicit StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
+                          const AnimatorOptions& options = {});
+  ~StripeAnimator();
+  StripeAnimator(StripeAnimator&&) noexcept;
+  StripeAnimator& operator=(StripeAnimator&&) noexcept;
+
+  /// Solves for the next frame. The first frame has no last one and is solved from scratch.
+  /// Throws Error if the input has not one entry per vertex.
+  FrameResult frame(const FrameInput& input);
+
+  /// An animator for another field on the same surface that shares this one's topology. Call it after
+  /// the first frame.
+  StripeAnimator sibling() const;
+
+  /// Forgets the last frame's phases: the next frame is solved from scratch.
+  void restart();
+
+  /// Milliseconds that building the topology took, in the first frame.
+  double topology_milliseconds() const;
+
+ private:
+  struct State;
+  explicit StripeAnimator(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace brindle
