@@ -1,0 +1,62 @@
+/// Files read in one pass, line by line or byte by byte, without ever holding them whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brindle {
+
+class InputFile {
+ public:
+  /// Throws Error, with the remedy, if there is no such file, it is a folder or no regular file,
+  /// cannot be read, or is empty.
+  explicit InputFile(const std::filesystem::path& path);
+
+  /// The next line without its end; nothing after the last. Valid until the next call.
+  std::optional<std::string_view> next_line();
+
+  /// The next `count` bytes; valid until the next call. Throws Error if the file ends before.
+  const char* take(std::size_t count);
+
+  /// How many lines have been read.
+  std::size_t line() const { return line_; }
+
+  /// Bytes that have not been handed out yet.
+  std::uint64_t remaining() const { return remaining_; }
+
+  /// Throws Error("path:line: message") or, where no line has been read, Error("path: message").
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// The same for an earlier line.
+  [[noreturn]] void fail_at(std::size_t line, const std::string& message) const;
+
+  /// As `fail`, but never names a line: for what is wrong with the whole file.
+  [[noreturn]] void fail_whole(const std::string& message) const;
+
+ private:
+  /// Moves what is left to the front of the buffer and reads more behind it.
+  bool fill();
+
+  std::filesystem::path path_;
+  std::ifstream stream_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer has not been handed out
+  std::uint64_t remaining_ = 0;
+  std::size_t line_ = 0;
+};
+
+/// Takes the first word, between spaces or tabs, off a line; empty if there is none left.
+std::string_view take_word(std::string_view& line);
+
+/// The number that `word` is, and nothing else; a leading + is allowed, and nan and inf are read.
+/// Numbers beyond the range of float become infinite or zero.
+std::optional<float> parse_float(std::string_view word);
+std::optional<std::int64_t> parse_integer(std::string_view word);
+
+}  // namespace brindle

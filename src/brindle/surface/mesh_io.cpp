@@ -1,0 +1,133 @@
+#include "brindle/surface/mesh_io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <string>
+
+#include "brindle/base/error.h"
+#include "brindle/base/output_file.h"
+#include "brindle/surface/assimp_file.h"
+#include "brindle/surface/gltf_file.h"
+#include "brindle/surface/input_file.h"
+#include "brindle/surface/obj_file.h"
+#include "brindle/surface/off_file.h"
+#include "brindle/surface/ply_file.h"
+#include "brindle/surface/stl_file.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string kind_of(const fs::path& path) {
+  std::string kind = path.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kind;
+}
+
+/// Positions and triangles as the file has them.
+Mesh read_raw(const fs::path& path) {
+  const InputFile readable(path);
+  const std::string kind = kind_of(path);
+  if (kind == ".obj") return read_obj(path);
+  if (kind == ".ply") return read_ply(path);
+  if (kind == ".off") return read_off(path);
+  if (kind == ".stl") {
+    check_stl(path);
+    return read_with_assimp(path);
+  }
+  if (kind == ".gltf" || kind == ".glb") {
+    check_gltf(path);
+    return read_with_assimp(path);
+  }
+  readable.fail_whole("brindle cannot tell the format by the extension '" +
+                      path.extension().string() +
+                      "'; it reads .obj, .ply, .off, .stl, .gltf and .glb");
+}
+
+void check_usable(const fs::path& path, const LoadedMesh& loaded) {
+  if (!loaded.mesh.triangles.empty()) return;
+  const MeshRepair& repair = loaded.repair;
+  std::string why = "has no triangles";
+  if (repair.triangles_not_finite > 0) {
+    why = "has no usable triangle: the corners of all have coordinates that are no numbers";
+  } else if (repair.triangles_degenerate > 0) {
+    why = "has no usable triangle: none has an area";
+  }
+  throw Error(path.string() + ": " + why + "; export the mesh again, as a surface with faces");
+}
+
+void check_attribute(const fs::path& path, const Mesh& mesh, const VertexAttribute& attribute) {
+  const auto fail = [&](const std::string& what) {
+    throw Error("cannot write '" + path.string() + "': attribute '" + attribute.name + "' " + what);
+  };
+  const bool named = !attribute.name.empty() &&
+                     std::all_of(attribute.name.begin(), attribute.name.end(),
+                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!named) fail("must be named by letters, digits and underscores only");
+  if (attribute.components != 1 && attribute.components != 3) {
+    fail("must have 1 or 3 components, not " + std::to_string(attribute.components));
+  }
+  const std::size_t expected = static_cast<std::size_t>(attribute.components) * mesh.vertex_count();
+  if (attribute.values.size() != expected) {
+    fail("has " + std::to_string(attribute.values.size()) + " values, not " +
+         std::to_string(expected));
+  }
+}
+
+void check_attributes(const fs::path& path, const Mesh& mesh,
+                      std::span<const VertexAttribute> attributes) {
+  std::set<std::string> names = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
+  for (const VertexAttribute& attribute : attributes) {
+    check_attribute(path, mesh, attribute);
+    if (!names.insert(attribute.name).second) {
+      throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
+                  "' is already taken; rename it");
+    }
+    if (kind_of(path) == ".obj" && !attribute.is_normal()) {
+      throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
+                  attribute.name + "'; write .ply, .gltf or .glb");
+    }
+  }
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const fs::path& path) {
+  LoadedMesh loaded;
+  try {
+    loaded.mesh = read_raw(path);
+    const std::size_t joined = join_vertices(loaded.mesh);
+    if (kind_of(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
+    loaded.repair = repair_mesh(loaded.mesh);
+    loaded.repair.vertices_joined = joined;
+  } catch (const std::bad_alloc&) {
+    throw Error(path.string() + ": there is not enough memory for this mesh");
+  }
+  check_usable(path, loaded);
+  return loaded;
+}
+
+void write_mesh(const fs::path& path, const Mesh& mesh,
+                std::span<const VertexAttribute> attributes) {
+  const std::string kind = kind_of(path);
+  if (kind != ".obj" && kind != ".ply" && kind != ".gltf" && kind != ".glb") {
+    throw Error("cannot write '" + path.string() + "': the extension '" +
+                path.extension().string() + "' is unknown; brindle writes .obj, .ply, .gltf and " +
+                std::string(".glb"));
+  }
+  check_attributes(path, mesh, attributes);
+  write_file(path, [&](std::ostream& out) {
+    if (kind == ".obj") {
+      write_obj(out, mesh, attributes);
+    } else if (kind == ".ply") {
+      write_ply(out, mesh, attributes);
+    } else {
+      write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text);
+    }
+  });
+}
+
+}  // namespace brindle

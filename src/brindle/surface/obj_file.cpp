@@ -1,0 +1,151 @@
+#include "brindle/surface/obj_file.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "brindle/surface/input_file.h"
+#include "brindle/surface/polygon.h"
+#include "brindle/surface/text_output.h"
+
+namespace brindle {
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& path) : file_(path) {}
+
+  Mesh read() {
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        add_vertex(rest);
+      } else if (keyword == "f") {
+        add_face(rest);
+      }
+    }
+    check_forward_references();
+    return std::move(mesh_);
+  }
+
+ private:
+  /// A corner that did not exist yet when its line was read.
+  struct ForwardReference {
+    std::int64_t number;
+    std::size_t line;
+  };
+
+  /// A line that ends in a backslash goes on in the next.
+  std::optional<std::string_view> next_whole_line() {
+    auto line = file_.next_line();
+    if (!line || line->empty() || line->back() != '\\') return line;
+    joined_.clear();
+    while (line && !line->empty() && line->back() == '\\') {
+      joined_.append(line->substr(0, line->size() - 1)).push_back(' ');
+      line = file_.next_line();
+    }
+    if (line) joined_.append(*line);
+    return joined_;
+  }
+
+  void add_vertex(std::string_view rest) {
+    Vec3 position;
+    for (float& coordinate : position) {
+      const std::string_view word = take_word(rest);
+      const auto value = parse_float(word);
+      if (!value) file_.fail("a vertex needs three numbers, not '" + std::string(word) + "'");
+      coordinate = *value;
+    }
+    mesh_.positions.push_back(position);
+  }
+
+  void add_face(std::string_view rest) {
+    corners_.clear();
+    for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      if (word[0] == '#') break;
+      corners_.push_back(corner(word));
+    }
+    if (corners_.size() < 3) {
+      file_.fail("a face needs three corners or more, this has " + std::to_string(corners_.size()) +
+                 "; the file may be truncated");
+    }
+    const bool known = *std::max_element(corners_.begin(), corners_.end()) < mesh_.vertex_count();
+    if (known) {
+      triangulate_polygon(mesh_.positions, corners_, mesh_.triangles);
+      return;
+    }
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+      mesh_.triangles.push_back({corners_[0], corners_[i], corners_[i + 1]});
+    }
+  }
+
+  /// The vertex that "7", "7/1", "7//3", "7/1/3" or a negative number, counted back, stands for.
+  Index corner(std::string_view word) {
+    const auto number = parse_integer(word.substr(0, word.find('/')));
+    const auto count = static_cast<std::int64_t>(mesh_.vertex_count());
+    if (!number) file_.fail("'" + std::string(word) + "' is not a face's corner");
+    if (*number == 0 || *number < -count || *number > kMostVertices) {
+      file_.fail(missing(*number));
+    }
+    if (*number < 0) return static_cast<Index>(count + *number);
+    if (*number > count && *number > furthest_) {
+      furthest_ = *number;
+      forward_.push_back({*number, file_.line()});
+    }
+    return static_cast<Index>(*number - 1);
+  }
+
+  std::string missing(std::int64_t number) const {
+    return "vertex " + std::to_string(number) + " does not exist: there are " +
+           std::to_string(mesh_.vertex_count()) +
+           ", counted from 1; the file is damaged or truncated, export it again";
+  }
+
+  /// The first corner beyond the last vertex is the furthest one up to its line, and so is among
+  /// those that were noted.
+  void check_forward_references() const {
+    for (const auto& [number, line] : forward_) {
+      if (number > static_cast<std::int64_t>(mesh_.vertex_count())) {
+        file_.fail_at(line, missing(number));
+      }
+    }
+  }
+
+  static constexpr std::int64_t kMostVertices = 0xfffffffe;
+
+  InputFile file_;
+  Mesh mesh_;
+  std::vector<Index> corners_;
+  std::vector<ForwardReference> forward_;
+  std::int64_t furthest_ = 0;
+  std::string joined_;
+};
+
+}  // namespace
+
+Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
+
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes) {
+  const auto normal = std::find_if(attributes.begin(), attributes.end(),
+                                   [](const VertexAttribute& a) { return a.is_normal(); });
+  const bool normals = normal != attributes.end();
+  TextOutput text(out);
+  text << "# written by brindle\n";
+  for (const Vec3& p : mesh.positions) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (std::size_t v = 0; normals && v < mesh.vertex_count(); ++v) {
+    const float* n = &normal->values[3 * v];
+    text << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << '\n';
+  }
+  for (const Triangle& t : mesh.triangles) {
+    text << 'f';
+    for (const Index v : t) {
+      text << ' ' << v + 1;
+      if (normals) text << "//" << v + 1;
+    }
+    text << '\n';
+  }
+}
+
+}  // namespace brindle

@@ -1,0 +1,21 @@
+/// Wavefront OBJ: vertices and faces.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+
+#include "brindle/surface/mesh.h"
+#include "brindle/surface/vertex_attribute.h"
+
+namespace brindle {
+
+/// Vertices keep the file's order; texture coordinates, normals, groups and materials are ignored.
+/// Throws Error, naming the line, for coordinates that are no numbers and for faces with fewer than
+/// three corners or with corners that do not exist.
+Mesh read_obj(const std::filesystem::path& path);
+
+/// Normals are the only attribute that the format has.
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);
+
+}  // namespace brindle

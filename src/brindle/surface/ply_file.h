@@ -1,0 +1,22 @@
+/// Polygon File Format, or Stanford triangle format: PLY, text or binary.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+
+#include "brindle/surface/mesh.h"
+#include "brindle/surface/vertex_attribute.h"
+
+namespace brindle {
+
+/// Reads positions and faces; vertices keep the file's order, all else is passed over. Throws
+/// Error, naming the line where there is one, if the file is not as its header says.
+Mesh read_ply(const std::filesystem::path& path);
+
+/// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
+/// "color" red, green, blue from 0 to 255; others with their name, and with three components
+/// name_x, name_y, name_z.
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);
+
+}  // namespace brindle

@@ -1,0 +1,45 @@
+/// Numbers and words written fast, floats in the shortest form that reads back the same.
+#pragma once
+
+#include <charconv>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace brindle {
+
+class TextOutput {
+ public:
+  explicit TextOutput(std::ostream& out) : out_(out) {}
+  TextOutput(const TextOutput&) = delete;
+  TextOutput& operator=(const TextOutput&) = delete;
+  ~TextOutput() { flush(); }
+
+  TextOutput& operator<<(std::string_view text) {
+    buffer_ += text;
+    if (buffer_.size() > kFull) flush();
+    return *this;
+  }
+  TextOutput& operator<<(const char* text) { return *this << std::string_view(text); }
+  TextOutput& operator<<(char c) { return *this << std::string_view(&c, 1); }
+
+  template <class Number>
+  requires std::is_arithmetic_v<Number> TextOutput& operator<<(Number number) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+    return *this << std::string_view(digits, end);
+  }
+
+ private:
+  static constexpr std::size_t kFull = 1 << 16;
+
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+  std::ostream& out_;
+  std::string buffer_;
+};
+
+}  // namespace brindle

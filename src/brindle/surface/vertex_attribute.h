@@ -1,0 +1,21 @@
+/// Named values per vertex that a mesh file carries.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace brindle {
+
+/// `components` numbers per vertex, 1 or 3, vertex by vertex. The names "normal" (unit vectors) and
+/// "color" (red, green, blue between 0 and 1), with 3 components, are stored the way that every
+/// program understands; other names consist of letters, digits and underscores.
+struct VertexAttribute {
+  std::string name;
+  int components = 1;
+  std::vector<float> values;
+
+  bool is_normal() const { return name == "normal" && components == 3; }
+  bool is_color() const { return name == "color" && components == 3; }
+};
+
+}  // namespace brindle
