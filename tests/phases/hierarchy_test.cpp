@@ -98,10 +98,7 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
     return agreement(hierarchy.levels[2]);
   }();
   std::vector<Complex> gauged(hierarchy.levels[0].layout().entry_count() + 1);
-  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
-    renew_gauges(hierarchy.levels[l]);
-    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], gauged);
-  }
+  renew(hierarchy, gauged);
   EXPECT_EQ(agreement(hierarchy.levels[2]), before);
 }
 

@@ -213,6 +213,21 @@ TEST(Multilevel, MoreSweepsNeverRaiseTheEnergy) {
   }
 }
 
+TEST(Multilevel, CyclesNeverRaiseTheEnergyAndApproachTheOptimum) {
+  auto surface = wavy_surface("sphere,resolution=24", kAxis, 25);
+  flip_half(surface.waves, 8);
+  SolverOptions options;
+  double last = solve(surface, options).energy;
+  const double first = last;
+  for (const int cycles : {1, 2, 6}) {
+    options.cycles = cycles;
+    const double now = solve(surface, options).energy;
+    EXPECT_LE(now, last);
+    last = now;
+  }
+  EXPECT_LT(last, 0.8 * first);
+}
+
 TEST(Multilevel, AnchorsPullPhasesToTheirs) {
   const auto surface = wavy_surface("plane,resolution=30", Vec3(1, 0, 0), 10);
   PhaseGraph graph = surface.graph();
@@ -237,6 +252,7 @@ TEST(SolverOptions, OutOfRangeAreRefused) {
   refused([](SolverOptions& o) { o.momentum = 1; });
   refused([](SolverOptions& o) { o.max_iterations = 0; });
   refused([](SolverOptions& o) { o.sweeps = -1; });
+  refused([](SolverOptions& o) { o.cycles = -1; });
   refused([](SolverOptions& o) { o.global_iterations = 0; });
 }
 

@@ -246,6 +246,13 @@ void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {
       kSliceGrain);
 }
 
+void renew(Hierarchy& hierarchy, std::span<Complex> gauged) {
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    renew_gauges(hierarchy.levels[l]);
+    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], gauged);
+  }
+}
+
 void prolong(const Level& coarse, Level& fine) {
   parallel_for(
       fine.layout().slice_count(),

@@ -60,6 +60,10 @@ void renew_gauges(Level& level);
 /// scratch space with room for the entries of `fine` and one more.
 void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged);
 
+/// Renews the gauges and sums of all levels from the couplings of the finest. `gauged` is scratch
+/// space with room for its entries and one more.
+void renew(Hierarchy& hierarchy, std::span<Complex> gauged);
+
 /// Sets the phases of `fine` from those of `coarse`.
 void prolong(const Level& coarse, Level& fine);
 

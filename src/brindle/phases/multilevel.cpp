@@ -2,15 +2,47 @@
 
 #include <algorithm>
 
-namespace brindle {
+#include "brindle/base/parallel.h"
+#include "brindle/phases/sliced_kernels.h"
 
-void descend(Hierarchy& hierarchy, int sweeps) {
+namespace brindle {
+namespace {
+
+/// Levels of at most so many nodes cost next to nothing, and what they leave undone no finer level
+/// can mend: they get more sweeps.
+constexpr std::size_t kSmallLevel = 4096;
+constexpr int kSmallLevelFactor = 4;
+
+void sweep_level(Level& level, int sweeps) {
+  if (level.z.size() <= kSmallLevel) sweeps *= kSmallLevelFactor;
+  for (int s = 0; s < sweeps; ++s) sweep(level.layout(), level.couplings, level.z);
+}
+
+void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
   auto& levels = hierarchy.levels;
-  std::ranges::fill(levels.back().z, kPeak);
+  std::ranges::fill(levels.back().z, start);
   for (std::size_t l = levels.size(); l-- > 0;) {
     if (l + 1 < levels.size()) prolong(levels[l + 1], levels[l]);
-    for (int s = 0; s < sweeps; ++s) sweep(levels[l].layout(), levels[l].couplings, levels[l].z);
+    sweep_level(levels[l], sweeps);
   }
+}
+
+}  // namespace
+
+void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
+
+void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged) {
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    Level& level = hierarchy.levels[l];
+    parallel_for(level.gauge.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        const Complex now = l == 0 ? level.z[slot] : Complex(1);
+        level.gauge[slot] = with_conjugate_bit(now, conjugate_bit(level.gauge[slot]));
+      }
+    });
+    renew_sums(level, hierarchy.levels[l + 1], gauged);
+  }
+  descend_from(hierarchy, Complex(1), sweeps);
 }
 
 }  // namespace brindle

@@ -5,9 +5,15 @@
 
 namespace brindle {
 
-/// From the coarsest level down: prolong the phases, then `sweeps` coloured sweeps. Phases end in
-/// `hierarchy.levels[0].z`. No random start and nothing to tune; each sweep can only lower the
-/// energy.
+/// From the coarsest level down: prolong the phases, then `sweeps` coloured sweeps, more on small
+/// levels. Phases end in `hierarchy.levels[0].z`. No random start and nothing to tune; each sweep
+/// can only lower the energy.
 void descend(Hierarchy& hierarchy, int sweeps);
+
+/// Another descent from the phases that the finest level has: they become its gauges, so that a
+/// coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is where every level
+/// starts. The energy cannot rise. Overwrites gauges and coarse couplings; the next `renew`
+/// restores them. `gauged` is scratch space as for `renew`.
+void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged);
 
 }  // namespace brindle

@@ -194,11 +194,19 @@ double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
       kSliceGrain);
 }
 
+void to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot,
+              std::vector<Complex>& by_node) {
+  by_node.resize(layout.slot_of.size());
+  parallel_for(by_node.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      by_node[node] = by_slot[layout.slot_of[node]];
+    }
+  });
+}
+
 std::vector<Complex> to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot) {
-  std::vector<Complex> by_node(layout.slot_of.size());
-  for (std::size_t node = 0; node < by_node.size(); ++node) {
-    by_node[node] = by_slot[layout.slot_of[node]];
-  }
+  std::vector<Complex> by_node;
+  to_nodes(layout, by_slot, by_node);
   return by_node;
 }
 

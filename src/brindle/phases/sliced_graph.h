@@ -112,7 +112,9 @@ struct Momentum {
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
                    std::span<Complex> z, Momentum& momentum, Index color);
 
-/// Slot order <-> node order.
+/// Slot order -> node order. `by_node` gets one entry per node.
+void to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot,
+              std::vector<Complex>& by_node);
 std::vector<Complex> to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot);
 
 }  // namespace brindle

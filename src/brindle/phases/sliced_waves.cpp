@@ -1,5 +1,7 @@
 #include "brindle/phases/sliced_waves.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "brindle/base/error.h"
@@ -12,21 +14,41 @@ namespace {
 /// Slices that one task couples at least.
 constexpr std::size_t kSliceGrain = 64;
 
+bool same(const SlicedWave& a, const SlicedWave& b) {
+  return std::ranges::equal(a.position, b.position) && a.root_frequency == b.root_frequency &&
+         std::ranges::equal(a.direction, b.direction);
+}
+
+bool turned_round(const SlicedWave& a, const SlicedWave& b) {
+  return a.direction[0] * b.direction[0] + a.direction[1] * b.direction[1] +
+             a.direction[2] * b.direction[2] <
+         0;
+}
+
 }  // namespace
 
-void load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
+bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
-                std::vector<SlicedWave>& waves) {
+                std::vector<SlicedWave>& waves, std::span<Complex> z) {
   waves.resize(layout.slot_count());
+  std::atomic<bool> changed = false;
   parallel_for(layout.slot_count(), [&](std::size_t begin, std::size_t end) {
+    bool changed_here = false;
     for (std::size_t slot = begin; slot < end; ++slot) {
       const Index node = layout.node_at[slot];
       if (node == kNone) continue;
       const Vec3& p = positions[node];
       const Vec3& d = directions[node];
-      waves[slot] = {{p.x(), p.y(), p.z()}, std::sqrt(frequencies[node]), {d.x(), d.y(), d.z()}, 0};
+      const SlicedWave now{
+          {p.x(), p.y(), p.z()}, std::sqrt(frequencies[node]), {d.x(), d.y(), d.z()}, 0};
+      SlicedWave& wave = waves[slot];
+      changed_here |= !same(wave, now);
+      if (!z.empty() && turned_round(wave, now)) z[slot] = -std::conj(z[slot]);
+      wave = now;
     }
+    if (changed_here) changed.store(true, std::memory_order_relaxed);
   });
+  return changed;
 }
 
 std::vector<float> sliced_weights(const SlicedLayout& layout, const Adjacency& adjacency,

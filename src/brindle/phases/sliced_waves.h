@@ -17,10 +17,12 @@ struct alignas(32) SlicedWave {
   float unused = 0;
 };
 
-/// Copies waves (one entry per node) into the order of slots.
-void load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
+/// Copies waves (one entry per node) into the order of slots, over those that stood there. Where a
+/// direction has turned round against the one before, the phase in `z` (by slot; may be empty) is
+/// turned with it, so that it still means the same wave. Returns whether anything has changed.
+bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
-                std::vector<SlicedWave>& waves);
+                std::vector<SlicedWave>& waves, std::span<Complex> z = {});
 
 /// Edge weights by entry, from weights by directed edge of the adjacency that the layout was made
 /// of.

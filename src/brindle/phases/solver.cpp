@@ -29,6 +29,7 @@ void check(const SolverOptions& options) {
   require(options.momentum >= 0 && options.momentum < 1, "momentum must be in [0, 1)");
   require(options.max_iterations > 0, "max_iterations must be above 0");
   require(options.sweeps >= 0, "sweeps must be 0 or above");
+  require(options.cycles >= 0, "cycles must be 0 or above");
   require(options.global_iterations > 0, "global_iterations must be above 0");
 }
 
@@ -39,9 +40,15 @@ PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& opt
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
   Stopwatch watch;
   descend(hierarchy, options.sweeps);
+  std::vector<Complex> gauged(options.cycles > 0 ? hierarchy.levels[0].layout().entry_count() + 1
+                                                 : 0);
+  for (int cycle = 0; cycle < options.cycles; ++cycle) {
+    progress.report("cycles", static_cast<double>(cycle) / options.cycles);
+    correct(hierarchy, options.sweeps, gauged);
+  }
   solution.z = to_nodes(hierarchy.levels[0].layout(), hierarchy.levels[0].z);
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
-  solution.iterations = options.sweeps;
+  solution.iterations = options.sweeps * (1 + options.cycles);
   solution.energy = energy(graph, solution.z);
   return solution;
 }

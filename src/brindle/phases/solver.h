@@ -36,6 +36,7 @@ struct SolverOptions {
 
   // multilevel
   int sweeps = 2;  ///< coloured sweeps per level
+  int cycles = 0;  ///< further descents, each from the phases of the one before
 
   // global
   int global_iterations = 20;  ///< inverse iterations

@@ -53,6 +53,7 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   if (options.curvature_anchor > 0) add_curvature_anchors(graph, surface, options);
   SolverOptions solver;
   solver.sweeps = options.sweeps;
+  solver.cycles = options.cycles;
   const PhaseSolution solution = solve_phases(graph, solver);
   return directions_of(solution.z, surface.normals, options.symmetry);
 }

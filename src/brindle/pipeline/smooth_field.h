@@ -11,6 +11,7 @@ struct SmoothFieldOptions {
   float curvature_anchor = 0;  ///< how strongly principal curvature attracts the field; 0: not
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   int sweeps = 4;  ///< coloured sweeps per level
+  int cycles = 2;  ///< further descents, which remove pairs of singularities
 };
 
 /// A direction field that turns as little as possible from vertex to vertex: each direction's angle

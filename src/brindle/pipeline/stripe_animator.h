@@ -47,10 +47,10 @@ struct FrameResult {
   FrameMilliseconds milliseconds;
 };
 
-/// Lays stripes over one surface for one field that changes from frame to frame. What depends on the
-/// connectivity alone is built in the first frame; later frames renew couplings, gauges and coarse
-/// sums, allocate nothing, and take time linear in the number of edges. A field for two orthogonal
-/// directions is two animators, the second made by `sibling`.
+/// Lays stripes over one surface for one field that changes from frame to frame. What depends on
+/// the connectivity alone is built in the first frame; later frames renew couplings, gauges and
+/// coarse sums, allocate nothing, and take time linear in the number of edges. A field for two
+/// orthogonal directions is two animators, the second made by `sibling`.
 class StripeAnimator {
  public:
   /// Throws Error for options out of range.
@@ -64,8 +64,8 @@ class StripeAnimator {
   /// Throws Error if the input has not one entry per vertex.
   FrameResult frame(const FrameInput& input);
 
-  /// An animator for another field on the same surface that shares this one's topology. Call it after
-  /// the first frame.
+  /// An animator for another field on the same surface that shares this one's topology. Call it
+  /// after the first frame.
   StripeAnimator sibling() const;
 
   /// Forgets the last frame's phases: the next frame is solved from scratch.
@@ -77,6 +77,8 @@ class StripeAnimator {
  private:
   struct State;
   explicit StripeAnimator(std::unique_ptr<State> state);
+  void couple_frame(bool has_last);
+  void solve_frame(bool has_last);
   std::unique_ptr<State> state_;
 };
 

@@ -1,0 +1,163 @@
+#include "brindle/pipeline/stripe_animator.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/phases/solver.h"
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::flip_half;
+using testing_support::wavy_surface;
+using testing_support::WavySurface;
+
+const Vec3 kAxis(0.31f, 0.9f, 0.27f);
+
+FrameInput input_of(const WavySurface& surface) {
+  return {surface.waves.positions, surface.waves.directions, surface.waves.frequencies};
+}
+
+AnimatorOptions with_lambda(float lambda) {
+  AnimatorOptions options;
+  options.lambda = lambda;
+  return options;
+}
+
+void zoom(WavySurface& surface) {
+  for (float& f : surface.waves.frequencies) f *= 1.01f;
+}
+
+TEST(StripeAnimator, FirstFrameIsThatOfTheMultilevelSolver) {
+  const auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  StripeAnimator animator(surface.neighborhood);
+  const FrameResult frame = animator.frame(input_of(surface));
+  const PhaseSolution solution = solve_phases(surface.graph());
+  EXPECT_NEAR(energy(surface.graph(), frame.z), solution.energy, 0.02 * solution.energy);
+  EXPECT_EQ(frame.phase_step, 0);
+}
+
+TEST(StripeAnimator, UnchangedInputGivesUnchangedPhases) {
+  const auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  StripeAnimator animator(surface.neighborhood);
+  const auto first = animator.frame(input_of(surface)).z;
+  const std::vector<Complex> z(first.begin(), first.end());
+  for (int n = 0; n < 10; ++n) {
+    const FrameResult frame = animator.frame(input_of(surface));
+    EXPECT_TRUE(frame.unchanged);
+    EXPECT_LT(frame.phase_step, 1e-4);
+    EXPECT_TRUE(std::ranges::equal(frame.z, z));
+  }
+}
+
+TEST(StripeAnimator, AnchorsKeepFramesTogetherAtLittleEnergy) {
+  auto surface = wavy_surface("sphere,resolution=40", kAxis, 30);
+  StripeAnimator anchored(surface.neighborhood);
+  StripeAnimator scratch(surface.neighborhood, with_lambda(0));
+  double anchored_steps = 0, scratch_steps = 0;
+  for (int n = 0; n < 30; ++n) {
+    surface.waves.directions = rotated(surface.waves.directions, surface.normals, 0.02f);
+    const FrameResult a = anchored.frame(input_of(surface));
+    const FrameResult b = scratch.frame(input_of(surface));
+    EXPECT_LE(energy(surface.graph(), a.z), 1.25 * energy(surface.graph(), b.z) + 5e-4) << n;
+    anchored_steps += a.phase_step;
+    scratch_steps += b.phase_step;
+  }
+  EXPECT_LT(anchored_steps, 0.5 * scratch_steps);
+}
+
+TEST(StripeAnimator, TurningDirectionsRoundIsNoChangeOfThePattern) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  StripeAnimator animator(surface.neighborhood, with_lambda(0.5f));
+  animator.frame(input_of(surface));
+  const auto flipped = flip_half(surface.waves, 3);
+  EXPECT_LT(animator.frame(input_of(surface)).phase_step, 0.02);
+}
+
+TEST(StripeAnimator, FollowsMovingVertices) {
+  auto surface = wavy_surface("sphere,resolution=24", kAxis, 20);
+  StripeAnimator animator(surface.neighborhood);
+  animator.frame(input_of(surface));
+  const std::vector<Vec3> rest = surface.waves.positions;
+  for (int n = 1; n <= 10; ++n) {
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      surface.waves.positions[i] =
+          rest[i] * (1 + 0.02f * std::sin(3 * rest[i].x() + 0.2f * static_cast<float>(n)));
+    }
+    const FrameResult frame = animator.frame(input_of(surface));
+    EXPECT_LT(energy(surface.graph(), frame.z), 0.02);
+    EXPECT_FALSE(frame.unchanged);
+  }
+}
+
+TEST(StripeAnimator, PaperModeLagsBehindAFastChange) {
+  auto surface = wavy_surface("torus,resolution=120", kAxis, 30);
+  AnimatorOptions paper;
+  paper.solver = FrameSolver::relaxation;
+  StripeAnimator relaxation(surface.neighborhood, paper), multilevel(surface.neighborhood);
+  double paper_energy = 0, our_energy = 0;
+  for (int n = 0; n < 30; ++n) {
+    zoom(surface);
+    paper_energy = energy(surface.graph(), relaxation.frame(input_of(surface)).z);
+    our_energy = energy(surface.graph(), multilevel.frame(input_of(surface)).z);
+  }
+  EXPECT_GT(paper_energy, 1.5 * our_energy);
+}
+
+TEST(StripeAnimator, SiblingSharesTheTopologyAndSolvesItsOwnField) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  StripeAnimator u(surface.neighborhood);
+  u.frame(input_of(surface));
+  StripeAnimator v = u.sibling();
+  surface.waves.directions =
+      rotated(surface.waves.directions, surface.normals, static_cast<float>(M_PI / 2));
+  const FrameResult frame = v.frame(input_of(surface));
+  EXPECT_LT(energy(surface.graph(), frame.z), 1.1 * solve_phases(surface.graph()).energy);
+  EXPECT_EQ(v.topology_milliseconds(), 0);
+}
+
+TEST(StripeAnimator, RestartForgetsTheLastFrame) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  StripeAnimator used(surface.neighborhood), fresh(surface.neighborhood);
+  used.frame(input_of(surface));
+  const auto first = fresh.frame(input_of(surface)).z;
+  used.restart();
+  const FrameResult again = used.frame(input_of(surface));
+  EXPECT_TRUE(std::ranges::equal(again.z, first));
+  EXPECT_EQ(again.phase_step, 0);
+}
+
+TEST(StripeAnimator, IsTheSameForEveryNumberOfThreads) {
+  const auto run = [](int threads) {
+    const ThreadLimit limit(threads);
+    auto surface = wavy_surface("sphere,resolution=40", kAxis, 25);
+    StripeAnimator animator(surface.neighborhood);
+    std::vector<Complex> z;
+    for (int n = 0; n < 5; ++n) {
+      zoom(surface);
+      const auto frame = animator.frame(input_of(surface));
+      z.assign(frame.z.begin(), frame.z.end());
+    }
+    return z;
+  };
+  EXPECT_EQ(run(1), run(2));
+}
+
+TEST(StripeAnimator, RefusesBadInputAndOptions) {
+  const auto surface = wavy_surface("plane,resolution=5", kAxis, 5);
+  StripeAnimator animator(surface.neighborhood);
+  FrameInput input = input_of(surface);
+  input.frequencies = input.frequencies.first(3);
+  EXPECT_THROW(animator.frame(input), Error);
+  EXPECT_THROW(StripeAnimator(surface.neighborhood, with_lambda(-1)), Error);
+  AnimatorOptions options;
+  options.phase_shift = PhaseShiftKind::common_source;
+  EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);
+}
+
+}  // namespace
+}  // namespace brindle
