@@ -50,8 +50,8 @@ void run(const SurfaceOptions& options) {
     statistics = mesh_statistics(loaded.mesh);
   }
   print_statistics(std::cout, loaded.mesh, statistics);
-  std::cout << "repairs       " << (loaded.repairs.empty() ? "none needed" : loaded.repairs)
-            << '\n';
+  const std::string repairs = describe(loaded.repair);
+  std::cout << (repairs.empty() ? "nothing had to be repaired\n" : repairs);
 }
 
 }  // namespace

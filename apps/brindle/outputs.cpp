@@ -7,6 +7,7 @@
 
 #include "brindle/base/error.h"
 #include "brindle/base/output_file.h"
+#include "brindle/surface/mesh_io.h"
 
 namespace brindle::tool {
 namespace {
@@ -25,8 +26,38 @@ Output plan_output(const std::filesystem::path& path) {
     return {path, OutputKind::picture};
   }
   if (extension == ".json") return {path, OutputKind::report};
+  for (const char* mesh : {".obj", ".ply", ".gltf", ".glb"}) {
+    if (extension == mesh) return {path, OutputKind::mesh};
+  }
   throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
-              "'; use .png for a picture, .json for a report");
+              "'; use .png for a picture, .obj, .ply, .gltf or .glb for a mesh, .json for a "
+              "report");
+}
+
+VertexAttribute directions_of(const WaveSet& waves) {
+  VertexAttribute attribute{"direction", 3, {}};
+  for (const Vec3& direction : waves.directions) {
+    attribute.values.insert(attribute.values.end(), direction.begin(), direction.end());
+  }
+  return attribute;
+}
+
+VertexAttribute phases_of(const PhaseSolution& solution) {
+  VertexAttribute attribute{"phase", 1, {}};
+  for (const Complex& z : solution.z) attribute.values.push_back(std::arg(z));
+  return attribute;
+}
+
+// OBJ has no place for attributes.
+void write_pattern_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                        const StripePattern& pattern) {
+  std::vector<VertexAttribute> attributes;
+  if (lower_extension(path) != ".obj") {
+    attributes = {phases_of(pattern.solution),
+                  directions_of(pattern.waves),
+                  {"frequency", 1, pattern.waves.frequencies}};
+  }
+  write_mesh(path, mesh, attributes);
 }
 
 }  // namespace
@@ -50,6 +81,8 @@ void write_output(const Output& output, const Surface& surface, const StripePatt
   switch (output.kind) {
     case OutputKind::picture:
       return write_picture(output.path, surface, pattern, picture);
+    case OutputKind::mesh:
+      return write_pattern_mesh(output.path, surface.mesh, pattern);
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

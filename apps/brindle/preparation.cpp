@@ -12,7 +12,7 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
   Stopwatch watch;
   display.stage("loading " + surface.mesh);
   LoadedMesh loaded = load_mesh(surface);
-  display.note(loaded.repairs);
+  display.note(describe(loaded.repair));
   result.load_milliseconds = watch.lap();
 
   display.stage("neighbourhood and normals");

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -43,7 +44,10 @@ void ProgressDisplay::note(const std::string& text) {
   if (quiet_ || text.empty()) return;
   const std::lock_guard lock(mutex_);
   erase_line();
-  std::fprintf(stderr, "brindle: %s\n", text.c_str());
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::fprintf(stderr, "brindle: %s\n", line.c_str());
+  }
 }
 
 bool ProgressDisplay::update(std::string_view stage, double fraction) {

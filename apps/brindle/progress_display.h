@@ -29,7 +29,7 @@ class ProgressDisplay {
   /// Names the stage that begins. Throws Cancelled after Ctrl-C.
   void stage(std::string_view name) { progress().report(name, 0); }
 
-  /// A line that stays; nothing if the display is quiet or the text empty.
+  /// Lines that stay; nothing if the display is quiet or the text empty.
   void note(const std::string& text);
 
  private:

@@ -1,6 +1,8 @@
 #include "solving_options.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "option_values.h"
 
@@ -11,6 +13,12 @@ float not_negative_number_of(const std::string& option, const std::string& text)
   const float value = number_of(option, text);
   if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
   return value;
+}
+
+std::optional<EdgeWeights> edge_weights_of(std::string_view name) {
+  if (name == "paper") return EdgeWeights::paper;
+  if (name == "cotangent") return EdgeWeights::cotangent;
+  return std::nullopt;
 }
 
 float momentum_of(const std::string& option, const std::string& text) {
@@ -27,6 +35,8 @@ void add_solving_options(CLI::App& app, SolvingOptions& options) {
                    "aligned|common_source|trapezoid",
                    "distance between two waves: closed form (default), the paper's Eq. 2, or "
                    "Knöppel et al.'s");
+  add_named_option(app, "--weights", options.stripes.weights, edge_weights_of, "paper|cotangent",
+                   "of edges: the paper's (default), or times cotangents of the triangles");
   add_parsed_option(app, "--epsilon", solver.epsilon, not_negative_number_of,
                     "relaxation, averaged: stop at a smaller relative improvement (default 0.02)")
       ->type_name("E");

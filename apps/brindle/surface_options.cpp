@@ -1,6 +1,7 @@
 #include "surface_options.h"
 
 #include <string_view>
+#include <utility>
 
 #include "brindle/base/error.h"
 #include "brindle/surface/shapes.h"
@@ -23,8 +24,8 @@ Mesh make_named_shape(const SurfaceOptions& options) {
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options) {
   app.add_option("MESH", options.mesh,
-                 "a built-in shape, such as shape:torus or "
-                 " shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
+                 "a file (.obj .ply .stl .off .gltf .glb) or a built-in shape, such as shape:torus "
+                 "or shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
       ->required();
   app.add_option("--subdivide", options.subdivide, "split every triangle in four, K times")
       ->type_name("K")
@@ -36,10 +37,8 @@ bool is_shape(const SurfaceOptions& options) {
 }
 
 LoadedMesh load_mesh(const SurfaceOptions& options) {
-  if (!is_shape(options)) {
-    throw CLI::ValidationError("MESH", "expected a built-in shape, got '" + options.mesh + "'");
-  }
-  LoadedMesh loaded{make_named_shape(options), ""};
+  LoadedMesh loaded =
+      is_shape(options) ? LoadedMesh{make_named_shape(options), {}} : read_mesh(options.mesh);
   if (options.subdivide > 0) loaded.mesh = subdivide(std::move(loaded.mesh), options.subdivide);
   return loaded;
 }

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/surface/mesh.h"
+#include "brindle/surface/mesh_io.h"
 
 namespace brindle::tool {
 
@@ -18,11 +18,6 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options);
 
 /// Whether the mesh is a built-in shape.
 bool is_shape(const SurfaceOptions& options);
-
-struct LoadedMesh {
-  Mesh mesh;
-  std::string repairs;  ///< what had to be mended, in words; empty if nothing
-};
 
 /// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a shape that is not
 /// spelt right, Error if a file cannot be read.

@@ -11,14 +11,91 @@ namespace fs = std::filesystem;
 // A torus of a few hundred vertices: enough to work on, no time to wait for.
 const char* const kSmallTorus = "shape:torus,resolution=32";
 
+const char* const kTriangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
 using BadInput = ToolTest;
+
+// The first half of a mesh file that the program itself wrote.
+void write_truncated_mesh(const ToolTest& test, const std::string& name) {
+  const ToolResult result = test.run({"stripe", kSmallTorus, "--output", name, "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const fs::path path = test.folder / name;
+  fs::resize_file(path, fs::file_size(path) / 2);
+}
+
+TEST_F(BadInput, MissingMesh) {
+  expect_refusal(1, "none.ply", {"stripe", "none.ply", "--report", "out.json"});
+}
+
+TEST_F(BadInput, FolderAsMesh) {
+  fs::create_directory(folder / "scans.ply");
+  expect_refusal(1, "scans.ply", {"stripe", "scans.ply", "--report", "out.json"});
+}
+
+TEST_F(BadInput, MeshOfUnknownExtension) {
+  write_text(folder / "scan.xyz", kTriangleObj);
+  expect_refusal(1, "scan.xyz", {"stripe", "scan.xyz", "--report", "out.json"});
+}
+
+TEST_F(BadInput, TruncatedPly) {
+  write_truncated_mesh(*this, "half.ply");
+  expect_refusal(1, "half.ply", {"stripe", "half.ply", "--report", "out.json"});
+}
+
+TEST_F(BadInput, TruncatedGlb) {
+  write_truncated_mesh(*this, "half.glb");
+  expect_refusal(1, "half.glb", {"stripe", "half.glb", "--report", "out.json"});
+}
+
+TEST_F(BadInput, ObjIndexOutOfRange) {
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+  expect_refusal(1, "a.obj", {"stripe", "a.obj", "--report", "out.json"});
+}
+
+TEST_F(BadInput, ObjIndexFarOutOfRange) {
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n");
+  expect_refusal(1, "a.obj", {"stripe", "a.obj", "--report", "out.json"});
+}
+
+TEST_F(BadInput, EmptyFile) {
+  write_text(folder / "empty.ply", "");
+  expect_refusal(1, "empty.ply", {"stripe", "empty.ply", "--report", "out.json"});
+}
+
+TEST_F(BadInput, MeshWithoutTriangles) {
+  write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  expect_refusal(1, "points.obj", {"stripe", "points.obj", "--report", "out.json"});
+}
+
+TEST_F(BadInput, OnlyNanPositions) {
+  write_text(folder / "nan.obj", "v nan nan nan\nv nan nan nan\nv nan nan nan\nf 1 2 3\n");
+  expect_refusal(1, "nan.obj", {"stripe", "nan.obj", "--report", "out.json"});
+}
 
 TEST_F(BadInput, MissingField) {
   expect_refusal(1, "none.csv", {"stripe", kSmallTorus, "--field", "none.csv", "--report", "r"});
 }
 
+TEST_F(BadInput, FieldWithTooFewRows) {
+  write_text(folder / "mesh.obj", kTriangleObj);
+  write_text(folder / "short.csv", "1,0,0\n0,1,0\n");
+  expect_refusal(1, "short.csv", {"stripe", "mesh.obj", "--field", "short.csv", "--report", "r"});
+}
+
+TEST_F(BadInput, FieldWithAWord) {
+  write_text(folder / "mesh.obj", kTriangleObj);
+  write_text(folder / "word.csv", "1,0,0\n0,north,0\n1,0,0\n");
+  expect_refusal(1, "word.csv", {"stripe", "mesh.obj", "--field", "word.csv", "--report", "r"});
+}
+
+TEST_F(BadInput, FieldWithImpossibleFrequency) {
+  write_text(folder / "mesh.obj", kTriangleObj);
+  write_text(folder / "f.csv", "1,0,0,5\n1,0,0,-5\n1,0,0,5\n");
+  expect_refusal(1, "f.csv", {"stripe", "mesh.obj", "--field", "f.csv", "--report", "r"});
+}
+
 TEST_F(BadInput, OutputFolderDoesNotExist) {
-  for (const char* path : {"none/a.png", "none/a.json"}) {
+  for (const char* path : {"none/a.png", "none/a.obj", "none/a.json"}) {
     expect_refusal(1, "none", {"stripe", kSmallTorus, "--output", path});
   }
   expect_refusal(1, "none", {"stripe", kSmallTorus, "--report", "none/a.json"});
@@ -41,7 +118,8 @@ TEST_F(BadInput, OutputsAreCheckedBeforeAnythingIsWritten) {
 
 TEST_F(BadInput, FullDisk) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
-  for (const char* name : {"full.png", "full.json"}) {
+  for (const char* name :
+       {"full.png", "full.obj", "full.ply", "full.gltf", "full.glb", "full.json"}) {
     fs::create_symlink("/dev/full", folder / name);
     expect_refusal(1, name, {"stripe", kSmallTorus, "--output", name, "--size", "64x48"});
   }

@@ -73,5 +73,18 @@ TEST_F(ToolTest, InfoCountsPieces) {
   EXPECT_TRUE(has(run({"info", "shape:pieces,count=4"}).out, "components    4\n"));
 }
 
+TEST_F(ToolTest, InfoSaysWhereTrianglesAreWoundAgainstEachOther) {
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n");
+  EXPECT_TRUE(has(run({"info", "a.obj"}).out, "but not wound alike"));
+}
+
+TEST_F(ToolTest, InfoReportsRepairs) {
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\n");
+  const ToolResult result = run({"info", "a.obj"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.out, "triangles     1\n")) << result.out;
+  EXPECT_FALSE(has(result.out, "none needed")) << result.out;
+}
+
 }  // namespace
 }  // namespace brindle::test

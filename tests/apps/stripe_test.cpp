@@ -59,11 +59,43 @@ TEST_F(Stripe, SubdivisionSplitsEveryTriangleInFour) {
             4 * report({})["triangles"].get<int>());
 }
 
+TEST_F(Stripe, FrequencyIsStripesOverDiagonal) {
+  write_text(folder / "mesh.obj", "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n");
+  const Arguments direction = {"--direction", "1,0,0"};
+  Json stripes = report({"--direction", "1,0,0", "--stripes", "10"}, "mesh.obj");
+  Json frequency = report({"--direction", "1,0,0", "--frequency", "2"}, "mesh.obj");
+  stripes.erase("milliseconds");
+  frequency.erase("milliseconds");
+  EXPECT_EQ(stripes, frequency);
+}
+
+TEST_F(Stripe, FieldFilesGiveDirectionsAndFrequencies) {
+  write_text(folder / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  write_text(folder / "field.csv", "x,y,z,f\n1,0,0,2\n1,0,0,2\n1,0,0,2\n1,0,0,2\n");
+  const Json report = this->report({"--field", "field.csv"}, "mesh.obj");
+  EXPECT_LT(report["energy"].get<double>(), 1e-6);
+  EXPECT_LT(report["spacing_error_mean"].get<double>(), 1e-3);
+}
+
 TEST_F(Stripe, AnswersOnStdoutUnlessQuiet) {
   const ToolResult result = run({"stripe", kSmallTorus});
   EXPECT_NE(result.out.find("branches"), std::string::npos) << result.out;
   const ToolResult quiet = run({"stripe", kSmallTorus, "--quiet"});
   EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST_F(Stripe, WritesWhatTheExtensionSays) {
+  const ToolResult result = run({"stripe", kSmallTorus, "-o", "a.obj", "-o", "a.ply", "--output",
+                                 "a.gltf", "--output", "a.GLB", "--output", "a.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(content(folder / "a.ply").substr(0, 3), "ply");
+  EXPECT_EQ(content(folder / "a.GLB").substr(0, 4), "glTF");
+  EXPECT_EQ(Json::parse(content(folder / "a.gltf"))["asset"]["version"], "2.0");
+  EXPECT_EQ(Json::parse(content(folder / "a.json"))["solver"], "multilevel");
+  const int vertices = report({})["vertices"];
+  for (const char* mesh : {"a.obj", "a.ply", "a.gltf", "a.GLB"}) {
+    EXPECT_EQ(report({}, mesh)["vertices"], vertices) << mesh;
+  }
 }
 
 struct AcceptedOption : Stripe, testing::WithParamInterface<Arguments> {};
