@@ -47,7 +47,7 @@ class Grower {
   }
 
   Matching grow() {
-    for (const Index slot : layout_.slot_of) {
+    for (Index slot = 0; slot < layout_.slot_count(); ++slot) {
       if (matching_.aggregate[slot] == kNone && inverse_root_degree_[slot] > 0) grow_from(slot);
     }
     join_left_over();
@@ -227,13 +227,14 @@ void arrange_members(Aggregation& aggregation, const Matching& matching,
   }
 }
 
-/// The slots that come `rank`-th in their aggregates.
+/// The slots that come `rank`-th in their aggregates, ascending: couplings are read as they stand.
 std::vector<Index> members_of_rank(const Aggregation& aggregation, Index rank) {
   std::vector<Index> members;
   for (std::size_t a = 0; a + 1 < aggregation.member_begin.size(); ++a) {
     const Index m = aggregation.member_begin[a] + rank;
     if (m < aggregation.member_begin[a + 1]) members.push_back(aggregation.member[m]);
   }
+  std::ranges::sort(members);
   while (members.size() % kLanes != 0) members.push_back(kNone);
   return members;
 }

@@ -20,7 +20,7 @@ struct Matching {
   Index count() const { return static_cast<Index>(begin.size()) - 1; }
 };
 
-/// Aggregates grow one by one, in the order of node numbers: the free neighbour that is most
+/// Aggregates grow one by one, in the order of slots: the free neighbour that is most
 /// strongly coupled to the aggregate, by sum max(|A|, |B|) / sqrt(deg), joins it until it has
 /// `kAggregateSize` members. Nodes left alone join the neighbour's aggregate that they are most
 /// strongly coupled to; nodes without any coupling stay outside.

@@ -5,6 +5,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/phases/node_order.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {
@@ -19,10 +20,6 @@ Level make_level(std::shared_ptr<const LevelTopology> topology) {
   std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
   std::vector<Complex> z(layout.slot_count() + 1, kPeak);
   return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z)};
-}
-
-SlicedLayout make_layout(const Adjacency& adjacency) {
-  return sliced_layout(adjacency, greedy_coloring(adjacency));
 }
 
 /// The gauge of member m of a rank, its reflecting couplings included: the phase that the earlier
@@ -49,12 +46,20 @@ void gauge_reflecting_member(Level& level, const GaugeRank& rank, std::size_t m)
   level.gauge[slot] = with_conjugate_bit(length > 0 ? sum / length : Complex(1), takes_conjugate);
 }
 
+/// Whether the row of a slot has reflecting couplings.
+bool reflects(const Level& level, Index slot) {
+  const auto list = level.couplings.reflecting_of(level.layout(), slot / kLanes);
+  return std::ranges::any_of(list, [slot](const ReflectingCoupling& coupling) {
+    return coupling.entry % kLanes == slot % kLanes;
+  });
+}
+
 void renew_rank(Level& level, const GaugeRank& rank, SliceRange groups) {
   kernels::gauge_members(level.layout(), level.couplings, rank.member.data(),
                          rank.round_begin.data(), rank.entry.data(), level.gauge.data(), groups);
   for (std::size_t m = groups.begin * kLanes; m < groups.end * kLanes; ++m) {
     const Index slot = rank.member[m];
-    if (slot != kNone && level.couplings.reflecting_count[slot / kLanes] > 0) {
+    if (slot != kNone && reflects(level, slot)) {
       gauge_reflecting_member(level, rank, m);
     }
   }
@@ -180,7 +185,8 @@ Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
   Hierarchy hierarchy;
   Stopwatch watch;
   auto topology = std::make_shared<LevelTopology>();
-  topology->layout = make_layout(*graph.adjacency);
+  topology->layout = sliced_layout(*graph.adjacency, greedy_coloring(*graph.adjacency),
+                                   breadth_first_order(*graph.adjacency));
   hierarchy.levels.push_back(make_level(topology));
   hierarchy.topology_milliseconds += watch.lap();
   load_couplings(graph, topology->layout, hierarchy.levels[0].couplings);
@@ -194,7 +200,7 @@ Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
     if (matching.count() == 0) break;
     const Adjacency adjacency = coarse_adjacency(topology->layout, matching);
     auto coarse = std::make_shared<LevelTopology>();
-    coarse->layout = make_layout(adjacency);
+    coarse->layout = sliced_layout(adjacency, greedy_coloring(adjacency));
     topology->aggregation = arrange(topology->layout, matching, adjacency, coarse->layout);
     Level coarse_level = make_level(coarse);
     hierarchy.topology_milliseconds += watch.lap();

@@ -4,6 +4,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/coloring.h"
+#include "brindle/phases/node_order.h"
 #include "brindle/phases/one_at_a_time.h"
 #include "brindle/phases/sliced_graph.h"
 
@@ -42,7 +43,8 @@ PhaseSolution relax(const PhaseGraph& graph, const SolverOptions& options,
   PhaseSolution solution;
   Stopwatch watch;
   const SlicedLayout layout =
-      sliced_layout(*graph.adjacency, luby_coloring(*graph.adjacency, options.seed));
+      sliced_layout(*graph.adjacency, luby_coloring(*graph.adjacency, options.seed),
+                    breadth_first_order(*graph.adjacency));
   solution.topology_milliseconds = watch.lap();
 
   SlicedCouplings couplings(layout);

@@ -1,6 +1,8 @@
 #include "brindle/phases/sliced_graph.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "brindle/base/parallel.h"
 #include "brindle/phases/sliced_kernels.h"
@@ -8,41 +10,52 @@
 namespace brindle {
 namespace {
 
-/// Sorting by degree only within windows keeps neighbours close in memory.
-constexpr std::size_t kSortWindow = 1024;
+/// Nodes of a block: what their neighbours' phases take fits the first cache.
+constexpr std::size_t kBlock = 2048;
+
+/// Ranges (a colour in a block) that one task updates at least.
+constexpr std::size_t kRangeGrain = 4;
 
 /// Slices that one task updates at least.
 constexpr std::size_t kSliceGrain = 64;
 
-/// Nodes grouped by colour; within a colour sorted by degree in windows of the node order.
-std::vector<std::vector<Index>> nodes_by_color(const Adjacency& adjacency,
-                                               const Coloring& coloring) {
-  std::vector<std::vector<Index>> groups(coloring.color_count);
-  for (Index node = 0; node < adjacency.node_count(); ++node) {
-    groups[coloring.color[node]].push_back(node);
-  }
+/// Slots of one block of nodes; the ranges that its colours fill go to `ranges`.
+void assign_block(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
+                  std::span<Index> block, std::vector<std::vector<SliceRange>>& ranges) {
   const auto degree = [&](Index node) {
     return adjacency.offsets[node + 1] - adjacency.offsets[node];
   };
-  for (auto& group : groups) {
-    for (std::size_t begin = 0; begin < group.size(); begin += kSortWindow) {
-      const std::size_t end = std::min(begin + kSortWindow, group.size());
-      std::stable_sort(group.begin() + begin, group.begin() + end,
-                       [&](Index a, Index b) { return degree(a) > degree(b); });
-    }
-  }
-  return groups;
-}
-
-void assign_slots(SlicedLayout& layout, const std::vector<std::vector<Index>>& groups) {
-  layout.color_begin.push_back(0);
-  for (const auto& group : groups) {
-    for (const Index node : group) {
-      layout.slot_of[node] = layout.slot_count();
-      layout.node_at.push_back(node);
+  std::ranges::stable_sort(block, [&](Index a, Index b) {
+    return std::pair(coloring.color[a], degree(b)) < std::pair(coloring.color[b], degree(a));
+  });
+  for (std::size_t n = 0; n < block.size();) {
+    const Index color = coloring.color[block[n]];
+    const Index first = layout.slice_count();
+    for (; n < block.size() && coloring.color[block[n]] == color; ++n) {
+      layout.slot_of[block[n]] = layout.slot_count();
+      layout.node_at.push_back(block[n]);
     }
     while (layout.node_at.size() % kLanes != 0) layout.node_at.push_back(kNone);
-    layout.color_begin.push_back(layout.slice_count());
+    ranges[color].push_back({first, layout.slice_count()});
+  }
+}
+
+void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
+                  std::span<const Index> order) {
+  std::vector<Index> nodes(order.begin(), order.end());
+  if (nodes.empty()) {
+    nodes.resize(adjacency.node_count());
+    std::iota(nodes.begin(), nodes.end(), Index{0});
+  }
+  std::vector<std::vector<SliceRange>> ranges(coloring.color_count);
+  for (std::size_t begin = 0; begin < nodes.size(); begin += kBlock) {
+    const std::size_t size = std::min(kBlock, nodes.size() - begin);
+    assign_block(layout, adjacency, coloring, std::span(nodes).subspan(begin, size), ranges);
+  }
+  layout.color_begin.push_back(0);
+  for (const auto& of_color : ranges) {
+    layout.ranges.insert(layout.ranges.end(), of_color.begin(), of_color.end());
+    layout.color_begin.push_back(static_cast<Index>(layout.ranges.size()));
   }
 }
 
@@ -77,11 +90,12 @@ void fill_columns(SlicedLayout& layout, const Adjacency& adjacency) {
 
 }  // namespace
 
-SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring) {
+SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
+                           std::span<const Index> order) {
   SlicedLayout layout;
   layout.slot_of.resize(adjacency.node_count());
   layout.node_at.reserve(adjacency.node_count() + coloring.color_count * kLanes);
-  assign_slots(layout, nodes_by_color(adjacency, coloring));
+  assign_slots(layout, adjacency, coloring, order);
   fill_columns(layout, adjacency);
   return layout;
 }
@@ -169,29 +183,32 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
 
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z) {
   for (Index color = 0; color < layout.color_count(); ++color) {
-    const Index first = layout.color_begin[color];
+    const auto ranges = layout.ranges_of(color);
     parallel_for(
-        layout.color_begin[color + 1] - first,
+        ranges.size(),
         [&](std::size_t begin, std::size_t end) {
-          kernels::sweep_slices(
-              layout, couplings, z.data(),
-              {first + static_cast<Index>(begin), first + static_cast<Index>(end)});
+          for (const SliceRange& range : ranges.subspan(begin, end - begin)) {
+            kernels::sweep_slices(layout, couplings, z.data(), range);
+          }
         },
-        kSliceGrain);
+        kRangeGrain);
   }
 }
 
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
                    std::span<Complex> z, Momentum& momentum, Index color) {
-  const Index first = layout.color_begin[color];
+  const auto ranges = layout.ranges_of(color);
   return parallel_sum<double>(
-      layout.color_begin[color + 1] - first,
+      ranges.size(),
       [&](std::size_t begin, std::size_t end) {
-        return kernels::relax_slices(
-            layout, couplings, z.data(), momentum.strength, momentum.m.data(),
-            {first + static_cast<Index>(begin), first + static_cast<Index>(end)});
+        double drop = 0;
+        for (const SliceRange& range : ranges.subspan(begin, end - begin)) {
+          drop += kernels::relax_slices(layout, couplings, z.data(), momentum.strength,
+                                        momentum.m.data(), range);
+        }
+        return drop;
       },
-      kSliceGrain);
+      kRangeGrain);
 }
 
 void to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot,

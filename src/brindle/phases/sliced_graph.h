@@ -17,14 +17,21 @@ namespace brindle {
 inline constexpr Index kLanes = 16;
 inline constexpr Index kNone = ~Index{0};
 
-/// Where everything stands (sliced ELLPACK, Kreutzer et al. 2014). Nodes are renumbered to slots: a
-/// colour fills whole slices of `kLanes` slots, its nodes sorted by degree within windows. The
-/// neighbours of a slice's rows stand in columns of `kLanes` entries, one entry a row; rows shorter
-/// than the slice is wide are filled up with entries that point to their own slot.
+struct SliceRange {
+  Index begin;
+  Index end;
+};
+
+/// Where everything stands (sliced ELLPACK, Kreutzer et al. 2014). Nodes are renumbered to slots:
+/// block by block of nodes that are close together, in a block colour by colour, in a colour by
+/// degree. The nodes of one colour in one block fill whole slices of `kLanes` slots. The neighbours
+/// of a slice's rows stand in columns of `kLanes` entries, one entry a row; rows shorter than the
+/// slice is wide are filled up with entries that point to their own slot.
 struct SlicedLayout {
   std::vector<Index> slot_of;      ///< node -> slot
   std::vector<Index> node_at;      ///< slot -> node, kNone for filling
-  std::vector<Index> color_begin;  ///< colour c owns slices color_begin[c] .. color_begin[c+1] - 1
+  std::vector<SliceRange> ranges;  ///< slices of one colour in one block, colour by colour
+  std::vector<Index> color_begin;  ///< colour c owns ranges color_begin[c] .. color_begin[c+1] - 1
   std::vector<Index>
       column_begin;             ///< slice s owns columns column_begin[s] .. column_begin[s+1] - 1
   std::vector<Index> neighbor;  ///< entry -> slot of the neighbour
@@ -33,6 +40,10 @@ struct SlicedLayout {
   Index slice_count() const { return slot_count() / kLanes; }
   Index color_count() const { return static_cast<Index>(color_begin.size()) - 1; }
   std::size_t entry_count() const { return neighbor.size(); }
+  std::span<const SliceRange> ranges_of(Index color) const {
+    return std::span(ranges).subspan(color_begin[color],
+                                     color_begin[color + 1] - color_begin[color]);
+  }
 
   /// Entries of a row are `first_entry(slot) + k * kLanes`, k from 0 to `width(slot)` - 1.
   std::size_t first_entry(Index slot) const {
@@ -43,7 +54,10 @@ struct SlicedLayout {
   }
 };
 
-SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring);
+/// `order` is a permutation of the nodes in which neighbours are close together; empty: as
+/// numbered.
+SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
+                           std::span<const Index> order = {});
 
 /// A reflecting coupling B of one entry.
 struct ReflectingCoupling {

@@ -23,11 +23,6 @@ constexpr bool conjugate_bit(Complex value) {
   return (std::bit_cast<std::uint32_t>(value.real()) & 1u) != 0;
 }
 
-struct SliceRange {
-  Index begin;
-  Index end;
-};
-
 struct SlicedWave;
 
 /// The couplings of all entries of a range and the sums of their weights by slot; see `couple` in
