@@ -16,16 +16,6 @@ namespace {
 /// A vector closer to the normal than this (as a sine) has no direction in the tangent plane.
 constexpr float kParallelToNormal = 1e-4f;
 
-Vec3 tangent_direction(const Vec3& vector, const Vec3& normal) {
-  const float length = vector.norm();
-  if (!(length > 0) || !std::isfinite(length)) return Vec3::Zero();
-  const Vec3 unit = vector / length;
-  const Vec3 tangent = unit - unit.dot(normal) * normal;
-  const float sine = tangent.norm();
-  if (!(sine > kParallelToNormal)) return Vec3::Zero();
-  return tangent / sine;
-}
-
 std::string at_line(const std::filesystem::path& path, std::size_t line) {
   return "'" + path.string() + "', line " + std::to_string(line) + ": ";
 }
@@ -70,6 +60,16 @@ void append_row(FieldFile& field, const std::vector<float>& row, const std::stri
 }
 
 }  // namespace
+
+Vec3 tangent_direction(const Vec3& vector, const Vec3& normal) {
+  const float length = vector.norm();
+  if (!(length > 0) || !std::isfinite(length)) return Vec3::Zero();
+  const Vec3 unit = vector / length;
+  const Vec3 tangent = unit - unit.dot(normal) * normal;
+  const float sine = tangent.norm();
+  if (!(sine > kParallelToNormal)) return Vec3::Zero();
+  return tangent / sine;
+}
 
 DirectionField tangent_directions(std::span<const Vec3> vectors, std::span<const Vec3> normals) {
   DirectionField directions(vectors.size());

@@ -15,6 +15,10 @@ namespace brindle {
 /// "no wave here".
 using DirectionField = std::vector<Vec3>;
 
+/// `vector` projected into the tangent plane and made a unit vector; zero if it is zero, not finite
+/// or (nearly) parallel to the unit normal.
+Vec3 tangent_direction(const Vec3& vector, const Vec3& normal);
+
 /// Projects every vector into the tangent plane of its vertex and makes it a unit vector. Vectors
 /// that are zero, not finite or (nearly) parallel to the normal become zero.
 /// `vectors` and `normals` have one entry per vertex.
