@@ -10,6 +10,7 @@
 #include "brindle/phases/solver.h"
 #include "brindle/surface/curvature.h"
 #include "brindle/waves/direction_graph.h"
+#include "brindle/waves/orientation.h"
 
 namespace brindle {
 namespace {
@@ -55,7 +56,9 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   solver.sweeps = options.sweeps;
   solver.cycles = options.cycles;
   const PhaseSolution solution = solve_phases(graph, solver);
-  return directions_of(solution.z, surface.normals, options.symmetry);
+  DirectionField field = directions_of(solution.z, surface.normals, options.symmetry);
+  orient_alike(*surface.neighborhood, field);
+  return field;
 }
 
 }  // namespace brindle

@@ -16,6 +16,7 @@ struct SmoothFieldOptions {
 
 /// A direction field that turns as little as possible from vertex to vertex: each direction's angle
 /// theta in its tangent basis enters as u = exp(i N theta), coupled by parallel transport.
+/// Directions are signed to run like their neighbours where that is possible.
 DirectionField smooth_direction_field(const Surface& surface,
                                       const SmoothFieldOptions& options = {});
 

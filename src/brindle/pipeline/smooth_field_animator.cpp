@@ -1,0 +1,109 @@
+#include "brindle/pipeline/smooth_field_animator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "brindle/base/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/phases/hierarchy.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/waves/direction_graph.h"
+#include "brindle/waves/orientation.h"
+
+namespace brindle {
+
+struct SmoothFieldAnimator::State {
+  SmoothFieldAnimatorOptions options;
+  std::shared_ptr<const Adjacency> neighborhood;
+  std::vector<Vec3> normals;
+  Hierarchy hierarchy;
+  std::vector<Complex> gauged;  ///< scratch of the sums
+  std::vector<Complex> last_u;  ///< by slot; empty before the first frame
+  std::vector<Complex> u_by_vertex;
+  std::vector<FieldAnchor> last_anchors;
+  DirectionField field;
+
+  Level& finest() { return hierarchy.levels[0]; }
+};
+
+namespace {
+
+bool same(const FieldAnchor& a, const FieldAnchor& b) {
+  return a.vertex == b.vertex && a.direction == b.direction && a.weight == b.weight;
+}
+
+float degree(const Adjacency& neighborhood, Index vertex) {
+  return static_cast<float>(neighborhood.of(vertex).size());
+}
+
+}  // namespace
+
+SmoothFieldAnimator::SmoothFieldAnimator(const Surface& surface,
+                                         const SmoothFieldAnimatorOptions& options)
+    : state_(std::make_unique<State>()) {
+  if (options.symmetry < 1) throw Error("smooth field: the symmetry N must be 1 or above");
+  if (!(options.lambda >= 0) || !std::isfinite(options.lambda) || options.sweeps < 0) {
+    throw Error("smooth field: lambda and sweeps must be 0 or above");
+  }
+  State& s = *state_;
+  s.options = options;
+  s.neighborhood = surface.neighborhood;
+  s.normals = surface.normals;
+  s.hierarchy = build_hierarchy(
+      build_direction_graph(surface.neighborhood, surface.normals, options.symmetry));
+  s.gauged.resize(s.finest().layout().entry_count() + 1);
+}
+
+SmoothFieldAnimator::~SmoothFieldAnimator() = default;
+SmoothFieldAnimator::SmoothFieldAnimator(SmoothFieldAnimator&&) noexcept = default;
+SmoothFieldAnimator& SmoothFieldAnimator::operator=(SmoothFieldAnimator&&) noexcept = default;
+
+std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> anchors) {
+  State& s = *state_;
+  const bool first = s.last_u.empty();
+  if (!first && std::ranges::equal(anchors, s.last_anchors, same)) return s.field;
+  set_anchors(anchors);
+  renew(s.hierarchy, s.gauged);
+  descend(s.hierarchy, s.options.sweeps);
+
+  const SlicedLayout& layout = s.finest().layout();
+  s.last_u.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
+  to_nodes(layout, s.last_u, s.u_by_vertex);
+  DirectionField field = directions_of(s.u_by_vertex, s.normals, s.options.symmetry);
+  if (first) {
+    orient_alike(*s.neighborhood, field);
+  } else if (s.options.symmetry == 2) {
+    orient_like(s.field, field);
+  }
+  s.field = std::move(field);
+  s.last_anchors.assign(anchors.begin(), anchors.end());
+  return s.field;
+}
+
+void SmoothFieldAnimator::set_anchors(std::span<const FieldAnchor> anchors) {
+  State& s = *state_;
+  const SlicedLayout& layout = s.finest().layout();
+  std::vector<Complex>& target = s.finest().couplings.anchor;
+  target.assign(layout.slot_count(), Complex(0));
+  if (!s.last_u.empty()) {
+    for (Index vertex = 0; vertex < layout.slot_of.size(); ++vertex) {
+      const Index slot = layout.slot_of[vertex];
+      target[slot] = s.options.lambda * degree(*s.neighborhood, vertex) * s.last_u[slot];
+    }
+  }
+  for (const FieldAnchor& anchor : anchors) {
+    if (anchor.vertex >= layout.slot_of.size()) {
+      throw Error("smooth field: anchor at vertex " + std::to_string(anchor.vertex) +
+                  ", but the surface has " + std::to_string(layout.slot_of.size()));
+    }
+    const Vec3& normal = s.normals[anchor.vertex];
+    const Vec3 tangent = anchor.direction - anchor.direction.dot(normal) * normal;
+    target[layout.slot_of[anchor.vertex]] += anchor.weight *
+                                             degree(*s.neighborhood, anchor.vertex) *
+                                             representation(tangent, normal, s.options.symmetry);
+  }
+}
+
+}  // namespace brindle

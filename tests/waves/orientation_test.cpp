@@ -1,0 +1,48 @@
+#include "brindle/waves/orientation.h"
+
+#include <gtest/gtest.h>
+
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::flip_half;
+using testing_support::wavy_surface;
+
+std::size_t reflecting_edges(const PhaseGraph& graph) {
+  return static_cast<std::size_t>(std::ranges::count(graph.reflecting, 1));
+}
+
+TEST(Orientation, UndoesRandomSignsOfAFieldThatCanBeOriented) {
+  auto surface = wavy_surface("plane,resolution=30", Vec3(1, 0.3f, 0), 10);
+  flip_half(surface.waves, 4);
+  ASSERT_GT(reflecting_edges(surface.graph()), 0u);
+  orient_alike(*surface.neighborhood, surface.waves.directions);
+  EXPECT_EQ(reflecting_edges(surface.graph()), 0u);
+}
+
+TEST(Orientation, LeavesFewReflectingEdgesElsewhere) {
+  auto surface = wavy_surface("sphere,resolution=20", Vec3(0.3f, 1, 0.2f), 10);
+  const std::size_t before = reflecting_edges(surface.graph());
+  flip_half(surface.waves, 4);
+  orient_alike(*surface.neighborhood, surface.waves.directions);
+  EXPECT_LE(reflecting_edges(surface.graph()), before + 20);
+}
+
+TEST(Orientation, ChangesNothingButSigns) {
+  auto surface = wavy_surface("sphere,resolution=8", Vec3(0.3f, 1, 0.2f), 10);
+  surface.waves.directions[5].setZero();
+  flip_half(surface.waves, 6);
+  const std::vector<Vec3> before = surface.waves.directions;
+  orient_alike(*surface.neighborhood, surface.waves.directions);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_TRUE(surface.waves.directions[i] == before[i] ||
+                surface.waves.directions[i] == -before[i]);
+  }
+  orient_like(before, surface.waves.directions);
+  EXPECT_EQ(surface.waves.directions, before);
+}
+
+}  // namespace
+}  // namespace brindle
