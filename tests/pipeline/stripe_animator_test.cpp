@@ -1,6 +1,9 @@
 #include "brindle/pipeline/stripe_animator.h"
 
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +11,21 @@
 #include "brindle/base/parallel.h"
 #include "brindle/phases/solver.h"
 #include "phase_graphs.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations = 0;
+
+}  // namespace
+
+// Counts what the whole test program allocates.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace brindle {
 namespace {
@@ -145,6 +163,20 @@ TEST(StripeAnimator, IsTheSameForEveryNumberOfThreads) {
     return z;
   };
   EXPECT_EQ(run(1), run(2));
+}
+
+TEST(StripeAnimator, AllocatesNothingAfterTheFirstFrame) {
+  const ThreadLimit one(1);
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  flip_half(surface.waves, 2);
+  StripeAnimator animator(surface.neighborhood);
+  animator.frame(input_of(surface));
+  const std::size_t before = allocations;
+  for (int n = 0; n < 5; ++n) {
+    zoom(surface);
+    animator.frame(input_of(surface));
+  }
+  EXPECT_EQ(allocations, before);
 }
 
 TEST(StripeAnimator, RefusesBadInputAndOptions) {

@@ -138,8 +138,13 @@ void StripeAnimator::couple_frame(bool has_last) {
   State& s = *state_;
   Level& finest = s.finest();
   const SlicedLayout& layout = finest.layout();
-  s.degree.resize(layout.slot_count());
-  s.gauged.resize(layout.entry_count() + 1);
+  if (s.degree.empty()) {
+    s.degree.resize(layout.slot_count());
+    s.gauged.resize(layout.entry_count() + 1);
+    for (Level& level : s.hierarchy.levels) {
+      level.couplings.anchor.reserve(level.layout().slot_count());
+    }
+  }
   couple(layout, s.waves, s.options.phase_shift, {}, finest.couplings, s.degree);
   const bool anchored =
       has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
