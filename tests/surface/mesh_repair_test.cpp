@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/surface/shapes.h"
+#include "test_meshes.h"
 
 namespace brindle {
 namespace {
@@ -16,8 +17,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const std::vector<Vec3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 TEST(MeshRepair, LeavesGoodMeshesAlone) {
-  for (const std::string& name : shape_names()) {
-    const Mesh good = make_shape(name);
+  for (const auto& [name, good] : default_shapes()) {
     Mesh mesh = good;
     EXPECT_EQ(repair_mesh(mesh), MeshRepair{}) << name;
     EXPECT_EQ(mesh.triangles, good.triangles) << name;

@@ -7,6 +7,7 @@
 
 #include "brindle/surface/parametric_shapes.h"
 #include "brindle/surface/shapes.h"
+#include "test_meshes.h"
 
 namespace brindle {
 namespace {
@@ -73,8 +74,8 @@ TEST(Normals, DoNotCancelWhereTrianglesAreWoundAtRandom) {
 }
 
 TEST(Normals, AreUnitVectorsOnEveryShape) {
-  for (const std::string& name : shape_names()) {
-    for (const Vec3& normal : vertex_normals(make_shape(name))) {
+  for (const auto& [name, mesh] : default_shapes()) {
+    for (const Vec3& normal : vertex_normals(mesh)) {
       ASSERT_NEAR(normal.norm(), 1, 1e-5f) << name;
     }
   }

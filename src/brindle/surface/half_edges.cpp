@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -42,12 +41,12 @@ Point position(const Mesh& mesh, Index half_edge) {
   return mesh.positions[HalfEdges::origin(mesh, half_edge)].cast<double>();
 }
 
-/// The angle opposite of a half-edge, in its triangle.
-double opposite_angle(const Mesh& mesh, Index h) {
+/// The cotangent of the angle opposite of a half-edge, in its triangle.
+double opposite_cotangent(const Mesh& mesh, Index h) {
   const Point apex = position(mesh, HalfEdges::previous(h));
   const Point a = position(mesh, h) - apex;
   const Point b = position(mesh, HalfEdges::next(h)) - apex;
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return a.dot(b) / std::max(a.cross(b).norm(), 1e-30);
 }
 
 /// Whether an edge runs from the origin of `h` to vertex `to`.
@@ -125,12 +124,14 @@ std::optional<HalfEdges> half_edges(const Mesh& mesh) {
 }
 
 void flip_to_delaunay(Mesh& mesh, HalfEdges& edges, int rounds) {
-  constexpr double kLimit = std::numbers::pi + 1e-3;
+  // The cotangents of two angles add up to less than 0 if the angles add up to more than 180
+  // degrees. The margin keeps cocircular corners from flipping to and fro.
+  constexpr double kLimit = -1e-3;
   for (int round = 0; round < rounds; ++round) {
     bool flipped = false;
     for (Index h = 0; h < edges.twins.size(); ++h) {
       const Index twin = edges.twins[h];
-      if (h < twin && opposite_angle(mesh, h) + opposite_angle(mesh, twin) > kLimit) {
+      if (h < twin && opposite_cotangent(mesh, h) + opposite_cotangent(mesh, twin) < kLimit) {
         flipped = flip(mesh, edges, h) || flipped;
       }
     }

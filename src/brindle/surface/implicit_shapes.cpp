@@ -21,27 +21,41 @@ struct Capsule {
   double radius_a, radius_b;
 };
 
-/// Signed, and nowhere steeper than 1: along the axis the slope of the radius comes on top of the
-/// distance, so both are divided by what that can amount to.
-double distance(const Capsule& c, const Point& p) {
-  const Point axis = c.b - c.a;
-  const double length2 = axis.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - c.a).dot(axis) / length2, 0.0, 1.0) : 0.0;
-  const double radius = c.radius_a + t * (c.radius_b - c.radius_a);
-  const double slope = length2 > 0 ? (c.radius_b - c.radius_a) / std::sqrt(length2) : 0.0;
-  return ((p - c.a - t * axis).norm() - radius) / std::sqrt(1 + slope * slope);
-}
+/// The signed distance from a capsule, or a little less, so that it is nowhere steeper than 1.
+class CapsuleDistance {
+ public:
+  explicit CapsuleDistance(const Capsule& c)
+      : from_(c.a), axis_(c.b - c.a), radius_(c.radius_a), widening_(c.radius_b - c.radius_a) {
+    const double length2 = axis_.squaredNorm();
+    if (length2 == 0) return;
+    over_length2_ = 1 / length2;
+    // Along the axis the slope of the radius comes on top of that of the distance.
+    scale_ = 1 / std::sqrt(1 + widening_ * widening_ / length2);
+  }
+
+  double operator()(const Point& p) const {
+    const Point offset = p - from_;
+    const double t = std::clamp(offset.dot(axis_) * over_length2_, 0.0, 1.0);
+    return ((offset - t * axis_).norm() - radius_ - t * widening_) * scale_;
+  }
+
+ private:
+  Point from_, axis_;
+  double radius_, widening_;
+  double over_length2_ = 0, scale_ = 1;
+};
 
 /// The smooth minimum of the distances to all capsules, with blends of about radius `blend`.
 class Union {
  public:
-  Union(std::vector<Capsule> parts, double blend) : parts_(std::move(parts)), blend_(blend) {}
+  Union(const std::vector<Capsule>& parts, double blend)
+      : parts_(parts.begin(), parts.end()), blend_(blend) {}
 
   double operator()(const Point& p) const {
     constexpr double kNegligible = 20;  // exp(-20) is below the accuracy of a float position
     double nearest = 1e30, sum = 0;
-    for (const Capsule& part : parts_) {
-      const double d = distance(part, p);
+    for (const CapsuleDistance& part : parts_) {
+      const double d = part(p);
       if (d > nearest + kNegligible * blend_) continue;
       if (d < nearest) {
         sum = sum * std::exp((d - nearest) / blend_) + 1;
@@ -54,7 +68,7 @@ class Union {
   }
 
  private:
-  std::vector<Capsule> parts_;
+  std::vector<CapsuleDistance> parts_;
   double blend_;
 };
 
@@ -82,13 +96,13 @@ void center(std::vector<Capsule>& parts) {
   }
 }
 
-Mesh polygonize(std::vector<Capsule> parts, double blend, int resolution) {
+Mesh polygonize(const std::vector<Capsule>& parts, double blend, int resolution) {
   BoundingBox box = box_around(parts);
   // The smooth minimum lies below the minimum, by less the fewer parts are equally near.
   const auto margin = static_cast<float>(blend * std::log(static_cast<double>(parts.size()) + 1));
   box.lower.array() -= margin;
   box.upper.array() += margin;
-  return isosurface(Union(std::move(parts), blend), box, 1.0f / static_cast<float>(resolution));
+  return isosurface(Union(parts, blend), box, 1.0f / static_cast<float>(resolution));
 }
 
 /// Grows vessels from parent to children.
@@ -134,7 +148,7 @@ Mesh make_vessels(const VesselsShape& shape) {
   VesselGrowth growth{shape, {}};
   growth.grow(Point::Zero(), Point::UnitZ(), Point::UnitX(), shape.radius, 0.85, shape.generations);
   center(growth.vessels);
-  return polygonize(std::move(growth.vessels), 0.12 * shape.radius, shape.resolution);
+  return polygonize(growth.vessels, 0.12 * shape.radius, shape.resolution);
 }
 
 Mesh make_molecule(const MoleculeShape& shape) {
@@ -142,18 +156,18 @@ Mesh make_molecule(const MoleculeShape& shape) {
   std::vector<Capsule> atoms;
   std::uint64_t drawn = 0;
   const auto random = [&] { return random_number(shape.seed, drawn++); };
+  // Prefers places near the middle, too.
   const auto clearance = [&](const Point& p) {
     double nearest = 1e30;
     for (const Capsule& atom : atoms) nearest = std::min(nearest, (atom.a - p).norm());
-    return nearest;
+    return nearest - 0.25 * p.norm();
   };
   for (int i = 0; i < shape.atoms; ++i) {
     const double radius = kRadii[static_cast<std::size_t>(random() * 3)];
     Point best = Point::Zero();
-    // Of some places beside the last few atoms, the one with the most room.
+    // Of some places beside any of the atoms, the one with the most room that is not far out.
     for (int attempt = 0; attempt < 8 && i > 0; ++attempt) {
-      const auto back = std::min<std::size_t>(atoms.size(), 1 + (random() < 0.35 ? 2 : 0));
-      const Point& anchor = atoms[atoms.size() - back].a;
+      const Point& anchor = atoms[static_cast<std::size_t>(random() * i)].a;
       const double z = 2 * random() - 1, turn = 2 * std::numbers::pi * random();
       const double across = std::sqrt(1 - z * z);
       const Point place =
@@ -163,7 +177,7 @@ Mesh make_molecule(const MoleculeShape& shape) {
     atoms.push_back({best, best, radius, radius});
   }
   center(atoms);
-  return polygonize(std::move(atoms), 0.5 * shape.blend, shape.resolution);
+  return polygonize(atoms, 0.5 * shape.blend, shape.resolution);
 }
 
 Mesh make_box(const BoxShape& shape) {

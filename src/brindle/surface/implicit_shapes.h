@@ -19,12 +19,12 @@ struct VesselsShape {
 };
 Mesh make_vessels(const VesselsShape& shape = {});
 
-/// Spheres of a few sizes along a chain with branches, blended: like a molecule's surface.
+/// A cluster of spheres of a few sizes, blended: like a molecule's surface.
 struct MoleculeShape {
   int atoms = 14;
   float blend = 0.06f;  ///< radius of the blends between the spheres
   std::uint32_t seed = 1;
-  int resolution = 75;  ///< edges along one unit of length
+  int resolution = 55;  ///< edges along one unit of length
 };
 Mesh make_molecule(const MoleculeShape& shape = {});
 

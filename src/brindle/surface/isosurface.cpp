@@ -280,11 +280,11 @@ void drop_unused_vertices(Mesh& mesh) {
   mesh.positions = std::move(positions);
 }
 
-Point gradient(const ImplicitFunction& function, const Point& at, double step) {
+/// By forward differences: `value` is the function at `at`, and evaluations are what takes time.
+Point gradient(const ImplicitFunction& function, const Point& at, double value, double step) {
   Point result;
   for (int axis = 0; axis < 3; ++axis) {
-    const Point offset = step * Point::Unit(axis);
-    result[axis] = (function(at + offset) - function(at - offset)) / (2 * step);
+    result[axis] = (function(at + step * Point::Unit(axis)) - value) / step;
   }
   return result;
 }
@@ -293,7 +293,7 @@ Point gradient(const ImplicitFunction& function, const Point& at, double step) {
 Point project(const ImplicitFunction& function, Point at, double reach, int steps) {
   for (int i = 0; i < steps; ++i) {
     const double value = function(at);
-    const Point slope = gradient(function, at, 1e-3 * reach);
+    const Point slope = gradient(function, at, value, 1e-4 * reach);
     Point move = -value / std::max(slope.squaredNorm(), 1e-6) * slope;
     if (move.norm() > reach) move *= reach / move.norm();
     at += move;
@@ -360,10 +360,10 @@ Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float 
     }
   }
   if (!edges) throw Error("the implicit surface leaves its box; enlarge the box");
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
-    flip_to_delaunay(mesh, *edges);
-    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 4);
+    flip_to_delaunay(mesh, *edges, 3);
+    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 3);
   }
   return mesh;
 }
