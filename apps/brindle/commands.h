@@ -15,5 +15,6 @@ struct Command {
 Command add_stripe_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
+Command add_bench_command(CLI::App& app);
 
 }  // namespace brindle::tool

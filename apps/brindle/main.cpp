@@ -75,7 +75,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kExamples);
   const std::vector<Command> commands = {add_stripe_command(app), add_compare_command(app),
-                                         add_info_command(app)};
+                                         add_info_command(app), add_bench_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

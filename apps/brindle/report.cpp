@@ -1,26 +1,12 @@
 #include "report.h"
 
-#include <cstdarg>
-#include <cstdio>
 #include <ostream>
 #include <string>
 
 #include "brindle/base/parallel.h"
+#include "formatted.h"
 
 namespace brindle::tool {
-namespace {
-
-// std::format is not in g++ 12.
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  const int size = std::snprintf(nullptr, 0, format, values...);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::snprintf(text.data(), text.size() + 1, format, values...);
-  return text;
-}
-
-}  // namespace
-
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver) {
   const Surface& surface = prepared.surface;
   Report report;

@@ -1,0 +1,280 @@
+#include "bench_report.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <ostream>
+
+#include "brindle/base/parallel.h"
+#include "brindle/phases/sliced_kernels.h"
+#include "formatted.h"
+
+namespace brindle::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string processor_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "";
+}
+
+std::string title_of(const MeshFigures& mesh) {
+  std::string title = mesh.mesh;
+  if (mesh.subdivided > 0) title += formatted(", subdivided %d", mesh.subdivided);
+  return title;
+}
+
+const SolverFigures* find_solver(const MeshFigures& mesh, const std::string& name) {
+  const SolverFigures* found = nullptr;
+  for (const SolverFigures& solver : mesh.solvers) {
+    if (solver.name == name) found = &solver;  // the last has the most threads
+  }
+  return found;
+}
+
+void add_ratios_of_mesh(const MeshFigures& mesh, std::vector<Ratio>& ratios) {
+  const FrameFigures& frame = mesh.frames.back();
+  const std::string where = formatted(" (%s, threads: %d)", title_of(mesh).c_str(), frame.threads);
+  for (const char* name : {"global 20", "global 1", "relaxation 0.02"}) {
+    const SolverFigures* solver = find_solver(mesh, name);
+    if (!solver) continue;
+    ratios.push_back({name + (" / frame" + where), solver->solve.median, frame.total.median, "ms"});
+  }
+  if (const SolverFigures* global = find_solver(mesh, "global 20")) {
+    ratios.push_back(
+        {"global 20 / topology" + where, global->solve.median, frame.topology.median, "ms"});
+    ratios.push_back({"global 20 / topology, neighbourhood and normals" + where,
+                      global->solve.median, frame.topology.median + mesh.neighborhood_milliseconds,
+                      "ms"});
+  }
+  for (const FrameFigures& other : mesh.frames) {
+    if (&other == &mesh.frames.front()) continue;
+    ratios.push_back(
+        {formatted("frame, 1 thread / %d threads (%s)", other.threads, title_of(mesh).c_str()),
+         mesh.frames.front().total.median, other.total.median, "ms"});
+  }
+}
+
+double nanoseconds_per_vertex(const MeshFigures& mesh, const FrameFigures& frame) {
+  return 1e6 * frame.total.median / static_cast<double>(mesh.vertices);
+}
+
+void add_ratios_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
+                         std::vector<Ratio>& ratios) {
+  for (std::size_t i = 0; i < coarse.frames.size(); ++i) {
+    ratios.push_back({formatted("frame per vertex, %zu / %zu vertices (threads: %d)", fine.vertices,
+                                coarse.vertices, coarse.frames[i].threads),
+                      nanoseconds_per_vertex(fine, fine.frames[i]),
+                      nanoseconds_per_vertex(coarse, coarse.frames[i]), "ns"});
+  }
+}
+
+Json to_json(const Spread& spread) {
+  return {{"min", spread.min}, {"median", spread.median}, {"repetitions", spread.repetitions}};
+}
+
+Json to_json(const Quality& quality) {
+  return {{"energy", quality.energy},
+          {"branches", quality.branches},
+          {"angle_error_mean_deg", quality.angle_error_mean_deg}};
+}
+
+Json to_json(const SolverFigures& solver) {
+  Json json = {{"solver", solver.name},
+               {"threads", solver.threads},
+               {"iterations", solver.iterations},
+               {"milliseconds",
+                {{"topology", to_json(solver.topology)},
+                 {"couple", to_json(solver.couple)},
+                 {"solve", to_json(solver.solve)}}}};
+  json.update(to_json(solver.quality));
+  return json;
+}
+
+Json to_json(const FrameFigures& frame) {
+  Json json = {{"threads", frame.threads},
+               {"milliseconds",
+                {{"topology", to_json(frame.topology)},
+                 {"couple", to_json(frame.couple)},
+                 {"sum", to_json(frame.sum)},
+                 {"solve", to_json(frame.solve)},
+                 {"total", to_json(frame.total)}}}};
+  json.update(to_json(frame.quality));
+  return json;
+}
+
+Json to_json(const MeshFigures& mesh) {
+  Json json = {{"mesh", mesh.mesh},
+               {"subdivided", mesh.subdivided},
+               {"vertices", mesh.vertices},
+               {"edges", mesh.edges},
+               {"colors", {{"luby", mesh.luby_colors}, {"greedy", mesh.greedy_colors}}},
+               {"fields", mesh.fields},
+               {"neighborhood_milliseconds", mesh.neighborhood_milliseconds},
+               {"solvers", Json::array()},
+               {"frames", Json::array()}};
+  for (const SolverFigures& solver : mesh.solvers) json["solvers"].push_back(to_json(solver));
+  for (const FrameFigures& frame : mesh.frames) json["frames"].push_back(to_json(frame));
+  if (mesh.memory) {
+    json["memory_bytes"] = {{"neighborhood", mesh.memory->neighborhood},
+                            {"animator", mesh.memory->animator},
+                            {"animator_peak", mesh.memory->animator_peak},
+                            {"sibling", mesh.memory->sibling}};
+  }
+  return json;
+}
+
+std::string times(const Spread& spread) {
+  return formatted("%9.2f %9.2f", spread.min, spread.median);
+}
+
+std::string tail(const Quality& quality) {
+  return formatted(" %9.6f %8zu %6.2f\n", quality.energy, quality.branches,
+                   quality.angle_error_mean_deg);
+}
+
+void print_heading(std::ostream& out, const MeshFigures& mesh) {
+  out << formatted("\n%s: %zu vertices, %zu edges, colours: %u (paper: %u), ",
+                   title_of(mesh).c_str(), mesh.vertices, mesh.edges, mesh.greedy_colors,
+                   mesh.luby_colors)
+      << formatted("neighbourhood and normals %.1f ms\n", mesh.neighborhood_milliseconds);
+}
+
+void print_solvers(std::ostream& out, const MeshFigures& mesh) {
+  out << "                         topology    couple   solve ms\n"
+         "solver           threads       ms        ms       min    median  iterations    energy "
+         "branches  angle\n";
+  for (const SolverFigures& solver : mesh.solvers) {
+    out << formatted("%-16s %7d %8.1f %9.1f ", solver.name.c_str(), solver.threads,
+                     solver.topology.median, solver.couple.median)
+        << times(solver.solve) << formatted(" %11d", solver.iterations) << tail(solver.quality);
+  }
+}
+
+void print_frames(std::ostream& out, const MeshFigures& mesh) {
+  out << "                         topology  couple     sum   solve  total ms\n"
+         "                 threads       ms      ms      ms      ms       min    median    energy "
+         "branches  angle\n";
+  for (const FrameFigures& frame : mesh.frames) {
+    out << formatted("%-16s %7d %8.1f %7.2f %7.2f %7.2f ", "frame", frame.threads,
+                     frame.topology.median, frame.couple.median, frame.sum.median,
+                     frame.solve.median)
+        << times(frame.total) << tail(frame.quality);
+  }
+}
+
+void print_memory(std::ostream& out, const MeshFigures& mesh) {
+  if (!mesh.memory) return;
+  const MemoryFigures& memory = *mesh.memory;
+  const auto per_vertex = [&](std::size_t bytes) {
+    return static_cast<double>(bytes) / static_cast<double>(mesh.vertices);
+  };
+  out << formatted("memory           %.0f bytes a vertex beyond the mesh: neighbour lists %.0f, ",
+                   per_vertex(memory.neighborhood + memory.animator),
+                   per_vertex(memory.neighborhood))
+      << formatted("animator %.0f (while it is built %.0f); a second field %.0f more\n",
+                   per_vertex(memory.animator), per_vertex(memory.animator_peak),
+                   per_vertex(memory.sibling));
+}
+
+void print_ratios(std::ostream& out, const std::vector<Ratio>& ratios) {
+  if (ratios.empty()) return;
+  out << "\nratios of medians\n";
+  for (const Ratio& ratio : ratios) {
+    out << formatted("%9.2f = %9.2f %s / %.2f %s   ", ratio.numerator / ratio.denominator,
+                     ratio.numerator, ratio.unit.c_str(), ratio.denominator, ratio.unit.c_str())
+        << ratio.name << '\n';
+  }
+}
+
+/// One line a method, as the paper's plots have one curve a method.
+void print_figure(std::ostream& out, const BenchReport& report) {
+  out << formatted("Figure %d of the paper, fields: %zu\n", report.figure, report.meshes[0].fields)
+      << "                                       colours                         ms\n"
+         "mesh                                 vertices paper ours  method             min    "
+         "median  iterations    energy branches  angle\n";
+  for (const MeshFigures& mesh : report.meshes) {
+    const std::string begin = formatted("%-36s %8zu %5u %4u  ", title_of(mesh).c_str(),
+                                        mesh.vertices, mesh.luby_colors, mesh.greedy_colors);
+    for (const SolverFigures& solver : mesh.solvers) {
+      out << begin << formatted("%-16s", solver.name.c_str()) << times(solver.solve)
+          << formatted(" %11d", solver.iterations) << tail(solver.quality);
+    }
+    for (const FrameFigures& frame : mesh.frames) {
+      out << begin << formatted("%-16s", "frame") << times(frame.total) << formatted(" %11s", "-")
+          << tail(frame.quality);
+    }
+  }
+}
+
+}  // namespace
+
+Machine this_machine() {
+  Machine machine{processor_name(), ThreadLimit::current(), "portable", -1};
+#ifdef BRINDLE_HAS_HIGHWAY
+  machine.instruction_set = simd::target_name();
+#endif
+  double load = 0;
+  if (getloadavg(&load, 1) == 1) machine.load = load;
+  return machine;
+}
+
+std::vector<Ratio> ratios_of(const BenchReport& report) {
+  std::vector<Ratio> ratios;
+  if (report.figure != 0) return ratios;
+  for (const MeshFigures& mesh : report.meshes) add_ratios_of_mesh(mesh, ratios);
+  for (std::size_t i = 1; i < report.meshes.size(); ++i) {
+    if (report.meshes[i].subdivided == 0) continue;
+    add_ratios_of_sizes(report.meshes[i - 1], report.meshes[i], ratios);
+  }
+  return ratios;
+}
+
+Json to_json(const BenchReport& report) {
+  const Machine& machine = report.machine;
+  Json json = {{"machine",
+                {{"processor", machine.processor},
+                 {"threads", machine.threads},
+                 {"instruction_set", machine.instruction_set},
+                 {"load", machine.load}}},
+               {"figure", report.figure},
+               {"meshes", Json::array()},
+               {"ratios", Json::array()},
+               {"notes", report.notes}};
+  for (const MeshFigures& mesh : report.meshes) json["meshes"].push_back(to_json(mesh));
+  for (const Ratio& ratio : ratios_of(report)) {
+    json["ratios"].push_back({{"name", ratio.name},
+                              {"numerator", ratio.numerator},
+                              {"denominator", ratio.denominator},
+                              {"unit", ratio.unit},
+                              {"ratio", ratio.numerator / ratio.denominator}});
+  }
+  return json;
+}
+
+void print_bench_report(std::ostream& out, const BenchReport& report) {
+  const Machine& machine = report.machine;
+  out << formatted("machine: %s, %d thread%s, %s, load before the run ", machine.processor.c_str(),
+                   machine.threads, machine.threads == 1 ? "" : "s",
+                   machine.instruction_set.c_str())
+      << (machine.load < 0 ? "unknown" : formatted("%.1f", machine.load)) << '\n';
+  if (report.figure != 0) {
+    print_figure(out, report);
+  } else {
+    for (const MeshFigures& mesh : report.meshes) {
+      print_heading(out, mesh);
+      print_solvers(out, mesh);
+      print_frames(out, mesh);
+      print_memory(out, mesh);
+    }
+    print_ratios(out, ratios_of(report));
+  }
+  for (const std::string& note : report.notes) out << "note: " << note << '\n';
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,183 @@
+#include "measurements.h"
+
+#include <array>
+#include <numbers>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/pattern/quality.h"
+#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/waves/direction_field.h"
+#include "resident_memory.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kDegree = std::numbers::pi_v<float> / 180;
+constexpr float kZoom = 1.01f;
+
+/// Adds the figures of one of `fields` fields.
+void add(Quality& sum, double energy, const PatternQuality& quality, std::size_t fields) {
+  const double share = 1 / static_cast<double>(fields);
+  sum.energy += share * energy;
+  sum.branches += quality.branches;
+  sum.angle_error_mean_deg += share * quality.angle_error_mean_deg;
+}
+
+/// Two inputs to go back and forth between.
+struct ChangingInput {
+  std::vector<Vec3> positions;
+  std::array<std::vector<Vec3>, 2> directions;
+  std::array<std::vector<float>, 2> frequencies;
+
+  FrameInput frame(int number) const {
+    const auto which = static_cast<std::size_t>(number % 2);
+    return {positions, directions[which], frequencies[which]};
+  }
+  WaveSet waves(int number) const {
+    const auto which = static_cast<std::size_t>(number % 2);
+    return {positions, directions[which], frequencies[which]};
+  }
+};
+
+ChangingInput changing_input(const Surface& surface, const WaveSet& waves) {
+  ChangingInput input{waves.positions,
+                      {waves.directions, rotated(waves.directions, surface.normals, kDegree)},
+                      {waves.frequencies, waves.frequencies}};
+  for (float& frequency : input.frequencies[1]) frequency *= kZoom;
+  return input;
+}
+
+std::vector<ChangingInput> changing_inputs(const Subject& subject) {
+  std::vector<ChangingInput> inputs;
+  for (const WaveSet& field : subject.fields) {
+    inputs.push_back(changing_input(subject.surface, field));
+  }
+  return inputs;
+}
+
+/// An animator for every field, all with their first frame behind them.
+std::vector<StripeAnimator> started_animators(const Subject& subject,
+                                              const std::vector<ChangingInput>& inputs) {
+  std::vector<StripeAnimator> animators;
+  animators.emplace_back(subject.surface.neighborhood);
+  animators[0].frame(inputs[0].frame(0));
+  for (std::size_t field = 1; field < inputs.size(); ++field) {
+    animators.push_back(animators[0].sibling());
+    animators[field].frame(inputs[field].frame(0));
+  }
+  return animators;
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> milliseconds) {
+  std::ranges::sort(milliseconds);
+  const std::size_t count = milliseconds.size();
+  const double median = (milliseconds[(count - 1) / 2] + milliseconds[count / 2]) / 2;
+  return {milliseconds[0], median, static_cast<int>(count)};
+}
+
+void add_crossing_field(Subject& subject) {
+  WaveSet crossing = subject.fields[0];
+  crossing.directions = rotated(crossing.directions, subject.surface.normals, 90 * kDegree);
+  subject.fields.push_back(std::move(crossing));
+}
+
+SolverFigures measure_solver(const Subject& subject, const SolverCase& solver,
+                             const Repetitions& repetitions, const Progress& progress) {
+  StripeOptions options;
+  options.solver = solver.options;
+  SolverFigures figures{solver.name, ThreadLimit::current(), 0, {}, {}, {}, {}};
+  const auto samples = samples_of(repetitions, [&] {
+    StripeMilliseconds sum;
+    figures.quality = {};
+    for (const WaveSet& waves : subject.fields) {
+      const StripePattern pattern = stripe_pattern(subject.surface, waves, options, progress);
+      const StripeMilliseconds& time = pattern.milliseconds;
+      // Averages follow the field; colours and aggregates serve all fields.
+      const bool shared = solver.options.solver != Solver::averaged;
+      sum.topology = shared ? time.topology : sum.topology + time.topology;
+      sum.couple += time.couple;
+      sum.solve += time.solve;
+      figures.iterations = pattern.solution.iterations;
+      add(figures.quality, pattern.solution.energy, pattern.quality, subject.fields.size());
+    }
+    return sum;
+  });
+  figures.topology = spread_of(samples, &StripeMilliseconds::topology);
+  figures.couple = spread_of(samples, &StripeMilliseconds::couple);
+  figures.solve = spread_of(samples, &StripeMilliseconds::solve);
+  return figures;
+}
+
+FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
+                            const Progress& progress) {
+  const std::vector<ChangingInput> inputs = changing_inputs(subject);
+  FrameFigures figures;
+  figures.threads = ThreadLimit::current();
+  figures.topology = spread_of(samples_of(repetitions, [&] {
+    progress.report("topology", 0);
+    StripeAnimator animator(subject.surface.neighborhood);
+    animator.frame(inputs[0].frame(0));
+    return animator.topology_milliseconds();
+  }));
+  std::vector<StripeAnimator> animators = started_animators(subject, inputs);
+  std::vector<std::vector<Complex>> z(inputs.size());
+  int number = 0;
+  const auto samples = samples_of(repetitions, [&] {
+    progress.report("frames", 0);
+    ++number;
+    FrameMilliseconds sum;
+    for (std::size_t field = 0; field < inputs.size(); ++field) {
+      const FrameResult result = animators[field].frame(inputs[field].frame(number));
+      sum.couple += result.milliseconds.couple;
+      sum.sum += result.milliseconds.sum;
+      sum.solve += result.milliseconds.solve;
+      z[field].assign(result.z.begin(), result.z.end());
+    }
+    return sum;
+  });
+  figures.couple = spread_of(samples, &FrameMilliseconds::couple);
+  figures.sum = spread_of(samples, &FrameMilliseconds::sum);
+  figures.solve = spread_of(samples, &FrameMilliseconds::solve);
+  figures.total = spread_of(samples, [](const FrameMilliseconds& frame) {
+    return frame.couple + frame.sum + frame.solve;
+  });
+  for (std::size_t field = 0; field < inputs.size(); ++field) {
+    const WaveSet waves = inputs[field].waves(number);
+    const PhaseGraph graph = build_phase_graph(subject.surface.neighborhood, waves);
+    const auto corners =
+        corner_phases(subject.surface.mesh.triangles, waves, z[field], PhaseShiftKind::aligned);
+    add(figures.quality, energy(graph, z[field]),
+        measure_quality(subject.surface.mesh, waves, corners), inputs.size());
+  }
+  return figures;
+}
+
+std::optional<MemoryFigures> measure_memory(const Subject& subject) {
+  const ChangingInput input = changing_input(subject.surface, subject.fields[0]);
+  const auto resident = [] {
+    return_free_memory();
+    return resident_memory();
+  };
+  const auto growth = [](std::size_t after, std::size_t before) {
+    return after > before ? after - before : 0;
+  };
+  const auto before = resident();
+  if (!before) return std::nullopt;
+  reset_memory_peak();
+  StripeAnimator animator(subject.surface.neighborhood);
+  for (const int number : {0, 1}) animator.frame(input.frame(number));
+  const auto one = resident();
+  StripeAnimator sibling = animator.sibling();
+  for (const int number : {0, 1}) sibling.frame(input.frame(number));
+  const auto two = resident();
+  const Adjacency& neighborhood = *subject.surface.neighborhood;
+  return MemoryFigures{
+      (neighborhood.offsets.size() + neighborhood.neighbors.size()) * sizeof(Index),
+      growth(one->now, before->now), growth(one->peak, before->now), growth(two->now, one->now)};
+}
+
+}  // namespace brindle::tool

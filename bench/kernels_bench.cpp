@@ -1,0 +1,330 @@
+/// How fast the kernels of the solvers are on one thread, against what the machine can copy and
+/// gather at most in the same run. docs/performance.md explains the figures.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "brindle/phases/hierarchy.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/phases/sliced_kernels.h"
+#include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/surface.h"
+#include "brindle/surface/shapes.h"
+#include "brindle/surface/subdivide.h"
+#include "brindle/waves/direction_field.h"
+#include "brindle/waves/frequency_field.h"
+#include "gather.h"
+
+namespace brindle::bench {
+namespace {
+
+constexpr const char* kShape = "vessels,resolution=124";
+constexpr int kSubdivisions[] = {0, 2};
+
+// ---- What the kernels work on -------------------------------------------------------------------
+
+struct Workload {
+  WaveSet waves;
+  Hierarchy hierarchy;
+  std::vector<SlicedWave> sliced_waves;
+  std::vector<float> degree;
+  std::vector<Complex> gauged;
+  std::vector<Complex> momentum;
+  std::vector<std::uint8_t> marked;
+  std::size_t vertices = 0;
+  std::size_t directed_edges = 0;
+  std::size_t summed_entries = 0;  ///< fine entries that add to a coarse one
+  std::size_t inner_entries = 0;   ///< fine entries from a member of an aggregate to an earlier one
+
+  Level& fine() { return hierarchy.levels[0]; }
+  Level& coarse() { return hierarchy.levels[1]; }
+  SliceRange all_slices() { return {0, fine().layout().slice_count()}; }
+};
+
+std::size_t count_below(const std::vector<Index>& entries, std::size_t limit) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(entries, [&](Index entry) { return entry < limit; }));
+}
+
+std::unique_ptr<Workload> make_workload(int subdivisions) {
+  const Surface surface = make_surface(subdivide(make_shape(kShape), subdivisions));
+  const Mesh& mesh = surface.mesh;
+  auto work = std::make_unique<Workload>();
+  work->vertices = mesh.vertex_count();
+  work->directed_edges = surface.neighborhood->directed_edge_count();
+  work->waves = {mesh.positions,
+                 projected_direction_field(Vec3(0.31f, 0.9f, 0.27f), surface.normals),
+                 constant_frequency_field(frequency_of_stripes(40, bounding_box(mesh).diagonal()),
+                                          mesh.vertex_count())};
+  work->hierarchy = build_hierarchy(build_phase_graph(surface.neighborhood, work->waves));
+  descend(work->hierarchy, 2);
+  const SlicedLayout& layout = work->fine().layout();
+  load_waves(layout, work->waves.positions, work->waves.directions, work->waves.frequencies,
+             work->sliced_waves);
+  work->degree.resize(layout.slot_count());
+  work->gauged.resize(layout.entry_count() + 1);
+  work->momentum.resize(layout.slot_count());
+  work->marked.resize(work->coarse().layout().slice_count());
+  const Aggregation& aggregation = work->fine().aggregation();
+  work->summed_entries = count_below(aggregation.sources.entry, layout.entry_count());
+  for (const GaugeRank& rank : aggregation.gauge_ranks) {
+    work->inner_entries += count_below(rank.entry, layout.entry_count());
+  }
+  return work;
+}
+
+// ---- The kernels --------------------------------------------------------------------------------
+
+/// Either implementation.
+struct Kernels {
+  const char* name;
+  CoupleSlices* couple;
+  SweepSlices* sweep;
+  RelaxSlices* relax;
+  GaugeSlices* gauge;
+  GaugeMembers* members;
+  SumSlices* sum;
+  ProlongSlices* prolong;
+  std::uint64_t (*gather)(std::span<const Index>, std::span<const Complex>);
+};
+
+std::vector<Kernels> all_kernels() {
+  return {{"portable", portable::couple_slices, portable::sweep_slices, portable::relax_slices,
+           portable::gauge_slices, portable::gauge_members, portable::sum_slices,
+           portable::prolong_slices, gather_portable},
+#ifdef BRINDLE_HAS_HIGHWAY
+          {"simd", simd::couple_slices, simd::sweep_slices, simd::relax_slices, simd::gauge_slices,
+           simd::gauge_members, simd::sum_slices, simd::prolong_slices, gather_simd}
+#endif
+  };
+}
+
+template <class Update>
+void for_each_color(const SlicedLayout& layout, const Update& update) {
+  for (Index color = 0; color < layout.color_count(); ++color) {
+    update(SliceRange{layout.color_begin[color], layout.color_begin[color + 1]});
+  }
+}
+
+void couple(Workload& work, const Kernels& kernels) {
+  kernels.couple(work.fine().layout(), work.sliced_waves.data(), PhaseShiftKind::aligned, nullptr,
+                 work.fine().couplings, work.degree.data(), work.all_slices());
+}
+
+void sweep(Workload& work, const Kernels& kernels) {
+  Level& level = work.fine();
+  for_each_color(level.layout(), [&](SliceRange color) {
+    kernels.sweep(level.layout(), level.couplings, level.z.data(), color);
+  });
+}
+
+void relax(Workload& work, const Kernels& kernels) {
+  Level& level = work.fine();
+  for_each_color(level.layout(), [&](SliceRange color) {
+    benchmark::DoNotOptimize(kernels.relax(level.layout(), level.couplings, level.z.data(), 0.2f,
+                                           work.momentum.data(), color));
+  });
+}
+
+void members(Workload& work, const Kernels& kernels) {
+  Level& level = work.fine();
+  for (const GaugeRank& rank : level.aggregation().gauge_ranks) {
+    kernels.members(level.layout(), level.couplings, rank.member.data(), rank.round_begin.data(),
+                    rank.entry.data(), level.gauge.data(),
+                    {0, static_cast<Index>(rank.member.size() / kLanes)});
+  }
+}
+
+void gauge(Workload& work, const Kernels& kernels) {
+  kernels.gauge(work.fine().layout(), work.fine().couplings, work.fine().gauge.data(),
+                work.gauged.data(), work.all_slices());
+}
+
+void sum(Workload& work, const Kernels& kernels) {
+  const SlicedLayout& coarse = work.coarse().layout();
+  const SourceRounds& sources = work.fine().aggregation().sources;
+  kernels.sum(coarse, sources.round_begin.data(), sources.entry.data(), work.gauged.data(),
+              work.coarse().couplings.direct.get(), work.marked.data(), {0, coarse.slice_count()});
+}
+
+void prolong(Workload& work, const Kernels& kernels) {
+  kernels.prolong(work.fine().gauge.data(), work.fine().aggregation().coarse_slot.data(),
+                  work.coarse().z.data(), work.fine().z.data(), work.all_slices());
+}
+
+void gather(Workload& work, const Kernels& kernels) {
+  benchmark::DoNotOptimize(kernels.gather(work.fine().layout().neighbor, work.fine().z));
+}
+
+// ---- What is counted ----------------------------------------------------------------------------
+
+/// Bytes of state that an element needs at least, read and written: rows are filled up to the width
+/// of their slice, but filling is not counted, it is a loss.
+struct Job {
+  const char* name;
+  void (*run)(Workload&, const Kernels&);
+  std::size_t Workload::*elements;
+  double bytes;
+  const char* parts;
+};
+
+constexpr double kIndex = sizeof(Index), kComplex = sizeof(Complex), kWave = sizeof(SlicedWave);
+
+// Sums must come after gauge: they read what it wrote.
+const Job kJobs[] = {
+    {"gather", gather, &Workload::directed_edges, kIndex + kComplex, "an edge: index 4, z 8"},
+    {"sweep", sweep, &Workload::directed_edges, kIndex + 2 * kComplex,
+     "an edge: index 4, coupling 8, z 8"},
+    {"relax", relax, &Workload::directed_edges, kIndex + 2 * kComplex,
+     "an edge: index 4, coupling 8, z 8"},
+    {"couple", couple, &Workload::directed_edges, kIndex + kWave + kComplex,
+     "an edge: index 4, wave 32; writes coupling 8"},
+    {"members", members, &Workload::inner_entries, 2 * kIndex + 2 * kComplex,
+     "an edge to an earlier member: entry 4, index 4, coupling 8, gauge 8"},
+    {"gauge", gauge, &Workload::directed_edges, kIndex + 3 * kComplex,
+     "an edge: index 4, coupling 8, gauge 8; writes 8"},
+    {"sum", sum, &Workload::summed_entries, kIndex + kComplex,
+     "a fine edge between aggregates: entry 4, gauged coupling 8"},
+    {"prolong", prolong, &Workload::vertices, kIndex + 3 * kComplex,
+     "a vertex: coarse slot 4, gauge 8, coarse z 8; writes z 8"},
+};
+
+std::string name_of(const std::string& job, const std::string& kernels, std::size_t vertices) {
+  return job + '/' + kernels + '/' + std::to_string(vertices);
+}
+
+void run_job(benchmark::State& state, Workload& work, const Kernels& kernels, const Job& job) {
+  gauge(work, kernels);
+  for (auto _ : state) {
+    job.run(work, kernels);
+    benchmark::ClobberMemory();
+  }
+  const double elements =
+      static_cast<double>(state.iterations()) * static_cast<double>(work.*job.elements);
+  state.counters["elements/s"] = benchmark::Counter(elements, benchmark::Counter::kIsRate);
+  state.counters["bytes/s"] = benchmark::Counter(elements * job.bytes, benchmark::Counter::kIsRate,
+                                                 benchmark::Counter::kIs1024);
+}
+
+/// Copies as many bytes as a sweep's state has; both reading and writing count.
+void run_copy(benchmark::State& state, const Workload& work) {
+  const std::size_t size = work.directed_edges * static_cast<std::size_t>(kIndex + 2 * kComplex);
+  const std::vector<char> from(size, 1);
+  std::vector<char> to(size);
+  for (auto _ : state) {
+    std::memcpy(to.data(), from.data(), size);
+    benchmark::DoNotOptimize(to.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["bytes/s"] =
+      benchmark::Counter(2.0 * static_cast<double>(state.iterations()) * static_cast<double>(size),
+                         benchmark::Counter::kIsRate, benchmark::Counter::kIs1024);
+}
+
+// ---- Ratios -------------------------------------------------------------------------------------
+
+/// Prints medians and keeps the best repetition of every benchmark: what disturbs a measurement can
+/// only make it slower.
+class KeepingReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    std::vector<Run> medians;
+    std::ranges::copy_if(runs, std::back_inserter(medians),
+                         [](const Run& run) { return run.aggregate_name == "median"; });
+    ConsoleReporter::ReportRuns(medians);
+    for (const Run& run : runs) {
+      const auto counter = run.counters.find("bytes/s");
+      if (run.run_type != Run::RT_Iteration || counter == run.counters.end()) continue;
+      double& best = bytes_per_second_[run.run_name.function_name];
+      best = std::max(best, static_cast<double>(counter->second));
+    }
+  }
+
+  /// Zero if it did not run.
+  double bytes_per_second(const std::string& name) const {
+    const auto found = bytes_per_second_.find(name);
+    return found == bytes_per_second_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::map<std::string, double> bytes_per_second_;
+};
+
+double best_gather(const KeepingReporter& reporter, std::size_t vertices) {
+  double best = 0;
+  for (const Kernels& kernels : all_kernels()) {
+    best = std::max(best, reporter.bytes_per_second(name_of("gather", kernels.name, vertices)));
+  }
+  return best;
+}
+
+void print_ratios(const KeepingReporter& reporter, Workload& work) {
+  constexpr double kGiga = 1e9;
+  const double copy = reporter.bytes_per_second(name_of("copy", "memcpy", work.vertices));
+  const double gathers = best_gather(reporter, work.vertices);
+  std::printf("\n%zu vertices, %.3f entries an edge (filling), copy %.2f GB/s, gather %.2f GB/s\n",
+              work.vertices,
+              static_cast<double>(work.fine().layout().entry_count()) /
+                  static_cast<double>(work.directed_edges),
+              copy / kGiga, gathers / kGiga);
+  if (copy <= 0 || gathers <= 0) return;  // filtered out
+  std::printf("kernel             10^6/s    GB/s  / gather   / copy  bytes\n");
+  for (const Job& job : kJobs) {
+    for (const Kernels& kernels : all_kernels()) {
+      const double speed =
+          reporter.bytes_per_second(name_of(job.name, kernels.name, work.vertices));
+      if (speed <= 0) continue;
+      std::printf("%-8s %-8s %7.1f %7.2f %9.2f %8.2f  %.0f %s\n", job.name, kernels.name,
+                  speed / job.bytes / 1e6, speed / kGiga, speed / gathers, speed / copy, job.bytes,
+                  job.parts);
+    }
+  }
+}
+
+void configure(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Unit(benchmark::kMillisecond)->MinTime(0.05)->Repetitions(5);
+}
+
+void register_all(Workload& work, const std::vector<Kernels>& kernels) {
+  configure(
+      benchmark::RegisterBenchmark(name_of("copy", "memcpy", work.vertices).c_str(),
+                                   [&work](benchmark::State& state) { run_copy(state, work); }));
+  for (const Job& job : kJobs) {
+    for (const Kernels& either : kernels) {
+      configure(benchmark::RegisterBenchmark(
+          name_of(job.name, either.name, work.vertices).c_str(),
+          [&](benchmark::State& state) { run_job(state, work, either, job); }));
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  std::vector<std::unique_ptr<Workload>> workloads;
+  const std::vector<Kernels> kernels = all_kernels();
+  for (const int subdivisions : kSubdivisions) {
+    workloads.push_back(make_workload(subdivisions));
+    register_all(*workloads.back(), kernels);
+  }
+  KeepingReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+#ifdef BRINDLE_HAS_HIGHWAY
+  std::printf("\nsimd is %s; best of all repetitions\n", simd::target_name());
+#endif
+  for (const auto& work : workloads) print_ratios(reporter, *work);
+  return 0;
+}
+
+}  // namespace
+}  // namespace brindle::bench
+
+int main(int argc, char** argv) { return brindle::bench::run(argc, argv); }
