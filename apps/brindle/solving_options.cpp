@@ -48,6 +48,10 @@ void add_solving_options(CLI::App& app, SolvingOptions& options) {
   app.add_option("--sweeps", solver.sweeps, "multilevel: sweeps on each level")
       ->type_name("N")
       ->check(CLI::Range(0, 10000));
+  app.add_option("--cycles", solver.cycles,
+                 "multilevel: further descents, each from the last phases")
+      ->type_name("N")
+      ->check(CLI::Range(0, 10000));
   app.add_option("--global-iterations", solver.global_iterations, "global: inverse iterations")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));

@@ -161,6 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--momentum", "1"}, std::vector<std::string>{"--threads", "-1"},
         std::vector<std::string>{"--threads", "two"}, std::vector<std::string>{"--subdivide", "-1"},
         std::vector<std::string>{"--subdivide", "99"}, std::vector<std::string>{"--sweeps", "-1"},
+        std::vector<std::string>{"--cycles", "-1"}, std::vector<std::string>{"--weights", "magic"},
         std::vector<std::string>{"--global-iterations", "0"},
         std::vector<std::string>{"--seed", "-1"}, std::vector<std::string>{"--rotate", "inf"},
         std::vector<std::string>{"--curvature-anchor", "-1"},

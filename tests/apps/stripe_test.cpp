@@ -98,6 +98,13 @@ TEST_F(Stripe, WritesWhatTheExtensionSays) {
   }
 }
 
+TEST_F(Stripe, CyclesLowerTheEnergy) {
+  const auto energy = [&](const char* cycles) {
+    return report({"--stripes", "12", "--cycles", cycles})["energy"].get<double>();
+  };
+  EXPECT_LT(energy("3"), energy("0"));
+}
+
 struct AcceptedOption : Stripe, testing::WithParamInterface<Arguments> {};
 
 TEST_P(AcceptedOption, GivesAPattern) {
@@ -113,7 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
         Arguments{"--field", "curvature", "--curvature-direction", "min"},
         Arguments{"--field", "smooth", "--curvature-anchor", "0.1"}, Arguments{"--rotate", "-90"},
         Arguments{"--stripes", "10"}, Arguments{"--frequency", "5.5"},
-        Arguments{"--solver", "multilevel", "--sweeps", "3"},
+        Arguments{"--solver", "multilevel", "--sweeps", "3"}, Arguments{"--cycles", "2"},
+        Arguments{"--weights", "cotangent"},
         Arguments{"--solver", "relaxation", "--epsilon", "0.001", "--momentum", "0", "--seed", "7"},
         Arguments{"--solver", "averaged"}, Arguments{"--phase-shift", "aligned"},
         Arguments{"--phase-shift", "common_source"}, Arguments{"--phase-shift", "trapezoid"},
