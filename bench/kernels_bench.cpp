@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -108,10 +109,8 @@ std::vector<Kernels> all_kernels() {
 }
 
 template <class Update>
-void for_each_color(const SlicedLayout& layout, const Update& update) {
-  for (Index color = 0; color < layout.color_count(); ++color) {
-    update(SliceRange{layout.color_begin[color], layout.color_begin[color + 1]});
-  }
+void for_each_range(const SlicedLayout& layout, const Update& update) {
+  for (const SliceRange& range : layout.ranges) update(range);
 }
 
 void couple(Workload& work, const Kernels& kernels) {
@@ -121,16 +120,16 @@ void couple(Workload& work, const Kernels& kernels) {
 
 void sweep(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
-  for_each_color(level.layout(), [&](SliceRange color) {
-    kernels.sweep(level.layout(), level.couplings, level.z.data(), color);
+  for_each_range(level.layout(), [&](SliceRange range) {
+    kernels.sweep(level.layout(), level.couplings, level.z.data(), range);
   });
 }
 
 void relax(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
-  for_each_color(level.layout(), [&](SliceRange color) {
+  for_each_range(level.layout(), [&](SliceRange range) {
     benchmark::DoNotOptimize(kernels.relax(level.layout(), level.couplings, level.z.data(), 0.2f,
-                                           work.momentum.data(), color));
+                                           work.momentum.data(), range));
   });
 }
 
@@ -160,8 +159,15 @@ void prolong(Workload& work, const Kernels& kernels) {
                   work.coarse().z.data(), work.fine().z.data(), work.all_slices());
 }
 
+// In the order in which a sweep reads: colour by colour.
 void gather(Workload& work, const Kernels& kernels) {
-  benchmark::DoNotOptimize(kernels.gather(work.fine().layout().neighbor, work.fine().z));
+  const SlicedLayout& layout = work.fine().layout();
+  for_each_range(layout, [&](SliceRange range) {
+    const std::size_t begin = std::size_t{layout.column_begin[range.begin]} * kLanes;
+    const std::size_t end = std::size_t{layout.column_begin[range.end]} * kLanes;
+    benchmark::DoNotOptimize(
+        kernels.gather(std::span(layout.neighbor).subspan(begin, end - begin), work.fine().z));
+  });
 }
 
 // ---- What is counted ----------------------------------------------------------------------------

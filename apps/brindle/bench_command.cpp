@@ -163,7 +163,7 @@ void add_bench_options(CLI::App& app, BenchArguments& bench) {
                     "begin no further repetition of a measurement after S seconds (default 2)")
       ->type_name("S");
   app.add_option("--global-limit", bench.global_limit,
-                 "leave the global solver out above N vertices (default 100000)")
+                 "leave the global solver out above N vertices (default 120000)")
       ->type_name("N")
       ->check(CLI::Range(0, 1 << 30));
   app.add_flag("--quick", bench.quick, "small shapes and two repetitions: does it work at all?");

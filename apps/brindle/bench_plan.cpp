@@ -8,10 +8,10 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kSmallShape = "shape:molecule,resolution=20";
+constexpr const char* kSmallShape = "shape:molecule,resolution=15";
 
 // Of the molecule: 2.5k, 5k, 10k, 20k, 48k, 100k, 200k, 400k and 800k vertices.
-constexpr int kResolutions[] = {20, 28, 40, 57, 88, 127, 180, 254, 360};
+constexpr int kResolutions[] = {15, 22, 30, 44, 65, 93, 133, 188, 265};
 
 std::vector<std::string> growing_shapes(bool quick) {
   std::vector<std::string> meshes;
@@ -27,7 +27,7 @@ std::vector<std::string> different_shapes(bool quick) {
   if (quick) return {"shape:torus,resolution=60", "shape:sphere,resolution=14"};
   return {"shape:sphere,resolution=55",          "shape:torus,resolution=234",
           "shape:trefoil,resolution=54",         "shape:box,resolution=48",
-          "shape:molecule,resolution=70",        "shape:vessels,resolution=98",
+          "shape:molecule,resolution=51",        "shape:vessels,resolution=98",
           "shape:torus,resolution=234,noise=0.3"};
 }
 

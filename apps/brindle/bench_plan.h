@@ -16,7 +16,7 @@ struct BenchArguments {
   int threads = 0;                  ///< most threads; 0: all that the machine has
   std::optional<int> repetitions;
   std::optional<double> budget_seconds;
-  int global_limit = 100000;  ///< vertices above which the global solver is left out
+  int global_limit = 120000;  ///< vertices above which the global solver is left out
   bool quick = false;         ///< small shapes, few repetitions
 };
 

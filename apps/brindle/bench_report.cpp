@@ -37,45 +37,60 @@ const SolverFigures* find_solver(const MeshFigures& mesh, const std::string& nam
   return found;
 }
 
+Ratio ratio_of(const std::string& name, const Spread& numerator, const Spread& denominator) {
+  return {name, "ms", {numerator.median, denominator.median}, {numerator.min, denominator.min}};
+}
+
+Spread later_by(const Spread& spread, double milliseconds) {
+  return {spread.min + milliseconds, spread.median + milliseconds, spread.repetitions};
+}
+
 void add_ratios_of_mesh(const MeshFigures& mesh, std::vector<Ratio>& ratios) {
   const FrameFigures& frame = mesh.frames.back();
   const std::string where = formatted(" (%s, threads: %d)", title_of(mesh).c_str(), frame.threads);
   for (const char* name : {"global 20", "global 1", "relaxation 0.02"}) {
-    const SolverFigures* solver = find_solver(mesh, name);
-    if (!solver) continue;
-    ratios.push_back({name + (" / frame" + where), solver->solve.median, frame.total.median, "ms"});
+    if (const SolverFigures* solver = find_solver(mesh, name)) {
+      ratios.push_back(ratio_of(name + (" / frame" + where), solver->solve, frame.total));
+    }
   }
   if (const SolverFigures* global = find_solver(mesh, "global 20")) {
-    ratios.push_back(
-        {"global 20 / topology" + where, global->solve.median, frame.topology.median, "ms"});
-    ratios.push_back({"global 20 / topology, neighbourhood and normals" + where,
-                      global->solve.median, frame.topology.median + mesh.neighborhood_milliseconds,
-                      "ms"});
+    ratios.push_back(ratio_of("global 20 / topology" + where, global->solve, frame.topology));
+    ratios.push_back(ratio_of("global 20 / topology, neighbourhood and normals" + where,
+                              global->solve,
+                              later_by(frame.topology, mesh.neighborhood_milliseconds)));
   }
-  for (const FrameFigures& other : mesh.frames) {
-    if (&other == &mesh.frames.front()) continue;
-    ratios.push_back(
-        {formatted("frame, 1 thread / %d threads (%s)", other.threads, title_of(mesh).c_str()),
-         mesh.frames.front().total.median, other.total.median, "ms"});
+  for (std::size_t i = 1; i < mesh.frames.size(); ++i) {
+    ratios.push_back(ratio_of(formatted("frame, 1 thread / %d threads (%s)", mesh.frames[i].threads,
+                                        title_of(mesh).c_str()),
+                              mesh.frames[0].total, mesh.frames[i].total));
   }
 }
 
-double nanoseconds_per_vertex(const MeshFigures& mesh, const FrameFigures& frame) {
-  return 1e6 * frame.total.median / static_cast<double>(mesh.vertices);
+double per_vertex_ns(double milliseconds, const MeshFigures& mesh) {
+  return 1e6 * milliseconds / static_cast<double>(mesh.vertices);
 }
 
 void add_ratios_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
                          std::vector<Ratio>& ratios) {
   for (std::size_t i = 0; i < coarse.frames.size(); ++i) {
-    ratios.push_back({formatted("frame per vertex, %zu / %zu vertices (threads: %d)", fine.vertices,
-                                coarse.vertices, coarse.frames[i].threads),
-                      nanoseconds_per_vertex(fine, fine.frames[i]),
-                      nanoseconds_per_vertex(coarse, coarse.frames[i]), "ns"});
+    const Spread &of_fine = fine.frames[i].total, &of_coarse = coarse.frames[i].total;
+    ratios.push_back(
+        {formatted("frame per vertex, %zu / %zu vertices (threads: %d)", fine.vertices,
+                   coarse.vertices, coarse.frames[i].threads),
+         "ns",
+         {per_vertex_ns(of_fine.median, fine), per_vertex_ns(of_coarse.median, coarse)},
+         {per_vertex_ns(of_fine.min, fine), per_vertex_ns(of_coarse.min, coarse)}});
   }
 }
 
 Json to_json(const Spread& spread) {
   return {{"min", spread.min}, {"median", spread.median}, {"repetitions", spread.repetitions}};
+}
+
+Json to_json(const Quotient& quotient) {
+  return {{"numerator", quotient.numerator},
+          {"denominator", quotient.denominator},
+          {"ratio", quotient.value()}};
 }
 
 Json to_json(const Quality& quality) {
@@ -184,11 +199,13 @@ void print_memory(std::ostream& out, const MeshFigures& mesh) {
 
 void print_ratios(std::ostream& out, const std::vector<Ratio>& ratios) {
   if (ratios.empty()) return;
-  out << "\nratios of medians\n";
+  out << "\n   of medians                         of minima\n";
   for (const Ratio& ratio : ratios) {
-    out << formatted("%9.2f = %9.2f %s / %.2f %s   ", ratio.numerator / ratio.denominator,
-                     ratio.numerator, ratio.unit.c_str(), ratio.denominator, ratio.unit.c_str())
-        << ratio.name << '\n';
+    for (const Quotient& quotient : {ratio.median, ratio.min}) {
+      out << formatted("%8.2f = %9.2f / %-8.2f %s", quotient.value(), quotient.numerator,
+                       quotient.denominator, ratio.unit.c_str());
+    }
+    out << "  " << ratio.name << '\n';
   }
 }
 
@@ -249,10 +266,9 @@ Json to_json(const BenchReport& report) {
   for (const MeshFigures& mesh : report.meshes) json["meshes"].push_back(to_json(mesh));
   for (const Ratio& ratio : ratios_of(report)) {
     json["ratios"].push_back({{"name", ratio.name},
-                              {"numerator", ratio.numerator},
-                              {"denominator", ratio.denominator},
                               {"unit", ratio.unit},
-                              {"ratio", ratio.numerator / ratio.denominator}});
+                              {"median", to_json(ratio.median)},
+                              {"min", to_json(ratio.min)}});
   }
   return json;
 }

@@ -38,11 +38,18 @@ struct MeshFigures {
 };
 
 /// Two figures of one run against each other.
-struct Ratio {
-  std::string name;
+struct Quotient {
   double numerator = 0;
   double denominator = 0;
-  std::string unit;  ///< of both
+
+  double value() const { return numerator / denominator; }
+};
+
+struct Ratio {
+  std::string name;
+  std::string unit;  ///< of numerators and denominators
+  Quotient median;   ///< of medians
+  Quotient min;      ///< of minima, which others on the machine disturb less
 };
 
 struct BenchReport {
@@ -52,7 +59,7 @@ struct BenchReport {
   std::vector<std::string> notes;
 };
 
-/// What the medians of a default run say of the goals: frames and topology against the other
+/// What a default run says of the goals: frames and topology against the other
 /// solvers, a finer mesh against its original, many threads against one. Empty for a figure.
 std::vector<Ratio> ratios_of(const BenchReport& report);
 
