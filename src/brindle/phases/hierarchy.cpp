@@ -188,9 +188,9 @@ Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
   topology->layout = sliced_layout(*graph.adjacency, greedy_coloring(*graph.adjacency),
                                    breadth_first_order(*graph.adjacency));
   hierarchy.levels.push_back(make_level(topology));
+  std::vector<Complex> gauged(topology->layout.entry_count() + 1);
   hierarchy.topology_milliseconds += watch.lap();
   load_couplings(graph, topology->layout, hierarchy.levels[0].couplings);
-  std::vector<Complex> gauged(topology->layout.entry_count() + 1);
   hierarchy.numeric_milliseconds += watch.lap();
   while (topology->layout.entry_count() > 0) {
     Level& fine = hierarchy.levels.back();

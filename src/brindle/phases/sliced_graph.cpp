@@ -101,7 +101,7 @@ SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
 }
 
 SlicedCouplings::SlicedCouplings(const SlicedLayout& layout)
-    : direct(std::make_unique_for_overwrite<float[]>(2 * layout.entry_count())),
+    : direct(std::make_unique<float[]>(2 * layout.entry_count())),
       reflecting(std::make_unique_for_overwrite<ReflectingCoupling[]>(layout.entry_count())),
       reflecting_count(layout.slice_count()) {}
 
