@@ -63,6 +63,19 @@ TEST(Coloring, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(luby_coloring(*surface.neighborhood).color, alone.color);
 }
 
+TEST(Coloring, LubysColorsDoNotTellTheRandomStart) {
+  const auto surface = wavy_surface("sphere,resolution=40", Vec3(0, 1, 0), 5);
+  const Coloring coloring = luby_coloring(*surface.neighborhood);
+  std::complex<double> sum = 0;
+  double count = 0;
+  for (Index node = 0; node < coloring.color.size(); ++node) {
+    if (coloring.color[node] != 0) continue;
+    sum += std::complex<double>(random_phase(node));
+    ++count;
+  }
+  EXPECT_LT(std::abs(sum) / count, 0.1);
+}
+
 TEST(OneAtATime, PhasesAreSpreadEvenly) {
   std::complex<double> sum = 0;
   for (Index node = 0; node < 10000; ++node) sum += std::complex<double>(random_phase(node));

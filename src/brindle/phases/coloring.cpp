@@ -16,8 +16,11 @@ constexpr Index kUncolored = ~Index{0};
 Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed) {
   const std::size_t nodes = adjacency.node_count();
   std::vector<Index> color(nodes, kUncolored);
-  // Ties of the hash go to the larger node number.
-  const auto priority = [seed](Index node) { return std::pair(one_at_a_time(node + seed), node); };
+  // Hashed twice: the random start hashes the same numbers once, and nodes whose place in the order
+  // told their phase would draw all others towards the same phases. Ties go to the larger number.
+  const auto priority = [seed](Index node) {
+    return std::pair(one_at_a_time(one_at_a_time(node + seed)), node);
+  };
 
   std::vector<Index> remaining(nodes);
   for (Index node = 0; node < nodes; ++node) remaining[node] = node;
