@@ -18,6 +18,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe shape:torus --output torus.png
   brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
   brindle compare horse.ply --stripes 160
+  brindle animate horse.ply --scene vortices --output vortices.mp4
   brindle info horse.ply
 
 'brindle COMMAND --help' tells more of each command.)";
@@ -75,7 +76,8 @@ ExitCode parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kExamples);
   const std::vector<Command> commands = {add_stripe_command(app), add_compare_command(app),
-                                         add_info_command(app), add_bench_command(app)};
+                                         add_animate_command(app), add_info_command(app),
+                                         add_bench_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -7,23 +7,12 @@
 #include <vector>
 
 #include "brindle/base/error.h"
-#include "brindle/pattern/quality.h"
-#include "brindle/render/renderer.h"
 #include "option_values.h"
+#include "picture_options.h"
 
 namespace brindle::tool {
 
-enum class View { stripes, branches, angle_error };
-
-struct PictureOptions {
-  View view = View::stripes;
-  std::optional<UpAxis> up;  // the user's choice
-  RenderOptions render;
-};
-
 namespace {
-
-constexpr float kLargestAngleErrorDeg = 30;  // darkest colour of the angle_error view
 
 std::optional<View> view_of(std::string_view name) {
   if (name == "stripes") return View::stripes;
@@ -90,15 +79,6 @@ void set_colors(RenderOptions& render, const std::string& option, const std::str
   if (colors.size() == 3) render.background_center = render.background_edge = colors[2];
 }
 
-Overlay overlay_of(View view, const Surface& surface, const StripePattern& pattern) {
-  if (view == View::branches) return branch_overlay(surface.mesh, pattern.corners);
-  if (view == View::angle_error) {
-    return error_overlay(angle_errors_deg(surface.mesh, pattern.waves, pattern.corners),
-                         kLargestAngleErrorDeg);
-  }
-  return {};
-}
-
 // An option whose text changes the rendering options.
 template <class Set>
 CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOptions& render,
@@ -137,19 +117,33 @@ void stand_on_z(PictureOptions& options) {
 
 void check_pictures_available() {}
 
+Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
+                   std::span<const CornerPhases> corners) {
+  constexpr float kLargestAngleErrorDeg = 30;  // darkest colour of the angle_error view
+  if (view == View::branches) return branch_overlay(mesh, corners);
+  if (view == View::angle_error) {
+    return error_overlay(angle_errors_deg(mesh, waves, corners), kLargestAngleErrorDeg);
+  }
+  return {};
+}
+
+RenderOptions render_options(const PictureOptions& options) {
+  RenderOptions render = options.render;
+  if (options.view != View::stripes) render = with_faint_stripes(render);
+  render.camera.up = options.up.value_or(render.camera.up);
+  return render;
+}
+
 void write_picture(const std::filesystem::path& path, const Surface& surface,
                    const StripePattern& pattern, const PictureOptions& options) {
-  const Overlay overlay = overlay_of(options.view, surface, pattern);
+  const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
   const StripeScene scene{.mesh = surface.mesh,
                           .normals = surface.normals,
                           .waves = &pattern.waves,
                           .z = pattern.solution.z,
                           .triangle_colors = overlay.triangle_colors,
                           .marks = overlay.marks};
-  RenderOptions render = options.render;
-  if (options.view != View::stripes) render = with_faint_stripes(render);
-  render.camera.up = options.up.value_or(render.camera.up);
-  write_png(path, render_picture(scene, render));
+  write_png(path, render_picture(scene, render_options(options)));
 }
 
 }  // namespace brindle::tool

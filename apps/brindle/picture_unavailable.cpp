@@ -1,4 +1,5 @@
 #include "brindle/base/error.h"
+#include "moving_picture.h"
 #include "picture.h"
 
 namespace brindle::tool {
@@ -19,5 +20,19 @@ void write_picture(const std::filesystem::path& /*path*/, const Surface& /*surfa
                    const StripePattern& /*pattern*/, const PictureOptions& /*options*/) {
   check_pictures_available();
 }
+
+struct MovingPicture::State {};
+
+MovingPicture::MovingPicture(FrameOutput /*output*/, const PictureOptions& /*options*/,
+                             int /*frames_per_second*/) {
+  check_pictures_available();
+}
+
+MovingPicture::~MovingPicture() = default;
+
+void MovingPicture::add(const SceneFrame& /*frame*/, std::span<const Complex> /*z*/,
+                        std::span<const CornerPhases> /*corners*/) {}
+
+void MovingPicture::finish() {}
 
 }  // namespace brindle::tool

@@ -48,19 +48,34 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
   return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies)};
 }
 
+}  // namespace
+
 float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
   if (options.frequency) return *options.frequency;
   return frequency_of_stripes(options.stripes.value_or(kDefaultStripes),
                               bounding_box(mesh).diagonal());
 }
 
-}  // namespace
+CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options) {
+  return add_parsed_option(app, "--direction", options.direction, direction_of,
+                           "one vector for all vertices, projected into the tangent planes")
+      ->type_name("X,Y,Z");
+}
+
+void add_frequency_options(CLI::App& app, WaveOptions& options) {
+  CLI::Option* stripes =
+      add_parsed_option(app, "--stripes", options.stripes, positive_number_of,
+                        "stripes along the diagonal of the bounding box (default 40)")
+          ->type_name("N");
+  add_parsed_option(app, "--frequency", options.frequency, positive_number_of,
+                    "stripes per unit length, instead of --stripes; either goes before the "
+                    "frequencies of a field file")
+      ->type_name("F")
+      ->excludes(stripes);
+}
 
 void add_wave_options(CLI::App& app, WaveOptions& options) {
-  CLI::Option* direction =
-      add_parsed_option(app, "--direction", options.direction, direction_of,
-                        "one vector for all vertices, projected into the tangent planes")
-          ->type_name("X,Y,Z");
+  CLI::Option* direction = add_direction_option(app, options);
   app.add_option("--field", options.field,
                  "smooth (default), curvature, or a CSV file with one row a vertex: x,y,z or "
                  "x,y,z,frequency")
@@ -75,15 +90,7 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_parsed_option(app, "--rotate", options.rotate_deg, number_of,
                     "turn the field about the normals, in degrees")
       ->type_name("DEG");
-  CLI::Option* stripes =
-      add_parsed_option(app, "--stripes", options.stripes, positive_number_of,
-                        "stripes along the diagonal of the bounding box (default 40)")
-          ->type_name("N");
-  add_parsed_option(app, "--frequency", options.frequency, positive_number_of,
-                    "stripes per unit length, instead of --stripes; either goes before the "
-                    "frequencies of a field file")
-      ->type_name("F")
-      ->excludes(stripes);
+  add_frequency_options(app, options);
 }
 
 WaveSet make_waves(const Surface& surface, const WaveOptions& options) {

@@ -22,7 +22,17 @@ struct WaveOptions {
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
 };
 
+/// --direction alone.
+CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
+
+/// --stripes and --frequency.
+void add_frequency_options(CLI::App& app, WaveOptions& options);
+
+/// All options.
 void add_wave_options(CLI::App& app, WaveOptions& options);
+
+/// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
+float constant_frequency(const Mesh& mesh, const WaveOptions& options);
 
 /// One wave per vertex, without phases. Throws Error if a field file does not fit.
 WaveSet make_waves(const Surface& surface, const WaveOptions& options);

@@ -13,7 +13,7 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_F(ToolTest, HelpHasExamples) {
   EXPECT_TRUE(has(run({"--help"}).out, "Examples:"));
-  for (const char* command : {"stripe", "compare", "info", "bench"}) {
+  for (const char* command : {"stripe", "compare", "animate", "info", "bench"}) {
     const ToolResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;

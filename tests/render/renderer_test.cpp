@@ -1,5 +1,7 @@
 #include "brindle/render/renderer.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "brindle/base/error.h"
@@ -274,6 +276,40 @@ TEST(HeadlessContext, SeveralLiveSideBySide) {
   Studio::shared().context.make_current();
   const Image image = Studio::shared().draw({.mesh = square(1)}, plain_options());
   EXPECT_EQ(image.at(80, 60).alpha, 255);
+}
+
+TEST(Renderer, AChangedSceneLooksLikeAnUploadedOne) {
+  const WavySurface before = plane_wave(saddle(6), Vec3::UnitX(), 8);
+  const WavySurface after = random_waves(saddle(6), 6);
+  Renderer& renderer = Studio::shared().renderer;
+  renderer.upload(before.scene());
+  renderer.update({.waves = &after.waves, .z = after.z});
+  const Image changed = renderer.draw(plain_options());
+  EXPECT_EQ(changed.pixels, Studio::shared().draw(after.scene(), plain_options()).pixels);
+  EXPECT_NE(changed.pixels, Studio::shared().draw(before.scene(), plain_options()).pixels);
+}
+
+TEST(Renderer, MovingVerticesDoNotMoveTheCamera) {
+  const WavySurface surface = plane_wave(saddle(6), Vec3::UnitX(), 8);
+  std::vector<Vec3> half = surface.mesh.positions;
+  for (Vec3& p : half) p *= 0.5f;
+  const auto covered = [](const Image& image) {
+    return std::ranges::count_if(image.pixels, [](const Pixel& p) { return p.alpha > 127; });
+  };
+  Renderer& renderer = Studio::shared().renderer;
+  const auto whole = covered(Studio::shared().draw(surface.scene(), plain_options()));
+  renderer.update({.positions = half});
+  const auto quarter = covered(renderer.draw(plain_options()));
+  EXPECT_GT(quarter, whole / 8);
+  EXPECT_LT(quarter, whole / 2);
+}
+
+TEST(Renderer, RefusesChangesOfAnotherSize) {
+  const WavySurface surface = plane_wave(square(2), Vec3::UnitX(), 8);
+  Studio::shared().renderer.upload(surface.scene());
+  const std::vector<Vec3> three(3);
+  EXPECT_THROW(Studio::shared().renderer.update({.positions = three}), Error);
+  EXPECT_THROW(Studio::shared().renderer.update({.normals = three}), Error);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/pipeline/field_animator.h"
+#include "brindle/pipeline/smooth_field_animator.h"
 #include "brindle/pipeline/surface.h"
 
 namespace brindle {

@@ -10,7 +10,7 @@
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/pipeline/brush_stroke.h"
-#include "brindle/pipeline/field_animator.h"
+#include "brindle/pipeline/smooth_field_animator.h"
 #include "brindle/surface/normals.h"
 #include "brindle/waves/direction_field.h"
 
@@ -138,7 +138,7 @@ struct Scene::State {
   std::shared_ptr<const Adjacency> neighborhood;
   BrushStroke stroke;
   std::vector<FieldAnchor> anchors;
-  std::optional<FieldAnimator> field;
+  std::optional<SmoothFieldAnimator> field;
   int drawn = -1;  // the last frame that `field` was solved for
 
   void brush(int number);
@@ -146,13 +146,14 @@ struct Scene::State {
 
 void Scene::State::brush(int number) {
   if (number < drawn || !field) {
-    field.emplace(neighborhood, frame.normals);
+    field.emplace(Surface{frame.mesh, neighborhood, frame.normals});
     drawn = -1;
   }
   const float step = (stroke.length + stroke.radius) / kBrushFrames;
   for (; drawn < number; ++drawn) {
     anchors_up_to(stroke, static_cast<float>(drawn + 1) * step, anchors);
-    frame.waves.directions = field->frame(anchors);
+    const std::span<const Vec3> directions = field->frame(anchors);
+    frame.waves.directions.assign(directions.begin(), directions.end());
   }
   if (!stroke.path.empty()) {
     frame.points = {brush_tip(stroke, static_cast<float>(number) * step)};

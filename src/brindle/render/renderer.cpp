@@ -99,15 +99,27 @@ void check_count(std::size_t count, std::size_t wanted, const char* what, const 
               std::to_string(wanted) + " " + of);
 }
 
+void check_waves(const WaveSet* waves, std::size_t vertices) {
+  if (waves == nullptr) return;
+  check_count(waves->directions.size(), vertices, "directions", "vertices");
+  check_count(waves->frequencies.size(), vertices, "frequencies", "vertices");
+}
+
 void check_scene(const StripeScene& scene) {
   const std::size_t vertices = scene.mesh.vertex_count();
   check_count(scene.normals.size(), vertices, "normals", "vertices");
   check_count(scene.z.size(), vertices, "phases", "vertices");
   check_count(scene.triangle_colors.size(), scene.mesh.triangle_count(), "triangle colours",
               "triangles");
-  if (scene.waves == nullptr) return;
-  check_count(scene.waves->directions.size(), vertices, "directions", "vertices");
-  check_count(scene.waves->frequencies.size(), vertices, "frequencies", "vertices");
+  check_waves(scene.waves, vertices);
+}
+
+void check_change(const SceneChange& change, std::size_t vertices, std::size_t triangles) {
+  check_count(change.positions.size(), vertices, "positions", "vertices");
+  check_count(change.normals.size(), vertices, "normals", "vertices");
+  check_count(change.z.size(), vertices, "phases", "vertices");
+  check_count(change.triangle_colors.size(), triangles, "triangle colours", "triangles");
+  check_waves(change.waves, vertices);
 }
 
 void check_options(const RenderOptions& options) {
@@ -221,6 +233,7 @@ struct Renderer::State {
   GlVertexArray no_attributes;
 
   std::vector<Vec3> points;  ///< what a camera has to frame
+  std::size_t vertex_count = 0;
   std::size_t triangle_count = 0;
   std::array<GlBuffer, 7> buffers;
   GLsizei mark_count = 0;
@@ -333,6 +346,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::upload(const StripeScene& scene) {
   check_scene(scene);
   state_->points = points_of_triangles(scene.mesh);
+  state_->vertex_count = scene.mesh.vertex_count();
   state_->triangle_count = scene.mesh.triangle_count();
   auto& buffers = state_->buffers;
   buffers = {};
@@ -345,6 +359,21 @@ void Renderer::upload(const StripeScene& scene) {
   buffers[kMarks] = buffer_of(packed_marks(scene.marks), "marks");
   state_->mark_count = static_cast<GLsizei>(scene.marks.size());
   check_gl("copying the mesh to OpenGL");
+}
+
+void Renderer::update(const SceneChange& change) {
+  check_change(change, state_->vertex_count, state_->triangle_count);
+  auto& buffers = state_->buffers;
+  if (!change.positions.empty()) buffers[kPositions] = buffer_of(change.positions, "positions");
+  if (!change.normals.empty()) buffers[kNormals] = buffer_of(change.normals, "normals");
+  if (change.waves != nullptr) buffers[kWaves] = buffer_of(packed_waves(*change.waves), "waves");
+  if (!change.z.empty()) buffers[kPhases] = buffer_of(change.z, "phases");
+  if (!change.triangle_colors.empty()) {
+    buffers[kTriangleColors] = buffer_of(packed_colors(change.triangle_colors), "triangle colours");
+  }
+  buffers[kMarks] = buffer_of(packed_marks(change.marks), "marks");
+  state_->mark_count = static_cast<GLsizei>(change.marks.size());
+  check_gl("copying a change of the scene to OpenGL");
 }
 
 Image Renderer::draw(const RenderOptions& options) const {

@@ -25,6 +25,17 @@ struct StripeScene {
   std::span<const Mark> marks = {};
 };
 
+/// What has changed in a scene that was uploaded before. Spans left empty and no waves leave what
+/// was there; marks are replaced in any case.
+struct SceneChange {
+  std::span<const Vec3> positions = {};  ///< one per vertex
+  std::span<const Vec3> normals = {};    ///< one per vertex
+  const WaveSet* waves = nullptr;
+  std::span<const Complex> z = {};
+  std::span<const TriangleColor> triangle_colors = {};
+  std::span<const Mark> marks = {};
+};
+
 struct RenderOptions {
   int width = 1200;   ///< pixels
   int height = 900;   ///< pixels
@@ -68,6 +79,10 @@ class Renderer {
   /// Copies the scene to OpenGL, in place of the last one.
   /// Throws Error if sizes do not match or the scene is larger than the driver's buffers.
   void upload(const StripeScene& scene);
+
+  /// Copies what has changed since the last upload. The camera goes on framing the mesh as it was
+  /// uploaded, so that moving vertices do not move it. Throws as `upload` does.
+  void update(const SceneChange& change);
 
   /// Draws the uploaded scene. Pictures larger than the driver's framebuffers are drawn in tiles.
   /// Throws Error if an option is out of its range or the picture is beyond the limits of image.h.

@@ -1,0 +1,164 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "animation.h"
+#include "brindle/base/parallel.h"
+#include "commands.h"
+#include "frame_output.h"
+#include "moving_picture.h"
+#include "option_values.h"
+#include "outputs.h"
+#include "picture.h"
+#include "progress_display.h"
+#include "surface_options.h"
+#include "wave_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  brindle animate horse.ply --scene zoom --output zoom.mp4
+  brindle animate horse.ply --scene vortices --size 640x480 --output frames/%04d.png
+  brindle animate horse.ply --scene zoom --compare-from-scratch --report zoom.json
+  brindle animate horse.ply --scene rotate --solver relaxation --iterations 3 --output paper.mp4
+  brindle animate shape:trefoil --scene brush --frames 150 --output brush.mp4
+
+Scenes: zoom, the frequency grows by 1 % a frame; vortices, two vortex cores orbit the surface;
+rotate, the direction turns by 1 degree a frame; wobble, a wave moves the vertices; brush, a stroke
+is drawn and a smooth field follows it. Frames are numbered from 0. Without --output the frames are
+solved and measured only.)";
+
+struct AnimateArguments {
+  SurfaceOptions surface;
+  AnimationOptions animation;
+  WaveOptions waves;
+  int threads = 0;
+  int frames_per_second = 30;
+  std::shared_ptr<PictureOptions> picture;
+  std::optional<FrameOutput> output;
+  std::string report;
+  bool quiet = false;
+};
+
+std::optional<FrameSolver> frame_solver_of(std::string_view name) {
+  if (name == "multilevel") return FrameSolver::multilevel;
+  if (name == "relaxation") return FrameSolver::relaxation;
+  return std::nullopt;
+}
+
+std::optional<PhaseShiftKind> smooth_phase_shift(std::string_view name) {
+  const auto kind = phase_shift_kind(name);
+  return kind == PhaseShiftKind::common_source ? std::nullopt : kind;
+}
+
+float lambda_of(const std::string& option, const std::string& text) {
+  const float value = number_of(option, text);
+  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
+  return value;
+}
+
+void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
+  AnimationOptions& animation = arguments.animation;
+  add_named_option(app, "--scene", animation.scene.kind, scene_kind,
+                   "zoom|vortices|rotate|wobble|brush", "what changes (default zoom)");
+  app.add_option("--frames", animation.frames, "how many (default 121: frames 0 to 120)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  add_direction_option(app, arguments.waves)
+      ->description("zoom, rotate, wobble: the global vector (default 0.31,0.9,0.27)");
+  add_frequency_options(app, arguments.waves);
+}
+
+void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
+  add_named_option(app, "--solver", animator.solver, frame_solver_of, "multilevel|relaxation",
+                   "multilevel (default), or the paper's iterations from the last frame's phases");
+  add_parsed_option(app, "--lambda", animator.lambda, lambda_of,
+                    "multilevel: how strongly a frame holds on to the last one; 0: not at all "
+                    "(default " +
+                        std::to_string(animator.lambda).substr(0, 4) + ")")
+      ->type_name("L");
+  app.add_option("--sweeps", animator.sweeps, "multilevel: sweeps on each level")
+      ->type_name("N")
+      ->check(CLI::Range(0, 10000));
+  app.add_option("--iterations", animator.iterations, "relaxation: iterations a frame (default 3)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  add_named_option(app, "--phase-shift", animator.phase_shift, smooth_phase_shift,
+                   "aligned|trapezoid", "distance between two waves");
+}
+
+void add_output_options(CLI::App& app, AnimateArguments& arguments) {
+  add_parsed_option(app, "-o,--output", arguments.output, frame_output_of,
+                    "one picture a frame, or a video through the ffmpeg program")
+      ->type_name("%04d.png|FILE.mp4");
+  app.add_option("--fps", arguments.frames_per_second, "video: frames a second (default 30)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--compare-from-scratch", arguments.animation.compare_from_scratch,
+               "also solve every frame without its last one, and print both");
+  app.add_option("--report", arguments.report, "write the figures of all frames here")
+      ->type_name("FILE.json");
+}
+
+void check_outputs(const AnimateArguments& arguments) {
+  if (arguments.output) {
+    check_pictures_available();
+    check_frame_output(*arguments.output);
+  }
+  if (!arguments.report.empty()) plan_report(arguments.report);
+  const SceneKind kind = arguments.animation.scene.kind;
+  if (arguments.waves.direction && (kind == SceneKind::vortices || kind == SceneKind::brush)) {
+    throw CLI::ValidationError(
+        "--direction", "the scene '" + std::string(name_of(kind)) + "' has a field of its own");
+  }
+}
+
+void run(AnimateArguments arguments) {
+  check_outputs(arguments);
+  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  const ThreadLimit threads(arguments.threads);
+  AnimationReport report;
+  {
+    ProgressDisplay display(arguments.quiet);
+    display.stage("loading " + arguments.surface.mesh);
+    LoadedMesh loaded = load_mesh(arguments.surface);
+    display.note(describe(loaded.repair));
+    const Surface surface = make_surface(std::move(loaded.mesh));
+    AnimationOptions& animation = arguments.animation;
+    animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
+    animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
+    std::optional<MovingPicture> picture;
+    ShowFrame show;
+    if (arguments.output) {
+      picture.emplace(*arguments.output, *arguments.picture, arguments.frames_per_second);
+      show = [&](const auto&... frame) { picture->add(frame...); };
+    }
+    report = play(surface, animation, show, display.progress());
+    if (picture) picture->finish();
+    if (!arguments.report.empty()) write_json(arguments.report, to_json(report));
+  }
+  if (!arguments.quiet) print_report(std::cout, report);
+}
+
+}  // namespace
+
+Command add_animate_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("animate", "Let stripes follow changing input");
+  command->footer(kExamples);
+  const auto arguments = std::make_shared<AnimateArguments>();
+  add_surface_options(*command, arguments->surface);
+  add_scene_options(*command, *arguments);
+  add_animator_options(*command, arguments->animation.animator);
+  command->add_option("--threads", arguments->threads, "0: all that the machine has (default)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  add_output_options(*command, *arguments);
+  arguments->picture = add_picture_options(*command);
+  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
+  return {command, [arguments] { run(*arguments); }};
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,211 @@
+#include "animation.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/waves/phase_graph.h"
+#include "formatted.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr int kPrintedRows = 12;
+
+FrameInput input_of(const WaveSet& waves) {
+  return {waves.positions, waves.directions, waves.frequencies};
+}
+
+/// A frame's phases, lifted and measured.
+struct Measured {
+  FrameFigures figures;
+  std::vector<CornerPhases> corners;
+};
+
+Measured measure(const SceneFrame& frame, const PhaseGraph& graph, const FrameResult& result,
+                 PhaseShiftKind kind) {
+  Measured m;
+  m.corners = corner_phases(frame.mesh.triangles, frame.waves, result.z, kind);
+  m.figures.energy = energy(graph, result.z);
+  m.figures.quality = measure_quality(frame.mesh, frame.waves, m.corners);
+  m.figures.phase_step = result.phase_step;
+  return m;
+}
+
+double total(const FrameMilliseconds& time) { return time.couple + time.sum + time.solve; }
+
+/// The mean over the frames after the first.
+template <class Value>
+double mean(const std::vector<FrameReport>& frames, Value value) {
+  if (frames.size() < 2) return 0;
+  double sum = 0;
+  for (std::size_t n = 1; n < frames.size(); ++n) sum += value(frames[n]);
+  return sum / static_cast<double>(frames.size() - 1);
+}
+
+double ratio(double value, double other) { return other > 0 ? value / other : 0; }
+
+nlohmann::ordered_json to_json(const FrameFigures& figures) {
+  return {{"energy", figures.energy},
+          {"branches", figures.quality.branches},
+          {"angle_error_mean_deg", figures.quality.angle_error_mean_deg},
+          {"phase_step", figures.phase_step}};
+}
+
+nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
+  nlohmann::ordered_json json = {{"frame", number}};
+  json.update(to_json(report.figures));
+  json["unchanged"] = report.unchanged;
+  json["milliseconds"] = {{"scene", report.scene_milliseconds},
+                          {"couple", report.milliseconds.couple},
+                          {"sum", report.milliseconds.sum},
+                          {"solve", report.milliseconds.solve},
+                          {"render", report.render_milliseconds}};
+  if (report.from_scratch) json["from_scratch"] = to_json(*report.from_scratch);
+  return json;
+}
+
+/// The figures of `figures` against those of `scratch`.
+nlohmann::ordered_json comparison(const FrameFigures& figures, const FrameFigures& scratch) {
+  return {{"energy_ratio", ratio(figures.energy, scratch.energy)},
+          {"phase_step_ratio", ratio(figures.phase_step, scratch.phase_step)},
+          {"angle_error_above_deg",
+           figures.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg},
+          {"branches_ratio", ratio(static_cast<double>(figures.quality.branches),
+                                   static_cast<double>(scratch.quality.branches))}};
+}
+
+nlohmann::ordered_json means(const std::vector<FrameReport>& frames) {
+  const auto of = [&](auto value) { return mean(frames, value); };
+  return {{"energy", of([](const FrameReport& f) { return f.figures.energy; })},
+          {"phase_step", of([](const FrameReport& f) { return f.figures.phase_step; })},
+          {"milliseconds",
+           {{"scene", of([](const FrameReport& f) { return f.scene_milliseconds; })},
+            {"couple", of([](const FrameReport& f) { return f.milliseconds.couple; })},
+            {"sum", of([](const FrameReport& f) { return f.milliseconds.sum; })},
+            {"solve", of([](const FrameReport& f) { return f.milliseconds.solve; })},
+            {"render", of([](const FrameReport& f) { return f.render_milliseconds; })}}}};
+}
+
+std::string row(std::size_t number, const FrameReport& report) {
+  const FrameFigures& figures = report.figures;
+  std::string text =
+      formatted("%5zu %9.6f %9zu %9.2f %9.4f %7.2f %7.2f %7.2f", number, figures.energy,
+                figures.quality.branches, figures.quality.angle_error_mean_deg, figures.phase_step,
+                report.milliseconds.couple, report.milliseconds.sum, report.milliseconds.solve);
+  if (report.from_scratch) {
+    const FrameFigures& scratch = *report.from_scratch;
+    text += formatted("  | %9.6f %9zu %9.2f %9.4f", scratch.energy, scratch.quality.branches,
+                      scratch.quality.angle_error_mean_deg, scratch.phase_step);
+  }
+  return text + '\n';
+}
+
+void print_comparison(std::ostream& out, std::size_t number, const FrameReport& report) {
+  const FrameFigures& figures = report.figures;
+  const FrameFigures& scratch = *report.from_scratch;
+  out << formatted("frame %zu against from scratch\n", number)
+      << formatted("  energy       %.6f / %.6f = %.3f\n", figures.energy, scratch.energy,
+                   ratio(figures.energy, scratch.energy))
+      << formatted("  phase step   %.4f / %.4f = %.3f\n", figures.phase_step, scratch.phase_step,
+                   ratio(figures.phase_step, scratch.phase_step))
+      << formatted("  angle error  %.2f - %.2f = %.2f degrees\n",
+                   figures.quality.angle_error_mean_deg, scratch.quality.angle_error_mean_deg,
+                   figures.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg);
+}
+
+}  // namespace
+
+AnimationReport play(const Surface& surface, const AnimationOptions& options, const ShowFrame& show,
+                     const Progress& progress) {
+  AnimationReport report;
+  report.scene = options.scene.kind;
+  report.options = options.animator;
+  report.vertices = surface.mesh.vertex_count();
+  report.triangles = surface.mesh.triangle_count();
+  report.edges = surface.neighborhood->edge_count();
+  report.threads = ThreadLimit::current();
+  Scene scene(surface, options.scene);
+  StripeAnimator animator(surface.neighborhood, options.animator);
+  AnimatorOptions without_last = options.animator;
+  without_last.solver = FrameSolver::multilevel;
+  without_last.lambda = 0;
+  StripeAnimator scratch(surface.neighborhood, without_last);
+  const PhaseShiftKind kind = options.animator.phase_shift;
+  Stopwatch watch;
+  for (int number = 0; number < options.frames; ++number) {
+    progress.report("frames", static_cast<double>(number) / options.frames);
+    FrameReport& frame_report = report.frames.emplace_back();
+    watch.lap();
+    const SceneFrame& frame = scene.frame(number);
+    frame_report.scene_milliseconds = watch.lap();
+    const FrameResult result = animator.frame(input_of(frame.waves));
+    frame_report.milliseconds = result.milliseconds;
+    frame_report.unchanged = result.unchanged;
+    const PhaseGraph graph = build_phase_graph(surface.neighborhood, frame.waves, kind);
+    const Measured measured = measure(frame, graph, result, kind);
+    frame_report.figures = measured.figures;
+    if (options.compare_from_scratch) {
+      const FrameResult again = scratch.frame(input_of(frame.waves));
+      frame_report.from_scratch = measure(frame, graph, again, kind).figures;
+    }
+    watch.lap();
+    if (show) show(frame, result.z, measured.corners);
+    frame_report.render_milliseconds = watch.lap();
+  }
+  report.topology_milliseconds = animator.topology_milliseconds();
+  return report;
+}
+
+nlohmann::ordered_json to_json(const AnimationReport& report) {
+  const bool multilevel = report.options.solver == FrameSolver::multilevel;
+  nlohmann::ordered_json json = {
+      {"scene", name_of(report.scene)}, {"vertices", report.vertices},
+      {"triangles", report.triangles},  {"edges", report.edges},
+      {"threads", report.threads},      {"solver", multilevel ? "multilevel" : "relaxation"}};
+  if (multilevel) {
+    json["lambda"] = report.options.lambda;
+    json["sweeps"] = report.options.sweeps;
+  } else {
+    json["iterations"] = report.options.iterations;
+  }
+  json["topology_milliseconds"] = report.topology_milliseconds;
+  json["mean"] = means(report.frames);
+  const FrameReport& last = report.frames.back();
+  if (last.from_scratch) {
+    json["last_against_from_scratch"] = comparison(last.figures, *last.from_scratch);
+  }
+  json["frames"] = nlohmann::ordered_json::array();
+  for (std::size_t n = 0; n < report.frames.size(); ++n) {
+    json["frames"].push_back(to_json(report.frames[n], n));
+  }
+  return json;
+}
+
+void print_report(std::ostream& out, const AnimationReport& report) {
+  const std::vector<FrameReport>& frames = report.frames;
+  const bool compared = frames.front().from_scratch.has_value();
+  out << formatted("scene     %s, %zu vertices, %zu triangles, %zu edges, %d thread%s\n",
+                   name_of(report.scene).data(), report.vertices, report.triangles, report.edges,
+                   report.threads, report.threads == 1 ? "" : "s")
+      << "                               angle     phase     couple     sum   solve"
+      << (compared ? "  | from scratch\n" : "\n")
+      << "frame    energy  branches     error      step      ms      ms      ms"
+      << (compared ? "  |    energy  branches     error      step\n" : "\n");
+  const std::size_t step = (frames.size() + kPrintedRows - 2) / kPrintedRows;
+  for (std::size_t n = 0; n + 1 < frames.size(); n += std::max<std::size_t>(step, 1)) {
+    out << row(n, frames[n]);
+  }
+  out << row(frames.size() - 1, frames.back())
+      << formatted("mean      phase step %.4f; scene %.2f, frame %.2f, render %.2f ms\n",
+                   mean(frames, [](const FrameReport& f) { return f.figures.phase_step; }),
+                   mean(frames, [](const FrameReport& f) { return f.scene_milliseconds; }),
+                   mean(frames, [](const FrameReport& f) { return total(f.milliseconds); }),
+                   mean(frames, [](const FrameReport& f) { return f.render_milliseconds; }))
+      << formatted("topology  %.1f ms, once\n", report.topology_milliseconds);
+  if (compared) print_comparison(out, frames.size() - 1, frames.back());
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,66 @@
+/// A scene played frame by frame, and its figures.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "brindle/base/progress.h"
+#include "brindle/pattern/quality.h"
+#include "brindle/pipeline/scene.h"
+#include "brindle/pipeline/stripe_animator.h"
+
+namespace brindle::tool {
+
+/// What a frame's phases are worth.
+struct FrameFigures {
+  double energy = 0;
+  PatternQuality quality;
+  double phase_step = 0;  ///< mean over vertices with a wave, radians; 0 in the first frame
+};
+
+struct FrameReport {
+  FrameFigures figures;
+  bool unchanged = false;  ///< the input was that of the last frame
+  double scene_milliseconds = 0;
+  FrameMilliseconds milliseconds;
+  double render_milliseconds = 0;            ///< drawing and writing
+  std::optional<FrameFigures> from_scratch;  ///< the same input, solved without the last frame
+};
+
+struct AnimationReport {
+  SceneKind scene = SceneKind::zoom;
+  AnimatorOptions options;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t edges = 0;
+  int threads = 0;
+  double topology_milliseconds = 0;
+  std::vector<FrameReport> frames;
+};
+
+/// Receives every frame as it is solved.
+using ShowFrame = std::function<void(const SceneFrame& frame, std::span<const Complex> z,
+                                     std::span<const CornerPhases> corners)>;
+
+struct AnimationOptions {
+  SceneOptions scene;
+  AnimatorOptions animator;
+  int frames = 121;
+  bool compare_from_scratch = false;
+};
+
+/// Solves and measures all frames; `show` may be empty. Throws what the animator and `show` do, and
+/// Cancelled if `progress` asks for it.
+AnimationReport play(const Surface& surface, const AnimationOptions& options, const ShowFrame& show,
+                     const Progress& progress);
+
+nlohmann::ordered_json to_json(const AnimationReport& report);
+
+/// A row every few frames, the means, and the last frame against from-scratch if that was solved.
+void print_report(std::ostream& out, const AnimationReport& report);
+
+}  // namespace brindle::tool
