@@ -166,7 +166,7 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
       {"triangles", report.triangles},  {"edges", report.edges},
       {"threads", report.threads},      {"solver", multilevel ? "multilevel" : "relaxation"}};
   if (multilevel) {
-    json["lambda"] = report.options.lambda;
+    json["lambda"] = std::stod(formatted("%g", report.options.lambda));  // 0.02, not 0.01999999955
     json["sweeps"] = report.options.sweeps;
   } else {
     json["iterations"] = report.options.iterations;
