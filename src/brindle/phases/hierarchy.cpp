@@ -1,6 +1,7 @@
 #include "brindle/phases/hierarchy.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "brindle/base/parallel.h"
@@ -19,7 +20,7 @@ Level make_level(std::shared_ptr<const LevelTopology> topology) {
   SlicedCouplings couplings(layout);
   std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
   std::vector<Complex> z(layout.slot_count() + 1, kPeak);
-  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z)};
+  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z), {}};
 }
 
 /// The gauge of member m of a rank, its reflecting couplings included: the phase that the earlier
@@ -154,15 +155,30 @@ void finish_slice(const Level& fine, std::span<const Complex> gauged, bool marke
   sums.finish();
 }
 
-void sum_slices(const Level& fine, std::span<const Complex> gauged, Level& coarse,
-                SliceRange range) {
+/// Marks the coarse slices that reflecting couplings of a range of fine slices add to.
+void mark_reflecting(const Level& fine, SliceRange range, std::span<std::uint8_t> reflects) {
+  for (Index slice = range.begin; slice < range.end; ++slice) {
+    for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), slice)) {
+      const Index coarse_slot = fine.aggregation().coarse_slot[slice * kLanes + entry % kLanes];
+      // Several tasks may set the same mark; the last place is for slots without an aggregate.
+      std::atomic_ref(reflects[coarse_slot / kLanes]).store(1, std::memory_order_relaxed);
+    }
+  }
+}
+
+void sum_slices(const Level& fine, std::span<const Complex> gauged,
+                std::span<const std::uint8_t> reflects, Level& coarse, SliceRange range) {
   thread_local std::vector<std::uint8_t> marked;
   marked.resize(coarse.layout().slice_count());
   kernels::sum_slices(coarse.layout(), fine.aggregation().sources.round_begin.data(),
                       fine.aggregation().sources.entry.data(), gauged.data(),
                       coarse.couplings.direct.get(), marked.data(), range);
   for (Index slice = range.begin; slice < range.end; ++slice) {
-    finish_slice(fine, gauged, marked[slice] != 0, coarse, slice);
+    if (marked[slice] || reflects[slice]) {
+      finish_slice(fine, gauged, marked[slice] != 0, coarse, slice);
+    } else {
+      coarse.couplings.reflecting_count[slice] = 0;
+    }
   }
 }
 
@@ -232,18 +248,22 @@ void renew_gauges(Level& level) {
 
 void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {
   gauged[fine.layout().entry_count()] = 0;  // what empty places in rounds add
+  coarse.receives_reflecting.assign(coarse.layout().slice_count() + 1, 0);
   parallel_for(
       fine.layout().slice_count(),
       [&](std::size_t begin, std::size_t end) {
+        const SliceRange range{static_cast<Index>(begin), static_cast<Index>(end)};
         kernels::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged.data(),
-                              {static_cast<Index>(begin), static_cast<Index>(end)});
+                              range);
+        mark_reflecting(fine, range, coarse.receives_reflecting);
       },
       kSliceGrain);
   coarse.couplings.anchor.resize(fine.couplings.anchor.empty() ? 0 : coarse.layout().slot_count());
   parallel_for(
       coarse.layout().slice_count(),
       [&](std::size_t begin, std::size_t end) {
-        sum_slices(fine, gauged, coarse, {static_cast<Index>(begin), static_cast<Index>(end)});
+        sum_slices(fine, gauged, coarse.receives_reflecting, coarse,
+                   {static_cast<Index>(begin), static_cast<Index>(end)});
         if (fine.couplings.anchor.empty()) return;
         for (std::size_t slice = begin; slice < end; ++slice) {
           sum_anchors(fine, coarse, static_cast<Index>(slice));

@@ -26,6 +26,7 @@ struct Level {
                                ///< (sliced_kernels.h) is set; empty on the coarsest level
   std::vector<Complex> z;      ///< phases by slot; one more, always kPeak, for finer slots without
                                ///< an aggregate
+  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slice, and one more
 
   const SlicedLayout& layout() const { return topology->layout; }
   const Aggregation& aggregation() const { return topology->aggregation; }

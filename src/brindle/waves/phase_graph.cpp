@@ -1,5 +1,6 @@
 #include "brindle/waves/phase_graph.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brindle/base/error.h"
@@ -70,7 +71,8 @@ double energy(const PhaseGraph& graph, std::span<const Complex> z) {
     }
     return sum;
   });
-  return sums.weight > 0 ? sums.energy / sums.weight : 0;
+  // Rounding may take a perfect pattern below zero.
+  return sums.weight > 0 ? std::max(0.0, sums.energy / sums.weight) : 0;
 }
 
 }  // namespace brindle
