@@ -21,8 +21,10 @@ void on_interrupt(int signal) {
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
-  std::signal(SIGINT, on_interrupt);
+    : quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      previous_(std::signal(SIGINT, on_interrupt)) {
+  if (previous_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // started in the background
   if (!quiet) watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 
@@ -32,7 +34,7 @@ ProgressDisplay::~ProgressDisplay() {
     watcher_.join();
   }
   erase_line();
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGINT, previous_);
 }
 
 Progress ProgressDisplay::progress() {

@@ -41,6 +41,7 @@ class ProgressDisplay {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const bool quiet_;
   const bool terminal_;
+  void (*const previous_)(int);  // what Ctrl-C did before
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::string stage_;
