@@ -91,7 +91,7 @@ CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOpt
 }  // namespace
 
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
-  const auto options = std::make_shared<PictureOptions>();
+  auto options = std::make_shared<PictureOptions>();
   RenderOptions& render = options->render;
   add_named_option(app, "--view", options->view, view_of, "stripes|branches|angle_error",
                    "picture of the stripes (default), of branches, or of angle errors up to 30 "
