@@ -54,12 +54,6 @@ std::optional<PhaseShiftKind> smooth_phase_shift(std::string_view name) {
   return kind == PhaseShiftKind::common_source ? std::nullopt : kind;
 }
 
-float lambda_of(const std::string& option, const std::string& text) {
-  const float value = number_of(option, text);
-  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
-  return value;
-}
-
 void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   AnimationOptions& animation = arguments.animation;
   add_named_option(app, "--scene", animation.scene.kind, scene_kind,
@@ -75,7 +69,7 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
 void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
   add_named_option(app, "--solver", animator.solver, frame_solver_of, "multilevel|relaxation",
                    "multilevel (default), or the paper's iterations from the last frame's phases");
-  add_parsed_option(app, "--lambda", animator.lambda, lambda_of,
+  add_parsed_option(app, "--lambda", animator.lambda, not_negative_number_of,
                     "multilevel: how strongly a frame holds on to the last one; 0: not at all "
                     "(default " +
                         std::to_string(animator.lambda).substr(0, 4) + ")")

@@ -42,6 +42,12 @@ float number_of(const std::string& option, const std::string& text) {
   return *value;
 }
 
+float not_negative_number_of(const std::string& option, const std::string& text) {
+  const float value = number_of(option, text);
+  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
+  return value;
+}
+
 float positive_number_of(const std::string& option, const std::string& text) {
   const auto value = finite_number(text);
   if (!value || *value <= 0) wrong_usage(option, "a finite number above zero", text);

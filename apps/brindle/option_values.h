@@ -18,6 +18,9 @@ namespace brindle::tool {
 /// A finite number and nothing else.
 float number_of(const std::string& option, const std::string& text);
 
+/// A finite number, zero or more.
+float not_negative_number_of(const std::string& option, const std::string& text);
+
 /// A finite number above zero.
 float positive_number_of(const std::string& option, const std::string& text);
 

@@ -9,12 +9,6 @@
 namespace brindle::tool {
 namespace {
 
-float not_negative_number_of(const std::string& option, const std::string& text) {
-  const float value = number_of(option, text);
-  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
-  return value;
-}
-
 std::optional<EdgeWeights> edge_weights_of(std::string_view name) {
   if (name == "paper") return EdgeWeights::paper;
   if (name == "cotangent") return EdgeWeights::cotangent;

@@ -19,12 +19,6 @@ std::optional<CurvatureDirection> curvature_direction_of(std::string_view name) 
   return std::nullopt;
 }
 
-float anchor_of(const std::string& option, const std::string& text) {
-  const float value = number_of(option, text);
-  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
-  return value;
-}
-
 struct Field {
   DirectionField directions;
   FrequencyField frequencies;  // empty if the field says nothing of them
@@ -84,7 +78,7 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_named_option(app, "--curvature-direction", options.curvature_direction,
                    curvature_direction_of, "max|min",
                    "principal direction of the larger (default) or smaller curvature");
-  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, anchor_of,
+  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, not_negative_number_of,
                     "how strongly curvature attracts the smooth field (default 0: not)")
       ->type_name("W");
   add_parsed_option(app, "--rotate", options.rotate_deg, number_of,
