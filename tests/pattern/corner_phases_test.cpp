@@ -75,9 +75,12 @@ TEST(CornerPhases, AVortexOfPhasesIsOneBranchOfItsSign) {
                 std::vector<float>(3, 1e-3f)};
   const std::vector<Complex> z{std::polar(1.0f, 0.0f), std::polar(1.0f, kTwoPi / 3),
                                std::polar(1.0f, -kTwoPi / 3)};
-  EXPECT_EQ(corner_phases({0, 1, 2}, waves, z, PhaseShiftKind::aligned).branch_index, 1);
-  EXPECT_EQ(corner_phases({0, 2, 1}, waves, z, PhaseShiftKind::aligned).branch_index, -1);
-  EXPECT_EQ(corner_phases({0, 1, 2}, waves, z, PhaseShiftKind::aligned).kind, TriangleKind::branch);
+  EXPECT_EQ(corner_phases(corner_waves({0, 1, 2}, waves, z), PhaseShiftKind::aligned).branch_index,
+            1);
+  EXPECT_EQ(corner_phases(corner_waves({0, 2, 1}, waves, z), PhaseShiftKind::aligned).branch_index,
+            -1);
+  EXPECT_EQ(corner_phases(corner_waves({0, 1, 2}, waves, z), PhaseShiftKind::aligned).kind,
+            TriangleKind::branch);
 }
 
 TEST(CornerPhases, KnowSingularitiesOfTheFieldAndMissingWaves) {
@@ -88,10 +91,10 @@ TEST(CornerPhases, KnowSingularitiesOfTheFieldAndMissingWaves) {
                 {around(0), around(60), around(120)},
                 std::vector<float>(3, 1.0f)};
   const std::vector<Complex> z(3, Complex(1));
-  EXPECT_EQ(corner_phases({0, 1, 2}, waves, z, PhaseShiftKind::aligned).kind,
+  EXPECT_EQ(corner_phases(corner_waves({0, 1, 2}, waves, z), PhaseShiftKind::aligned).kind,
             TriangleKind::field_singularity);
   waves.directions[1] = Vec3::Zero();
-  EXPECT_EQ(corner_phases({0, 1, 2}, waves, z, PhaseShiftKind::aligned).kind,
+  EXPECT_EQ(corner_phases(corner_waves({0, 1, 2}, waves, z), PhaseShiftKind::aligned).kind,
             TriangleKind::no_wave);
 }
 

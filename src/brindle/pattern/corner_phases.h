@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "brindle/base/types.h"
-#include "brindle/surface/mesh.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/pattern/corner_waves.h"
 
 namespace brindle {
 
@@ -29,10 +28,10 @@ struct CornerPhases {
 
 /// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the
 /// phase shift plus the wrapped remainder. The closing error over 2 pi is the branch index.
-CornerPhases corner_phases(const Triangle& triangle, const WaveSet& waves,
-                           std::span<const Complex> z, PhaseShiftKind kind);
+/// A corner without direction has no wave.
+CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftKind kind);
 
-/// The same for all triangles of a mesh.
+/// The same for all triangles of a mesh, with the wave of every vertex.
 std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
                                         std::span<const Complex> z, PhaseShiftKind kind);
 

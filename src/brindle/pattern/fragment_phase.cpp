@@ -85,11 +85,6 @@ FragmentWave split_fragment_phase(std::array<CornerWave, 3> corners, const Vec3&
 
 }  // namespace
 
-CornerWave flipped(const CornerWave& corner) {
-  return {{corner.wave.position, -corner.wave.direction, corner.wave.frequency},
-          -std::conj(corner.z)};
-}
-
 std::optional<std::array<float, 3>> common_orientation(const std::array<Vec3, 3>& directions) {
   const bool turn_second = runs_against(directions[0], directions[1]);
   const bool turn_third = runs_against(directions[0], directions[2]);

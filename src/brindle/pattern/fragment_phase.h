@@ -5,15 +5,9 @@
 #include <optional>
 
 #include "brindle/base/types.h"
-#include "brindle/waves/phase_shift.h"
+#include "brindle/pattern/corner_waves.h"
 
 namespace brindle {
-
-/// A wave with its phase, z = exp(i Phi).
-struct CornerWave {
-  Wave wave;
-  Complex z;
-};
 
 /// The wave at a fragment. `z` has length 1, or 0 exactly where the phase is undefined.
 struct FragmentWave {
@@ -21,9 +15,6 @@ struct FragmentWave {
   float frequency = 0;
   Complex z = 0;
 };
-
-/// The same wave running the other way: -d with pi - Phi, that is -conj(z).
-CornerWave flipped(const CornerWave& corner);
 
 /// Signs s_m that make the three directions run alike: all pairwise products are then positive.
 /// The first is always +1. Empty if there are none: the triangle is a singularity of the field.
