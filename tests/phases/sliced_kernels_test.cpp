@@ -113,6 +113,17 @@ TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
                      gauged_a.data(), sums_b.data(), marked_b.data(), coarse_slices);
     EXPECT_EQ(sums_a, sums_b);
     EXPECT_EQ(marked_a, marked_b);
+    for (Index slice = 0; slice < coarse.layout().slice_count(); ++slice) {
+      if (!marked_a[slice]) continue;
+      const auto& columns = coarse.layout().column_begin;
+      std::vector<Complex> b_a((columns[slice + 1] - columns[slice]) * kLanes), b_b = b_a;
+      portable::sum_marked_slice(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
+                                 gauged_a.data(), b_a.data(), slice);
+      simd::sum_marked_slice(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
+                             gauged_a.data(), b_b.data(), slice);
+      EXPECT_EQ(b_a, b_b);
+      EXPECT_TRUE(std::ranges::any_of(b_a, [](Complex b) { return b != Complex(0); }));
+    }
 
     std::vector<Complex> z_a(fine.layout().slot_count()), z_b = z_a;
     portable::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
@@ -15,12 +16,13 @@ namespace {
 /// Slices that one task works on at least.
 constexpr std::size_t kSliceGrain = 64;
 
-Level make_level(std::shared_ptr<const LevelTopology> topology) {
-  const SlicedLayout& layout = topology->layout;
-  SlicedCouplings couplings(layout);
-  std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
-  std::vector<Complex> z(layout.slot_count() + 1, kPeak);
-  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z), {}};
+Level make_level(std::shared_ptr<const SlicedLayout> layout,
+                 std::shared_ptr<const Aggregation> aggregation = nullptr) {
+  SlicedCouplings couplings(*layout);
+  std::vector<Complex> gauge(layout->slot_count(), with_conjugate_bit(1, false));
+  std::vector<Complex> z(layout->slot_count() + 1, kPeak);
+  return {std::move(layout), std::move(aggregation), std::move(couplings),
+          std::move(gauge),  std::move(z),           {}};
 }
 
 /// The gauge of member m of a rank, its reflecting couplings included: the phase that the earlier
@@ -66,28 +68,27 @@ void renew_rank(Level& level, const GaugeRank& rank, SliceRange groups) {
   }
 }
 
-/// The sums of one coarse slice while it is renewed. Few slices reflect: B is only cleared for
-/// those.
-class SliceSums {
+/// The reflecting sums of one coarse slice while it is renewed.
+class ReflectingSums {
  public:
-  SliceSums(Level& coarse, Index slice)
+  ReflectingSums(Level& coarse, Index slice)
       : coarse_(coarse),
         slice_(slice),
         first_(std::size_t{coarse.layout().column_begin[slice]} * kLanes),
-        end_(std::size_t{coarse.layout().column_begin[slice + 1]} * kLanes) {}
-
-  std::size_t first_entry() const { return first_; }
-  std::size_t end_entry() const { return end_; }
-
-  void add_reflecting(std::size_t entry, Complex b) {
-    if (!reflects_) buffer().assign(end_ - first_, Complex(0));
-    reflects_ = true;
-    buffer()[entry - first_] += b;
+        end_(std::size_t{coarse.layout().column_begin[slice + 1]} * kLanes) {
+    buffer().assign(end_ - first_, Complex(0));
   }
+
+  /// The direct couplings of the finer level that a gauge has made reflecting.
+  void set_marked(const SourceRounds& sources, std::span<const Complex> gauged) {
+    kernels::sum_marked_slice(coarse_.layout(), sources.round_begin.data(), sources.entry.data(),
+                              gauged.data(), buffer().data(), slice_);
+  }
+
+  void add(std::size_t entry, Complex b) { buffer()[entry - first_] += b; }
 
   void finish() {
     coarse_.couplings.reflecting_count[slice_] = 0;
-    if (!reflects_) return;
     for (std::size_t entry = first_; entry < end_; ++entry) {
       const Complex b = buffer()[entry - first_];
       if (b == Complex(0)) continue;
@@ -104,23 +105,11 @@ class SliceSums {
   Level& coarse_;
   Index slice_;
   std::size_t first_, end_;
-  bool reflects_ = false;
 };
-
-/// The direct couplings of the finer level that a gauge has made reflecting.
-void sum_marked(const SourceRounds& sources, std::span<const Complex> gauged, SliceSums& sums) {
-  for (std::size_t entry = sums.first_entry(); entry < sums.end_entry(); ++entry) {
-    const std::size_t column = entry / kLanes;
-    for (Index r = sources.round_begin[column]; r < sources.round_begin[column + 1]; ++r) {
-      const Complex c = gauged[sources.entry[std::size_t{r} * kLanes + entry % kLanes]];
-      if (conjugate_bit(c)) sums.add_reflecting(entry, c);
-    }
-  }
-}
 
 /// Adds the reflecting couplings of one member of the aggregate in `coarse_slot`.
 void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_slot,
-                    SliceSums& sums) {
+                    ReflectingSums& sums) {
   const Complex g_i = fine.gauge[slot];
   for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), slot / kLanes)) {
     if (entry % kLanes != slot % kLanes) continue;
@@ -133,7 +122,7 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
     Complex c = std::conj(g_i) * b * std::conj(g_j);
     if (conjugate_bit(g_i)) c = std::conj(c);
     if (conjugate_bit(g_i) == conjugate_bit(g_j)) {
-      sums.add_reflecting(target, c);
+      sums.add(target, c);
     } else {
       coarse.couplings.set_direct(target, coarse.couplings.direct_at(target) + c);
     }
@@ -144,37 +133,38 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
 void finish_slice(const Level& fine, std::span<const Complex> gauged, bool marked, Level& coarse,
                   Index slice) {
   const Aggregation& aggregation = fine.aggregation();
-  SliceSums sums(coarse, slice);
-  if (marked) sum_marked(aggregation.sources, gauged, sums);
+  ReflectingSums sums(coarse, slice);
+  if (marked) sums.set_marked(aggregation.sources, gauged);
   for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
+    if (!coarse.receives_reflecting[slot]) continue;
     for (Index m = aggregation.member_begin[slot]; m < aggregation.member_begin[slot + 1]; ++m) {
-      if (fine.couplings.reflecting_count[aggregation.member[m] / kLanes] == 0) continue;
       sum_reflecting(fine, aggregation.member[m], coarse, slot, sums);
     }
   }
   sums.finish();
 }
 
-/// Marks the coarse slices that reflecting couplings of a range of fine slices add to.
-void mark_reflecting(const Level& fine, SliceRange range, std::span<std::uint8_t> reflects) {
+/// Marks the coarse slots that reflecting couplings of a range of fine slices add to.
+void mark_reflecting(const Level& fine, SliceRange range, std::span<std::uint8_t> receives) {
   for (Index slice = range.begin; slice < range.end; ++slice) {
     for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), slice)) {
-      const Index coarse_slot = fine.aggregation().coarse_slot[slice * kLanes + entry % kLanes];
       // Several tasks may set the same mark; the last place is for slots without an aggregate.
-      std::atomic_ref(reflects[coarse_slot / kLanes]).store(1, std::memory_order_relaxed);
+      const Index coarse_slot = fine.aggregation().coarse_slot[slice * kLanes + entry % kLanes];
+      std::atomic_ref(receives[coarse_slot]).store(1, std::memory_order_relaxed);
     }
   }
 }
 
-void sum_slices(const Level& fine, std::span<const Complex> gauged,
-                std::span<const std::uint8_t> reflects, Level& coarse, SliceRange range) {
+void sum_slices(const Level& fine, std::span<const Complex> gauged, Level& coarse,
+                SliceRange range) {
   thread_local std::vector<std::uint8_t> marked;
   marked.resize(coarse.layout().slice_count());
   kernels::sum_slices(coarse.layout(), fine.aggregation().sources.round_begin.data(),
                       fine.aggregation().sources.entry.data(), gauged.data(),
                       coarse.couplings.direct.get(), marked.data(), range);
   for (Index slice = range.begin; slice < range.end; ++slice) {
-    if (marked[slice] || reflects[slice]) {
+    const auto receives = coarse.receives_reflecting.begin() + slice * kLanes;
+    if (marked[slice] || std::any_of(receives, receives + kLanes, std::identity())) {
       finish_slice(fine, gauged, marked[slice] != 0, coarse, slice);
     } else {
       coarse.couplings.reflecting_count[slice] = 0;
@@ -197,41 +187,51 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
 
 }  // namespace
 
-Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
+Hierarchy finest_level(const Adjacency& adjacency) {
   Hierarchy hierarchy;
   Stopwatch watch;
-  auto topology = std::make_shared<LevelTopology>();
-  topology->layout = sliced_layout(*graph.adjacency, greedy_coloring(*graph.adjacency),
-                                   breadth_first_order(*graph.adjacency));
-  hierarchy.levels.push_back(make_level(topology));
-  std::vector<Complex> gauged(topology->layout.entry_count() + 1);
-  hierarchy.topology_milliseconds += watch.lap();
-  load_couplings(graph, topology->layout, hierarchy.levels[0].couplings);
-  hierarchy.numeric_milliseconds += watch.lap();
-  while (topology->layout.entry_count() > 0) {
+  hierarchy.levels.push_back(make_level(std::make_shared<SlicedLayout>(
+      sliced_layout(adjacency, greedy_coloring(adjacency), breadth_first_order(adjacency)))));
+  hierarchy.topology_milliseconds = watch.lap();
+  return hierarchy;
+}
+
+void coarsen(Hierarchy& hierarchy, const Progress& progress) {
+  Stopwatch watch;
+  std::vector<Complex> gauged(hierarchy.levels[0].layout().entry_count() + 1);
+  while (hierarchy.levels.back().layout().entry_count() > 0) {
     Level& fine = hierarchy.levels.back();
     progress.report("hierarchy", 1 - static_cast<double>(fine.z.size()) /
                                          static_cast<double>(hierarchy.levels[0].z.size()));
-    const Matching matching = grow_aggregates(topology->layout, fine.couplings);
+    const Matching matching = grow_aggregates(fine.layout(), fine.couplings);
     if (matching.count() == 0) break;
-    const Adjacency adjacency = coarse_adjacency(topology->layout, matching);
-    auto coarse = std::make_shared<LevelTopology>();
-    coarse->layout = sliced_layout(adjacency, greedy_coloring(adjacency));
-    topology->aggregation = arrange(topology->layout, matching, adjacency, coarse->layout);
-    Level coarse_level = make_level(coarse);
+    const Adjacency adjacency = coarse_adjacency(fine.layout(), matching);
+    Level coarse = make_level(
+        std::make_shared<SlicedLayout>(sliced_layout(adjacency, greedy_coloring(adjacency))));
+    fine.shared_aggregation =
+        std::make_shared<Aggregation>(arrange(fine.layout(), matching, adjacency, coarse.layout()));
     hierarchy.topology_milliseconds += watch.lap();
     renew_gauges(fine);
-    renew_sums(fine, coarse_level, gauged);
-    hierarchy.levels.push_back(std::move(coarse_level));
-    topology = std::move(coarse);
+    renew_sums(fine, coarse, gauged);
+    hierarchy.levels.push_back(std::move(coarse));
     hierarchy.numeric_milliseconds += watch.lap();
   }
+}
+
+Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
+  Hierarchy hierarchy = finest_level(*graph.adjacency);
+  Stopwatch watch;
+  load_couplings(graph, hierarchy.levels[0].layout(), hierarchy.levels[0].couplings);
+  hierarchy.numeric_milliseconds += watch.lap();
+  coarsen(hierarchy, progress);
   return hierarchy;
 }
 
 Hierarchy sibling(const Hierarchy& hierarchy) {
   Hierarchy result;
-  for (const Level& level : hierarchy.levels) result.levels.push_back(make_level(level.topology));
+  for (const Level& level : hierarchy.levels) {
+    result.levels.push_back(make_level(level.shared_layout, level.shared_aggregation));
+  }
   return result;
 }
 
@@ -248,7 +248,7 @@ void renew_gauges(Level& level) {
 
 void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {
   gauged[fine.layout().entry_count()] = 0;  // what empty places in rounds add
-  coarse.receives_reflecting.assign(coarse.layout().slice_count() + 1, 0);
+  coarse.receives_reflecting.assign(coarse.layout().slot_count() + 1, 0);
   parallel_for(
       fine.layout().slice_count(),
       [&](std::size_t begin, std::size_t end) {
@@ -262,8 +262,7 @@ void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {
   parallel_for(
       coarse.layout().slice_count(),
       [&](std::size_t begin, std::size_t end) {
-        sum_slices(fine, gauged, coarse.receives_reflecting, coarse,
-                   {static_cast<Index>(begin), static_cast<Index>(end)});
+        sum_slices(fine, gauged, coarse, {static_cast<Index>(begin), static_cast<Index>(end)});
         if (fine.couplings.anchor.empty()) return;
         for (std::size_t slice = begin; slice < end; ++slice) {
           sum_anchors(fine, coarse, static_cast<Index>(slice));

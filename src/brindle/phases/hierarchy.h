@@ -13,23 +13,20 @@
 
 namespace brindle {
 
-/// What a level keeps as long as its graph's connectivity stays.
-struct LevelTopology {
-  SlicedLayout layout;
-  Aggregation aggregation;  ///< empty on the coarsest level
-};
-
+/// Layout and aggregation stay as long as the graph's connectivity does; levels of several fields
+/// share them.
 struct Level {
-  std::shared_ptr<const LevelTopology> topology;
+  std::shared_ptr<const SlicedLayout> shared_layout;
+  std::shared_ptr<const Aggregation> shared_aggregation;  ///< none on the coarsest level
   SlicedCouplings couplings;
   std::vector<Complex> gauge;  ///< by slot: z_i = g_i Z, or g_i conj(Z) where its conjugate bit
                                ///< (sliced_kernels.h) is set; empty on the coarsest level
   std::vector<Complex> z;      ///< phases by slot; one more, always kPeak, for finer slots without
                                ///< an aggregate
-  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slice, and one more
+  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slot, and one more
 
-  const SlicedLayout& layout() const { return topology->layout; }
-  const Aggregation& aggregation() const { return topology->aggregation; }
+  const SlicedLayout& layout() const { return *shared_layout; }
+  const Aggregation& aggregation() const { return *shared_aggregation; }
 };
 
 struct Hierarchy {
@@ -44,10 +41,14 @@ struct Hierarchy {
 /// depend on how directions are signed.
 inline constexpr Complex kPeak(0, 1);
 
-/// Builds all levels for a graph, until no coupling is left. Aggregates grow one by one, in the
-/// order of node numbers: the free neighbour that is most strongly coupled to the aggregate, by sum
-/// max(|A|, |B|) / sqrt(deg), joins it until it has `kAggregateSize` members. Nodes left alone join
-/// the neighbour's aggregate that they are most strongly coupled to.
+/// The finest level alone, laid out for these neighbour lists; its couplings are still to be set.
+Hierarchy finest_level(const Adjacency& adjacency);
+
+/// Adds the coarser levels, until no coupling is left. Aggregates follow the couplings of the
+/// finest level (`grow_aggregates`); gauges and sums are those that `renew` would give.
+void coarsen(Hierarchy& hierarchy, const Progress& progress = {});
+
+/// All levels for a graph.
 Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress = {});
 
 /// Levels of the same topology with couplings, gauges and phases of their own, not yet set: for a

@@ -1,6 +1,8 @@
 #include "brindle/phases/sliced_graph.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <numeric>
 #include <utility>
 
@@ -193,6 +195,52 @@ void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::sp
         },
         kRangeGrain);
   }
+}
+
+namespace {
+
+struct EnergySums {
+  double energy = 0, weight = 0;
+  EnergySums operator+(const EnergySums& other) const {
+    return {energy + other.energy, weight + other.weight};
+  }
+  void add(std::complex<double> z_i, std::complex<double> coupling, std::complex<double> z_j) {
+    const double w = std::sqrt(std::norm(coupling));
+    weight += w;
+    energy += 0.5 * (w - (std::conj(z_i) * coupling * z_j).real());
+  }
+};
+
+EnergySums energy_of_slice(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                           std::span<const Complex> z, Index slice) {
+  EnergySums sums;
+  for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
+       entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
+    sums.add(z[slice * kLanes + entry % kLanes], couplings.direct_at(entry),
+             z[layout.neighbor[entry]]);
+  }
+  for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
+    sums.add(z[slice * kLanes + entry % kLanes], b, std::conj(z[layout.neighbor[entry]]));
+  }
+  return sums;
+}
+
+}  // namespace
+
+double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
+              std::span<const Complex> z) {
+  const auto sums = parallel_sum<EnergySums>(
+      layout.slice_count(),
+      [&](std::size_t begin, std::size_t end) {
+        EnergySums part;
+        for (Index slice = static_cast<Index>(begin); slice < end; ++slice) {
+          part = part + energy_of_slice(layout, couplings, z, slice);
+        }
+        return part;
+      },
+      kSliceGrain);
+  // Rounding may take a perfect pattern below zero.
+  return sums.weight > 0 ? std::max(0.0, sums.energy / sums.weight) : 0;
 }
 
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,

@@ -114,6 +114,10 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
 /// Each update can only lower the energy.
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z);
 
+/// The energy of phases by slot, as `energy` of phase_graph.h defines it.
+double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
+              std::span<const Complex> z);
+
 /// What the paper's relaxation carries from one iteration to the next.
 struct Momentum {
   float strength;          ///< s_m of Eq. 11

@@ -57,6 +57,12 @@ using SumSlices = void(const SlicedLayout& coarse, const Index* round_begin,
                        const Index* round_entry, const Complex* gauged, float* direct,
                        std::uint8_t* marked, SliceRange);
 
+/// Reflecting couplings of all entries of one coarse slice: sums of the gauged entries with
+/// conjugate bit that the rounds name, entry by entry into `reflecting`.
+using SumMarkedSlice = void(const SlicedLayout& coarse, const Index* round_begin,
+                            const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                            Index slice);
+
 /// z_i = g_i Z or g_i conj(Z) with Z = coarse[coarse_slot[i]], for all slots of a range.
 using ProlongSlices = void(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
                            Complex* z, SliceRange);
@@ -68,6 +74,7 @@ RelaxSlices relax_slices;
 GaugeSlices gauge_slices;
 GaugeMembers gauge_members;
 SumSlices sum_slices;
+SumMarkedSlice sum_marked_slice;
 ProlongSlices prolong_slices;
 }  // namespace portable
 
@@ -79,6 +86,7 @@ RelaxSlices relax_slices;
 GaugeSlices gauge_slices;
 GaugeMembers gauge_members;
 SumSlices sum_slices;
+SumMarkedSlice sum_marked_slice;
 ProlongSlices prolong_slices;
 
 /// The instruction set in use, such as "AVX3" or "NEON".

@@ -193,6 +193,21 @@ void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Inde
   }
 }
 
+void sum_marked_slice(const SlicedLayout& coarse, const Index* round_begin,
+                      const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                      Index slice) {
+  for (Index column = coarse.column_begin[slice]; column < coarse.column_begin[slice + 1];
+       ++column, reflecting += kLanes) {
+    std::fill_n(reflecting, kLanes, Complex(0));
+    for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
+      for (Index lane = 0; lane < kLanes; ++lane) {
+        const Complex c = gauged[round_entry[std::size_t{round} * kLanes + lane]];
+        if (conjugate_bit(c)) reflecting[lane] += c;
+      }
+    }
+  }
+}
+
 void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
                     Complex* z, SliceRange range) {
   for (Index slot = range.begin * kLanes; slot < range.end * kLanes; ++slot) {

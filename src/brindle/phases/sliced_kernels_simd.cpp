@@ -365,6 +365,26 @@ void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Inde
   }
 }
 
+void sum_marked_slice(const SlicedLayout& coarse, const Index* round_begin,
+                      const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                      Index slice) {
+  const V zero = hn::Zero(D());
+  for (Index column = coarse.column_begin[slice]; column < coarse.column_begin[slice + 1];
+       ++column, reflecting += kLanes) {
+    for (Index lane = 0; lane < kLanes; lane += lanes()) {
+      Z sum{zero, zero};
+      for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
+        const Z c =
+            gather(gauged, hn::LoadU(U(), round_entry + std::size_t{round} * kLanes + lane));
+        const auto conjugate = conjugate_mask(c);
+        sum = {hn::Add(sum.re, hn::IfThenElseZero(conjugate, c.re)),
+               hn::Add(sum.im, hn::IfThenElseZero(conjugate, c.im))};
+      }
+      store(sum, reflecting + lane);
+    }
+  }
+}
+
 void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
                     Complex* z, SliceRange range) {
   const U bits;
@@ -393,6 +413,7 @@ HWY_EXPORT(relax_slices);
 HWY_EXPORT(gauge_slices);
 HWY_EXPORT(gauge_members);
 HWY_EXPORT(sum_slices);
+HWY_EXPORT(sum_marked_slice);
 HWY_EXPORT(prolong_slices);
 HWY_EXPORT(target_name);
 
@@ -427,6 +448,13 @@ void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
 void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Index* round_entry,
                 const Complex* gauged, float* direct, std::uint8_t* marked, SliceRange range) {
   HWY_DYNAMIC_DISPATCH(sum_slices)(coarse, round_begin, round_entry, gauged, direct, marked, range);
+}
+
+void sum_marked_slice(const SlicedLayout& coarse, const Index* round_begin,
+                      const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                      Index slice) {
+  HWY_DYNAMIC_DISPATCH(sum_marked_slice)
+  (coarse, round_begin, round_entry, gauged, reflecting, slice);
 }
 
 void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,

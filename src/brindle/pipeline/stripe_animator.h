@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/base/adjacency.h"
+#include "brindle/base/progress.h"
 #include "brindle/base/types.h"
 #include "brindle/waves/phase_shift.h"
 
@@ -22,8 +23,11 @@ struct AnimatorOptions {
   float lambda = 0.02f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
                          ///< from scratch
   int sweeps = 2;        ///< coloured sweeps per level, multilevel
+  int cycles = 0;        ///< further descents, each from the phases of the one before
   int iterations = 3;    ///< per frame, relaxation
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
+  std::vector<float> edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies
+                                    ///< the paper's weight; empty: 1
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -36,7 +40,7 @@ struct FrameInput {
 struct FrameMilliseconds {
   double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
   double sum = 0;     ///< gauges and coarse sums
-  double solve = 0;   ///< descent or iterations, phases back into vertex order
+  double solve = 0;   ///< descents or iterations, phases back into vertex order
 };
 
 struct FrameResult {
@@ -61,8 +65,12 @@ class StripeAnimator {
   StripeAnimator& operator=(StripeAnimator&&) noexcept;
 
   /// Solves for the next frame. The first frame has no last one and is solved from scratch.
-  /// Throws Error if the input has not one entry per vertex.
-  FrameResult frame(const FrameInput& input);
+  /// `progress` hears of the first frame's topology, and of cycles. Throws Error if the input has
+  /// not one entry per vertex; Cancelled if `progress` asks for it.
+  FrameResult frame(const FrameInput& input, const Progress& progress = {});
+
+  /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it.
+  double energy() const;
 
   /// An animator for another field on the same surface that shares this one's topology. Call it
   /// after the first frame.
@@ -71,14 +79,16 @@ class StripeAnimator {
   /// Forgets the last frame's phases: the next frame is solved from scratch.
   void restart();
 
-  /// Milliseconds that building the topology took, in the first frame.
+  /// Milliseconds that building the topology took, in the first frame. Aggregates follow the first
+  /// couplings, so that their sums belong to it.
   double topology_milliseconds() const;
 
  private:
   struct State;
   explicit StripeAnimator(std::unique_ptr<State> state);
+  void start();
   void couple_frame(bool has_last);
-  void solve_frame(bool has_last);
+  void solve_frame(bool has_last, const Progress& progress);
   std::unique_ptr<State> state_;
 };
 
