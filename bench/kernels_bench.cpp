@@ -76,9 +76,7 @@ std::unique_ptr<Workload> make_workload(int subdivisions) {
   work->marked.resize(work->coarse().layout().slice_count());
   const Aggregation& aggregation = work->fine().aggregation();
   work->summed_entries = count_below(aggregation.sources.entry, layout.entry_count());
-  for (const GaugeRank& rank : aggregation.gauge_ranks) {
-    work->inner_entries += count_below(rank.entry, layout.entry_count());
-  }
+  work->inner_entries = count_below(aggregation.gauges.entry, layout.entry_count());
   return work;
 }
 
@@ -135,10 +133,10 @@ void relax(Workload& work, const Kernels& kernels) {
 
 void members(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
-  for (const GaugeRank& rank : level.aggregation().gauge_ranks) {
-    kernels.members(level.layout(), level.couplings, rank.member.data(), rank.round_begin.data(),
-                    rank.entry.data(), level.gauge.data(),
-                    {0, static_cast<Index>(rank.member.size() / kLanes)});
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  for (const SliceRange& groups : rounds.ranges) {
+    kernels.members(level.layout(), level.couplings, rounds.member.data(),
+                    rounds.round_begin.data(), rounds.entry.data(), level.gauge.data(), groups);
   }
 }
 

@@ -84,12 +84,13 @@ TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
     const SliceRange slices{0, fine.layout().slice_count()};
 
     std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
-    for (const GaugeRank& rank : fine.aggregation().gauge_ranks) {
-      const SliceRange groups{0, static_cast<Index>(rank.member.size() / kLanes)};
-      portable::gauge_members(fine.layout(), fine.couplings, rank.member.data(),
-                              rank.round_begin.data(), rank.entry.data(), gauge_a.data(), groups);
-      simd::gauge_members(fine.layout(), fine.couplings, rank.member.data(),
-                          rank.round_begin.data(), rank.entry.data(), gauge_b.data(), groups);
+    const GaugeRounds& rounds = fine.aggregation().gauges;
+    for (const SliceRange& groups : rounds.ranges) {
+      portable::gauge_members(fine.layout(), fine.couplings, rounds.member.data(),
+                              rounds.round_begin.data(), rounds.entry.data(), gauge_a.data(),
+                              groups);
+      simd::gauge_members(fine.layout(), fine.couplings, rounds.member.data(),
+                          rounds.round_begin.data(), rounds.entry.data(), gauge_b.data(), groups);
     }
     expect_near(gauge_a, gauge_b, 1e-4f);
 

@@ -227,68 +227,87 @@ void arrange_members(Aggregation& aggregation, const Matching& matching,
   }
 }
 
-/// The slots that come `rank`-th in their aggregates, ascending: couplings are read as they stand.
-std::vector<Index> members_of_rank(const Aggregation& aggregation, Index rank) {
-  std::vector<Index> members;
-  for (std::size_t a = 0; a + 1 < aggregation.member_begin.size(); ++a) {
-    const Index m = aggregation.member_begin[a] + rank;
-    if (m < aggregation.member_begin[a + 1]) members.push_back(aggregation.member[m]);
-  }
-  std::ranges::sort(members);
-  while (members.size() % kLanes != 0) members.push_back(kNone);
-  return members;
-}
+/// Aggregates of a chunk: their rows stay in the second cache from rank to rank.
+constexpr Index kChunk = 512;
 
-/// Entries in the row of a member that lead to members of its aggregate with a lower rank.
-void collect_gauge_entries(const SlicedLayout& layout, const Aggregation& aggregation,
-                           const std::vector<Index>& rank_of, Index slot,
-                           std::vector<Index>& entries) {
-  entries.clear();
-  std::size_t entry = layout.first_entry(slot);
-  for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
-    const Index j = layout.neighbor[entry];
-    if (aggregation.coarse_slot[j] == aggregation.coarse_slot[slot] && rank_of[j] < rank_of[slot]) {
-      entries.push_back(static_cast<Index>(entry));
+/// Arranges the gauges of a level, chunk by chunk.
+class GaugeArranger {
+ public:
+  GaugeArranger(const SlicedLayout& layout, const Matching& matching)
+      : layout_(layout), matching_(matching), rank_of_(layout.slot_count(), 0) {
+    for (Index a = 0; a < matching.count(); ++a) {
+      for (Index m = matching.begin[a]; m < matching.begin[a + 1]; ++m) {
+        rank_of_[matching.member[m]] = m - matching.begin[a];
+      }
     }
   }
-}
 
-GaugeRank gauge_rank(const SlicedLayout& layout, const Aggregation& aggregation,
-                     const std::vector<Index>& rank_of, std::vector<Index> members) {
-  GaugeRank rank;
-  rank.member = std::move(members);
-  rank.round_begin.assign(1, 0);
-  std::vector<Index> entries;
-  for (std::size_t group = 0; group < rank.member.size(); group += kLanes) {
-    const std::size_t first = rank.entry.size();
+  GaugeRounds arrange() {
+    for (Index first = 0; first < matching_.count(); first += kChunk) {
+      const Index end = std::min(first + kChunk, matching_.count());
+      for (Index rank = 1; collect_members(first, end, rank); ++rank) add_range();
+      rounds_.chunk_begin.push_back(static_cast<Index>(rounds_.ranges.size()));
+    }
+    return std::move(rounds_);
+  }
+
+ private:
+  /// The slots that come `rank`-th in aggregates of a chunk, ascending: couplings are read as they
+  /// stand.
+  bool collect_members(Index first, Index end, Index rank) {
+    members_.clear();
+    for (Index a = first; a < end; ++a) {
+      const Index m = matching_.begin[a] + rank;
+      if (m < matching_.begin[a + 1]) members_.push_back(matching_.member[m]);
+    }
+    std::ranges::sort(members_);
+    while (members_.size() % kLanes != 0) members_.push_back(kNone);
+    return !members_.empty();
+  }
+
+  void add_range() {
+    const auto first = static_cast<Index>(rounds_.member.size() / kLanes);
+    for (std::size_t group = 0; group < members_.size(); group += kLanes) {
+      add_group(std::span(members_).subspan(group, kLanes));
+    }
+    rounds_.ranges.push_back({first, static_cast<Index>(rounds_.member.size() / kLanes)});
+  }
+
+  void add_group(std::span<const Index> group) {
+    const std::size_t first = rounds_.entry.size();
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (rank.member[group + lane] == kNone) continue;
-      collect_gauge_entries(layout, aggregation, rank_of, rank.member[group + lane], entries);
-      if (rank.entry.size() < first + entries.size() * kLanes) {
-        rank.entry.resize(first + entries.size() * kLanes, kNone);
+      if (group[lane] == kNone) continue;
+      collect_entries(group[lane]);
+      if (rounds_.entry.size() < first + entries_.size() * kLanes) {
+        rounds_.entry.resize(first + entries_.size() * kLanes, kNone);
       }
-      for (std::size_t e = 0; e < entries.size(); ++e) {
-        rank.entry[first + e * kLanes + lane] = entries[e];
+      for (std::size_t e = 0; e < entries_.size(); ++e) {
+        rounds_.entry[first + e * kLanes + lane] = entries_[e];
       }
     }
-    rank.round_begin.push_back(static_cast<Index>(rank.entry.size() / kLanes));
+    rounds_.member.insert(rounds_.member.end(), group.begin(), group.end());
+    rounds_.round_begin.push_back(static_cast<Index>(rounds_.entry.size() / kLanes));
   }
-  return rank;
-}
 
-void arrange_gauges(Aggregation& aggregation, const SlicedLayout& layout) {
-  std::vector<Index> rank_of(layout.slot_count(), kNone);
-  for (std::size_t a = 0; a + 1 < aggregation.member_begin.size(); ++a) {
-    for (Index m = aggregation.member_begin[a]; m < aggregation.member_begin[a + 1]; ++m) {
-      rank_of[aggregation.member[m]] = m - aggregation.member_begin[a];
+  /// Entries in the row of a member that lead to members of its aggregate with a lower rank.
+  void collect_entries(Index slot) {
+    entries_.clear();
+    std::size_t entry = layout_.first_entry(slot);
+    for (Index k = 0; k < layout_.width(slot); ++k, entry += kLanes) {
+      const Index j = layout_.neighbor[entry];
+      if (matching_.aggregate[j] == matching_.aggregate[slot] && rank_of_[j] < rank_of_[slot]) {
+        entries_.push_back(static_cast<Index>(entry));
+      }
     }
   }
-  for (Index rank = 1;; ++rank) {
-    std::vector<Index> members = members_of_rank(aggregation, rank);
-    if (members.empty()) break;
-    aggregation.gauge_ranks.push_back(gauge_rank(layout, aggregation, rank_of, std::move(members)));
-  }
-}
+
+  const SlicedLayout& layout_;
+  const Matching& matching_;
+  std::vector<Index> rank_of_;
+  std::vector<Index> members_;
+  std::vector<Index> entries_;
+  GaugeRounds rounds_;
+};
 
 }  // namespace
 
@@ -317,7 +336,7 @@ Aggregation arrange(const SlicedLayout& fine, const Matching& matching, const Ad
   for (Index& slot : aggregation.coarse_slot) {
     slot = slot == kNone ? coarse.slot_count() : coarse.slot_of[slot];
   }
-  arrange_gauges(aggregation, fine);
+  aggregation.gauges = GaugeArranger(fine, matching).arrange();
   return aggregation;
 }
 

@@ -1,6 +1,7 @@
 /// Aggregates: which nodes of a level become one node of the next coarser one.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "brindle/base/adjacency.h"
@@ -29,13 +30,23 @@ Matching grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& coup
 /// Aggregates are neighbours if some of their members are.
 Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching);
 
-/// The members that join their aggregates as the (r+1)-th, in groups of kLanes. The gauge of a
-/// member hangs on the couplings to earlier members: a round has for every lane one entry of its
-/// row that leads to one of them, or kNone.
-struct GaugeRank {
-  std::vector<Index> member;       ///< slots, kNone for filling; a multiple of kLanes
-  std::vector<Index> round_begin;  ///< group g has rounds round_begin[g] .. round_begin[g+1] - 1
-  std::vector<Index> entry;        ///< kLanes entries a round
+/// How gauges hang on each other: that of an aggregate's r-th member on the couplings to earlier
+/// members. Aggregates that grew one after the other, and so lie close together, form a chunk; no
+/// gauge hangs on another chunk's. A range of a chunk holds the members of one rank r, from the
+/// second up, in groups of kLanes; a round has for every lane of a group one entry of its row that
+/// leads to an earlier member, or kNone.
+struct GaugeRounds {
+  std::vector<Index> chunk_begin{0};  ///< chunk c has ranges chunk_begin[c] .. [c+1] - 1
+  std::vector<SliceRange> ranges;     ///< groups of one rank in one chunk
+  std::vector<Index> member;          ///< kLanes slots a group, kNone for filling
+  std::vector<Index> round_begin{0};  ///< group g has rounds round_begin[g] .. [g+1] - 1
+  std::vector<Index> entry;           ///< kLanes entries a round
+
+  Index chunk_count() const { return static_cast<Index>(chunk_begin.size()) - 1; }
+  std::span<const SliceRange> ranges_of(Index chunk) const {
+    return std::span(ranges).subspan(chunk_begin[chunk],
+                                     chunk_begin[chunk + 1] - chunk_begin[chunk]);
+  }
 };
 
 /// The fine entries that add to each coarse entry, in rounds: a round has for every lane of a
@@ -52,8 +63,8 @@ struct Aggregation {
                                    ///< for filling and for nodes without any coupling
   std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
   std::vector<Index> member;        ///< members of all aggregates, the reference first
-  std::vector<GaugeRank> gauge_ranks;  ///< second, third, ... members of all aggregates
-  SourceRounds sources;                ///< which entries add to which coarse entry
+  GaugeRounds gauges;               ///< the order in which gauges follow from couplings
+  SourceRounds sources;             ///< which entries add to which coarse entry
 };
 
 /// Arranges a matching for the kernels; `adjacency` is its coarse adjacency and `coarse` the layout

@@ -25,15 +25,16 @@ Level make_level(std::shared_ptr<const SlicedLayout> layout,
           std::move(gauge),  std::move(z),           {}};
 }
 
-/// The gauge of member m of a rank, its reflecting couplings included: the phase that the earlier
-/// members of its aggregate, each in its own gauge, draw it to. The stronger of the two sums
-/// decides whether it takes Z or conj(Z).
-void gauge_reflecting_member(Level& level, const GaugeRank& rank, std::size_t m) {
-  const Index slot = rank.member[m];
+/// The gauge of the m-th of all members, its reflecting couplings included: the phase that the
+/// earlier members of its aggregate, each in its own gauge, draw it to. The stronger of the two
+/// sums decides whether it takes Z or conj(Z).
+void gauge_reflecting_member(Level& level, std::size_t m) {
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  const Index slot = rounds.member[m];
   Complex plain = 0, conjugated = 0;
-  for (Index round = rank.round_begin[m / kLanes]; round < rank.round_begin[m / kLanes + 1];
+  for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
        ++round) {
-    const Index entry = rank.entry[round * kLanes + m % kLanes];
+    const Index entry = rounds.entry[std::size_t{round} * kLanes + m % kLanes];
     if (entry == kNone) continue;
     const Complex from = level.gauge[level.layout().neighbor[entry]];
     const Complex a = level.couplings.direct_at(entry) * from;
@@ -57,14 +58,16 @@ bool reflects(const Level& level, Index slot) {
   });
 }
 
-void renew_rank(Level& level, const GaugeRank& rank, SliceRange groups) {
-  kernels::gauge_members(level.layout(), level.couplings, rank.member.data(),
-                         rank.round_begin.data(), rank.entry.data(), level.gauge.data(), groups);
-  for (std::size_t m = groups.begin * kLanes; m < groups.end * kLanes; ++m) {
-    const Index slot = rank.member[m];
-    if (slot != kNone && reflects(level, slot)) {
-      gauge_reflecting_member(level, rank, m);
-    }
+/// The gauges of the members of one rank in one chunk.
+void renew_range(Level& level, SliceRange groups) {
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  kernels::gauge_members(level.layout(), level.couplings, rounds.member.data(),
+                         rounds.round_begin.data(), rounds.entry.data(), level.gauge.data(),
+                         groups);
+  for (std::size_t m = std::size_t{groups.begin} * kLanes; m < std::size_t{groups.end} * kLanes;
+       ++m) {
+    const Index slot = rounds.member[m];
+    if (slot != kNone && reflects(level, slot)) gauge_reflecting_member(level, m);
   }
 }
 
@@ -236,14 +239,17 @@ Hierarchy sibling(const Hierarchy& hierarchy) {
 }
 
 void renew_gauges(Level& level) {
-  for (const GaugeRank& rank : level.aggregation().gauge_ranks) {
-    parallel_for(
-        rank.member.size() / kLanes,
-        [&](std::size_t begin, std::size_t end) {
-          renew_rank(level, rank, {static_cast<Index>(begin), static_cast<Index>(end)});
-        },
-        kSliceGrain);
-  }
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  parallel_for(
+      rounds.chunk_count(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t chunk = begin; chunk < end; ++chunk) {
+          for (const SliceRange& groups : rounds.ranges_of(static_cast<Index>(chunk))) {
+            renew_range(level, groups);
+          }
+        }
+      },
+      1);
 }
 
 void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {

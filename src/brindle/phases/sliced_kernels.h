@@ -44,9 +44,9 @@ using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex*
 using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Complex* gauge,
                          Complex* gauged, SliceRange);
 
-/// Gauges of one rank (GaugeRank of hierarchy.h) from the direct couplings to earlier members: with
-/// S = sum A g over members without and C over members with the conjugate bit, the longer of the
-/// two over its length, its own conjugate bit set if that is C. Without either, 1.
+/// Gauges of groups of one rank (GaugeRounds of aggregation.h) from the direct couplings to earlier
+/// members: with S = sum A g over members without and C over members with the conjugate bit, the
+/// longer of the two over its length, its own conjugate bit set if that is C. Without either, 1.
 using GaugeMembers = void(const SlicedLayout&, const SlicedCouplings&, const Index* member,
                           const Index* round_begin, const Index* round_entry, Complex* gauge,
                           SliceRange groups);
