@@ -1,7 +1,6 @@
 #include "brindle/phases/hierarchy.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -21,8 +20,9 @@ Level make_level(std::shared_ptr<const SlicedLayout> layout,
   SlicedCouplings couplings(*layout);
   std::vector<Complex> gauge(layout->slot_count(), with_conjugate_bit(1, false));
   std::vector<Complex> z(layout->slot_count() + 1, kPeak);
+  std::vector<std::uint8_t> receives(layout->slot_count());
   return {std::move(layout), std::move(aggregation), std::move(couplings),
-          std::move(gauge),  std::move(z),           {}};
+          std::move(gauge),  std::move(z),           std::move(receives)};
 }
 
 /// The gauge of the m-th of all members, its reflecting couplings included: the phase that the
@@ -74,40 +74,37 @@ void renew_range(Level& level, SliceRange groups) {
 /// The reflecting sums of one coarse slice while it is renewed.
 class ReflectingSums {
  public:
-  ReflectingSums(Level& coarse, Index slice)
+  ReflectingSums(Level& coarse, Index slice, std::vector<Complex>& buffer)
       : coarse_(coarse),
         slice_(slice),
         first_(std::size_t{coarse.layout().column_begin[slice]} * kLanes),
-        end_(std::size_t{coarse.layout().column_begin[slice + 1]} * kLanes) {
-    buffer().assign(end_ - first_, Complex(0));
+        end_(std::size_t{coarse.layout().column_begin[slice + 1]} * kLanes),
+        buffer_(buffer) {
+    buffer_.assign(end_ - first_, Complex(0));
   }
 
   /// The direct couplings of the finer level that a gauge has made reflecting.
   void set_marked(const SourceRounds& sources, std::span<const Complex> gauged) {
     kernels::sum_marked_slice(coarse_.layout(), sources.round_begin.data(), sources.entry.data(),
-                              gauged.data(), buffer().data(), slice_);
+                              gauged.data(), buffer_.data(), slice_);
   }
 
-  void add(std::size_t entry, Complex b) { buffer()[entry - first_] += b; }
+  void add(std::size_t entry, Complex b) { buffer_[entry - first_] += b; }
 
   void finish() {
     coarse_.couplings.reflecting_count[slice_] = 0;
     for (std::size_t entry = first_; entry < end_; ++entry) {
-      const Complex b = buffer()[entry - first_];
+      const Complex b = buffer_[entry - first_];
       if (b == Complex(0)) continue;
       coarse_.couplings.append_reflecting(coarse_.layout(), slice_, {static_cast<Index>(entry), b});
     }
   }
 
  private:
-  static std::vector<Complex>& buffer() {
-    thread_local std::vector<Complex> b;
-    return b;
-  }
-
   Level& coarse_;
   Index slice_;
   std::size_t first_, end_;
+  std::vector<Complex>& buffer_;
 };
 
 /// Adds the reflecting couplings of one member of the aggregate in `coarse_slot`.
@@ -133,11 +130,10 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
 }
 
 /// Adds what the kernel leaves out: all that has to do with reflecting couplings.
-void finish_slice(const Level& fine, std::span<const Complex> gauged, bool marked, Level& coarse,
-                  Index slice) {
+void finish_slice(const Level& fine, SumScratch::OfThread& scratch, Level& coarse, Index slice) {
   const Aggregation& aggregation = fine.aggregation();
-  ReflectingSums sums(coarse, slice);
-  if (marked) sums.set_marked(aggregation.sources, gauged);
+  ReflectingSums sums(coarse, slice, scratch.reflecting);
+  if (scratch.marked[slice]) sums.set_marked(aggregation.sources, scratch.gauged);
   for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
     if (!coarse.receives_reflecting[slot]) continue;
     for (Index m = aggregation.member_begin[slot]; m < aggregation.member_begin[slot + 1]; ++m) {
@@ -147,28 +143,42 @@ void finish_slice(const Level& fine, std::span<const Complex> gauged, bool marke
   sums.finish();
 }
 
-/// Marks the coarse slots that reflecting couplings of a range of fine slices add to.
-void mark_reflecting(const Level& fine, SliceRange range, std::span<std::uint8_t> receives) {
-  for (Index slice = range.begin; slice < range.end; ++slice) {
-    for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), slice)) {
-      // Several tasks may set the same mark; the last place is for slots without an aggregate.
-      const Index coarse_slot = fine.aggregation().coarse_slot[slice * kLanes + entry % kLanes];
-      std::atomic_ref(receives[coarse_slot]).store(1, std::memory_order_relaxed);
+/// Marks the slots of a coarse block that reflecting couplings of a fine slice add to.
+void mark_reflecting(const Level& fine, Index fine_slice, SliceRange block, Level& coarse) {
+  for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), fine_slice)) {
+    const Index coarse_slot = fine.aggregation().coarse_slot[fine_slice * kLanes + entry % kLanes];
+    if (coarse_slot / kLanes < block.begin || coarse_slot / kLanes >= block.end) continue;
+    coarse.receives_reflecting[coarse_slot] = 1;
+  }
+}
+
+/// Brings the rows that add to a coarse block into their gauges.
+void gauge_block(const Level& fine, Level& coarse, Index block, SumScratch::OfThread& scratch) {
+  const SliceRange slices = coarse.layout().block(block);
+  std::fill(coarse.receives_reflecting.begin() + slices.begin * kLanes,
+            coarse.receives_reflecting.begin() + slices.end * kLanes, std::uint8_t{0});
+  Complex* gauged = scratch.gauged.data() + kLanes;
+  for (const SliceRange& run : fine.aggregation().sources.runs_of(block)) {
+    kernels::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged, run);
+    gauged +=
+        std::size_t{fine.layout().column_begin[run.end] - fine.layout().column_begin[run.begin]} *
+        kLanes;
+    for (Index slice = run.begin; slice < run.end; ++slice) {
+      mark_reflecting(fine, slice, slices, coarse);
     }
   }
 }
 
-void sum_slices(const Level& fine, std::span<const Complex> gauged, Level& coarse,
-                SliceRange range) {
-  thread_local std::vector<std::uint8_t> marked;
-  marked.resize(coarse.layout().slice_count());
+void sum_block(const Level& fine, Level& coarse, Index block, SumScratch::OfThread& scratch) {
+  const SliceRange slices = coarse.layout().block(block);
+  gauge_block(fine, coarse, block, scratch);
   kernels::sum_slices(coarse.layout(), fine.aggregation().sources.round_begin.data(),
-                      fine.aggregation().sources.entry.data(), gauged.data(),
-                      coarse.couplings.direct.get(), marked.data(), range);
-  for (Index slice = range.begin; slice < range.end; ++slice) {
+                      fine.aggregation().sources.entry.data(), scratch.gauged.data(),
+                      coarse.couplings.direct.get(), scratch.marked.data(), slices);
+  for (Index slice = slices.begin; slice < slices.end; ++slice) {
     const auto receives = coarse.receives_reflecting.begin() + slice * kLanes;
-    if (marked[slice] || std::any_of(receives, receives + kLanes, std::identity())) {
-      finish_slice(fine, gauged, marked[slice] != 0, coarse, slice);
+    if (scratch.marked[slice] || std::any_of(receives, receives + kLanes, std::identity())) {
+      finish_slice(fine, scratch, coarse, slice);
     } else {
       coarse.couplings.reflecting_count[slice] = 0;
     }
@@ -190,6 +200,23 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
 
 }  // namespace
 
+void SumScratch::reserve(std::span<const Level> levels) {
+  threads.resize(std::max(threads.size(), thread_capacity()));
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
+    const SlicedLayout& coarse = levels[l + 1].layout();
+    std::size_t widest = 0;
+    for (Index slice = 0; slice < coarse.slice_count(); ++slice) {
+      widest = std::max<std::size_t>(widest, coarse.width(slice * kLanes));
+    }
+    const std::size_t places = levels[l].aggregation().sources.places;
+    for (OfThread& own : threads) {
+      own.gauged.resize(std::max(own.gauged.size(), places));
+      own.marked.resize(std::max<std::size_t>(own.marked.size(), coarse.slice_count()));
+      own.reflecting.reserve(widest * kLanes);
+    }
+  }
+}
+
 Hierarchy finest_level(const Adjacency& adjacency) {
   Hierarchy hierarchy;
   Stopwatch watch;
@@ -201,7 +228,6 @@ Hierarchy finest_level(const Adjacency& adjacency) {
 
 void coarsen(Hierarchy& hierarchy, const Progress& progress) {
   Stopwatch watch;
-  std::vector<Complex> gauged(hierarchy.levels[0].layout().entry_count() + 1);
   while (hierarchy.levels.back().layout().entry_count() > 0) {
     Level& fine = hierarchy.levels.back();
     progress.report("hierarchy", 1 - static_cast<double>(fine.z.size()) /
@@ -209,14 +235,15 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
     const Matching matching = grow_aggregates(fine.layout(), fine.couplings);
     if (matching.count() == 0) break;
     const Adjacency adjacency = coarse_adjacency(fine.layout(), matching);
-    Level coarse = make_level(
-        std::make_shared<SlicedLayout>(sliced_layout(adjacency, greedy_coloring(adjacency))));
+    Level coarse = make_level(std::make_shared<SlicedLayout>(coarse_layout(matching, adjacency)));
     fine.shared_aggregation =
         std::make_shared<Aggregation>(arrange(fine.layout(), matching, adjacency, coarse.layout()));
-    hierarchy.topology_milliseconds += watch.lap();
-    renew_gauges(fine);
-    renew_sums(fine, coarse, gauged);
     hierarchy.levels.push_back(std::move(coarse));
+    hierarchy.scratch.reserve(hierarchy.levels);
+    hierarchy.topology_milliseconds += watch.lap();
+    const std::size_t finer = hierarchy.levels.size() - 2;
+    renew_gauges(hierarchy.levels[finer]);
+    renew_sums(hierarchy.levels[finer], hierarchy.levels[finer + 1], hierarchy.scratch);
     hierarchy.numeric_milliseconds += watch.lap();
   }
 }
@@ -235,6 +262,7 @@ Hierarchy sibling(const Hierarchy& hierarchy) {
   for (const Level& level : hierarchy.levels) {
     result.levels.push_back(make_level(level.shared_layout, level.shared_aggregation));
   }
+  result.scratch.reserve(result.levels);
   return result;
 }
 
@@ -252,35 +280,29 @@ void renew_gauges(Level& level) {
       1);
 }
 
-void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {
-  gauged[fine.layout().entry_count()] = 0;  // what empty places in rounds add
-  coarse.receives_reflecting.assign(coarse.layout().slot_count() + 1, 0);
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
+  const bool anchored = !fine.couplings.anchor.empty();
+  coarse.couplings.anchor.resize(anchored ? coarse.layout().slot_count() : 0);
   parallel_for(
-      fine.layout().slice_count(),
+      coarse.layout().block_count(),
       [&](std::size_t begin, std::size_t end) {
-        const SliceRange range{static_cast<Index>(begin), static_cast<Index>(end)};
-        kernels::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged.data(),
-                              range);
-        mark_reflecting(fine, range, coarse.receives_reflecting);
-      },
-      kSliceGrain);
-  coarse.couplings.anchor.resize(fine.couplings.anchor.empty() ? 0 : coarse.layout().slot_count());
-  parallel_for(
-      coarse.layout().slice_count(),
-      [&](std::size_t begin, std::size_t end) {
-        sum_slices(fine, gauged, coarse, {static_cast<Index>(begin), static_cast<Index>(end)});
-        if (fine.couplings.anchor.empty()) return;
-        for (std::size_t slice = begin; slice < end; ++slice) {
-          sum_anchors(fine, coarse, static_cast<Index>(slice));
+        SumScratch::OfThread& own = scratch.threads.at(thread_number());
+        for (std::size_t b = begin; b < end; ++b) {
+          const auto block = static_cast<Index>(b);
+          sum_block(fine, coarse, block, own);
+          const SliceRange slices = coarse.layout().block(block);
+          for (Index slice = slices.begin; anchored && slice < slices.end; ++slice) {
+            sum_anchors(fine, coarse, slice);
+          }
         }
       },
-      kSliceGrain);
+      1);
 }
 
-void renew(Hierarchy& hierarchy, std::span<Complex> gauged) {
+void renew(Hierarchy& hierarchy) {
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     renew_gauges(hierarchy.levels[l]);
-    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], gauged);
+    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);
   }
 }
 

@@ -23,14 +23,28 @@ struct Level {
                                ///< (sliced_kernels.h) is set; empty on the coarsest level
   std::vector<Complex> z;      ///< phases by slot; one more, always kPeak, for finer slots without
                                ///< an aggregate
-  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slot, and one more
+  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slot
 
   const SlicedLayout& layout() const { return *shared_layout; }
   const Aggregation& aggregation() const { return *shared_aggregation; }
 };
 
+/// What sums are computed in, for every thread its own.
+struct SumScratch {
+  struct OfThread {
+    std::vector<Complex> gauged;       ///< SourceRounds::places, the first kLanes zero
+    std::vector<std::uint8_t> marked;  ///< by coarse slice
+    std::vector<Complex> reflecting;   ///< by entry of one coarse slice
+  };
+  std::vector<OfThread> threads;
+
+  /// Makes room for the sums of all levels.
+  void reserve(std::span<const Level> levels);
+};
+
 struct Hierarchy {
   std::vector<Level> levels;  ///< finest first
+  SumScratch scratch;
 
   double topology_milliseconds = 0;  ///< colours, aggregates, layouts
   double numeric_milliseconds = 0;   ///< gauges and sums of the first build
@@ -58,13 +72,11 @@ Hierarchy sibling(const Hierarchy& hierarchy);
 /// Renews the gauges of a level from its couplings.
 void renew_gauges(Level& level);
 
-/// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`. `gauged` is
-/// scratch space with room for the entries of `fine` and one more.
-void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged);
+/// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`.
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch);
 
-/// Renews the gauges and sums of all levels from the couplings of the finest. `gauged` is scratch
-/// space with room for its entries and one more.
-void renew(Hierarchy& hierarchy, std::span<Complex> gauged);
+/// Renews the gauges and sums of all levels from the couplings of the finest.
+void renew(Hierarchy& hierarchy);
 
 /// Sets the phases of `fine` from those of `coarse`.
 void prolong(const Level& coarse, Level& fine);

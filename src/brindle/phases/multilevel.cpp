@@ -8,13 +8,15 @@
 namespace brindle {
 namespace {
 
-/// Levels of at most so many nodes cost next to nothing, and what they leave undone no finer level
-/// can mend: they get more sweeps.
-constexpr std::size_t kSmallLevel = 4096;
-constexpr int kSmallLevelFactor = 4;
+/// What a small level leaves undone no finer level can mend, and its sweeps cost little: they grow
+/// in number as levels shrink.
+int sweep_factor(std::size_t nodes) {
+  if (nodes <= 4096) return 8;
+  return nodes <= 16384 ? 2 : 1;
+}
 
 void sweep_level(Level& level, int sweeps) {
-  if (level.z.size() <= kSmallLevel) sweeps *= kSmallLevelFactor;
+  sweeps *= sweep_factor(level.z.size());
   for (int s = 0; s < sweeps; ++s) sweep(level.layout(), level.couplings, level.z);
 }
 
@@ -31,7 +33,7 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
 
 void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
 
-void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged) {
+void correct(Hierarchy& hierarchy, int sweeps) {
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     Level& level = hierarchy.levels[l];
     parallel_for(level.gauge.size(), [&](std::size_t begin, std::size_t end) {
@@ -40,7 +42,7 @@ void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged) {
         level.gauge[slot] = with_conjugate_bit(now, conjugate_bit(level.gauge[slot]));
       }
     });
-    renew_sums(level, hierarchy.levels[l + 1], gauged);
+    renew_sums(level, hierarchy.levels[l + 1], hierarchy.scratch);
   }
   descend_from(hierarchy, Complex(1), sweeps);
 }

@@ -13,7 +13,7 @@ void descend(Hierarchy& hierarchy, int sweeps);
 /// Another descent from the phases that the finest level has: they become its gauges, so that a
 /// coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is where every level
 /// starts. The energy cannot rise. Overwrites gauges and coarse couplings; the next `renew`
-/// restores them. `gauged` is scratch space as for `renew`.
-void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged);
+/// restores them.
+void correct(Hierarchy& hierarchy, int sweeps);
 
 }  // namespace brindle

@@ -39,8 +39,9 @@ using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex*
                            Complex* momentum, SliceRange);
 
 /// Turns the direct couplings of all entries of a range into the gauges at their ends:
-/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z); entry by entry into `gauged`. The conjugate
-/// bit of a result says that it adds to B of the coarser level, not to A.
+/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z); entry by entry into `gauged`, from the
+/// first of the range on. The conjugate bit of a result says that it adds to B of the coarser
+/// level, not to A.
 using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Complex* gauge,
                          Complex* gauged, SliceRange);
 

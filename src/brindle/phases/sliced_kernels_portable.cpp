@@ -139,14 +139,15 @@ double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings
 
 void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
                   const Complex* gauge, Complex* gauged, SliceRange range) {
+  const std::size_t first = std::size_t{layout.column_begin[range.begin]} * kLanes;
   for (Index slice = range.begin; slice < range.end; ++slice) {
     for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
          entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
       const Complex g_i = gauge[slice * kLanes + entry % kLanes];
       const Complex g_j = gauge[layout.neighbor[entry]];
       const Complex c = std::conj(g_i) * (couplings.direct_at(entry) * g_j);
-      gauged[entry] = with_conjugate_bit(conjugate_bit(g_i) ? std::conj(c) : c,
-                                         conjugate_bit(g_i) != conjugate_bit(g_j));
+      gauged[entry - first] = with_conjugate_bit(conjugate_bit(g_i) ? std::conj(c) : c,
+                                                 conjugate_bit(g_i) != conjugate_bit(g_j));
     }
   }
 }

@@ -275,6 +275,7 @@ HWY_INLINE Z gauged_coupling(Z a, Z g_i, Z g_j) {
 
 void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
                   const Complex* gauge, Complex* gauged, SliceRange range) {
+  const std::size_t first = std::size_t{layout.column_begin[range.begin]} * kLanes;
   for (Index slice = range.begin; slice < range.end; ++slice) {
     for (Index lane = 0; lane < kLanes; lane += lanes()) {
       const Z g_i = load(gauge + slice * kLanes + lane);
@@ -283,7 +284,7 @@ void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
         const std::size_t entry = column * kLanes + lane;
         const Z g_j = gather(gauge, layout.neighbor.data() + entry);
         const Z a = load_column(couplings.direct.get() + column * 2 * kLanes + lane);
-        store(gauged_coupling(a, g_i, g_j), gauged + entry);
+        store(gauged_coupling(a, g_i, g_j), gauged + (entry - first));
       }
     }
   }

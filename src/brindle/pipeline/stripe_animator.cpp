@@ -24,7 +24,6 @@ struct StripeAnimator::State {
   std::vector<SlicedWave> waves;  ///< of the last frame
   std::vector<float> weights;     ///< options.edge_weights by entry
   std::vector<float> degree;      ///< sum of weights by slot
-  std::vector<Complex> gauged;    ///< scratch of the sums
   std::vector<Complex> last_z;    ///< by slot; empty: none
   std::vector<Complex> z_by_vertex;
   Momentum momentum;
@@ -130,7 +129,7 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
       level.couplings.anchor.reserve(level.layout().slot_count());
     }
   }
-  if (s.options.solver == FrameSolver::multilevel || !has_last) renew(s.hierarchy, s.gauged);
+  if (s.options.solver == FrameSolver::multilevel || !has_last) renew(s.hierarchy);
   result.milliseconds.sum = watch.lap();
   solve_frame(has_last, progress);
   const SlicedLayout& layout = s.finest().layout();
@@ -148,7 +147,6 @@ void StripeAnimator::start() {
   const SlicedLayout& layout = s.finest().layout();
   s.waves.resize(layout.slot_count());
   s.degree.resize(layout.slot_count());
-  s.gauged.resize(layout.entry_count() + 1);
   s.last_z.reserve(layout.slot_count());
   s.z_by_vertex.resize(layout.slot_of.size());
   if (!s.options.edge_weights.empty()) {
@@ -175,7 +173,7 @@ void StripeAnimator::solve_frame(bool has_last, const Progress& progress) {
     descend(s.hierarchy, s.options.sweeps);
     for (int cycle = 0; cycle < s.options.cycles; ++cycle) {
       progress.report("cycles", static_cast<double>(cycle) / s.options.cycles);
-      correct(s.hierarchy, s.options.sweeps, s.gauged);
+      correct(s.hierarchy, s.options.sweeps);
     }
     return;
   }
