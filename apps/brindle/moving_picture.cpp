@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/render/headless_context.h"
+#include "brindle/gl/headless_context.h"
 #include "picture_options.h"
 #include "video_file.h"
 

@@ -7,9 +7,9 @@
 #include <type_traits>
 
 #include "brindle/base/error.h"
-#include "brindle/render/gl_name.h"
-#include "brindle/render/headless_context.h"
-#include "brindle/render/shader_program.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/headless_context.h"
+#include "brindle/gl/shader_program.h"
 
 namespace brindle {
 namespace {
@@ -23,45 +23,6 @@ constexpr int kWantedSamples = 8;
 constexpr std::size_t kBatch = 1 << 16;
 
 enum Binding { kTriangles, kPositions, kNormals, kWaves, kPhases, kTriangleColors, kMarks };
-
-GLint limit(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
-void check_gl(const std::string& job) {
-  const GLenum error = glGetError();
-  if (error == GL_NO_ERROR) return;
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  throw Error(job + " failed: " +
-              (error == GL_OUT_OF_MEMORY ? "OpenGL is out of memory; take a smaller mesh or picture"
-                                         : "OpenGL error " + std::to_string(error)));
-}
-
-template <class Item>
-GlBuffer buffer_of(std::span<const Item> items, const char* what) {
-  GlBuffer buffer;
-  if (items.empty()) return buffer;
-  GLint64 largest = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-  if (items.size_bytes() > static_cast<std::size_t>(largest)) {
-    throw Error("cannot draw this mesh: its " + std::string(what) + " take " +
-                std::to_string(items.size_bytes()) + " bytes and this driver's buffers hold " +
-                std::to_string(largest) + "; take a smaller mesh");
-  }
-  GLuint name = 0;
-  glCreateBuffers(1, &name);
-  buffer = GlBuffer(name);
-  glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), 0);
-  return buffer;
-}
-
-template <class Item>
-GlBuffer buffer_of(const std::vector<Item>& items, const char* what) {
-  return buffer_of(std::span<const Item>(items), what);
-}
 
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
   std::vector<Eigen::Vector4f> packed(waves.directions.size());
@@ -186,7 +147,7 @@ int samples_for(std::size_t triangle_count, const RenderOptions& options) {
   const double pixels = static_cast<double>(options.width) * options.height *
                         options.supersampling * options.supersampling;
   if (4 * static_cast<double>(triangle_count) > pixels) return 0;
-  const int samples = std::min(kWantedSamples, limit(GL_MAX_SAMPLES));
+  const int samples = std::min(kWantedSamples, gl_limit(GL_MAX_SAMPLES));
   return samples > 1 ? samples : 0;
 }
 
@@ -382,7 +343,7 @@ Image Renderer::draw(const RenderOptions& options) const {
       framed_camera(state_->points, options.camera, options.width, options.height);
   const int s = options.supersampling;
   const int side =
-      std::min({options.tile_side, limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS)});
+      std::min({options.tile_side, gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS)});
   // An even number of pixels, so that derivatives pair the same pixels in every tiling.
   const int step = side / s / 2 * 2;
   const int tile_width = std::min(step, options.width);
@@ -415,7 +376,7 @@ FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   check_options(options);
   const int width = options.width;
   const int height = options.height;
-  if (std::max(width, height) > std::min(limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS))) {
+  if (std::max(width, height) > std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS))) {
     throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels is beyond this driver's framebuffers; take a smaller one");
   }
