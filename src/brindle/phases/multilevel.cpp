@@ -8,14 +8,12 @@
 namespace brindle {
 namespace {
 
-/// Levels of at most so many nodes cost next to nothing, and what they leave undone no finer level
-/// can mend: they get more sweeps.
-constexpr std::size_t kSmallLevel = 4096;
 constexpr int kSmallLevelFactor = 4;
 
 void sweep_level(Level& level, int sweeps) {
-  if (level.z.size() <= kSmallLevel) sweeps *= kSmallLevelFactor;
-  for (int s = 0; s < sweeps; ++s) sweep(level.layout(), level.couplings, level.z);
+  for (int s = sweeps_on_level(level.layout().slot_count(), sweeps); s > 0; --s) {
+    sweep(level.layout(), level.couplings, level.z);
+  }
 }
 
 void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
@@ -28,6 +26,10 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
 }
 
 }  // namespace
+
+int sweeps_on_level(Index slot_count, int sweeps) {
+  return slot_count < kSmallLevel ? kSmallLevelFactor * sweeps : sweeps;
+}
 
 void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
 
