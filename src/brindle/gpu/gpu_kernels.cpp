@@ -1,7 +1,5 @@
 #include "brindle/gpu/gpu_kernels.h"
 
-#include <algorithm>
-
 #include <epoxy/gl.h>
 
 namespace brindle {
@@ -15,7 +13,7 @@ thread_local std::size_t dispatches = 0;
 void run(const ShaderProgram& kernel, GpuGroups groups) {
   glUseProgram(kernel.name());
   glDispatchCompute(groups.x, groups.y, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   ++dispatches;
 }
 
@@ -70,6 +68,14 @@ void dispatch(const ShaderProgram& kernel, std::size_t invocations) {
 }
 
 void dispatch_one_group(const ShaderProgram& kernel) { run(kernel, {1, 1}); }
+
+void dispatch_indirect(const ShaderProgram& kernel, unsigned commands, std::size_t place) {
+  glUseProgram(kernel.name());
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands);
+  glDispatchComputeIndirect(static_cast<GLintptr>(place));
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  ++dispatches;
+}
 
 std::size_t dispatch_count() { return dispatches; }
 

@@ -56,11 +56,13 @@ struct GpuGroups {
 };
 
 /// Runs a kernel with at least so many invocations; what it writes is seen by all that follows.
-/// `dispatch_one_group` runs a kernel that is one group.
+/// `dispatch_one_group` runs a kernel that is one group, `dispatch_indirect` as many groups as
+/// `commands` holds at a place.
 void dispatch(const ShaderProgram& kernel, std::size_t invocations);
 void dispatch_one_group(const ShaderProgram& kernel);
+void dispatch_indirect(const ShaderProgram& kernel, unsigned commands, std::size_t place);
 
-/// How often the two were called so far, on this thread.
+/// How often these were called so far, on this thread.
 std::size_t dispatch_count();
 
 /// Binds a buffer by its name.

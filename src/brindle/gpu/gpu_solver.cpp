@@ -5,15 +5,10 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_hierarchy.h"
+#include "brindle/gpu/gpu_relaxation.h"
 
 namespace brindle {
 namespace {
-
-std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, int sweeps) {
-  std::vector<std::shared_ptr<const LevelTopology>> levels;
-  for (const Level& level : hierarchy.levels) levels.push_back(level.topology);
-  return std::make_shared<const GpuTopology>(flatten(levels, sweeps));
-}
 
 PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const PhaseGraph& graph,
                                const SolverOptions& options, const Progress& progress) {
@@ -45,6 +40,9 @@ PhaseSolution GpuSolver::solve(const PhaseGraph& graph, const SolverOptions& opt
   if (!is_available_on_gpu(options.solver)) {
     throw Error("the GPU has no solver '" + std::string(name_of(options.solver)) +
                 "'; take multilevel or relaxation, or solve on the processor");
+  }
+  if (options.solver == Solver::relaxation) {
+    return relax_on_gpu(kernels_, graph, options, {}, progress);
   }
   return solve_multilevel(kernels_, graph, options, progress);
 }

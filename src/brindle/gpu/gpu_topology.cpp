@@ -56,4 +56,10 @@ void GpuTopology::bind() const {
   bind_storage(kNeighborBinding, neighbors_);
 }
 
+std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, int sweeps) {
+  std::vector<std::shared_ptr<const LevelTopology>> levels;
+  for (const Level& level : hierarchy.levels) levels.push_back(level.topology);
+  return std::make_shared<const GpuTopology>(flatten(levels, sweeps));
+}
+
 }  // namespace brindle

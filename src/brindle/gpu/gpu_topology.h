@@ -1,6 +1,7 @@
 /// The part of a hierarchy that stays as long as the graph's connectivity, on the device.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "brindle/gl/gl_name.h"
@@ -43,5 +44,8 @@ class GpuTopology {
   std::size_t node_count_, slot_count_, entry_count_, finest_entries_;
   GlBuffer level_table_, topology_, neighbors_;
 };
+
+/// That of a hierarchy whose descents make `sweeps` sweeps a level.
+std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, int sweeps);
 
 }  // namespace brindle

@@ -7,6 +7,7 @@
 
 #include "brindle/base/adjacency.h"
 #include "brindle/base/types.h"
+#include "brindle/phases/hierarchy.h"
 #include "brindle/waves/phase_shift.h"
 
 namespace brindle {
@@ -32,6 +33,14 @@ struct FrameInput {
   std::span<const Vec3> directions;  ///< unit tangent vectors, or zero for no wave
   std::span<const float> frequencies;
 };
+
+/// What StripeAnimator and GpuAnimator stand on: throws Error for options out of range, for input
+/// without one entry for each of so many vertices, and makes the hierarchy of the first frame, on
+/// which all later ones are solved.
+void check(const AnimatorOptions& options);
+void check(const FrameInput& input, std::size_t vertices);
+Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
+                          PhaseShiftKind kind);
 
 struct FrameMilliseconds {
   double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
