@@ -50,8 +50,8 @@ Judged judge(const SceneFrame& frame, const PhaseGraph& graph, std::span<const C
 /// count, their sums as the issue asks.
 void expect_same_scene(const GpuSolver& solver, SceneKind scene_kind,
                        const AnimatorOptions& options) {
-  const Surface surface = make_surface(make_shape("torus,resolution=40"));
-  const float frequency = 16 / bounding_box(surface.mesh).diagonal();
+  const Surface surface = make_surface(make_shape("torus,resolution=100"));
+  const float frequency = 25 / bounding_box(surface.mesh).diagonal();
   Scene scene(surface, {.kind = scene_kind, .frequency = frequency});
   StripeAnimator cpu(surface.neighborhood, options);
   GpuAnimator gpu(solver.kernels(), surface.neighborhood, options);

@@ -197,8 +197,10 @@ struct Renderer::State {
   std::size_t vertex_count = 0;
   std::size_t triangle_count = 0;
   std::array<GlBuffer, 7> buffers;
+  GLuint foreign_phases = 0;  ///< instead of those in `buffers`, unless 0
   GLsizei mark_count = 0;
 
+  bool has_phases() const { return foreign_phases != 0 || buffers[kPhases] != 0; }
   void draw_surface(const ShaderProgram& program, const Camera& camera,
                     const Eigen::Vector4f& tile) const;
   void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
@@ -216,11 +218,12 @@ void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& c
   program.set("clip_from_view", camera.clip_from_view);
   program.set("tile", tile);
   program.set("smooth_normals", buffers[kNormals] != 0);
-  program.set("has_waves", buffers[kWaves] != 0 && buffers[kPhases] != 0);
+  program.set("has_waves", buffers[kWaves] != 0 && has_phases());
   program.set("has_triangle_colors", buffers[kTriangleColors] != 0);
   for (GLuint binding = 0; binding < buffers.size(); ++binding) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
   }
+  if (foreign_phases != 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPhases, foreign_phases);
   glUseProgram(program.name());
   glBindVertexArray(no_attributes);
   for (std::size_t first = 0; first < triangle_count; first += kBatch) {
@@ -311,6 +314,7 @@ void Renderer::upload(const StripeScene& scene) {
   state_->triangle_count = scene.mesh.triangle_count();
   auto& buffers = state_->buffers;
   buffers = {};
+  state_->foreign_phases = 0;
   buffers[kTriangles] = buffer_of(scene.mesh.triangles, "triangles");
   buffers[kPositions] = buffer_of(scene.mesh.positions, "positions");
   buffers[kNormals] = buffer_of(scene.normals, "normals");
@@ -328,13 +332,28 @@ void Renderer::update(const SceneChange& change) {
   if (!change.positions.empty()) buffers[kPositions] = buffer_of(change.positions, "positions");
   if (!change.normals.empty()) buffers[kNormals] = buffer_of(change.normals, "normals");
   if (change.waves != nullptr) buffers[kWaves] = buffer_of(packed_waves(*change.waves), "waves");
-  if (!change.z.empty()) buffers[kPhases] = buffer_of(change.z, "phases");
+  if (!change.z.empty()) {
+    buffers[kPhases] = buffer_of(change.z, "phases");
+    state_->foreign_phases = 0;
+  }
   if (!change.triangle_colors.empty()) {
     buffers[kTriangleColors] = buffer_of(packed_colors(change.triangle_colors), "triangle colours");
   }
   buffers[kMarks] = buffer_of(packed_marks(change.marks), "marks");
   state_->mark_count = static_cast<GLsizei>(change.marks.size());
   check_gl("copying a change of the scene to OpenGL");
+}
+
+void Renderer::use_phases(unsigned buffer) {
+  GLint64 size = 0;
+  glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &size);
+  check_gl("looking at the buffer of phases");
+  if (static_cast<std::size_t>(size) != state_->vertex_count * sizeof(Complex)) {
+    throw Error("cannot draw this scene: a buffer of " + std::to_string(size) +
+                " bytes is not one of phases for " + std::to_string(state_->vertex_count) +
+                " vertices");
+  }
+  state_->foreign_phases = buffer;
 }
 
 Image Renderer::draw(const RenderOptions& options) const {
@@ -376,7 +395,8 @@ FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   check_options(options);
   const int width = options.width;
   const int height = options.height;
-  if (std::max(width, height) > std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS))) {
+  if (std::max(width, height) >
+      std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS))) {
     throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels is beyond this driver's framebuffers; take a smaller one");
   }
@@ -391,7 +411,7 @@ FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
-  if (state_->buffers[kWaves] == 0 || state_->buffers[kPhases] == 0) {
+  if (state_->buffers[kWaves] == 0 || !state_->has_phases()) {
     throw Error("the scene has no waves whose phases could be drawn");
   }
   state_->draw_surface(state_->probe, framed_camera(state_->points, options.camera, width, height),
