@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <epoxy/gl.h>
+
 namespace brindle {
 
 StageTimer::~StageTimer() {

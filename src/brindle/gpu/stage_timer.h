@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <epoxy/gl.h>
-
 namespace brindle {
 
 /// A stage of the work on the device and its milliseconds there.
@@ -33,7 +31,7 @@ class StageTimer {
  private:
   void mark();
 
-  std::vector<GLuint> queries_;
+  std::vector<unsigned> queries_;
   std::vector<std::string_view> names_;
 };
 

@@ -42,7 +42,7 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   }
   result.milliseconds.topology = watch.lap();
 
-  result.solution = solve_phases(graph, options.solver, progress);
+  result.solution = options.solve(graph, options.solver, progress);
   result.milliseconds.topology += result.solution.topology_milliseconds;
   result.milliseconds.solve = result.solution.solve_milliseconds;
   graph = {};
