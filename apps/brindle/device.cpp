@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "brindle/gpu/gpu_solver.h"
 #include "gpu.h"
 #include "option_values.h"
 
@@ -34,10 +35,12 @@ void add_device_option(CLI::App& app, DeviceKind& device) {
                    "solve on the processor (default), or on the GPU by OpenGL 4.5");
 }
 
+bool has_solver(DeviceKind device, Solver solver) {
+  return device == DeviceKind::cpu || is_available_on_gpu(solver);
+}
+
 void check_solver(DeviceKind device, Solver solver) {
-  if (device == DeviceKind::cpu || solver == Solver::multilevel || solver == Solver::relaxation) {
-    return;
-  }
+  if (has_solver(device, solver)) return;
   throw CLI::ValidationError("--device", "the GPU solves by multilevel or relaxation, not by " +
                                              std::string(name_of(solver)));
 }

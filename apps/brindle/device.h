@@ -17,7 +17,10 @@ enum class DeviceKind { cpu, gpu };
 
 void add_device_option(CLI::App& app, DeviceKind& device);
 
-/// Throws CLI::ValidationError if the GPU has no such solver.
+/// Whether the device has the solver.
+bool has_solver(DeviceKind device, Solver solver);
+
+/// Throws CLI::ValidationError if it does not.
 void check_solver(DeviceKind device, Solver solver);
 
 /// Follows changing input, wherever that is done.
@@ -55,6 +58,9 @@ class Device {
   nlohmann::ordered_json description() const;
 
   struct Gpu;
+
+  /// Nothing on the processor.
+  const Gpu* gpu() const { return gpu_.get(); }
 
  private:
   std::unique_ptr<Gpu> gpu_;

@@ -72,6 +72,8 @@ std::unique_ptr<FrameSolverDevice> Device::Gpu::animator(
       GpuAnimator(state_->solver.kernels(), std::move(neighborhood), options));
 }
 
+std::shared_ptr<const GpuKernels> Device::Gpu::kernels() const { return state_->solver.kernels(); }
+
 void Device::Gpu::check_errors(const std::string& job) const { state_->context.check_errors(job); }
 
 nlohmann::ordered_json Device::Gpu::description() const {

@@ -6,6 +6,10 @@
 
 #include "device.h"
 
+namespace brindle {
+struct GpuKernels;
+}
+
 namespace brindle::tool {
 
 struct Device::Gpu {
@@ -15,6 +19,7 @@ struct Device::Gpu {
   SolvePhases solver() const;
   std::unique_ptr<FrameSolverDevice> animator(std::shared_ptr<const Adjacency> neighborhood,
                                               const AnimatorOptions& options) const;
+  std::shared_ptr<const GpuKernels> kernels() const;
   void check_errors(const std::string& job) const;
   nlohmann::ordered_json description() const;
 

@@ -1,5 +1,6 @@
 #include "brindle/base/error.h"
 #include "gpu.h"
+#include "gpu_measurements.h"
 
 namespace brindle::tool {
 
@@ -20,8 +21,18 @@ std::unique_ptr<FrameSolverDevice> Device::Gpu::animator(
   return nullptr;
 }
 
+std::shared_ptr<const GpuKernels> Device::Gpu::kernels() const { return nullptr; }
+
 void Device::Gpu::check_errors(const std::string& /*job*/) const {}
 
 nlohmann::ordered_json Device::Gpu::description() const { return {}; }
+
+GpuFrameFigures measure_gpu_frames(const Device& /*device*/, const Subject& /*subject*/,
+                                   const Repetitions& /*repetitions*/,
+                                   const Progress& /*progress*/) {
+  return {};
+}
+
+double copy_bandwidth() { return 0; }
 
 }  // namespace brindle::tool

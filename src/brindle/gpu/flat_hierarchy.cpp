@@ -84,7 +84,9 @@ void append_members(Words& words, const LevelTopology& topology, FlatLevel& leve
     words.set(members + 2 * m + 1, words.next());
     words.append(entries[slot], [&](Index entry) { return first_entry + entry; });
   }
-  words.set(members + 2 * static_cast<std::uint32_t>(aggregation.member.size()) + 1, words.next());
+  const std::uint32_t end = members + 2 * static_cast<std::uint32_t>(aggregation.member.size());
+  words.set(end + 1, words.next());
+  level.gauge_entry_count = words.next() - (end + 2);
 }
 
 void append_sources(Words& words, const LevelTopology& topology, FlatLevel& level) {
@@ -92,6 +94,7 @@ void append_sources(Words& words, const LevelTopology& topology, FlatLevel& leve
   const auto none = static_cast<Index>(topology.layout.entry_count());
   const std::uint32_t rounds =
       words.append(sources.entry, [&](Index entry) { return entry == none ? kNone : entry; });
+  level.source_count = words.next() - rounds;
   level.source_begin =
       words.append(sources.round_begin, [&](Index round) { return rounds + round * kLanes; });
 }
@@ -129,6 +132,7 @@ FlatHierarchy flatten(std::span<const std::shared_ptr<const LevelTopology>> leve
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const SlicedLayout& layout = levels[l]->layout;
     level.slot_count = layout.slot_count();
+    level.gauge_entry_count = level.source_count = 0;
     level.sweeps = static_cast<std::uint32_t>(sweeps_on_level(layout.slot_count(), sweeps));
     level.columns = words.append(layout.column_begin,
                                  [&](Index column) { return level.first_column + column; });

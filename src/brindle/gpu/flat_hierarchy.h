@@ -23,7 +23,8 @@ struct FlatLevel {
   std::uint32_t color_begin = 0;
   std::uint32_t color_count = 0;
   std::uint32_t sweeps = 0;
-  std::uint32_t unused[2] = {};
+  std::uint32_t gauge_entry_count = 0;  ///< in the lists that gauges hang on
+  std::uint32_t source_count = 0;       ///< places in all rounds
 };
 
 struct FlatHierarchy {

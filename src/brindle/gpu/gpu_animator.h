@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "brindle/gpu/frame_traffic.h"
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/stage_timer.h"
 #include "brindle/pipeline/stripe_animator.h"
@@ -69,6 +70,9 @@ class GpuAnimator {
   /// descent), "sweeps" (descent through large levels) or "relaxation", "nodes" (phases into vertex
   /// order), "measure". Waits for the device.
   std::vector<StageTime> stage_milliseconds() const;
+
+  /// The bytes that these stages move at least, by `frame_traffic`.
+  std::vector<StageBytes> stage_bytes() const;
 
   /// Dispatches of the last frame.
   std::size_t dispatches() const;

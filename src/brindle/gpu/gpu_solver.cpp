@@ -47,8 +47,4 @@ PhaseSolution GpuSolver::solve(const PhaseGraph& graph, const SolverOptions& opt
   return solve_multilevel(kernels_, graph, options, progress);
 }
 
-bool is_available_on_gpu(Solver solver) {
-  return solver == Solver::multilevel || solver == Solver::relaxation;
-}
-
 }  // namespace brindle

@@ -8,6 +8,11 @@
 
 namespace brindle {
 
+/// Whether the device has it, too.
+constexpr bool is_available_on_gpu(Solver solver) {
+  return solver == Solver::multilevel || solver == Solver::relaxation;
+}
+
 /// Solves in the OpenGL 4.5 context that is current when it is made. That one, or one that shares
 /// its objects, must be current whenever it is used or destroyed.
 class GpuSolver {
@@ -26,8 +31,5 @@ class GpuSolver {
  private:
   std::shared_ptr<const GpuKernels> kernels_;
 };
-
-/// Whether the device has it, too.
-bool is_available_on_gpu(Solver solver);
 
 }  // namespace brindle

@@ -20,7 +20,7 @@ struct Level {
   uint color_begin;   // one word a colour and one more: its first slice in a list
   uint color_count;
   uint sweeps;
-  uint unused_0, unused_1;
+  uint gauge_entry_count, source_count;  // for measurements alone
 };
 
 layout(std140, binding = 0) uniform Levels {

@@ -1,0 +1,39 @@
+#include "brindle/gpu/gpu_kernels.h"
+
+#include "brindle/base/error.h"
+#include "device.h"
+
+namespace brindle {
+namespace {
+
+using GpuKernelsTest = test::GpuTest;
+
+TEST_F(GpuKernelsTest, GroupsCoverAllInvocations) {
+  for (const std::size_t wanted :
+       {0ul, 1ul, 64ul, 65ul, 64ul * 65535, 64ul * 65535 + 1, 1ul << 30}) {
+    const GpuGroups groups = GpuGroups::of(wanted);
+    EXPECT_GE(groups.count() * GpuKernels::kGroupSize, wanted);
+    EXPECT_LE(groups.count(), wanted / GpuKernels::kGroupSize + groups.y);
+    EXPECT_LE(groups.x, 65535u);
+    EXPECT_LE(groups.y, 65535u);
+  }
+}
+
+TEST_F(GpuKernelsTest, AShaderThatDoesNotCompileNamesItsFileAndLine) {
+  try {
+    // Without hierarchy.glsl nobody knows what a level is.
+    ShaderProgram::compute({"invocation.glsl", "complex.glsl", "sweep.glsl", "sweep.comp"});
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("sweep.glsl:5"), std::string::npos) << error.what();
+  }
+  // Some drivers complain a second time, here.
+  try {
+    device.context.check_errors("compiling");
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("compiling"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace brindle
