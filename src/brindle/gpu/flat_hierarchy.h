@@ -1,4 +1,4 @@
-/// The topology of a hierarchy in plain words, as the shaders read it (shaders/hierarchy.glsl).
+/// The topology of a hierarchy in plain words, as the shaders read it (shaders/levels.glsl).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace brindle {
 
 /// Where a level's parts begin: in slots and columns, which are numbered through all levels, or in
-/// words of `FlatHierarchy::topology`. Each begin is that of a list; see shaders/hierarchy.glsl.
+/// words of `FlatHierarchy::topology`. Each begin is that of a list; see shaders/levels.glsl.
 struct FlatLevel {
   std::uint32_t first_slot = 0;
   std::uint32_t slot_count = 0;

@@ -14,7 +14,7 @@ namespace {
 enum Location : GLint { kLevel = 0, kSlices = 1, kWorkCount = 2 };
 enum SmallLocation : GLint { kFirstLevel = 0, kStart = 1, kRenews = 2 };
 
-/// `Row` of shaders/hierarchy.glsl.
+/// `Row` of shaders/couplings.glsl.
 struct Row {
   Complex anchor = 0;
   float degree = 0;

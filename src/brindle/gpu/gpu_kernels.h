@@ -7,8 +7,8 @@
 
 namespace brindle {
 
-/// Where buffers are bound, in the order of shaders/hierarchy.glsl. Only eight may be bound at once
-/// on the smallest devices: the last ones have other uses beside.
+/// Where buffers are bound (shaders/levels.glsl, couplings.glsl and so on). A shader sees no more
+/// than eight, as many as every device has: some places have several uses.
 enum GpuBinding : unsigned {
   kTopologyBinding,
   kNeighborBinding,

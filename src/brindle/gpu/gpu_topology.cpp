@@ -10,7 +10,7 @@
 namespace brindle {
 namespace {
 
-/// The uniform block `Levels` of shaders/hierarchy.glsl.
+/// The uniform block `Levels` of shaders/levels.glsl.
 struct LevelTable {
   std::array<FlatLevel, FlatHierarchy::kMostLevels> levels;
   std::uint32_t level_count, node_at, scratch_size, unused;

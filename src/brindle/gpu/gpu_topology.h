@@ -15,7 +15,7 @@ class GpuTopology {
   /// buffers or OpenGL is out of memory.
   explicit GpuTopology(const FlatHierarchy& flat);
 
-  /// Binds what the shaders of hierarchy.glsl know of it.
+  /// Binds what the shaders of levels.glsl know of it.
   void bind() const;
 
   /// The nodes of one colour of a level.

@@ -1,5 +1,4 @@
-// Targets, sweeps and prolongation (twins: targets, sweep_slices, prolong_slices of
-// phases/sliced_kernels_portable.cpp).
+// Targets and sweeps (twins: targets, sweep_slices of phases/sliced_kernels_portable.cpp).
 
 // The sums of Eq. 8 for one row, without its anchor.
 vec2 pull(Level level, uint slot, bool reflects) {
@@ -29,11 +28,4 @@ void sweep_slot(Level level, uint slot) {
 // The slot that the n-th invocation of a colour works on; `slices` is the colour's list.
 uint slot_of_work(uint slices, uint n) {
   return topology[slices + n / kLanes] * kLanes + n % kLanes;
-}
-
-void prolong_slot(Level level, uint slot) {
-  const vec2 coarse_z = z[topology[level.coarse_slots + slot]];
-  const uvec2 bits = gauge[level.first_slot + slot];
-  set_phase(level, slot, times(uintBitsToFloat(bits),
-                               conjugate_bit(bits) ? conjugate(coarse_z) : coarse_z));
 }
