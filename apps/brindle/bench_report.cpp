@@ -155,12 +155,14 @@ std::size_t bytes_of(const GpuFrameFigures& frame) {
 }
 
 Json to_json(const GpuFrameFigures& frame, double bandwidth) {
-  Json json = {
-      {"dispatches", frame.dispatches},
-      {"bytes", bytes_of(frame)},
-      {"floor_milliseconds", floor_milliseconds(bytes_of(frame), bandwidth)},
-      {"topology_milliseconds", frame.topology_milliseconds},
-      {"milliseconds", {{"device", to_json(frame.device)}, {"wall", to_json(frame.wall)}}}};
+  Json json = {{"dispatches", frame.dispatches},
+               {"bytes", bytes_of(frame)},
+               {"floor_milliseconds", floor_milliseconds(bytes_of(frame), bandwidth)},
+               {"topology_milliseconds", frame.topology_milliseconds},
+               {"milliseconds",
+                {{"device", to_json(frame.device)},
+                 {"wall", to_json(frame.wall)},
+                 {"picture", to_json(frame.picture)}}}};
   for (const GpuStage& stage : frame.stages) {
     json["stages"][stage.name] = {{"milliseconds", to_json(stage.time)}, {"bytes", stage.bytes}};
   }
@@ -221,6 +223,7 @@ void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double ba
   for (const GpuStage& stage : frame.stages) row("  " + stage.name, stage.time, stage.bytes);
   row("all stages", frame.device, bytes_of(frame));
   row("until it has finished", frame.wall, 0);
+  row("picture of 1920 x 1080", frame.picture, 0);
   out << formatted("%zu dispatches; topology %.1f ms, once; energy, branches, angle:",
                    frame.dispatches, frame.topology_milliseconds)
       << tail(frame.quality);

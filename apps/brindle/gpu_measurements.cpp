@@ -9,6 +9,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_animator.h"
+#include "brindle/render/renderer.h"
 #include "changing_input.h"
 #include "gpu.h"
 
@@ -79,6 +80,23 @@ std::vector<GpuStage> stages_of(const std::vector<Sample>& samples,
   return stages;
 }
 
+Spread picture_time(const Subject& subject, const GpuAnimator& animator,
+                    const Repetitions& repetitions) {
+  Renderer renderer;
+  renderer.upload({.mesh = subject.surface.mesh,
+                   .normals = subject.surface.normals,
+                   .waves = &subject.fields[0]});
+  renderer.use_phases(animator.phases());
+  RenderOptions options;
+  options.width = 1920;
+  options.height = 1080;
+  return spread_of(samples_of(repetitions, [&] {
+    Stopwatch watch;
+    renderer.draw(options);
+    return watch.lap();
+  }));
+}
+
 }  // namespace
 
 GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
@@ -102,6 +120,8 @@ GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
     z.push_back(animator.read_phases());
   }
   figures.quality = quality_of(subject, inputs, number, z);
+  progress.report("picture", 0);
+  figures.picture = picture_time(subject, animators[0], repetitions);
   device.check_errors("measuring frames on the GPU");
   return figures;
 }
