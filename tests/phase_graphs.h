@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 #include <string_view>
+#include <utility>
 
 #include "brindle/surface/mesh.h"
 #include "brindle/surface/neighborhood.h"
@@ -27,10 +28,10 @@ struct WavySurface {
   }
 };
 
-/// A built-in shape with the global vector `axis` projected and `stripes` along its diagonal.
-inline WavySurface wavy_surface(std::string_view shape, const Vec3& axis, float stripes) {
+/// A mesh with the global vector `axis` projected and `stripes` along its diagonal.
+inline WavySurface wavy_surface(Mesh mesh, const Vec3& axis, float stripes) {
   WavySurface s;
-  s.mesh = make_shape(shape);
+  s.mesh = std::move(mesh);
   s.normals = vertex_normals(s.mesh);
   s.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(s.mesh));
   s.waves = {
@@ -38,6 +39,11 @@ inline WavySurface wavy_surface(std::string_view shape, const Vec3& axis, float 
       constant_frequency_field(frequency_of_stripes(stripes, bounding_box(s.mesh).diagonal()),
                                s.mesh.vertex_count())};
   return s;
+}
+
+/// A built-in shape.
+inline WavySurface wavy_surface(std::string_view shape, const Vec3& axis, float stripes) {
+  return wavy_surface(make_shape(shape), axis, stripes);
 }
 
 /// Turns about half of the directions round; returns which (1 or 0).

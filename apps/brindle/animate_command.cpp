@@ -24,6 +24,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle animate horse.ply --scene vortices --size 640x480 --output frames/%04d.png
   brindle animate horse.ply --scene zoom --compare-from-scratch --report zoom.json
   brindle animate horse.ply --scene rotate --solver relaxation --iterations 3 --output paper.mp4
+  brindle animate horse.ply --scene vortices --device gpu --output gpu.mp4
   brindle animate shape:trefoil --scene brush --frames 150 --output brush.mp4
 
 Scenes: zoom, the frequency grows by 1 % a frame; vortices, two vortex cores orbit the surface;
@@ -35,6 +36,7 @@ struct AnimateArguments {
   SurfaceOptions surface;
   AnimationOptions animation;
   WaveOptions waves;
+  DeviceKind device = DeviceKind::cpu;
   int threads = 0;
   int frames_per_second = 30;
   std::shared_ptr<PictureOptions> picture;
@@ -124,13 +126,16 @@ void run(AnimateArguments arguments) {
     AnimationOptions& animation = arguments.animation;
     animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
     animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
+    const Device device(arguments.device);
     std::optional<MovingPicture> picture;
     ShowFrame show;
     if (arguments.output) {
-      picture.emplace(*arguments.output, *arguments.picture, arguments.frames_per_second);
-      show = [&](const auto&... frame) { picture->add(frame...); };
+      picture.emplace(*arguments.output, *arguments.picture, arguments.frames_per_second,
+                      !device.has_context());
+      show = [&](const SolvedFrame& frame) { picture->add(frame); };
     }
-    report = play(surface, animation, show, display.progress());
+    report = play(surface, animation, device, show, display.progress());
+    device.check_errors("solving on the GPU");
     if (picture) picture->finish();
     if (!arguments.report.empty()) write_json(arguments.report, to_json(report));
   }
@@ -146,6 +151,7 @@ Command add_animate_command(CLI::App& app) {
   add_surface_options(*command, arguments->surface);
   add_scene_options(*command, *arguments);
   add_animator_options(*command, arguments->animation.animator);
+  add_device_option(*command, arguments->device);
   command->add_option("--threads", arguments->threads, "0: all that the machine has (default)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));

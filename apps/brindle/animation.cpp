@@ -118,8 +118,8 @@ void print_comparison(std::ostream& out, std::size_t number, const FrameReport& 
 
 }  // namespace
 
-AnimationReport play(const Surface& surface, const AnimationOptions& options, const ShowFrame& show,
-                     const Progress& progress) {
+AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
+                     const ShowFrame& show, const Progress& progress) {
   AnimationReport report;
   report.scene = options.scene.kind;
   report.options = options.animator;
@@ -127,12 +127,13 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
   report.triangles = surface.mesh.triangle_count();
   report.edges = surface.neighborhood->edge_count();
   report.threads = ThreadLimit::current();
+  report.device = device.description();
   Scene scene(surface, options.scene);
-  StripeAnimator animator(surface.neighborhood, options.animator);
+  const auto animator = device.animator(surface.neighborhood, options.animator);
   AnimatorOptions without_last = options.animator;
   without_last.solver = FrameSolver::multilevel;
   without_last.lambda = 0;
-  StripeAnimator scratch(surface.neighborhood, without_last);
+  const auto scratch = device.animator(surface.neighborhood, without_last);
   const PhaseShiftKind kind = options.animator.phase_shift;
   Stopwatch watch;
   for (int number = 0; number < options.frames; ++number) {
@@ -141,21 +142,21 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
     watch.lap();
     const SceneFrame& frame = scene.frame(number);
     frame_report.scene_milliseconds = watch.lap();
-    const FrameResult result = animator.frame(input_of(frame.waves));
+    const FrameResult result = animator->frame(input_of(frame.waves));
     frame_report.milliseconds = result.milliseconds;
     frame_report.unchanged = result.unchanged;
     const PhaseGraph graph = build_phase_graph(surface.neighborhood, frame.waves, kind);
     const Measured measured = measure(frame, graph, result, kind);
     frame_report.figures = measured.figures;
     if (options.compare_from_scratch) {
-      const FrameResult again = scratch.frame(input_of(frame.waves));
+      const FrameResult again = scratch->frame(input_of(frame.waves));
       frame_report.from_scratch = measure(frame, graph, again, kind).figures;
     }
     watch.lap();
-    if (show) show(frame, result.z, measured.corners);
+    if (show) show({frame, result.z, animator->phase_buffer(), measured.corners});
     frame_report.render_milliseconds = watch.lap();
   }
-  report.topology_milliseconds = animator.topology_milliseconds();
+  report.topology_milliseconds = animator->topology_milliseconds();
   return report;
 }
 
@@ -171,6 +172,7 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
   } else {
     json["iterations"] = report.options.iterations;
   }
+  json["device"] = report.device;
   json["topology_milliseconds"] = report.topology_milliseconds;
   json["mean"] = means(report.frames);
   const FrameReport& last = report.frames.back();
@@ -190,6 +192,7 @@ void print_report(std::ostream& out, const AnimationReport& report) {
   out << formatted("scene     %s, %zu vertices, %zu triangles, %zu edges, %d thread%s\n",
                    name_of(report.scene).data(), report.vertices, report.triangles, report.edges,
                    report.threads, report.threads == 1 ? "" : "s")
+      << device_line(report.device)
       << "                               angle     phase     couple     sum   solve"
       << (compared ? "  | from scratch\n" : "\n")
       << "frame    energy  branches     error      step      ms      ms      ms"

@@ -12,6 +12,7 @@
 #include "brindle/pattern/quality.h"
 #include "brindle/pipeline/scene.h"
 #include "brindle/pipeline/stripe_animator.h"
+#include "device.h"
 
 namespace brindle::tool {
 
@@ -39,12 +40,20 @@ struct AnimationReport {
   std::size_t edges = 0;
   int threads = 0;
   double topology_milliseconds = 0;
+  nlohmann::ordered_json device;  ///< as Device::description gives it
   std::vector<FrameReport> frames;
 };
 
-/// Receives every frame as it is solved.
-using ShowFrame = std::function<void(const SceneFrame& frame, std::span<const Complex> z,
-                                     std::span<const CornerPhases> corners)>;
+/// A frame as it is solved.
+struct SolvedFrame {
+  const SceneFrame& scene;
+  std::span<const Complex> z;
+  unsigned phase_buffer;  ///< name of the OpenGL buffer that z lies in, too; 0 for none
+  std::span<const CornerPhases> corners;
+};
+
+/// Receives every frame.
+using ShowFrame = std::function<void(const SolvedFrame& frame)>;
 
 struct AnimationOptions {
   SceneOptions scene;
@@ -55,8 +64,8 @@ struct AnimationOptions {
 
 /// Solves and measures all frames; `show` may be empty. Throws what the animator and `show` do, and
 /// Cancelled if `progress` asks for it.
-AnimationReport play(const Surface& surface, const AnimationOptions& options, const ShowFrame& show,
-                     const Progress& progress);
+AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
+                     const ShowFrame& show, const Progress& progress);
 
 nlohmann::ordered_json to_json(const AnimationReport& report);
 

@@ -12,6 +12,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/phases/coloring.h"
 #include "commands.h"
+#include "device.h"
 #include "formatted.h"
 #include "option_values.h"
 #include "outputs.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   brindle bench --json bench.json
   brindle bench horse.ply --direction 0.31,0.9,0.27
+  brindle bench horse.ply --direction 0.31,0.9,0.27 --device gpu
   brindle bench --figure 13)";
 
 // Along no symmetry of any built-in shape.
@@ -30,6 +32,7 @@ const Vec3 kDirection(0.31f, 0.9f, 0.27f);
 
 struct Arguments {
   BenchArguments bench;
+  DeviceKind device = DeviceKind::cpu;
   WaveOptions waves;
   std::string json;
   bool quiet = false;
@@ -75,8 +78,8 @@ MeshFigures empty_figures(const Subject& subject) {
   return figures;
 }
 
-MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, int global_limit,
-                       ProgressDisplay& display) {
+MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Device& device,
+                       int global_limit, ProgressDisplay& display) {
   MeshFigures figures = empty_figures(subject);
   // What is shown while solvers report stages of their own.
   const auto progress = [&](const std::string& name) {
@@ -89,7 +92,10 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, int global
   };
   // First, while nothing has been freed that could be used again unseen.
   if (plan.memory) figures.memory = measure_memory(subject);
-  for (const int threads : plan.threads) {
+  if (device.gpu() != nullptr) {
+    figures.gpu_frames = measure_gpu_frames(device, subject, plan.repetitions, progress("frames"));
+  }
+  for (const int threads : device.gpu() != nullptr ? std::vector<int>() : plan.threads) {
     const ThreadLimit limit(threads);
     figures.frames.push_back(measure_frames(subject, plan.repetitions, progress("frames")));
   }
@@ -100,21 +106,36 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, int global
       if (solver.options.solver == Solver::global && threads != plan.threads.back()) continue;
       const ThreadLimit limit(threads);
       figures.solvers.push_back(
-          measure_solver(subject, solver, plan.repetitions, progress(solver.name)));
+          measure_solver(subject, solver, device, plan.repetitions, progress(solver.name)));
     }
   }
   return figures;
+}
+
+/// Its solvers; threads of the processor make no difference, and its memory says nothing.
+void keep_what_the_gpu_has(BenchPlan& plan) {
+  std::erase_if(plan.solvers, [](const SolverCase& solver) {
+    return !has_solver(DeviceKind::gpu, solver.options.solver);
+  });
+  plan.threads = {plan.threads.back()};
+  plan.memory = false;
 }
 
 BenchReport report_of(const Arguments& arguments) {
   BenchReport report;
   report.machine = this_machine();
   report.figure = arguments.bench.figure;
-  const BenchPlan plan = plan_of(arguments.bench);
+  BenchPlan plan = plan_of(arguments.bench);
+  const Device device(arguments.device);
+  report.device = device.description();
+  if (device.gpu() != nullptr) {
+    keep_what_the_gpu_has(plan);
+    report.copy_bandwidth = copy_bandwidth();
+  }
   ProgressDisplay display(arguments.quiet);
   const int limit = arguments.bench.global_limit;
   for (const Subject& subject : subjects_of(arguments, plan, display)) {
-    report.meshes.push_back(figures_of(subject, plan, limit, display));
+    report.meshes.push_back(figures_of(subject, plan, device, limit, display));
     if (std::ranges::any_of(plan.solvers, [&](const SolverCase& solver) {
           return is_left_out(solver, subject, limit);
         })) {
@@ -178,6 +199,7 @@ Command add_bench_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   add_bench_options(*command, arguments->bench);
   add_wave_options(*command, arguments->waves);
+  add_device_option(*command, arguments->device);
   command->add_option("--json", arguments->json, "write all figures here")->type_name("FILE.json");
   command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
   return {command, [command, arguments] {

@@ -144,6 +144,32 @@ Json to_json(const MeshFigures& mesh) {
   return json;
 }
 
+double floor_milliseconds(std::size_t bytes, double bandwidth) {
+  return 1000 * static_cast<double>(bytes) / bandwidth;
+}
+
+std::size_t bytes_of(const GpuFrameFigures& frame) {
+  std::size_t bytes = 0;
+  for (const GpuStage& stage : frame.stages) bytes += stage.bytes;
+  return bytes;
+}
+
+Json to_json(const GpuFrameFigures& frame, double bandwidth) {
+  Json json = {{"dispatches", frame.dispatches},
+               {"bytes", bytes_of(frame)},
+               {"floor_milliseconds", floor_milliseconds(bytes_of(frame), bandwidth)},
+               {"topology_milliseconds", frame.topology_milliseconds},
+               {"milliseconds",
+                {{"device", to_json(frame.device)},
+                 {"wall", to_json(frame.wall)},
+                 {"picture", to_json(frame.picture)}}}};
+  for (const GpuStage& stage : frame.stages) {
+    json["stages"][stage.name] = {{"milliseconds", to_json(stage.time)}, {"bytes", stage.bytes}};
+  }
+  json.update(to_json(frame.quality));
+  return json;
+}
+
 std::string times(const Spread& spread) {
   return formatted("%9.2f %9.2f", spread.min, spread.median);
 }
@@ -181,6 +207,26 @@ void print_frames(std::ostream& out, const MeshFigures& mesh) {
                      frame.solve.median)
         << times(frame.total) << tail(frame.quality);
   }
+}
+
+/// One line a stage, against the floor that bytes and bandwidth set.
+void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double bandwidth) {
+  const auto row = [&](const std::string& name, const Spread& time, std::size_t bytes) {
+    out << formatted("%-24s %9.3f %9.3f", name.c_str(), time.min, time.median);
+    if (bytes > 0) {
+      out << formatted(" %9.3f %8.1f", floor_milliseconds(bytes, bandwidth),
+                       1e-6 * static_cast<double>(bytes));
+    }
+    out << '\n';
+  };
+  out << "frame on the GPU           min ms    median     floor       MB\n";
+  for (const GpuStage& stage : frame.stages) row("  " + stage.name, stage.time, stage.bytes);
+  row("all stages", frame.device, bytes_of(frame));
+  row("until it has finished", frame.wall, 0);
+  row("picture of 1920 x 1080", frame.picture, 0);
+  out << formatted("%zu dispatches; topology %.1f ms, once; energy, branches, angle:",
+                   frame.dispatches, frame.topology_milliseconds)
+      << tail(frame.quality);
 }
 
 void print_memory(std::ostream& out, const MeshFigures& mesh) {
@@ -222,6 +268,10 @@ void print_figure(std::ostream& out, const BenchReport& report) {
       out << begin << formatted("%-16s", solver.name.c_str()) << times(solver.solve)
           << formatted(" %11d", solver.iterations) << tail(solver.quality);
     }
+    if (mesh.gpu_frames) {
+      out << begin << formatted("%-16s", "frame") << times(mesh.gpu_frames->wall)
+          << formatted(" %11s", "-") << tail(mesh.gpu_frames->quality);
+    }
     for (const FrameFigures& frame : mesh.frames) {
       out << begin << formatted("%-16s", "frame") << times(frame.total) << formatted(" %11s", "-")
           << tail(frame.quality);
@@ -243,7 +293,7 @@ Machine this_machine() {
 
 std::vector<Ratio> ratios_of(const BenchReport& report) {
   std::vector<Ratio> ratios;
-  if (report.figure != 0) return ratios;
+  if (report.figure != 0 || report.copy_bandwidth > 0) return ratios;
   for (const MeshFigures& mesh : report.meshes) add_ratios_of_mesh(mesh, ratios);
   for (std::size_t i = 1; i < report.meshes.size(); ++i) {
     if (report.meshes[i].subdivided == 0) continue;
@@ -259,11 +309,18 @@ Json to_json(const BenchReport& report) {
                  {"threads", machine.threads},
                  {"instruction_set", machine.instruction_set},
                  {"load", machine.load}}},
+               {"device", report.device},
                {"figure", report.figure},
                {"meshes", Json::array()},
                {"ratios", Json::array()},
                {"notes", report.notes}};
-  for (const MeshFigures& mesh : report.meshes) json["meshes"].push_back(to_json(mesh));
+  if (report.copy_bandwidth > 0) json["device"]["copy_bytes_per_second"] = report.copy_bandwidth;
+  for (const MeshFigures& mesh : report.meshes) {
+    json["meshes"].push_back(to_json(mesh));
+    if (mesh.gpu_frames) {
+      json["meshes"].back()["gpu_frames"] = to_json(*mesh.gpu_frames, report.copy_bandwidth);
+    }
+  }
   for (const Ratio& ratio : ratios_of(report)) {
     json["ratios"].push_back({{"name", ratio.name},
                               {"unit", ratio.unit},
@@ -278,14 +335,19 @@ void print_bench_report(std::ostream& out, const BenchReport& report) {
   out << formatted("machine: %s, %d thread%s, %s, load before the run ", machine.processor.c_str(),
                    machine.threads, machine.threads == 1 ? "" : "s",
                    machine.instruction_set.c_str())
-      << (machine.load < 0 ? "unknown" : formatted("%.1f", machine.load)) << '\n';
+      << (machine.load < 0 ? "unknown" : formatted("%.1f", machine.load)) << '\n'
+      << device_line(report.device);
+  if (report.copy_bandwidth > 0) {
+    out << formatted("copies    %.1f GB/s, read and written\n", 1e-9 * report.copy_bandwidth);
+  }
   if (report.figure != 0) {
     print_figure(out, report);
   } else {
     for (const MeshFigures& mesh : report.meshes) {
       print_heading(out, mesh);
       print_solvers(out, mesh);
-      print_frames(out, mesh);
+      if (!mesh.frames.empty()) print_frames(out, mesh);
+      if (mesh.gpu_frames) print_gpu_frames(out, *mesh.gpu_frames, report.copy_bandwidth);
       print_memory(out, mesh);
     }
     print_ratios(out, ratios_of(report));

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gpu_measurements.h"
 #include "measurements.h"
 
 namespace brindle::tool {
@@ -33,7 +34,8 @@ struct MeshFigures {
   std::size_t fields = 1;
   double neighborhood_milliseconds = 0;
   std::vector<SolverFigures> solvers;
-  std::vector<FrameFigures> frames;
+  std::vector<FrameFigures> frames;           ///< on the processor
+  std::optional<GpuFrameFigures> gpu_frames;  ///< on the GPU
   std::optional<MemoryFigures> memory;
 };
 
@@ -54,13 +56,16 @@ struct Ratio {
 
 struct BenchReport {
   Machine machine;
-  int figure = 0;  ///< of the paper; 0: the default run
+  nlohmann::ordered_json device;  ///< as Device::description gives it
+  double copy_bandwidth = 0;      ///< of the GPU, bytes a second read and written
+  int figure = 0;                 ///< of the paper; 0: the default run
   std::vector<MeshFigures> meshes;
   std::vector<std::string> notes;
 };
 
 /// What a default run says of the goals: frames and topology against the other
-/// solvers, a finer mesh against its original, many threads against one. Empty for a figure.
+/// solvers, a finer mesh against its original, many threads against one. Empty for a figure and for
+/// the GPU.
 std::vector<Ratio> ratios_of(const BenchReport& report);
 
 nlohmann::ordered_json to_json(const BenchReport& report);

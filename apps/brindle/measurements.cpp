@@ -1,6 +1,5 @@
 #include "measurements.h"
 
-#include <array>
 #include <numbers>
 #include <utility>
 
@@ -9,53 +8,11 @@
 #include "brindle/pipeline/stripe_animator.h"
 #include "brindle/pipeline/stripe_pattern.h"
 #include "brindle/waves/direction_field.h"
+#include "changing_input.h"
 #include "resident_memory.h"
 
 namespace brindle::tool {
 namespace {
-
-constexpr float kDegree = std::numbers::pi_v<float> / 180;
-constexpr float kZoom = 1.01f;
-
-/// Adds the figures of one of `fields` fields.
-void add(Quality& sum, double energy, const PatternQuality& quality, std::size_t fields) {
-  const double share = 1 / static_cast<double>(fields);
-  sum.energy += share * energy;
-  sum.branches += quality.branches;
-  sum.angle_error_mean_deg += share * quality.angle_error_mean_deg;
-}
-
-/// Two inputs to go back and forth between.
-struct ChangingInput {
-  std::vector<Vec3> positions;
-  std::array<std::vector<Vec3>, 2> directions;
-  std::array<std::vector<float>, 2> frequencies;
-
-  FrameInput frame(int number) const {
-    const auto which = static_cast<std::size_t>(number % 2);
-    return {positions, directions[which], frequencies[which]};
-  }
-  WaveSet waves(int number) const {
-    const auto which = static_cast<std::size_t>(number % 2);
-    return {positions, directions[which], frequencies[which]};
-  }
-};
-
-ChangingInput changing_input(const Surface& surface, const WaveSet& waves) {
-  ChangingInput input{waves.positions,
-                      {waves.directions, rotated(waves.directions, surface.normals, kDegree)},
-                      {waves.frequencies, waves.frequencies}};
-  for (float& frequency : input.frequencies[1]) frequency *= kZoom;
-  return input;
-}
-
-std::vector<ChangingInput> changing_inputs(const Subject& subject) {
-  std::vector<ChangingInput> inputs;
-  for (const WaveSet& field : subject.fields) {
-    inputs.push_back(changing_input(subject.surface, field));
-  }
-  return inputs;
-}
 
 /// An animator for every field, all with their first frame behind them.
 std::vector<StripeAnimator> started_animators(const Subject& subject,
@@ -81,14 +38,16 @@ Spread spread_of(std::vector<double> milliseconds) {
 
 void add_crossing_field(Subject& subject) {
   WaveSet crossing = subject.fields[0];
-  crossing.directions = rotated(crossing.directions, subject.surface.normals, 90 * kDegree);
+  crossing.directions =
+      rotated(crossing.directions, subject.surface.normals, std::numbers::pi_v<float> / 2);
   subject.fields.push_back(std::move(crossing));
 }
 
-SolverFigures measure_solver(const Subject& subject, const SolverCase& solver,
+SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
                              const Repetitions& repetitions, const Progress& progress) {
   StripeOptions options;
   options.solver = solver.options;
+  options.solve = device.solver();
   SolverFigures figures{solver.name, ThreadLimit::current(), 0, {}, {}, {}, {}};
   const auto samples = samples_of(repetitions, [&] {
     StripeMilliseconds sum;
@@ -145,14 +104,7 @@ FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitio
   figures.total = spread_of(samples, [](const FrameMilliseconds& frame) {
     return frame.couple + frame.sum + frame.solve;
   });
-  for (std::size_t field = 0; field < inputs.size(); ++field) {
-    const WaveSet waves = inputs[field].waves(number);
-    const PhaseGraph graph = build_phase_graph(subject.surface.neighborhood, waves);
-    const auto corners =
-        corner_phases(subject.surface.mesh.triangles, waves, z[field], PhaseShiftKind::aligned);
-    add(figures.quality, energy(graph, z[field]),
-        measure_quality(subject.surface.mesh, waves, corners), inputs.size());
-  }
+  figures.quality = quality_of(subject, inputs, number, z);
   return figures;
 }
 

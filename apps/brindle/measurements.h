@@ -10,6 +10,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/solver.h"
 #include "brindle/pipeline/surface.h"
+#include "device.h"
 
 namespace brindle::tool {
 
@@ -89,7 +90,7 @@ struct SolverFigures {
   Quality quality;
 };
 
-SolverFigures measure_solver(const Subject& subject, const SolverCase& solver,
+SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
                              const Repetitions& repetitions, const Progress& progress);
 
 /// A frame of StripeAnimator, from changed waves to phases, all fields of a subject.

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/render/headless_context.h"
+#include "brindle/gl/headless_context.h"
 #include "picture_options.h"
 #include "video_file.h"
 
@@ -23,31 +23,37 @@ void add_points(std::span<const Vec3> points, std::vector<Mark>& marks) {
 }  // namespace
 
 struct MovingPicture::State {
-  State(FrameOutput to, const PictureOptions& options)
-      : output(std::move(to)), view(options.view), render(render_options(options)) {}
+  State(FrameOutput to, const PictureOptions& options, bool own_context)
+      : output(std::move(to)), view(options.view), render(render_options(options)) {
+    if (own_context) context.emplace();
+    renderer.emplace();
+  }
 
   FrameOutput output;
   View view;
   RenderOptions render;
-  HeadlessContext context;
-  Renderer renderer;
+  std::optional<HeadlessContext> context;
+  std::optional<Renderer> renderer;
   std::optional<VideoFile> video;
   int count = 0;
   std::vector<Vec3> positions;  // as the renderer has them
 
-  void show(const SceneFrame& frame, std::span<const Complex> z, const Overlay& overlay);
+  void show(const SolvedFrame& solved, const Overlay& overlay);
 };
 
 // Copies what the renderer does not have yet.
-void MovingPicture::State::show(const SceneFrame& frame, std::span<const Complex> z,
-                                const Overlay& overlay) {
+void MovingPicture::State::show(const SolvedFrame& solved, const Overlay& overlay) {
+  const SceneFrame& frame = solved.scene;
+  const std::span<const Complex> z =
+      solved.phase_buffer != 0 ? std::span<const Complex>() : solved.z;
   if (count == 0) {
-    renderer.upload({.mesh = frame.mesh,
-                     .normals = frame.normals,
-                     .waves = &frame.waves,
-                     .z = z,
-                     .triangle_colors = overlay.triangle_colors,
-                     .marks = overlay.marks});
+    renderer->upload({.mesh = frame.mesh,
+                      .normals = frame.normals,
+                      .waves = &frame.waves,
+                      .z = z,
+                      .triangle_colors = overlay.triangle_colors,
+                      .marks = overlay.marks});
+    if (solved.phase_buffer != 0) renderer->use_phases(solved.phase_buffer);
     positions = frame.mesh.positions;
     return;
   }
@@ -60,12 +66,12 @@ void MovingPicture::State::show(const SceneFrame& frame, std::span<const Complex
     change.positions = positions;
     change.normals = frame.normals;
   }
-  renderer.update(change);
+  renderer->update(change);
 }
 
 MovingPicture::MovingPicture(FrameOutput output, const PictureOptions& options,
-                             int frames_per_second)
-    : state_(std::make_unique<State>(std::move(output), options)) {
+                             int frames_per_second, bool own_context)
+    : state_(std::make_unique<State>(std::move(output), options, own_context)) {
   const RenderOptions& render = state_->render;
   if (state_->output.is_video()) {
     state_->video.emplace(state_->output.video,
@@ -75,14 +81,13 @@ MovingPicture::MovingPicture(FrameOutput output, const PictureOptions& options,
 
 MovingPicture::~MovingPicture() = default;
 
-void MovingPicture::add(const SceneFrame& frame, std::span<const Complex> z,
-                        std::span<const CornerPhases> corners) {
+void MovingPicture::add(const SolvedFrame& frame) {
   State& s = *state_;
-  Overlay overlay = overlay_of(s.view, frame.mesh, frame.waves, corners);
-  add_points(frame.points, overlay.marks);
-  s.show(frame, z, overlay);
-  const Image image = s.renderer.draw(s.render);
-  s.context.check_errors("drawing a frame");
+  Overlay overlay = overlay_of(s.view, frame.scene.mesh, frame.scene.waves, frame.corners);
+  add_points(frame.scene.points, overlay.marks);
+  s.show(frame, overlay);
+  const Image image = s.renderer->draw(s.render);
+  if (s.context) s.context->check_errors("drawing a frame");
   if (s.video) {
     s.video->add(std::as_bytes(std::span(image.pixels)));
   } else {

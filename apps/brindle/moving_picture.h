@@ -2,10 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
-#include "brindle/pattern/corner_phases.h"
-#include "brindle/pipeline/scene.h"
+#include "animation.h"
 #include "frame_output.h"
 #include "picture.h"
 
@@ -14,14 +12,14 @@ namespace brindle::tool {
 /// Draws and writes frame after frame, from where the camera framed the first one.
 class MovingPicture {
  public:
-  /// Throws Error in a build without OpenGL, if no OpenGL context is to be had, or if a video
-  /// cannot be begun.
-  MovingPicture(FrameOutput output, const PictureOptions& options, int frames_per_second);
+  /// Draws in a context of its own, or in the one that is current. Throws Error in a build without
+  /// OpenGL, if no OpenGL context is to be had, or if a video cannot be begun.
+  MovingPicture(FrameOutput output, const PictureOptions& options, int frames_per_second,
+                bool own_context);
   ~MovingPicture();
 
   /// Draws the next frame, and its points as marks, and writes it.
-  void add(const SceneFrame& frame, std::span<const Complex> z,
-           std::span<const CornerPhases> corners);
+  void add(const SolvedFrame& frame);
 
   /// Ends a video; without it nothing of it stays.
   void finish();

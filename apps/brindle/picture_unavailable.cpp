@@ -24,14 +24,13 @@ void write_picture(const std::filesystem::path& /*path*/, const Surface& /*surfa
 struct MovingPicture::State {};
 
 MovingPicture::MovingPicture(FrameOutput /*output*/, const PictureOptions& /*options*/,
-                             int /*frames_per_second*/) {
+                             int /*frames_per_second*/, bool /*own_context*/) {
   check_pictures_available();
 }
 
 MovingPicture::~MovingPicture() = default;
 
-void MovingPicture::add(const SceneFrame& /*frame*/, std::span<const Complex> /*z*/,
-                        std::span<const CornerPhases> /*corners*/) {}
+void MovingPicture::add(const SolvedFrame& /*frame*/) {}
 
 void MovingPicture::finish() {}
 

@@ -4,9 +4,11 @@
 #include <string>
 
 #include "brindle/base/parallel.h"
+#include "device.h"
 #include "formatted.h"
 
 namespace brindle::tool {
+
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver) {
   const Surface& surface = prepared.surface;
   Report report;
@@ -43,7 +45,8 @@ nlohmann::ordered_json to_json(const Report& report) {
             {"topology", time.topology},
             {"couple", time.couple},
             {"solve", time.solve},
-            {"pattern", time.pattern}}}};
+            {"pattern", time.pattern}}},
+          {"device", report.device}};
 }
 
 void print_report(std::ostream& out, const Report& report) {
@@ -54,7 +57,7 @@ void print_report(std::ostream& out, const Report& report) {
       << formatted("solver    %s, %d iteration%s, %d thread%s\n", name_of(report.solver).data(),
                    report.iterations, report.iterations == 1 ? "" : "s", report.threads,
                    report.threads == 1 ? "" : "s")
-      << formatted("energy    %.6f\n", report.energy)
+      << device_line(report.device) << formatted("energy    %.6f\n", report.energy)
       << formatted("branches  %zu, of these %zu where the field has a singularity\n",
                    quality.branches, quality.field_singularities)
       << formatted(

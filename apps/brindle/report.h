@@ -22,6 +22,7 @@ struct Report {
   double energy = 0;
   PatternQuality quality;
   StripeMilliseconds milliseconds;
+  nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
 };
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);

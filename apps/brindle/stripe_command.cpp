@@ -1,8 +1,10 @@
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "brindle/base/parallel.h"
 #include "commands.h"
+#include "device.h"
 #include "outputs.h"
 #include "picture.h"
 #include "preparation.h"
@@ -17,6 +19,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
   brindle stripe scan.obj --field curvature --rotate 90 --output scan.glb --report scan.json
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
+  brindle stripe horse.ply --device gpu --report horse.json
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
 
 Files by extension: .png a picture; .ply .gltf .glb a mesh with phase (radians), direction and
@@ -26,13 +29,25 @@ struct StripeArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
+  DeviceKind device = DeviceKind::cpu;
   std::shared_ptr<PictureOptions> picture;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
 };
 
+/// Solves on the device, which is given back before anything is drawn.
+StripePattern solve(const StripeArguments& arguments, const Surface& surface, WaveSet waves,
+                    nlohmann::ordered_json& description, const Progress& progress) {
+  const Device device(arguments.device);
+  description = device.description();
+  StripeOptions options = arguments.solving.stripes;
+  options.solve = device.solver();
+  return stripe_pattern(surface, std::move(waves), options, progress);
+}
+
 void run(const StripeArguments& arguments) {
+  check_solver(arguments.device, arguments.solving.stripes.solver.solver);
   std::vector<Output> outputs = plan_outputs(arguments.outputs);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));
@@ -42,9 +57,11 @@ void run(const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    const StripePattern pattern = stripe_pattern(prepared.surface, std::move(prepared.waves),
-                                                 arguments.solving.stripes, display.progress());
+    nlohmann::ordered_json device;
+    const StripePattern pattern =
+        solve(arguments, prepared.surface, std::move(prepared.waves), device, display.progress());
     report = make_report(prepared, pattern, arguments.solving.stripes.solver.solver);
+    report.device = std::move(device);
     for (const Output& output : outputs) {
       display.stage("writing " + output.path.string());
       write_output(output, prepared.surface, pattern, report, *arguments.picture);
@@ -63,6 +80,7 @@ Command add_stripe_command(CLI::App& app) {
   add_wave_options(*command, arguments->waves);
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
+  add_device_option(*command, arguments->device);
   command->add_option("-o,--output", arguments->outputs, "what to write, by extension; repeatable")
       ->type_name("FILE")
       ->expected(1)

@@ -112,5 +112,43 @@ TEST_F(BenchTest, RefusesMeshesThatAreNotThereBeforeItMeasures) {
   expect_refusal(1, "none.ply", {"bench", "-q", "shape:torus,resolution=24", "none.ply"});
 }
 
+#ifdef BRINDLE_HAS_GL
+
+TEST_F(BenchTest, MeasuresTheStagesOfFramesOnTheGpu) {
+  const auto report =
+      report_of({"shape:torus,resolution=100", "--subdivide", "0", "--device", "gpu"});
+  EXPECT_EQ(report["device"]["kind"], "gpu");
+  EXPECT_GT(report["device"]["copy_bytes_per_second"], 0);
+  const auto& mesh = report["meshes"][0];
+  EXPECT_EQ(solvers_of(mesh),
+            (std::set<std::string>{"multilevel", "relaxation 0.05", "relaxation 0.02"}));
+  EXPECT_TRUE(mesh["frames"].empty());
+  const auto& frame = mesh["gpu_frames"];
+  EXPECT_GT(frame["dispatches"], 10);
+  expect_positive(frame["milliseconds"]["device"]);
+  expect_positive(frame["milliseconds"]["wall"]);
+  expect_positive(frame["milliseconds"]["picture"]);
+  std::size_t bytes = 0;
+  for (const char* stage : {"load", "couple", "sums", "small levels", "sweeps", "nodes"}) {
+    expect_positive(frame["stages"][stage]["milliseconds"]);
+    EXPECT_GT(frame["stages"][stage]["bytes"], 0) << stage;
+    bytes += frame["stages"][stage]["bytes"].get<std::size_t>();
+  }
+  EXPECT_EQ(frame["bytes"], bytes);
+  EXPECT_NEAR(
+      frame["floor_milliseconds"].get<double>(),
+      1000 * static_cast<double>(bytes) / report["device"]["copy_bytes_per_second"].get<double>(),
+      1e-9);
+}
+
+TEST_F(BenchTest, FiguresOfThePaperAreRepeatedOnTheGpu) {
+  const auto report = report_of({"shape:torus,resolution=40", "--figure", "13", "--device", "gpu"});
+  EXPECT_EQ(report["meshes"][0]["fields"], 2);
+  // Where all levels are small, a field takes four: load, couple, solve, back to vertices.
+  EXPECT_EQ(report["meshes"][0]["gpu_frames"]["dispatches"], 2 * 4);
+}
+
+#endif
+
 }  // namespace
 }  // namespace brindle::test

@@ -85,7 +85,7 @@ TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
   const Hierarchy hierarchy = build_hierarchy(surface.graph());
   std::size_t survivors = 0;
   for (const Level& level : hierarchy.levels) {
-    if (!level.shared_aggregation) survivors += level.layout().slot_of.size();
+    if (!level.topology.aggregation) survivors += level.layout().slot_of.size();
   }
   EXPECT_LE(survivors, 5u);
   EXPECT_GE(survivors, 1u);

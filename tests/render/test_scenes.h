@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "brindle/render/headless_context.h"
+#include "brindle/gl/headless_context.h"
 #include "brindle/render/renderer.h"
 
 namespace brindle::test {

@@ -15,14 +15,14 @@ namespace {
 /// Slices that one task works on at least.
 constexpr std::size_t kSliceGrain = 64;
 
-Level make_level(std::shared_ptr<const SlicedLayout> layout,
-                 std::shared_ptr<const Aggregation> aggregation = nullptr) {
-  SlicedCouplings couplings(*layout);
-  std::vector<Complex> gauge(layout->slot_count(), with_conjugate_bit(1, false));
-  std::vector<Complex> z(layout->slot_count() + 1, kPeak);
-  std::vector<std::uint8_t> receives(layout->slot_count());
-  return {std::move(layout), std::move(aggregation), std::move(couplings),
-          std::move(gauge),  std::move(z),           std::move(receives)};
+Level make_level(LevelTopology topology) {
+  const SlicedLayout& layout = *topology.layout;
+  SlicedCouplings couplings(layout);
+  std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
+  std::vector<Complex> z(layout.slot_count() + 1, kPeak);
+  std::vector<std::uint8_t> receives(layout.slot_count());
+  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z),
+          std::move(receives)};
 }
 
 /// The gauge of the m-th of all members, its reflecting couplings included: the phase that the
@@ -220,8 +220,10 @@ void SumScratch::reserve(std::span<const Level> levels) {
 Hierarchy finest_level(const Adjacency& adjacency) {
   Hierarchy hierarchy;
   Stopwatch watch;
-  hierarchy.levels.push_back(make_level(std::make_shared<SlicedLayout>(
-      sliced_layout(adjacency, greedy_coloring(adjacency), breadth_first_order(adjacency)))));
+  hierarchy.levels.push_back(
+      make_level({std::make_shared<SlicedLayout>(sliced_layout(
+                      adjacency, greedy_coloring(adjacency), breadth_first_order(adjacency))),
+                  nullptr}));
   hierarchy.topology_milliseconds = watch.lap();
   return hierarchy;
 }
@@ -235,8 +237,9 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
     const Matching matching = grow_aggregates(fine.layout(), fine.couplings);
     if (matching.count() == 0) break;
     const Adjacency adjacency = coarse_adjacency(fine.layout(), matching);
-    Level coarse = make_level(std::make_shared<SlicedLayout>(coarse_layout(matching, adjacency)));
-    fine.shared_aggregation =
+    Level coarse =
+        make_level({std::make_shared<SlicedLayout>(coarse_layout(matching, adjacency)), nullptr});
+    fine.topology.aggregation =
         std::make_shared<Aggregation>(arrange(fine.layout(), matching, adjacency, coarse.layout()));
     hierarchy.levels.push_back(std::move(coarse));
     hierarchy.scratch.reserve(hierarchy.levels);
@@ -260,7 +263,7 @@ Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
 Hierarchy sibling(const Hierarchy& hierarchy) {
   Hierarchy result;
   for (const Level& level : hierarchy.levels) {
-    result.levels.push_back(make_level(level.shared_layout, level.shared_aggregation));
+    result.levels.push_back(make_level(level.topology));
   }
   result.scratch.reserve(result.levels);
   return result;

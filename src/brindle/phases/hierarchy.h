@@ -13,11 +13,14 @@
 
 namespace brindle {
 
-/// Layout and aggregation stay as long as the graph's connectivity does; levels of several fields
-/// share them.
+/// What a level keeps as long as its graph's connectivity stays. Levels of several fields share it.
+struct LevelTopology {
+  std::shared_ptr<const SlicedLayout> layout;
+  std::shared_ptr<const Aggregation> aggregation;  ///< none on the coarsest level
+};
+
 struct Level {
-  std::shared_ptr<const SlicedLayout> shared_layout;
-  std::shared_ptr<const Aggregation> shared_aggregation;  ///< none on the coarsest level
+  LevelTopology topology;
   SlicedCouplings couplings;
   std::vector<Complex> gauge;  ///< by slot: z_i = g_i Z, or g_i conj(Z) where its conjugate bit
                                ///< (sliced_kernels.h) is set; empty on the coarsest level
@@ -25,8 +28,8 @@ struct Level {
                                ///< an aggregate
   std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slot
 
-  const SlicedLayout& layout() const { return *shared_layout; }
-  const Aggregation& aggregation() const { return *shared_aggregation; }
+  const SlicedLayout& layout() const { return *topology.layout; }
+  const Aggregation& aggregation() const { return *topology.aggregation; }
 };
 
 /// What sums are computed in, for every thread its own.

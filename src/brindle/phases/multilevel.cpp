@@ -8,16 +8,10 @@
 namespace brindle {
 namespace {
 
-/// What a small level leaves undone no finer level can mend, and its sweeps cost little: they grow
-/// in number as levels shrink.
-int sweep_factor(std::size_t nodes) {
-  if (nodes <= 4096) return 8;
-  return nodes <= 16384 ? 2 : 1;
-}
-
 void sweep_level(Level& level, int sweeps) {
-  sweeps *= sweep_factor(level.z.size());
-  for (int s = 0; s < sweeps; ++s) sweep(level.layout(), level.couplings, level.z);
+  for (int s = sweeps_on_level(level.layout().slot_count(), sweeps); s > 0; --s) {
+    sweep(level.layout(), level.couplings, level.z);
+  }
 }
 
 void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
@@ -30,6 +24,11 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
 }
 
 }  // namespace
+
+int sweeps_on_level(Index slot_count, int sweeps) {
+  if (slot_count < kSmallLevel) return 8 * sweeps;
+  return slot_count < 4 * kSmallLevel ? 2 * sweeps : sweeps;
+}
 
 void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
 

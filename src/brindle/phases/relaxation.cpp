@@ -11,15 +11,6 @@
 namespace brindle {
 namespace {
 
-std::vector<Complex> start_phases(const SlicedLayout& layout, std::span<const Complex> start,
-                                  std::uint32_t seed) {
-  std::vector<Complex> z(layout.slot_count(), Complex(1));
-  for (Index node = 0; node < layout.slot_of.size(); ++node) {
-    z[layout.slot_of[node]] = start.empty() ? random_phase(node, seed) : start[node];
-  }
-  return z;
-}
-
 double sum_of_weights(const PhaseGraph& graph) {
   double sum = 0;
   for (const Complex& coupling : graph.coupling) sum += std::sqrt(std::norm(coupling));
@@ -38,13 +29,24 @@ double relax_colors(const SlicedLayout& layout, const SlicedCouplings& couplings
 
 }  // namespace
 
+SlicedLayout relaxation_layout(const Adjacency& adjacency, std::uint32_t seed) {
+  return sliced_layout(adjacency, luby_coloring(adjacency, seed), breadth_first_order(adjacency));
+}
+
+std::vector<Complex> start_phases(const SlicedLayout& layout, std::span<const Complex> start,
+                                  std::uint32_t seed) {
+  std::vector<Complex> z(layout.slot_count(), Complex(1));
+  for (Index node = 0; node < layout.slot_of.size(); ++node) {
+    z[layout.slot_of[node]] = start.empty() ? random_phase(node, seed) : start[node];
+  }
+  return z;
+}
+
 PhaseSolution relax(const PhaseGraph& graph, const SolverOptions& options,
                     std::span<const Complex> start, const Progress& progress) {
   PhaseSolution solution;
   Stopwatch watch;
-  const SlicedLayout layout =
-      sliced_layout(*graph.adjacency, luby_coloring(*graph.adjacency, options.seed),
-                    breadth_first_order(*graph.adjacency));
+  const SlicedLayout layout = relaxation_layout(*graph.adjacency, options.seed);
   solution.topology_milliseconds = watch.lap();
 
   SlicedCouplings couplings(layout);

@@ -24,15 +24,6 @@ void require(bool holds, const char* message) {
   if (!holds) throw Error(std::string("solver options: ") + message);
 }
 
-void check(const SolverOptions& options) {
-  require(std::isfinite(options.epsilon) && options.epsilon >= 0, "epsilon must be 0 or above");
-  require(options.momentum >= 0 && options.momentum < 1, "momentum must be in [0, 1)");
-  require(options.max_iterations > 0, "max_iterations must be above 0");
-  require(options.sweeps >= 0, "sweeps must be 0 or above");
-  require(options.cycles >= 0, "cycles must be 0 or above");
-  require(options.global_iterations > 0, "global_iterations must be above 0");
-}
-
 PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& options,
                                const Progress& progress) {
   PhaseSolution solution;
@@ -69,6 +60,15 @@ bool is_available(Solver solver) {
   constexpr bool has_cholmod = false;
 #endif
   return has_cholmod || solver != Solver::global;
+}
+
+void check(const SolverOptions& options) {
+  require(std::isfinite(options.epsilon) && options.epsilon >= 0, "epsilon must be 0 or above");
+  require(options.momentum >= 0 && options.momentum < 1, "momentum must be in [0, 1)");
+  require(options.max_iterations > 0, "max_iterations must be above 0");
+  require(options.sweeps >= 0, "sweeps must be 0 or above");
+  require(options.cycles >= 0, "cycles must be 0 or above");
+  require(options.global_iterations > 0, "global_iterations must be above 0");
 }
 
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,

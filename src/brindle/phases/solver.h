@@ -42,6 +42,9 @@ struct SolverOptions {
   int global_iterations = 20;  ///< inverse iterations
 };
 
+/// Throws Error for options out of range.
+void check(const SolverOptions& options);
+
 struct PhaseSolution {
   std::vector<Complex> z;  ///< one unit number per node
   double energy = 0;       ///< of `z`, as `energy()` of phase_graph.h defines it

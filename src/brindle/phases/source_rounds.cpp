@@ -135,4 +135,16 @@ SourceRounds source_rounds(const SlicedLayout& fine, const Matching& matching,
   return all;
 }
 
+std::vector<Index> entries_of_places(const SourceRounds& sources, const SlicedLayout& fine,
+                                     Index block) {
+  std::vector<Index> entries(kLanes, kNone);
+  for (const SliceRange& run : sources.runs_of(block)) {
+    for (Index entry = fine.column_begin[run.begin] * kLanes;
+         entry < fine.column_begin[run.end] * kLanes; ++entry) {
+      entries.push_back(entry);
+    }
+  }
+  return entries;
+}
+
 }  // namespace brindle

@@ -29,4 +29,9 @@ struct SourceRounds {
 SourceRounds source_rounds(const SlicedLayout& fine, const Matching& matching,
                            const Adjacency& adjacency, const SlicedLayout& coarse);
 
+/// What stands at every place of a block's scratch space: an entry of the finer level, kNone below
+/// kLanes.
+std::vector<Index> entries_of_places(const SourceRounds& sources, const SlicedLayout& fine,
+                                     Index block);
+
 }  // namespace brindle

@@ -33,18 +33,6 @@ struct StripeAnimator::State {
 
 namespace {
 
-void check(const AnimatorOptions& options) {
-  const auto require = [](bool holds, const char* message) {
-    if (!holds) throw Error(std::string("animator options: ") + message);
-  };
-  require(std::isfinite(options.lambda) && options.lambda >= 0, "lambda must be 0 or above");
-  require(options.sweeps >= 0, "sweeps must be 0 or above");
-  require(options.cycles >= 0, "cycles must be 0 or above");
-  require(options.iterations > 0, "iterations must be above 0");
-  require(options.phase_shift != PhaseShiftKind::common_source,
-          "the phase shift must be aligned or trapezoid");
-}
-
 /// T_i = lambda deg_i z_i of the last frame.
 void set_anchors(std::span<const float> degree, std::span<const Complex> last_z, float lambda,
                  std::vector<Complex>& anchor) {
@@ -77,10 +65,32 @@ double mean_step(std::span<const Complex> z, std::span<const Complex> last_z,
 
 }  // namespace
 
+void check(const AnimatorOptions& options) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw Error(std::string("animator options: ") + message);
+  };
+  require(std::isfinite(options.lambda) && options.lambda >= 0, "lambda must be 0 or above");
+  require(options.sweeps >= 0, "sweeps must be 0 or above");
+  require(options.cycles >= 0, "cycles must be 0 or above");
+  require(options.iterations > 0, "iterations must be above 0");
+}
+
+void check(const FrameInput& input, std::size_t vertices) {
+  if (input.positions.size() == vertices && input.directions.size() == vertices &&
+      input.frequencies.size() == vertices) {
+    return;
+  }
+  throw Error("animator: a frame needs one position, direction and frequency for each of " +
+              std::to_string(vertices) + " vertices");
+}
+
 StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
   check(options);
+  if (options.phase_shift == PhaseShiftKind::common_source) {
+    throw Error("animator options: the phase shift must be aligned or trapezoid");
+  }
   if (!options.edge_weights.empty() &&
       options.edge_weights.size() != neighborhood->neighbors.size()) {
     throw Error("animator options: there must be one edge weight per directed edge");
@@ -97,12 +107,7 @@ StripeAnimator& StripeAnimator::operator=(StripeAnimator&&) noexcept = default;
 
 FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
-  const std::size_t vertices = s.neighborhood->node_count();
-  if (input.positions.size() != vertices || input.directions.size() != vertices ||
-      input.frequencies.size() != vertices) {
-    throw Error("animator: a frame needs one position, direction and frequency for each of " +
-                std::to_string(vertices) + " vertices");
-  }
+  check(input, s.neighborhood->node_count());
   Stopwatch watch;
   if (s.hierarchy.levels.empty()) {
     s.hierarchy = finest_level(*s.neighborhood);

@@ -37,6 +37,11 @@ struct FrameInput {
   std::span<const float> frequencies;
 };
 
+/// What StripeAnimator and GpuAnimator stand on: throw Error for options out of range, and for
+/// input without one entry for each of so many vertices.
+void check(const AnimatorOptions& options);
+void check(const FrameInput& input, std::size_t vertices);
+
 struct FrameMilliseconds {
   double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
   double sum = 0;     ///< gauges and coarse sums

@@ -62,7 +62,8 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
                            options.phase_shift);
   }
   result.milliseconds.topology = watch.lap();
-  result.solution = solve_phases(graph, options.solver, progress);
+  result.solution = options.solve ? options.solve(graph, options.solver, progress)
+                                  : solve_phases(graph, options.solver, progress);
   result.milliseconds.topology += result.solution.topology_milliseconds;
   result.milliseconds.solve = result.solution.solve_milliseconds;
 }
@@ -73,7 +74,7 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
                              const Progress& progress) {
   StripePattern result;
   progress.report("couple", 0);
-  const bool as_frame = options.solver.solver == Solver::multilevel &&
+  const bool as_frame = !options.solve && options.solver.solver == Solver::multilevel &&
                         options.phase_shift != PhaseShiftKind::common_source;
   if (as_frame) {
     solve_as_frame(surface, waves, options, progress, result);

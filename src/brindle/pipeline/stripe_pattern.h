@@ -1,6 +1,8 @@
 /// The main job: from a surface with waves to a measured stripe pattern.
 #pragma once
 
+#include <functional>
+
 #include "brindle/base/progress.h"
 #include "brindle/pattern/quality.h"
 #include "brindle/phases/solver.h"
@@ -14,10 +16,15 @@ enum class EdgeWeights {
   cotangent  ///< `cotangent_weights`: lower angle errors for a longer coupling stage
 };
 
+/// Turns a phase graph into phases, as `solve_phases` and `GpuSolver::solve` of brindle/gpu do.
+using SolvePhases =
+    std::function<PhaseSolution(const PhaseGraph&, const SolverOptions&, const Progress&)>;
+
 struct StripeOptions {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   EdgeWeights weights = EdgeWeights::paper;
   SolverOptions solver;
+  SolvePhases solve;  ///< empty: on the processor
 };
 
 /// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.

@@ -7,9 +7,9 @@
 #include <type_traits>
 
 #include "brindle/base/error.h"
-#include "brindle/render/gl_name.h"
-#include "brindle/render/headless_context.h"
-#include "brindle/render/shader_program.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/headless_context.h"
+#include "brindle/gl/shader_program.h"
 
 namespace brindle {
 namespace {
@@ -23,45 +23,6 @@ constexpr int kWantedSamples = 8;
 constexpr std::size_t kBatch = 1 << 16;
 
 enum Binding { kTriangles, kPositions, kNormals, kWaves, kPhases, kTriangleColors, kMarks };
-
-GLint limit(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
-void check_gl(const std::string& job) {
-  const GLenum error = glGetError();
-  if (error == GL_NO_ERROR) return;
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  throw Error(job + " failed: " +
-              (error == GL_OUT_OF_MEMORY ? "OpenGL is out of memory; take a smaller mesh or picture"
-                                         : "OpenGL error " + std::to_string(error)));
-}
-
-template <class Item>
-GlBuffer buffer_of(std::span<const Item> items, const char* what) {
-  GlBuffer buffer;
-  if (items.empty()) return buffer;
-  GLint64 largest = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-  if (items.size_bytes() > static_cast<std::size_t>(largest)) {
-    throw Error("cannot draw this mesh: its " + std::string(what) + " take " +
-                std::to_string(items.size_bytes()) + " bytes and this driver's buffers hold " +
-                std::to_string(largest) + "; take a smaller mesh");
-  }
-  GLuint name = 0;
-  glCreateBuffers(1, &name);
-  buffer = GlBuffer(name);
-  glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), 0);
-  return buffer;
-}
-
-template <class Item>
-GlBuffer buffer_of(const std::vector<Item>& items, const char* what) {
-  return buffer_of(std::span<const Item>(items), what);
-}
 
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
   std::vector<Eigen::Vector4f> packed(waves.directions.size());
@@ -186,7 +147,7 @@ int samples_for(std::size_t triangle_count, const RenderOptions& options) {
   const double pixels = static_cast<double>(options.width) * options.height *
                         options.supersampling * options.supersampling;
   if (4 * static_cast<double>(triangle_count) > pixels) return 0;
-  const int samples = std::min(kWantedSamples, limit(GL_MAX_SAMPLES));
+  const int samples = std::min(kWantedSamples, gl_limit(GL_MAX_SAMPLES));
   return samples > 1 ? samples : 0;
 }
 
@@ -236,8 +197,10 @@ struct Renderer::State {
   std::size_t vertex_count = 0;
   std::size_t triangle_count = 0;
   std::array<GlBuffer, 7> buffers;
+  GLuint foreign_phases = 0;  ///< instead of those in `buffers`, unless 0
   GLsizei mark_count = 0;
 
+  bool has_phases() const { return foreign_phases != 0 || buffers[kPhases] != 0; }
   void draw_surface(const ShaderProgram& program, const Camera& camera,
                     const Eigen::Vector4f& tile) const;
   void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
@@ -255,11 +218,12 @@ void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& c
   program.set("clip_from_view", camera.clip_from_view);
   program.set("tile", tile);
   program.set("smooth_normals", buffers[kNormals] != 0);
-  program.set("has_waves", buffers[kWaves] != 0 && buffers[kPhases] != 0);
+  program.set("has_waves", buffers[kWaves] != 0 && has_phases());
   program.set("has_triangle_colors", buffers[kTriangleColors] != 0);
   for (GLuint binding = 0; binding < buffers.size(); ++binding) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
   }
+  if (foreign_phases != 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPhases, foreign_phases);
   glUseProgram(program.name());
   glBindVertexArray(no_attributes);
   for (std::size_t first = 0; first < triangle_count; first += kBatch) {
@@ -350,6 +314,7 @@ void Renderer::upload(const StripeScene& scene) {
   state_->triangle_count = scene.mesh.triangle_count();
   auto& buffers = state_->buffers;
   buffers = {};
+  state_->foreign_phases = 0;
   buffers[kTriangles] = buffer_of(scene.mesh.triangles, "triangles");
   buffers[kPositions] = buffer_of(scene.mesh.positions, "positions");
   buffers[kNormals] = buffer_of(scene.normals, "normals");
@@ -367,7 +332,10 @@ void Renderer::update(const SceneChange& change) {
   if (!change.positions.empty()) buffers[kPositions] = buffer_of(change.positions, "positions");
   if (!change.normals.empty()) buffers[kNormals] = buffer_of(change.normals, "normals");
   if (change.waves != nullptr) buffers[kWaves] = buffer_of(packed_waves(*change.waves), "waves");
-  if (!change.z.empty()) buffers[kPhases] = buffer_of(change.z, "phases");
+  if (!change.z.empty()) {
+    buffers[kPhases] = buffer_of(change.z, "phases");
+    state_->foreign_phases = 0;
+  }
   if (!change.triangle_colors.empty()) {
     buffers[kTriangleColors] = buffer_of(packed_colors(change.triangle_colors), "triangle colours");
   }
@@ -376,13 +344,25 @@ void Renderer::update(const SceneChange& change) {
   check_gl("copying a change of the scene to OpenGL");
 }
 
+void Renderer::use_phases(unsigned buffer) {
+  GLint64 size = 0;
+  glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &size);
+  check_gl("looking at the buffer of phases");
+  if (static_cast<std::size_t>(size) != state_->vertex_count * sizeof(Complex)) {
+    throw Error("cannot draw this scene: a buffer of " + std::to_string(size) +
+                " bytes is not one of phases for " + std::to_string(state_->vertex_count) +
+                " vertices");
+  }
+  state_->foreign_phases = buffer;
+}
+
 Image Renderer::draw(const RenderOptions& options) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->points, options.camera, options.width, options.height);
   const int s = options.supersampling;
   const int side =
-      std::min({options.tile_side, limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS)});
+      std::min({options.tile_side, gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS)});
   // An even number of pixels, so that derivatives pair the same pixels in every tiling.
   const int step = side / s / 2 * 2;
   const int tile_width = std::min(step, options.width);
@@ -415,7 +395,8 @@ FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   check_options(options);
   const int width = options.width;
   const int height = options.height;
-  if (std::max(width, height) > std::min(limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS))) {
+  if (std::max(width, height) >
+      std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS))) {
     throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels is beyond this driver's framebuffers; take a smaller one");
   }
@@ -430,7 +411,7 @@ FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
-  if (state_->buffers[kWaves] == 0 || state_->buffers[kPhases] == 0) {
+  if (state_->buffers[kWaves] == 0 || !state_->has_phases()) {
     throw Error("the scene has no waves whose phases could be drawn");
   }
   state_->draw_surface(state_->probe, framed_camera(state_->points, options.camera, width, height),

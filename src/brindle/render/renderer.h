@@ -84,6 +84,11 @@ class Renderer {
   /// uploaded, so that moving vertices do not move it. Throws as `upload` does.
   void update(const SceneChange& change);
 
+  /// Reads phases from an OpenGL buffer of somebody else's, 2 floats a vertex, such as
+  /// `GpuAnimator::phases`, until the next `upload`, or `update` with phases: what is there when a
+  /// picture is drawn is drawn, without a copy. Throws Error if the buffer is not that large.
+  void use_phases(unsigned buffer);
+
   /// Draws the uploaded scene. Pictures larger than the driver's framebuffers are drawn in tiles.
   /// Throws Error if an option is out of its range or the picture is beyond the limits of image.h.
   Image draw(const RenderOptions& options) const;

@@ -9,16 +9,19 @@
 
 namespace brindle {
 
-/// The text of a file of render/shaders; empty if there is none of that name.
+/// The text of a file in any room's shaders/; empty if there is none of that name.
 std::string_view shader_text(std::string_view name);
 
-/// A linked program of a vertex and a fragment shader. Needs a current OpenGL 4.5 context.
+/// A linked program of a vertex and a fragment shader, or of a compute shader. Needs a current
+/// OpenGL 4.5 context.
 class ShaderProgram {
  public:
   /// Each shader is its files one after the other.
   /// Throws Error with the driver's message, naming file and line, if they do not compile or link.
   ShaderProgram(std::initializer_list<std::string_view> vertex_files,
                 std::initializer_list<std::string_view> fragment_files);
+  /// A compute shader. Throws as the constructor does.
+  static ShaderProgram compute(std::initializer_list<std::string_view> files);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;
@@ -36,6 +39,8 @@ class ShaderProgram {
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
 
  private:
+  explicit ShaderProgram(unsigned name) : name_(name) {}
+
   unsigned name_;
 };
 

@@ -1,4 +1,4 @@
-#include "brindle/render/shader_program.h"
+#include "brindle/gl/shader_program.h"
 
 #include <charconv>
 #include <optional>
@@ -67,6 +67,22 @@ GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> fil
   throw Error("a shader does not compile on this driver:\n" + with_file_names(log, files));
 }
 
+GLuint linked(std::initializer_list<GLuint> shaders, std::string_view main_file) {
+  const GLuint name = glCreateProgram();
+  for (const GLuint shader : shaders) {
+    glAttachShader(name, shader);
+    glDeleteShader(shader);  // as soon as the program lets it go
+  }
+  glLinkProgram(name);
+  GLint success = 0;
+  glGetProgramiv(name, GL_LINK_STATUS, &success);
+  if (success) return name;
+  const std::string log = log_of(name, glGetProgramiv, glGetProgramInfoLog);
+  glDeleteProgram(name);
+  throw Error("the shaders of '" + std::string(main_file) + "' do not link on this driver:\n" +
+              log);
+}
+
 }  // namespace
 
 std::string with_file_names(std::string_view log, std::initializer_list<std::string_view> files) {
@@ -93,19 +109,11 @@ ShaderProgram::ShaderProgram(std::initializer_list<std::string_view> vertex_file
     glDeleteShader(vertex);
     throw;
   }
-  name_ = glCreateProgram();
-  glAttachShader(name_, vertex);
-  glAttachShader(name_, fragment);
-  glLinkProgram(name_);
-  glDeleteShader(vertex);
-  glDeleteShader(fragment);
-  GLint linked = 0;
-  glGetProgramiv(name_, GL_LINK_STATUS, &linked);
-  if (linked) return;
-  const std::string log = log_of(name_, glGetProgramiv, glGetProgramInfoLog);
-  glDeleteProgram(name_);
-  throw Error("the shaders of '" + std::string(*(fragment_files.end() - 1)) +
-              "' do not link on this driver:\n" + log);
+  name_ = linked({vertex, fragment}, *(fragment_files.end() - 1));
+}
+
+ShaderProgram ShaderProgram::compute(std::initializer_list<std::string_view> files) {
+  return ShaderProgram(linked({compiled_shader(GL_COMPUTE_SHADER, files)}, *(files.end() - 1)));
 }
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(name_); }

@@ -1,4 +1,4 @@
-#include "brindle/render/headless_context.h"
+#include "brindle/gl/headless_context.h"
 
 #include <array>
 #include <cstdio>
@@ -11,6 +11,7 @@
 #include <epoxy/gl.h>
 
 #include "brindle/base/error.h"
+#include "brindle/gl/gl_device.h"
 
 namespace brindle {
 
@@ -76,11 +77,11 @@ std::vector<Candidate> candidate_displays(const char* client_extensions) {
   return candidates;
 }
 
-EGLContext create_context(EGLDisplay display) {
+EGLContext create_context(EGLDisplay display, EGLint major, EGLint minor) {
   const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                         4,
+                                         major,
                                          EGL_CONTEXT_MINOR_VERSION,
-                                         5,
+                                         minor,
                                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                          EGL_CONTEXT_OPENGL_DEBUG,
@@ -102,6 +103,19 @@ std::string egl_failure(const char* step) {
   return std::string(step) + " failed (EGL error " + code.data() + ")";
 }
 
+/// Which OpenGL a display has that has no 4.5: ", it has ..." or nothing.
+std::string older_version(EGLDisplay display) {
+  EGLContext context = create_context(display, 3, 2);
+  if (context == EGL_NO_CONTEXT) return "";
+  std::string found;
+  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    found = ", it has " + describe(gl_device());
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  }
+  eglDestroyContext(display, context);
+  return found;
+}
+
 /// A current context on the display, or EGL_NO_CONTEXT and the reason.
 EGLContext open_context(EGLDisplay display, std::string& reason) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) {
@@ -113,9 +127,9 @@ EGLContext open_context(EGLDisplay display, std::string& reason) {
     return EGL_NO_CONTEXT;
   }
   eglBindAPI(EGL_OPENGL_API);
-  EGLContext context = create_context(display);
+  EGLContext context = create_context(display, 4, 5);
   if (context == EGL_NO_CONTEXT) {
-    reason = egl_failure("creating an OpenGL 4.5 core context");
+    reason = egl_failure("creating an OpenGL 4.5 core context") + older_version(display);
     return EGL_NO_CONTEXT;
   }
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
@@ -124,11 +138,6 @@ EGLContext open_context(EGLDisplay display, std::string& reason) {
     return EGL_NO_CONTEXT;
   }
   return context;
-}
-
-std::string gl_string(GLenum name) {
-  const GLubyte* text = glGetString(name);
-  return text == nullptr ? "?" : reinterpret_cast<const char*>(text);
 }
 
 void GLAPIENTRY collect_error(GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
@@ -159,7 +168,7 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
                 (tried.empty() ? "EGL lists no device and no surfaceless platform" : tried) +
                 "); " + kRemedy);
   }
-  state_->renderer = gl_string(GL_RENDERER) + ", OpenGL " + gl_string(GL_VERSION);
+  state_->renderer = describe(gl_device());
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(collect_error, &state_->errors);

@@ -1,9 +1,9 @@
-#include "brindle/render/shader_program.h"
+#include "brindle/gl/shader_program.h"
 
 #include <gtest/gtest.h>
 
 #include "brindle/base/error.h"
-#include "render/test_scenes.h"
+#include "brindle/gl/headless_context.h"
 
 namespace brindle {
 namespace {
@@ -14,7 +14,7 @@ TEST(ShaderProgram, LogsNameFileAndLine) {
 }
 
 TEST(ShaderProgram, ShaderThatDoesNotCompileIsNamed) {
-  test::Studio::shared();
+  const HeadlessContext context;
   try {
     // A fragment shader that lacks the file with its functions.
     const ShaderProgram program({"full_screen.vert"}, {"fragment_probe.frag"});
@@ -25,7 +25,18 @@ TEST(ShaderProgram, ShaderThatDoesNotCompileIsNamed) {
   }
 }
 
+TEST(ShaderProgram, ComputeShaderThatDoesNotCompileIsNamed) {
+  const HeadlessContext context;
+  try {
+    const ShaderProgram program = ShaderProgram::compute({"mark.frag"});  // none at all
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("mark.frag:"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ShaderProgram, MissingFileIsNamed) {
+  const HeadlessContext context;
   EXPECT_THROW(ShaderProgram({"no.vert"}, {"develop.frag"}), Error);
 }
 

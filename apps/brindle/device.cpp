@@ -1,0 +1,76 @@
+#include "device.h"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "brindle/gpu/gpu_solver.h"
+#include "gpu.h"
+#include "option_values.h"
+
+namespace brindle::tool {
+namespace {
+
+std::optional<DeviceKind> device_kind_of(std::string_view name) {
+  if (name == "cpu") return DeviceKind::cpu;
+  if (name == "gpu") return DeviceKind::gpu;
+  return std::nullopt;
+}
+
+class OnProcessor : public FrameSolverDevice {
+ public:
+  explicit OnProcessor(StripeAnimator animator) : animator_(std::move(animator)) {}
+
+  FrameResult frame(const FrameInput& input) override { return animator_.frame(input); }
+  double topology_milliseconds() const override { return animator_.topology_milliseconds(); }
+
+ private:
+  StripeAnimator animator_;
+};
+
+}  // namespace
+
+void add_device_option(CLI::App& app, DeviceKind& device) {
+  add_named_option(app, "--device", device, device_kind_of, "cpu|gpu",
+                   "solve on the processor (default), or on the GPU by OpenGL 4.5");
+}
+
+bool has_solver(DeviceKind device, Solver solver) {
+  return device == DeviceKind::cpu || is_available_on_gpu(solver);
+}
+
+void check_solver(DeviceKind device, Solver solver) {
+  if (has_solver(device, solver)) return;
+  throw CLI::ValidationError("--device", "the GPU solves by multilevel or relaxation, not by " +
+                                             std::string(name_of(solver)));
+}
+
+Device::Device(DeviceKind kind) {
+  if (kind == DeviceKind::gpu) gpu_ = std::make_unique<Gpu>();
+}
+
+Device::~Device() = default;
+
+SolvePhases Device::solver() const { return gpu_ ? gpu_->solver() : SolvePhases(); }
+
+std::unique_ptr<FrameSolverDevice> Device::animator(std::shared_ptr<const Adjacency> neighborhood,
+                                                    const AnimatorOptions& options) const {
+  if (gpu_) return gpu_->animator(std::move(neighborhood), options);
+  return std::make_unique<OnProcessor>(StripeAnimator(std::move(neighborhood), options));
+}
+
+void Device::check_errors(const std::string& job) const {
+  if (gpu_) gpu_->check_errors(job);
+}
+
+nlohmann::ordered_json Device::description() const {
+  return gpu_ ? gpu_->description() : nlohmann::ordered_json{{"kind", "cpu"}};
+}
+
+std::string device_line(const nlohmann::ordered_json& description) {
+  if (description.value("kind", "cpu") == "cpu") return "";
+  return "device    " + description.value("renderer", "?") + ", OpenGL " +
+         description.value("version", "?") + "\n";
+}
+
+}  // namespace brindle::tool

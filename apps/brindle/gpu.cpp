@@ -1,0 +1,89 @@
+#include "gpu.h"
+
+#include <utility>
+
+#include "brindle/gl/gl_device.h"
+#include "brindle/gl/headless_context.h"
+#include "brindle/gpu/gpu_animator.h"
+#include "brindle/gpu/gpu_solver.h"
+
+namespace brindle::tool {
+namespace {
+
+/// Phases come back after every frame, to be measured as those of the processor are.
+class OnGpu : public FrameSolverDevice {
+ public:
+  explicit OnGpu(GpuAnimator animator) : animator_(std::move(animator)) {
+    animator_.measure_frames(true);
+  }
+
+  FrameResult frame(const FrameInput& input) override {
+    FrameResult result;
+    result.unchanged = !animator_.frame(input);
+    if (!result.unchanged) {
+      z_ = animator_.read_phases();
+      result.phase_step = animator_.measure_now()->phase_step;
+      result.milliseconds = milliseconds();
+    }
+    result.z = z_;
+    return result;
+  }
+
+  double topology_milliseconds() const override { return animator_.topology_milliseconds(); }
+  unsigned phase_buffer() const override { return animator_.phases(); }
+
+ private:
+  FrameMilliseconds milliseconds() const {
+    FrameMilliseconds sum;
+    for (const auto& [stage, time] : animator_.stage_milliseconds()) {
+      if (stage == "measure") continue;
+      (stage == "load" || stage == "couple" ? sum.couple
+       : stage == "sums"                    ? sum.sum
+                                            : sum.solve) += time;
+    }
+    return sum;
+  }
+
+  GpuAnimator animator_;
+  std::vector<Complex> z_;
+};
+
+}  // namespace
+
+struct Device::Gpu::State {
+  HeadlessContext context;
+  GpuSolver solver;
+};
+
+Device::Gpu::Gpu() : state_(std::make_unique<State>()) {}
+Device::Gpu::~Gpu() = default;
+
+SolvePhases Device::Gpu::solver() const {
+  return [this](const PhaseGraph& graph, const SolverOptions& options, const Progress& progress) {
+    PhaseSolution solution = state_->solver.solve(graph, options, progress);
+    check_errors("solving on the GPU");
+    return solution;
+  };
+}
+
+std::unique_ptr<FrameSolverDevice> Device::Gpu::animator(
+    std::shared_ptr<const Adjacency> neighborhood, const AnimatorOptions& options) const {
+  return std::make_unique<OnGpu>(
+      GpuAnimator(state_->solver.kernels(), std::move(neighborhood), options));
+}
+
+std::shared_ptr<const GpuKernels> Device::Gpu::kernels() const { return state_->solver.kernels(); }
+
+void Device::Gpu::check_errors(const std::string& job) const { state_->context.check_errors(job); }
+
+nlohmann::ordered_json Device::Gpu::description() const {
+  const GlDevice device = gl_device();
+  nlohmann::ordered_json json = {{"kind", "gpu"},
+                                 {"renderer", device.renderer},
+                                 {"vendor", device.vendor},
+                                 {"version", device.version}};
+  for (const auto& [name, value] : device.limits) json["limits"][name] = value;
+  return json;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,38 @@
+#include "brindle/base/error.h"
+#include "gpu.h"
+#include "gpu_measurements.h"
+
+namespace brindle::tool {
+
+struct Device::Gpu::State {};
+
+Device::Gpu::Gpu() {
+  throw Error(
+      "this build solves on the processor alone; configure with -DBRINDLE_GL=ON to have --device "
+      "gpu");
+}
+
+Device::Gpu::~Gpu() = default;
+
+SolvePhases Device::Gpu::solver() const { return {}; }
+
+std::unique_ptr<FrameSolverDevice> Device::Gpu::animator(
+    std::shared_ptr<const Adjacency> /*neighborhood*/, const AnimatorOptions& /*options*/) const {
+  return nullptr;
+}
+
+std::shared_ptr<const GpuKernels> Device::Gpu::kernels() const { return nullptr; }
+
+void Device::Gpu::check_errors(const std::string& /*job*/) const {}
+
+nlohmann::ordered_json Device::Gpu::description() const { return {}; }
+
+GpuFrameFigures measure_gpu_frames(const Device& /*device*/, const Subject& /*subject*/,
+                                   const Repetitions& /*repetitions*/,
+                                   const Progress& /*progress*/) {
+  return {};
+}
+
+double copy_bandwidth() { return 0; }
+
+}  // namespace brindle::tool

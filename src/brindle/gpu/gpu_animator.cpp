@@ -1,0 +1,302 @@
+#include "brindle/gpu/gpu_animator.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/base/error.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gpu/gpu_hierarchy.h"
+#include "brindle/gpu/gpu_measure.h"
+#include "brindle/gpu/gpu_relaxation.h"
+#include "brindle/phases/hierarchy.h"
+#include "brindle/phases/sliced_waves.h"
+#include "brindle/waves/phase_graph.h"
+
+namespace brindle {
+namespace {
+
+/// Where kernels bind what is not of the levels.
+enum Binding : unsigned {
+  kPositions = 1,
+  kDirections = 2,
+  kFrequencies = 3,
+  kLoadedWaves = 4,
+  kLoadedLastPhases = 5,
+  kCoupledWaves = 5,
+  kCoupledLastPhases = 6,
+  kFinishedLastPhases = 5,
+  kPhasesByNode = 7
+};
+
+constexpr GLint kHasLast = 0;    // of load_waves
+constexpr GLint kLambda = 0;     // of couple
+constexpr GLint kTrapezoid = 1;  // of couple
+
+/// The caller's last input, on both sides.
+struct Input {
+  std::vector<Vec3> positions, directions;
+  std::vector<float> frequencies;
+  GlBuffer position_buffer, direction_buffer, frequency_buffer;
+};
+
+/// Copies what differs from last time; returns whether anything does.
+template <class Item>
+bool renew_copy(std::span<const Item> now, const char* what, std::vector<Item>& last,
+                GlBuffer& buffer) {
+  if (buffer == 0) {
+    buffer = make_buffer(now.size_bytes(), now.data(), what, GL_DYNAMIC_STORAGE_BIT);
+  } else if (std::ranges::equal(now, last)) {
+    return false;
+  } else {
+    glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(now.size_bytes()), now.data());
+  }
+  last.assign(now.begin(), now.end());
+  return true;
+}
+
+template <class Item>
+std::vector<Item> read_buffer(GLuint buffer, std::size_t count) {
+  std::vector<Item> items(count);
+  glGetNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(count * sizeof(Item)), items.data());
+  return items;
+}
+
+}  // namespace
+
+struct GpuAnimator::State {
+  std::shared_ptr<const GpuKernels> kernels;
+  std::shared_ptr<const Adjacency> neighborhood;
+  AnimatorOptions options;
+  double topology_milliseconds = 0;
+
+  std::shared_ptr<const GpuTopology> topology;  ///< none before the first frame
+  std::optional<GpuHierarchy> hierarchy;
+  std::optional<GpuRelaxation> relaxation;  ///< the paper's mode alone
+  std::optional<GpuMeasure> measure;
+  GlBuffer waves, last_z, z_by_node;
+  Input input;
+  bool has_last = false;
+  int frames = 0;
+  int measured_frames = 0;
+  bool measures = false;
+  std::optional<FrameMeasure> measured;
+  StageTimer timer;
+  std::size_t dispatches = 0;
+
+  void build(const FrameInput& first);
+  void allocate();
+  void load_waves(const WaveBuffers& buffers);
+  void couple();
+  void solve();
+  void finish();
+  void take_measure();
+};
+
+namespace {
+
+/// The hierarchy of the first frame, on which all later ones are solved: that of StripeAnimator.
+Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
+                          PhaseShiftKind kind) {
+  if (kind == PhaseShiftKind::common_source) {
+    const WaveSet waves{{input.positions.begin(), input.positions.end()},
+                        {input.directions.begin(), input.directions.end()},
+                        {input.frequencies.begin(), input.frequencies.end()}};
+    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind));
+  }
+  Hierarchy hierarchy = finest_level(*neighborhood);
+  Level& finest = hierarchy.levels[0];
+  std::vector<SlicedWave> waves;
+  brindle::load_waves(finest.layout(), input.positions, input.directions, input.frequencies, waves);
+  std::vector<float> degree(finest.layout().slot_count());
+  brindle::couple(finest.layout(), waves, kind, {}, finest.couplings, degree);
+  coarsen(hierarchy);
+  return hierarchy;
+}
+
+}  // namespace
+
+void GpuAnimator::State::build(const FrameInput& first) {
+  if (hierarchy) return;
+  if (!topology) {
+    Stopwatch watch;
+    const Hierarchy built = first_hierarchy(neighborhood, first, options.phase_shift);
+    topology = topology_of(built, options.sweeps);
+    topology_milliseconds = watch.lap();
+  }
+  allocate();
+}
+
+void GpuAnimator::State::allocate() {
+  hierarchy.emplace(kernels, topology);
+  const std::size_t slots = topology->level(0).slot_count;
+  waves = make_buffer(slots * sizeof(SlicedWave), nullptr, "waves");
+  last_z = make_buffer(slots * sizeof(Complex), nullptr, "phases");
+  z_by_node = make_buffer(topology->node_count() * sizeof(Complex), nullptr, "phases");
+  if (options.solver == FrameSolver::relaxation) {
+    relaxation.emplace(*hierarchy, SolverOptions().momentum);
+  }
+}
+
+void GpuAnimator::State::load_waves(const WaveBuffers& buffers) {
+  topology->bind();
+  bind_storage(kPositions, buffers.positions);
+  bind_storage(kDirections, buffers.directions);
+  bind_storage(kFrequencies, buffers.frequencies);
+  bind_storage(kLoadedWaves, waves);
+  bind_storage(kLoadedLastPhases, last_z);
+  glProgramUniform1i(kernels->load_waves.name(), kHasLast, has_last ? 1 : 0);
+  dispatch(kernels->load_waves, topology->level(0).slot_count);
+}
+
+void GpuAnimator::State::couple() {
+  hierarchy->bind();
+  bind_storage(kCoupledWaves, waves);
+  bind_storage(kCoupledLastPhases, last_z);
+  const bool paper = options.phase_shift == PhaseShiftKind::common_source;
+  const ShaderProgram& kernel = paper ? kernels->couple_common_source : kernels->couple;
+  const bool anchored = has_last && options.solver == FrameSolver::multilevel;
+  glProgramUniform1f(kernel.name(), kLambda, anchored ? options.lambda : 0);
+  if (!paper) {
+    const bool trapezoid = options.phase_shift == PhaseShiftKind::trapezoid;
+    glProgramUniform1i(kernel.name(), kTrapezoid, trapezoid ? 1 : 0);
+  }
+  dispatch(kernel, topology->level(0).slot_count);
+}
+
+void GpuAnimator::State::solve() {
+  if (options.solver == FrameSolver::multilevel || !has_last) {
+    hierarchy->solve(&timer);
+    if (relaxation) relaxation->clear();
+    return;
+  }
+  hierarchy->copy_phases(last_z);
+  const std::size_t colors = topology->colors(0).size();
+  for (int i = 0; i < options.iterations; ++i) relaxation->iterate(*hierarchy, colors);
+  timer.stage("relaxation");
+}
+
+void GpuAnimator::State::finish() {
+  if (measures) take_measure();
+  hierarchy->bind();
+  bind_storage(kFinishedLastPhases, last_z);
+  bind_storage(kPhasesByNode, z_by_node);
+  dispatch(kernels->to_nodes, topology->level(0).slot_count);
+  timer.stage("nodes");
+  has_last = true;
+  ++frames;
+}
+
+void GpuAnimator::State::take_measure() {
+  if (!measure) measure.emplace(*hierarchy);
+  const auto last = measure->end();
+  if (last) measured = FrameMeasure{measured_frames, last->energy, last->phase_step};
+  measure->begin(*hierarchy, has_last ? GLuint{last_z} : hierarchy->phases());
+  measured_frames = frames;
+  timer.stage("measure");
+}
+
+GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
+                         std::shared_ptr<const Adjacency> neighborhood,
+                         const AnimatorOptions& options)
+    : state_(std::make_unique<State>()) {
+  check(options);
+  state_->kernels = std::move(kernels);
+  state_->neighborhood = std::move(neighborhood);
+  state_->options = options;
+}
+
+GpuAnimator::GpuAnimator(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GpuAnimator::~GpuAnimator() = default;
+GpuAnimator::GpuAnimator(GpuAnimator&&) noexcept = default;
+GpuAnimator& GpuAnimator::operator=(GpuAnimator&&) noexcept = default;
+
+bool GpuAnimator::frame(const FrameInput& input) {
+  State& s = *state_;
+  check(input, s.neighborhood->node_count());
+  s.build(input);
+  s.timer.start();
+  Input& own = s.input;
+  bool changed = renew_copy(input.positions, "positions", own.positions, own.position_buffer);
+  changed |= renew_copy(input.directions, "directions", own.directions, own.direction_buffer);
+  changed |= renew_copy(input.frequencies, "frequencies", own.frequencies, own.frequency_buffer);
+  if (s.has_last && !changed) return false;
+  solve_from({own.position_buffer, own.direction_buffer, own.frequency_buffer});
+  return true;
+}
+
+void GpuAnimator::frame(const WaveBuffers& input) {
+  State& s = *state_;
+  if (!s.hierarchy) {
+    const std::size_t vertices = s.neighborhood->node_count();
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    const auto positions = read_buffer<Vec3>(input.positions, vertices);
+    const auto directions = read_buffer<Vec3>(input.directions, vertices);
+    const auto frequencies = read_buffer<float>(input.frequencies, vertices);
+    check_gl("reading the buffers of the first frame");
+    s.build({positions, directions, frequencies});
+  }
+  s.timer.start();
+  solve_from(input);
+}
+
+void GpuAnimator::solve_from(const WaveBuffers& input) {
+  State& s = *state_;
+  const std::size_t before = dispatch_count();
+  // What the caller's shaders wrote there must be seen.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  s.load_waves(input);
+  s.timer.stage("load");
+  s.couple();
+  s.timer.stage("couple");
+  s.solve();
+  s.finish();
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  s.dispatches = dispatch_count() - before;
+  check_gl("solving a frame on the GPU");
+}
+
+unsigned GpuAnimator::phases() const { return state_->z_by_node; }
+
+std::vector<Complex> GpuAnimator::read_phases() const {
+  return state_->hierarchy ? read_buffer<Complex>(state_->z_by_node, state_->topology->node_count())
+                           : std::vector<Complex>();
+}
+
+void GpuAnimator::measure_frames(bool measures) { state_->measures = measures; }
+
+const std::optional<FrameMeasure>& GpuAnimator::measured() const { return state_->measured; }
+
+std::optional<FrameMeasure> GpuAnimator::measure_now() {
+  State& s = *state_;
+  if (const auto last = s.measure ? s.measure->end() : std::nullopt) {
+    s.measured = FrameMeasure{s.measured_frames, last->energy, last->phase_step};
+  }
+  return s.measured;
+}
+
+std::vector<StageTime> GpuAnimator::stage_milliseconds() const {
+  return state_->timer.milliseconds();
+}
+
+std::vector<StageBytes> GpuAnimator::stage_bytes() const {
+  return state_->topology ? frame_traffic(*state_->topology) : std::vector<StageBytes>();
+}
+
+std::size_t GpuAnimator::dispatches() const { return state_->dispatches; }
+
+GpuAnimator GpuAnimator::sibling() const {
+  auto state = std::make_unique<State>();
+  state->kernels = state_->kernels;
+  state->neighborhood = state_->neighborhood;
+  state->options = state_->options;
+  state->topology = state_->topology;
+  state->measures = state_->measures;
+  return GpuAnimator(std::move(state));
+}
+
+void GpuAnimator::restart() { state_->has_last = false; }
+
+double GpuAnimator::topology_milliseconds() const { return state_->topology_milliseconds; }
+
+}  // namespace brindle

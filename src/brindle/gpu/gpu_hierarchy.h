@@ -1,0 +1,66 @@
+/// The multilevel solver on the device (twin: phases/hierarchy.h, phases/multilevel.h).
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "brindle/gl/gl_name.h"
+#include "brindle/gpu/gpu_kernels.h"
+#include "brindle/gpu/gpu_topology.h"
+#include "brindle/gpu/stage_timer.h"
+
+namespace brindle {
+
+/// Couplings, gauges and phases of all levels in buffers.
+class GpuHierarchy {
+ public:
+  /// Throws Error if a buffer is larger than the driver's, or OpenGL is out of memory.
+  GpuHierarchy(std::shared_ptr<const GpuKernels> kernels,
+               std::shared_ptr<const GpuTopology> topology);
+
+  /// Copies couplings and anchors of the finest level; `layout` is that of the topology.
+  void upload(const SlicedLayout& layout, const SlicedCouplings& couplings);
+
+  /// Copies phases of the finest level, one a slot.
+  void upload_phases(std::span<const Complex> z);
+
+  /// The same from a buffer.
+  void copy_phases(GLuint z) const;
+
+  /// Renews all gauges and sums from the couplings of the finest level and descends to it
+  /// (`renew`, then `descend`). Stages: "sums", "small levels", "sweeps".
+  void solve(StageTimer* timer = nullptr) const;
+
+  /// Another descent from the phases that the finest level has (`correct`).
+  void correct() const;
+
+  /// Binds all buffers of the levels.
+  void bind() const;
+
+  /// The phases of the finest level as they stand, by slot. Waits for the device.
+  std::vector<Complex> read_phases() const;
+
+  const GpuKernels& kernels() const { return *kernels_; }
+  const GpuTopology& topology() const { return *topology_; }
+  std::shared_ptr<const GpuTopology> shared_topology() const { return topology_; }
+  std::shared_ptr<const GpuKernels> shared_kernels() const { return kernels_; }
+
+  /// Names of the buffers that other kernels bind in other places.
+  GLuint phases() const { return z_; }
+
+ private:
+  void renew_large(bool renews_gauges) const;
+  void work_on_small(Complex start, bool renews_gauges) const;
+  void descend_large(Complex start) const;
+  void dispatch_on_level(const ShaderProgram& kernel, std::size_t level,
+                         std::size_t invocations) const;
+
+  std::shared_ptr<const GpuKernels> kernels_;
+  std::shared_ptr<const GpuTopology> topology_;
+  GlBuffer direct_, reflecting_, rows_, gauges_, gauged_, z_;
+};
+
+/// Sets where `sweep` and `relax` work.
+void set_color(const ShaderProgram& kernel, const GpuTopology::Color& color);
+
+}  // namespace brindle

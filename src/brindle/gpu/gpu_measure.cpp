@@ -1,0 +1,81 @@
+#include "brindle/gpu/gpu_measure.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/base/error.h"
+#include "brindle/gl/gl_buffer.h"
+
+namespace brindle {
+namespace {
+
+constexpr unsigned kResultBinding = 0;
+constexpr unsigned kLastPhaseBinding = kGaugeBinding;
+constexpr GLint kPartCount = 0;
+constexpr GLint kResultNumber = 1;
+constexpr GLuint64 kPatience = 10'000'000'000;  // nanoseconds between two looks at a fence
+
+using Sums = std::array<float, 4>;  // energy, weight, angle, count
+
+}  // namespace
+
+/// Results lie in memory that both sides see; a fence tells when one has been written.
+struct GpuMeasure::State {
+  std::size_t part_count;
+  GlBuffer parts, results;
+  const volatile Sums* mapped;
+  std::array<GLsync, 2> fences{};
+  unsigned begun = 0, ended = 0;
+
+  ~State() {
+    for (GLsync fence : fences) glDeleteSync(fence);
+  }
+};
+
+GpuMeasure::GpuMeasure(const GpuHierarchy& hierarchy) : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.part_count = GpuGroups::of(hierarchy.topology().level(0).slot_count).count();
+  s.parts = make_buffer((s.part_count + 1) * sizeof(Sums), nullptr, "parts of sums");
+  constexpr GLbitfield kAccess = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+  s.results = make_buffer(2 * sizeof(Sums), nullptr, "sums", kAccess);
+  s.mapped =
+      static_cast<const Sums*>(glMapNamedBufferRange(s.results, 0, 2 * sizeof(Sums), kAccess));
+  check_gl("mapping a buffer");
+}
+
+GpuMeasure::~GpuMeasure() = default;
+GpuMeasure::GpuMeasure(GpuMeasure&&) noexcept = default;
+
+void GpuMeasure::begin(const GpuHierarchy& hierarchy, GLuint last_phases) {
+  State& s = *state_;
+  if (s.begun - s.ended == s.fences.size()) throw Error("two measurements are under way already");
+  const GpuKernels& kernels = hierarchy.kernels();
+  hierarchy.bind();
+  bind_storage(kLastPhaseBinding, last_phases);
+  bind_storage(kScratchBinding, s.parts);
+  dispatch(kernels.measure, hierarchy.topology().level(0).slot_count);
+  bind_storage(kResultBinding, s.results);
+  glProgramUniform1ui(kernels.sum_parts.name(), kPartCount, static_cast<GLuint>(s.part_count));
+  glProgramUniform1ui(kernels.sum_parts.name(), kResultNumber, s.begun % 2);
+  dispatch_one_group(kernels.sum_parts);
+  glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+  s.fences[s.begun % 2] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  ++s.begun;
+}
+
+std::optional<PhaseMeasure> GpuMeasure::end() {
+  State& s = *state_;
+  if (s.begun == s.ended) return std::nullopt;
+  GLsync& fence = s.fences[s.ended % 2];
+  while (glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience) == GL_TIMEOUT_EXPIRED) {
+  }
+  glDeleteSync(std::exchange(fence, nullptr));
+  const volatile float* sums = reinterpret_cast<const volatile float*>(s.mapped + s.ended % 2);
+  const double energy = sums[0], weight = sums[1], angle = sums[2], count = sums[3];
+  ++s.ended;
+  // Rounding may take a perfect pattern below zero.
+  return PhaseMeasure{weight > 0 ? std::max(0.0, energy / weight) : 0, weight,
+                      count > 0 ? angle / count : 0};
+}
+
+}  // namespace brindle

@@ -1,0 +1,40 @@
+/// What phases are worth, measured where they are.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "brindle/gpu/gpu_hierarchy.h"
+
+namespace brindle {
+
+struct PhaseMeasure {
+  double energy = 0;      ///< as `energy()` of phase_graph.h defines it
+  double weight = 0;      ///< sum of all weights
+  double phase_step = 0;  ///< mean |angle| against the last phases, radians, over nodes with a wave
+};
+
+/// Reduces on the device and hands the result over when it is there, so that nobody has to wait in
+/// the frame that is measured.
+class GpuMeasure {
+ public:
+  /// For hierarchies with the topology of `hierarchy`.
+  explicit GpuMeasure(const GpuHierarchy& hierarchy);
+  ~GpuMeasure();
+  GpuMeasure(GpuMeasure&&) noexcept;
+
+  /// Begins to measure the finest level of `hierarchy` against `last_phases` (a buffer, by slot).
+  /// At most two measurements may be under way.
+  void begin(const GpuHierarchy& hierarchy, GLuint last_phases);
+
+  /// The oldest measurement under way; waits for the device if that has not finished. Nothing if
+  /// none is.
+  std::optional<PhaseMeasure> end();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace brindle

@@ -1,0 +1,157 @@
+#include "brindle/gpu/gpu_relaxation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gpu/gpu_measure.h"
+#include "brindle/phases/relaxation.h"
+
+namespace brindle {
+namespace {
+
+constexpr unsigned kRelaxationBinding = 0;
+constexpr unsigned kCommandBinding = 1;
+constexpr unsigned kMomentumBinding = kGaugeBinding;
+constexpr unsigned kPartBinding = kScratchBinding;
+
+/// Uniform locations of relax.comp and judge_iteration.comp.
+enum RelaxLocation : GLint { kStrength = 3, kFirstPart = 4 };
+enum JudgeLocation : GLint { kPartCount = 0, kCommandCount = 1, kEpsilon = 2 };
+
+/// Iterations that are under way before somebody asks whether they have converged.
+constexpr int kBatch = 8;
+
+using Command = std::array<GLuint, 3>;
+
+}  // namespace
+
+GpuRelaxation::GpuRelaxation(const GpuHierarchy& hierarchy, float strength) : strength_(strength) {
+  std::vector<Command> commands;
+  first_part_.push_back(0);
+  for (const GpuTopology::Color& color : hierarchy.topology().colors(0)) {
+    const GpuGroups groups = GpuGroups::of(color.slot_count);
+    commands.push_back({groups.x, groups.y, 1});
+    first_part_.push_back(first_part_.back() + static_cast<std::uint32_t>(groups.count()));
+  }
+  commands_ = buffer_of(commands, "dispatches");
+  parts_ = make_buffer((first_part_.back() + 1) * sizeof(std::array<float, 4>), nullptr, "sums");
+  momenta_ =
+      make_buffer(hierarchy.topology().level(0).slot_count * sizeof(Complex), nullptr, "momenta");
+}
+
+void GpuRelaxation::clear() const {
+  if (momenta_ == 0) return;
+  glClearNamedBufferData(momenta_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuRelaxation::iterate(const GpuHierarchy& hierarchy, std::size_t colors) const {
+  hierarchy.bind();
+  bind_storage(kMomentumBinding, momenta_);
+  bind_storage(kPartBinding, parts_);
+  const ShaderProgram& kernel = hierarchy.kernels().relax;
+  glProgramUniform1f(kernel.name(), kStrength, strength_);
+  for (std::size_t c = 0; c < colors; ++c) {
+    set_color(kernel, hierarchy.topology().colors(0)[c]);
+    glProgramUniform1ui(kernel.name(), kFirstPart, first_part_[c]);
+    dispatch_indirect(kernel, commands_, c * sizeof(Command));
+  }
+}
+
+void GpuRelaxation::begin(double energy, double weight, int max_iterations) {
+  std::vector<std::byte> start(sizeof(Standing) +
+                               (max_iterations + std::size_t{1}) * sizeof(float));
+  const Standing standing{0, 0, static_cast<float>(weight)};
+  const auto first = static_cast<float>(energy);
+  std::memcpy(start.data(), &standing, sizeof standing);
+  std::memcpy(start.data() + sizeof standing, &first, sizeof first);
+  relaxation_ = buffer_of(start, "energies");
+}
+
+void GpuRelaxation::judge(const GpuHierarchy& hierarchy, std::size_t colors, float epsilon) const {
+  const ShaderProgram& kernel = hierarchy.kernels().judge_iteration;
+  bind_storage(kRelaxationBinding, relaxation_);
+  bind_storage(kCommandBinding, commands_);
+  bind_storage(kPartBinding, parts_);
+  glProgramUniform1ui(kernel.name(), kPartCount, first_part_[colors]);
+  glProgramUniform1ui(kernel.name(), kCommandCount, static_cast<GLuint>(first_part_.size() - 1));
+  glProgramUniform1f(kernel.name(), kEpsilon, epsilon);
+  dispatch_one_group(kernel);
+}
+
+GpuRelaxation::Standing GpuRelaxation::standing() const {
+  Standing standing;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(relaxation_, 0, sizeof standing, &standing);
+  return standing;
+}
+
+std::vector<float> GpuRelaxation::energies() const {
+  std::vector<float> energies(standing().iterations + std::size_t{1});
+  glGetNamedBufferSubData(relaxation_, sizeof(Standing),
+                          static_cast<GLsizeiptr>(energies.size() * sizeof(float)),
+                          energies.data());
+  return energies;
+}
+
+namespace {
+
+/// Iterates until convergence; the device is asked every few iterations.
+void relax_to_convergence(const GpuHierarchy& hierarchy, const GpuRelaxation& relaxation,
+                          const SolverOptions& options, const Progress& progress) {
+  const std::size_t all = hierarchy.topology().colors(0).size();
+  const std::size_t first_two_thirds = all - all / 3;
+  GpuRelaxation::Standing standing;
+  const auto limit = static_cast<std::uint32_t>(options.max_iterations);
+  while (!standing.converged && standing.iterations < limit) {
+    const std::uint32_t end = std::min<std::uint32_t>(standing.iterations + kBatch, limit);
+    for (std::uint32_t i = standing.iterations; i < end; ++i) {
+      const bool skip = options.skip_last_third && i % 2 == 1;
+      relaxation.iterate(hierarchy, skip ? first_two_thirds : all);
+      relaxation.judge(hierarchy, skip ? first_two_thirds : all, options.epsilon);
+    }
+    standing = relaxation.standing();
+    progress.report("relaxation", 1 - std::min(1.0f, relaxation.energies().back() / 0.5f));
+  }
+}
+
+}  // namespace
+
+PhaseSolution relax_on_gpu(std::shared_ptr<const GpuKernels> kernels, const PhaseGraph& graph,
+                           const SolverOptions& options, std::span<const Complex> start,
+                           const Progress& progress) {
+  PhaseSolution solution;
+  Stopwatch watch;
+  const auto layout =
+      std::make_shared<const SlicedLayout>(relaxation_layout(*graph.adjacency, options.seed));
+  const std::array<LevelTopology, 1> levels{{{layout, nullptr}}};
+  GpuHierarchy hierarchy(std::move(kernels),
+                         std::make_shared<const GpuTopology>(flatten(levels, options.sweeps)));
+  SlicedCouplings couplings(*layout);
+  load_couplings(graph, *layout, couplings);
+  hierarchy.upload(*layout, couplings);
+  hierarchy.upload_phases(start_phases(*layout, start, options.seed));
+  glFinish();
+  solution.topology_milliseconds = watch.lap();
+
+  GpuMeasure measure(hierarchy);
+  measure.begin(hierarchy, hierarchy.phases());
+  const PhaseMeasure before = *measure.end();
+  GpuRelaxation relaxation(hierarchy, options.momentum);
+  relaxation.begin(before.energy, before.weight, options.max_iterations);
+  if (before.weight > 0) relax_to_convergence(hierarchy, relaxation, options, progress);
+  solution.z = to_nodes(*layout, hierarchy.read_phases());
+  const std::vector<float> energies = relaxation.energies();
+  check_gl("relaxing on the GPU");
+  solution.solve_milliseconds = watch.lap();
+  solution.energy_per_iteration.assign(energies.begin(), energies.end());
+  solution.iterations = static_cast<int>(energies.size()) - 1;
+  solution.energy = energy(graph, solution.z);
+  return solution;
+}
+
+}  // namespace brindle

@@ -1,0 +1,50 @@
+#include "brindle/gpu/gpu_solver.h"
+
+#include <string>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gpu/gpu_hierarchy.h"
+#include "brindle/gpu/gpu_relaxation.h"
+
+namespace brindle {
+namespace {
+
+PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const PhaseGraph& graph,
+                               const SolverOptions& options, const Progress& progress) {
+  PhaseSolution solution;
+  Stopwatch watch;
+  const Hierarchy hierarchy = build_hierarchy(graph, progress);
+  const Level& finest = hierarchy.levels[0];
+  GpuHierarchy device(std::move(kernels), topology_of(hierarchy, options.sweeps));
+  device.upload(finest.layout(), finest.couplings);
+  glFinish();
+  solution.topology_milliseconds = watch.lap();
+  device.solve();
+  for (int cycle = 0; cycle < options.cycles; ++cycle) device.correct();
+  solution.z = to_nodes(finest.layout(), device.read_phases());
+  check_gl("solving on the GPU");
+  solution.solve_milliseconds = watch.lap();
+  solution.iterations = options.sweeps * (1 + options.cycles);
+  solution.energy = energy(graph, solution.z);
+  return solution;
+}
+
+}  // namespace
+
+GpuSolver::GpuSolver() : kernels_(std::make_shared<const GpuKernels>()) {}
+
+PhaseSolution GpuSolver::solve(const PhaseGraph& graph, const SolverOptions& options,
+                               const Progress& progress) const {
+  check(options);
+  if (!is_available_on_gpu(options.solver)) {
+    throw Error("the GPU has no solver '" + std::string(name_of(options.solver)) +
+                "'; take multilevel or relaxation, or solve on the processor");
+  }
+  if (options.solver == Solver::relaxation) {
+    return relax_on_gpu(kernels_, graph, options, {}, progress);
+  }
+  return solve_multilevel(kernels_, graph, options, progress);
+}
+
+}  // namespace brindle

@@ -1,0 +1,35 @@
+// Couplings, anchors and neighbours of all rows.
+
+#ifndef BETWEEN_INVOCATIONS
+#define BETWEEN_INVOCATIONS
+#endif
+
+// A node of a level: the words that all threads of its row need at once.
+struct Row {
+  vec2 anchor;    // T_i
+  float degree;   // sum of weights, finest level
+  uint reflects;  // whether `reflecting` holds this row
+};
+
+layout(std430, binding = 1) readonly buffer Neighbors { uint neighbor[]; };
+layout(std430, binding = 2) BETWEEN_INVOCATIONS buffer Direct { vec2 direct[]; };          // A
+layout(std430, binding = 3) BETWEEN_INVOCATIONS buffer Reflecting { vec2 reflecting[]; };  // B
+layout(std430, binding = 4) BETWEEN_INVOCATIONS buffer Rows { Row rows[]; };
+
+uint first_entry(Level level, uint slot) {
+  return topology[level.columns + slot / kLanes] * kLanes + slot % kLanes;
+}
+
+uint end_entry(Level level, uint slot) {
+  return topology[level.columns + slot / kLanes + 1u] * kLanes;
+}
+
+// Sets B of an entry of the row that begins at `first`; rows are filled in ascending order. Few
+// rows reflect: only those are written. `reflects` tells whether this one does so far.
+void set_reflecting(uint first, uint entry, vec2 b, inout bool reflects) {
+  if (!reflects && b != vec2(0)) {
+    reflects = true;
+    for (uint before = first; before < entry; before += kLanes) reflecting[before] = vec2(0);
+  }
+  if (reflects) reflecting[entry] = b;
+}

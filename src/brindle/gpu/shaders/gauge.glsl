@@ -1,0 +1,107 @@
+// Gauges and coarse sums (twins: gauge_members, gauge_slices, sum_slices of
+// phases/sliced_kernels_portable.cpp and their reflecting parts in phases/hierarchy.cpp).
+
+// Gauges of all members of one aggregate, each from the couplings to those before it.
+void renew_gauges(Level level, uint aggregate) {
+  const uint begin = topology[level.member_begin + aggregate];
+  const uint end = topology[level.member_begin + aggregate + 1u];
+  // Two words a member, its slot and its first entry in a list; the reference keeps its gauge 1.
+  for (uint member = begin + 2u; member < end; member += 2u) {
+    const uint slot = topology[member];
+    const bool reflects = rows[slot].reflects != 0u;
+    vec2 plain = vec2(0), conjugated = vec2(0);
+    for (uint e = topology[member + 1u]; e < topology[member + 3u]; ++e) {
+      const uint entry = topology[e];
+      const uvec2 bits = gauge[neighbor[entry]];
+      const vec2 from = uintBitsToFloat(bits);
+      const vec2 a = times(direct[entry], from);
+      const vec2 b = reflects ? times(reflecting[entry], conjugate(from)) : vec2(0);
+      plain += conjugate_bit(bits) ? b : a;
+      conjugated += conjugate_bit(bits) ? a : b;
+    }
+    const bool takes_conjugate = dot(conjugated, conjugated) > dot(plain, plain);
+    const vec2 sum = takes_conjugate ? conjugated : plain;
+    gauge[slot] =
+        with_conjugate_bit(has_direction(sum) ? normalized(sum) : vec2(1, 0), takes_conjugate);
+  }
+}
+
+// Couplings of one row between the gauges at their ends, into scratch: direct ones, and where the
+// row reflects, reflecting ones `scratch_size` later. The conjugate bit says that a result adds to
+// B of the coarser level, the lowest bit of the imaginary part that there is a second one.
+void gauge_row(Level level, uint slot) {
+  const uint i = level.first_slot + slot;
+  const bool reflects = rows[i].reflects != 0u;
+  const uvec2 bits_i = gauge[i];
+  const vec2 g_i = conjugate(uintBitsToFloat(bits_i));
+  const bool conjugated = conjugate_bit(bits_i);
+  const uint end = end_entry(level, slot);
+  for (uint entry = first_entry(level, slot); entry < end; entry += kLanes) {
+    const uvec2 bits_j = gauge[neighbor[entry]];
+    const vec2 g_j = uintBitsToFloat(bits_j);
+    const bool differ = conjugated != conjugate_bit(bits_j);
+    const uint place = entry - level.first_column * kLanes;
+    vec2 c = times(g_i, times(direct[entry], g_j));
+    uvec2 result = with_conjugate_bit(conjugated ? conjugate(c) : c, differ);
+    result.y = (result.y & ~1u) | uint(reflects);
+    gauged[place] = result;
+    if (!reflects) continue;
+    c = times(times(g_i, reflecting[entry]), conjugate(g_j));
+    gauged[scratch_size + place] = with_conjugate_bit(conjugated ? conjugate(c) : c, !differ);
+  }
+}
+
+// A and B of a coarse entry: sums over those of the fine entries that the rounds name.
+struct EntrySum {
+  vec2 a, b;
+};
+
+void add(uvec2 bits, inout EntrySum sum) {
+  if (conjugate_bit(bits)) {
+    sum.b += uintBitsToFloat(bits);
+  } else {
+    sum.a += uintBitsToFloat(bits);
+  }
+}
+
+EntrySum entry_sum(uint begin, uint end, uint lane) {
+  EntrySum sum = EntrySum(vec2(0), vec2(0));
+  bool has_second = false;
+  for (uint round = begin; round < end; round += kLanes) {
+    const uint entry = topology[round + lane];
+    if (entry == kNone) continue;
+    const uvec2 bits = gauged[entry];
+    add(bits, sum);
+    has_second = has_second || (bits.y & 1u) != 0u;
+  }
+  if (!has_second) return sum;
+  for (uint round = begin; round < end; round += kLanes) {
+    const uint entry = topology[round + lane];
+    if (entry != kNone && (gauged[entry].y & 1u) != 0u) add(gauged[scratch_size + entry], sum);
+  }
+  return sum;
+}
+
+vec2 anchor_sum(Level level, uint aggregate) {
+  vec2 sum = vec2(0);
+  const uint end = topology[level.member_begin + aggregate + 1u];
+  for (uint member = topology[level.member_begin + aggregate]; member < end; member += 2u) {
+    const uvec2 bits = gauge[topology[member]];
+    const vec2 t = times(conjugate(uintBitsToFloat(bits)), rows[topology[member]].anchor);
+    sum += conjugate_bit(bits) ? conjugate(t) : t;
+  }
+  return sum;
+}
+
+// One row of the coarser level.
+void sum_row(Level fine, Level coarse, uint aggregate) {
+  const uint first = first_entry(coarse, aggregate), end = end_entry(coarse, aggregate);
+  bool reflects = false;
+  for (uint entry = first; entry < end; entry += kLanes) {
+    const uint rounds = fine.source_begin + entry / kLanes - coarse.first_column;
+    const EntrySum sum = entry_sum(topology[rounds], topology[rounds + 1u], aggregate % kLanes);
+    direct[entry] = sum.a;
+    set_reflecting(first, entry, sum.b, reflects);
+  }
+  rows[coarse.first_slot + aggregate] = Row(anchor_sum(fine, aggregate), 0.0, uint(reflects));
+}

@@ -1,0 +1,4 @@
+void main() {
+  const uint n = invocation();
+  if (n < work_count) sweep_slot(levels[level_number], slot_of_work(slices, n));
+}

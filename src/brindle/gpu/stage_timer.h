@@ -1,0 +1,38 @@
+/// What each stage of a frame takes on the device.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace brindle {
+
+/// A stage of the work on the device and its milliseconds there.
+using StageTime = std::pair<std::string_view, double>;
+
+/// Timestamps between stages, taken on the device by OpenGL's timer queries.
+class StageTimer {
+ public:
+  StageTimer() = default;
+  ~StageTimer();
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+  /// Forgets the last stages; the first one begins here.
+  void start();
+
+  /// The stage that ends here; `name` must outlive the timer.
+  void stage(std::string_view name);
+
+  /// All stages since `start`, those of one name together, in the order of their first. Waits for
+  /// the device.
+  std::vector<StageTime> milliseconds() const;
+
+ private:
+  void mark();
+
+  std::vector<unsigned> queries_;
+  std::vector<std::string_view> names_;
+};
+
+}  // namespace brindle

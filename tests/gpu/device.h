@@ -1,0 +1,33 @@
+/// A context and what the tests of the gpu room share in it, made once.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "brindle/gl/headless_context.h"
+#include "brindle/gpu/gpu_solver.h"
+
+namespace brindle::test {
+
+struct Device {
+  HeadlessContext context;
+  GpuSolver solver;
+
+  static Device& shared() {
+    static Device device;
+    return device;
+  }
+};
+
+/// Every complaint of OpenGL's debug output fails the test.
+class GpuTest : public testing::Test {
+ protected:
+  Device& device = Device::shared();
+
+  void SetUp() override { device.context.make_current(); }
+  void TearDown() override {
+    EXPECT_NO_THROW(
+        device.context.check_errors(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  }
+};
+
+}  // namespace brindle::test

@@ -1,0 +1,230 @@
+#include "brindle/gpu/gpu_animator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brindle/base/error.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/pattern/quality.h"
+#include "brindle/pipeline/scene.h"
+#include "device.h"
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::flip_half;
+using testing_support::wavy_surface;
+using testing_support::WavySurface;
+
+const Vec3 kAxis(0.31f, 0.9f, 0.27f);
+
+using GpuAnimatorTest = test::GpuTest;
+
+FrameInput input_of(const WaveSet& waves) {
+  return {waves.positions, waves.directions, waves.frequencies};
+}
+
+AnimatorOptions options_with(float lambda, PhaseShiftKind kind = PhaseShiftKind::aligned) {
+  AnimatorOptions options;
+  options.lambda = lambda;
+  options.phase_shift = kind;
+  return options;
+}
+
+/// What a frame is judged by.
+struct Judged {
+  double energy;
+  double branches;
+};
+
+Judged judge(const SceneFrame& frame, const PhaseGraph& graph, std::span<const Complex> z,
+             PhaseShiftKind kind) {
+  const auto corners = corner_phases(frame.mesh.triangles, frame.waves, z, kind);
+  const PatternQuality quality = measure_quality(frame.mesh, frame.waves, corners);
+  return {energy(graph, z), static_cast<double>(quality.branches)};
+}
+
+/// Plays 60 frames on both devices. Two descents that round differently part ways where two phases
+/// are as good, and anchors carry that on: single frames are compared as loosely as single branches
+/// count, their sums as the issue asks.
+void expect_same_scene(const GpuSolver& solver, SceneKind scene_kind,
+                       const AnimatorOptions& options) {
+  const Surface surface = make_surface(make_shape("torus,resolution=100"));
+  const float frequency = 25 / bounding_box(surface.mesh).diagonal();
+  Scene scene(surface, {.kind = scene_kind, .frequency = frequency});
+  StripeAnimator cpu(surface.neighborhood, options);
+  GpuAnimator gpu(solver.kernels(), surface.neighborhood, options);
+  Judged cpu_sum{}, gpu_sum{};
+  for (int number = 0; number < 60; ++number) {
+    const SceneFrame& frame = scene.frame(number);
+    const PhaseGraph graph =
+        build_phase_graph(surface.neighborhood, frame.waves, options.phase_shift);
+    const Judged on_cpu =
+        judge(frame, graph, cpu.frame(input_of(frame.waves)).z, options.phase_shift);
+    gpu.frame(input_of(frame.waves));
+    const Judged on_gpu = judge(frame, graph, gpu.read_phases(), options.phase_shift);
+    EXPECT_NEAR(on_gpu.energy, on_cpu.energy, 0.05 * on_cpu.energy + 1e-7) << number;
+    EXPECT_NEAR(on_gpu.branches, on_cpu.branches, std::max(2.0, 0.03 * on_cpu.branches)) << number;
+    cpu_sum = {cpu_sum.energy + on_cpu.energy, cpu_sum.branches + on_cpu.branches};
+    gpu_sum = {gpu_sum.energy + on_gpu.energy, gpu_sum.branches + on_gpu.branches};
+  }
+  EXPECT_NEAR(gpu_sum.energy, cpu_sum.energy, 0.01 * cpu_sum.energy + 1e-7);
+  EXPECT_NEAR(gpu_sum.branches, cpu_sum.branches, 0.03 * cpu_sum.branches + 2);
+}
+
+constexpr SceneKind kScenes[] = {SceneKind::zoom, SceneKind::vortices, SceneKind::rotate,
+                                 SceneKind::wobble, SceneKind::brush};
+
+TEST_F(GpuAnimatorTest, EverySceneRunsAsOnTheProcessor) {
+  for (const SceneKind scene : kScenes) {
+    SCOPED_TRACE(name_of(scene));
+    expect_same_scene(device.solver, scene, options_with(0.02f));
+  }
+}
+
+TEST_F(GpuAnimatorTest, EverySceneRunsAsOnTheProcessorFromScratch) {
+  for (const SceneKind scene : kScenes) {
+    SCOPED_TRACE(name_of(scene));
+    expect_same_scene(device.solver, scene, options_with(0));
+  }
+}
+
+TEST_F(GpuAnimatorTest, ThePapersModeRunsAsOnTheProcessor) {
+  AnimatorOptions options;
+  options.solver = FrameSolver::relaxation;
+  expect_same_scene(device.solver, SceneKind::rotate, options);
+}
+
+TEST_F(GpuAnimatorTest, CouplesEveryPhaseShiftAsTheProcessorDoes) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  flip_half(surface.waves, 4);
+  for (const auto kind :
+       {PhaseShiftKind::aligned, PhaseShiftKind::common_source, PhaseShiftKind::trapezoid}) {
+    SCOPED_TRACE(name_of(kind));
+    GpuAnimator gpu(device.solver.kernels(), surface.neighborhood, options_with(0, kind));
+    gpu.measure_frames(true);
+    gpu.frame(input_of(surface.waves));
+    const PhaseGraph graph = surface.graph(kind);
+    const double on_cpu = solve_phases(graph).energy;
+    EXPECT_NEAR(energy(graph, gpu.read_phases()), on_cpu, 0.01 * on_cpu);
+    // Measured with the device's own couplings.
+    EXPECT_NEAR(gpu.measure_now()->energy, energy(graph, gpu.read_phases()), 1e-3 * on_cpu);
+  }
+}
+
+/// A buffer as an application would have it.
+template <class Item>
+GlBuffer application_buffer(const std::vector<Item>& items) {
+  return buffer_of(items, "the application's data");
+}
+
+TEST_F(GpuAnimatorTest, TakesBuffersThatAreOnTheDeviceAlready) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  GpuAnimator from_spans(device.solver.kernels(), surface.neighborhood);
+  GpuAnimator from_buffers(device.solver.kernels(), surface.neighborhood);
+  for (int n = 0; n < 3; ++n) {
+    for (float& f : surface.waves.frequencies) f *= 1.01f;
+    const GlBuffer positions = application_buffer(surface.waves.positions);
+    const GlBuffer directions = application_buffer(surface.waves.directions);
+    const GlBuffer frequencies = application_buffer(surface.waves.frequencies);
+    from_buffers.frame(WaveBuffers{positions, directions, frequencies});
+    from_spans.frame(input_of(surface.waves));
+    EXPECT_EQ(from_buffers.read_phases(), from_spans.read_phases());
+  }
+}
+
+TEST_F(GpuAnimatorTest, MeasuresComeOneFrameLate) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
+  StripeAnimator twin(surface.neighborhood);
+  animator.measure_frames(true);
+  std::vector<double> energies, steps;
+  for (int n = 0; n < 5; ++n) {
+    for (float& f : surface.waves.frequencies) f *= 1.01f;
+    animator.frame(input_of(surface.waves));
+    if (n == 0) {
+      EXPECT_FALSE(animator.measured().has_value());
+    } else {
+      ASSERT_EQ(animator.measured()->frame, n - 1);
+      EXPECT_NEAR(animator.measured()->energy, energies.back(), 1e-4 * energies.back());
+      EXPECT_NEAR(animator.measured()->phase_step, steps.back(), 0.03 * steps.back() + 1e-6);
+    }
+    energies.push_back(energy(surface.graph(), animator.read_phases()));
+    steps.push_back(twin.frame(input_of(surface.waves)).phase_step);
+  }
+  EXPECT_EQ(animator.measure_now()->frame, 4);
+}
+
+TEST_F(GpuAnimatorTest, UnchangedInputGivesUnchangedPhases) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
+  EXPECT_TRUE(animator.frame(input_of(surface.waves)));
+  const std::vector<Complex> z = animator.read_phases();
+  EXPECT_FALSE(animator.frame(input_of(surface.waves)));
+  EXPECT_EQ(animator.read_phases(), z);
+  surface.waves.frequencies[7] *= 1.5f;
+  EXPECT_TRUE(animator.frame(input_of(surface.waves)));
+}
+
+TEST_F(GpuAnimatorTest, TurningDirectionsRoundIsNoChangeOfThePattern) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  GpuAnimator animator(device.solver.kernels(), surface.neighborhood, options_with(0.5f));
+  animator.measure_frames(true);
+  animator.frame(input_of(surface.waves));
+  flip_half(surface.waves, 3);
+  animator.frame(input_of(surface.waves));
+  EXPECT_LT(animator.measure_now()->phase_step, 0.02);
+}
+
+TEST_F(GpuAnimatorTest, SiblingSolvesItsOwnFieldOnTheSameTopology) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  GpuAnimator u(device.solver.kernels(), surface.neighborhood);
+  u.frame(input_of(surface.waves));
+  const std::vector<Complex> u_phases = u.read_phases();
+  GpuAnimator v = u.sibling();
+  surface.waves.directions =
+      rotated(surface.waves.directions, surface.normals, static_cast<float>(M_PI / 2));
+  v.frame(input_of(surface.waves));
+  EXPECT_LT(energy(surface.graph(), v.read_phases()), 1.1 * solve_phases(surface.graph()).energy);
+  EXPECT_EQ(v.topology_milliseconds(), 0);
+  EXPECT_EQ(u.read_phases(), u_phases);
+}
+
+TEST_F(GpuAnimatorTest, RestartForgetsTheLastFrame) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  GpuAnimator used(device.solver.kernels(), surface.neighborhood);
+  GpuAnimator fresh(device.solver.kernels(), surface.neighborhood);
+  used.frame(input_of(surface.waves));
+  fresh.frame(input_of(surface.waves));
+  const std::vector<Complex> first = fresh.read_phases();
+  used.restart();
+  used.frame(input_of(surface.waves));
+  EXPECT_EQ(used.read_phases(), first);
+}
+
+TEST_F(GpuAnimatorTest, TellsItsDispatchesAndTheirTimes) {
+  auto surface = wavy_surface("sphere,resolution=60", kAxis, 25);
+  GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
+  animator.frame(input_of(surface.waves));
+  EXPECT_GT(animator.dispatches(), 4u);
+  EXPECT_LT(animator.dispatches(), 60u);
+  double total = 0;
+  for (const auto& [stage, milliseconds] : animator.stage_milliseconds()) {
+    EXPECT_GE(milliseconds, 0) << stage;
+    total += milliseconds;
+  }
+  EXPECT_GT(total, 0);
+}
+
+TEST_F(GpuAnimatorTest, RefusesBadInputAndOptions) {
+  const auto surface = wavy_surface("plane,resolution=5", kAxis, 5);
+  GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
+  FrameInput input = input_of(surface.waves);
+  input.frequencies = input.frequencies.first(3);
+  EXPECT_THROW(animator.frame(input), Error);
+  EXPECT_THROW(GpuAnimator(device.solver.kernels(), surface.neighborhood, options_with(-1)), Error);
+}
+
+}  // namespace
+}  // namespace brindle
