@@ -20,7 +20,7 @@ enum class FrameSolver {
 
 struct AnimatorOptions {
   FrameSolver solver = FrameSolver::multilevel;
-  float lambda = 0.02f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
+  float lambda = 0.025f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
                          ///< from scratch
   int sweeps = 2;        ///< coloured sweeps per level, multilevel
   int cycles = 0;        ///< further descents, each from the phases of the one before
