@@ -26,6 +26,10 @@ struct CornerPhases {
   TriangleKind kind = TriangleKind::no_wave;
 };
 
+/// From corner j to corner i, which run alike: the phase shift plus what is left to the phase of i,
+/// wrapped; in radians.
+float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind);
+
 /// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the
 /// phase shift plus the wrapped remainder. The closing error over 2 pi is the branch index.
 /// A corner without direction has no wave.

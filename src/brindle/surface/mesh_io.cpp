@@ -6,6 +6,7 @@
 #include <string>
 
 #include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/surface/assimp_file.h"
 #include "brindle/surface/gltf_file.h"
@@ -20,17 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string kind_of(const fs::path& path) {
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kind;
-}
-
 /// Positions and triangles as the file has them.
 Mesh read_raw(const fs::path& path) {
   const InputFile readable(path);
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (kind == ".obj") return read_obj(path);
   if (kind == ".ply") return read_ply(path);
   if (kind == ".off") return read_off(path);
@@ -86,7 +80,7 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
       throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
                   "' is already taken; rename it");
     }
-    if (kind_of(path) == ".obj" && !attribute.is_normal()) {
+    if (lower_extension(path) == ".obj" && !attribute.is_normal()) {
       throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
                   attribute.name + "'; write .ply, .gltf or .glb");
     }
@@ -100,7 +94,7 @@ LoadedMesh read_mesh(const fs::path& path) {
   try {
     loaded.mesh = read_raw(path);
     const std::size_t joined = join_vertices(loaded.mesh);
-    if (kind_of(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
+    if (lower_extension(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
     loaded.repair = repair_mesh(loaded.mesh);
     loaded.repair.vertices_joined = joined;
   } catch (const std::bad_alloc&) {
@@ -112,7 +106,7 @@ LoadedMesh read_mesh(const fs::path& path) {
 
 void write_mesh(const fs::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes) {
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (kind != ".obj" && kind != ".ply" && kind != ".gltf" && kind != ".glb") {
     throw Error("cannot write '" + path.string() + "': the extension '" +
                 path.extension().string() + "' is unknown; brindle writes .obj, .ply, .gltf and " +

@@ -16,18 +16,42 @@ class ObjReader {
  public:
   explicit ObjReader(const std::filesystem::path& path) : file_(path) {}
 
-  Mesh read() {
+  Mesh read_mesh() {
     while (const auto line = next_whole_line()) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
       if (keyword == "v") {
-        add_vertex(rest);
+        mesh_.positions.push_back(three_numbers("vertex", rest));
       } else if (keyword == "f") {
         add_face(rest);
       }
     }
     check_forward_references();
     return std::move(mesh_);
+  }
+
+  LoadedPoints read_points() {
+    std::vector<Vec3> normals;
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        mesh_.positions.push_back(three_numbers("vertex", rest));
+      } else if (keyword == "vn") {
+        normals.push_back(three_numbers("normal", rest));
+      }
+    }
+    // Only faces could say which normal belongs to which of another number of points.
+    if (normals.size() != mesh_.vertex_count()) normals.clear();
+    return make_point_cloud(std::move(mesh_.positions), std::move(normals));
+  }
+
+  bool has_faces() {
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      if (take_word(rest) == "f") return true;
+    }
+    return false;
   }
 
  private:
@@ -50,15 +74,18 @@ class ObjReader {
     return joined_;
   }
 
-  void add_vertex(std::string_view rest) {
-    Vec3 position;
-    for (float& coordinate : position) {
+  Vec3 three_numbers(const char* what, std::string_view rest) {
+    Vec3 numbers;
+    for (float& number : numbers) {
       const std::string_view word = take_word(rest);
       const auto value = parse_float(word);
-      if (!value) file_.fail("a vertex needs three numbers, not '" + std::string(word) + "'");
-      coordinate = *value;
+      if (!value) {
+        file_.fail(std::string("a ") + what + " needs three numbers, not '" + std::string(word) +
+                   "'");
+      }
+      number = *value;
     }
-    mesh_.positions.push_back(position);
+    return numbers;
   }
 
   void add_face(std::string_view rest) {
@@ -125,7 +152,13 @@ class ObjReader {
 
 }  // namespace
 
-Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
+Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read_mesh(); }
+
+LoadedPoints read_obj_points(const std::filesystem::path& path) {
+  return ObjReader(path).read_points();
+}
+
+bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
 
 void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes) {
   const auto normal = std::find_if(attributes.begin(), attributes.end(),

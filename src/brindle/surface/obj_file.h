@@ -6,6 +6,7 @@
 #include <span>
 
 #include "brindle/surface/mesh.h"
+#include "brindle/surface/point_cloud.h"
 #include "brindle/surface/vertex_attribute.h"
 
 namespace brindle {
@@ -14,6 +15,12 @@ namespace brindle {
 /// Throws Error, naming the line, for coordinates that are no numbers and for faces with fewer than
 /// three corners or with corners that do not exist.
 Mesh read_obj(const std::filesystem::path& path);
+
+/// The vertices alone, with normals if there are as many: one each, in the same order. Throws
+/// Error, naming the line, for coordinates that are no numbers.
+LoadedPoints read_obj_points(const std::filesystem::path& path);
+
+bool obj_has_faces(const std::filesystem::path& path);
 
 /// Normals are the only attribute that the format has.
 void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);

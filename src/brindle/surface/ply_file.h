@@ -6,6 +6,7 @@
 #include <span>
 
 #include "brindle/surface/mesh.h"
+#include "brindle/surface/point_cloud.h"
 #include "brindle/surface/vertex_attribute.h"
 
 namespace brindle {
@@ -13,6 +14,12 @@ namespace brindle {
 /// Reads positions and faces; vertices keep the file's order, all else is passed over. Throws
 /// Error, naming the line where there is one, if the file is not as its header says.
 Mesh read_ply(const std::filesystem::path& path);
+
+/// The vertices alone, with their normals if each has nx, ny and nz. Throws as `read_ply` does.
+LoadedPoints read_ply_points(const std::filesystem::path& path);
+
+/// Whether the header names faces. Throws as `read_ply` does for what is wrong with the header.
+bool ply_has_faces(const std::filesystem::path& path);
 
 /// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
 /// "color" red, green, blue from 0 to 255; others with their name, and with three components
