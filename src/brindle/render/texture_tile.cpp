@@ -115,6 +115,8 @@ Pixel pixel_of(const Eigen::Vector4f& light) {
           static_cast<std::uint8_t>(std::lround(255 * std::min(alpha, 1.0f)))};
 }
 
+Pixel opaque_pixel(const Vec3& light) { return pixel_of({light.x(), light.y(), light.z(), 1}); }
+
 Image halved(const Image& image) {
   Image half(std::max(1, image.width / 2), std::max(1, image.height / 2));
   for (int y = 0; y < half.height; ++y) {
@@ -128,6 +130,29 @@ Image halved(const Image& image) {
     }
   }
   return half;
+}
+
+Image figure_picture(BuiltInTile tile, int side, const Vec3& figure, const Vec3& ground) {
+  Image image(side, side);
+  const auto pixels = static_cast<float>(side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const float u = (static_cast<float>(x) + 0.5f) / pixels;
+      const float v = 1 - (static_cast<float>(y) + 0.5f) / pixels;
+      const float coverage = std::clamp(0.5f - pixels * tile_distance(tile, u, v), 0.0f, 1.0f);
+      image.at(x, y) = opaque_pixel(ground + coverage * (figure - ground));
+    }
+  }
+  return image;
+}
+
+Image over(Image picture, const Vec3& ground) {
+  for (Pixel& pixel : picture.pixels) {
+    if (pixel.alpha == 255) continue;
+    const Eigen::Vector4f light = premultiplied_light(pixel);
+    pixel = opaque_pixel(light.head<3>() + (1 - light.w()) * ground);
+  }
+  return picture;
 }
 
 }  // namespace
@@ -173,21 +198,10 @@ float tile_distance(BuiltInTile tile, float u, float v) {
   return 1;
 }
 
-Image tile_picture(BuiltInTile tile, int side, const Color& figure, const Color& ground) {
-  Image image(side, side);
-  const auto pixels = static_cast<float>(side);
-  const Vec3 inside = linear_light(figure);
-  const Vec3 outside = linear_light(ground);
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const float u = (static_cast<float>(x) + 0.5f) / pixels;
-      const float v = 1 - (static_cast<float>(y) + 0.5f) / pixels;
-      const float coverage = std::clamp(0.5f - pixels * tile_distance(tile, u, v), 0.0f, 1.0f);
-      const Vec3 light = outside + coverage * (inside - outside);
-      image.at(x, y) = pixel_of({light.x(), light.y(), light.z(), 1});
-    }
-  }
-  return image;
+Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground) {
+  const Vec3 ground_light = linear_light(ground);
+  if (const auto* picture = std::get_if<Image>(&tile)) return over(*picture, ground_light);
+  return figure_picture(std::get<BuiltInTile>(tile), side, linear_light(figure), ground_light);
 }
 
 Eigen::Vector4f premultiplied_light(const Pixel& pixel) {

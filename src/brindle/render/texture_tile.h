@@ -38,9 +38,10 @@ float tile_distance(BuiltInTile tile, float u, float v);
 /// A built-in tile, or a picture whose transparent parts show the surface.
 using TextureTile = std::variant<BuiltInTile, Image>;
 
-/// The tile as a picture of `side` x `side` pixels, edges smoothed. U runs to the right, V up.
+/// The tile as a picture without transparent parts: a figure in `side` x `side` pixels, edges
+/// smoothed; a picture over `ground`. U runs to the right, V up.
 /// Throws Error for sides that `check_image_size` refuses.
-Image tile_picture(BuiltInTile tile, int side, const Color& figure, const Color& ground);
+Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground);
 
 /// The pixel's light multiplied with its alpha: red, green, blue and alpha.
 Eigen::Vector4f premultiplied_light(const Pixel& pixel);
