@@ -26,8 +26,8 @@ struct CornerPhases {
   TriangleKind kind = TriangleKind::no_wave;
 };
 
-/// From corner j to corner i, which run alike: the phase shift plus what is left to the phase of i,
-/// wrapped; in radians.
+/// What the phase gains from corner j to corner i, in radians, both running alike: the phase shift
+/// Phi_ji plus what it leaves of the difference of the phases, wrapped to between -pi and pi.
 float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind);
 
 /// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <span>
+#include <string>
 
 #include "brindle/surface/mesh.h"
 #include "brindle/surface/point_cloud.h"
@@ -22,7 +23,13 @@ LoadedPoints read_obj_points(const std::filesystem::path& path);
 
 bool obj_has_faces(const std::filesystem::path& path);
 
-/// Normals are the only attribute that the format has.
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);
+/// Normals and texture coordinates are the only attributes that the format has. If `materials`
+/// names a material library, the mesh has its material.
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& materials = "");
+
+/// A library of the one material that `write_obj` names: a picture file, repeated beyond its
+/// borders.
+std::string material_library(const std::string& picture);
 
 }  // namespace brindle

@@ -381,15 +381,19 @@ class BinaryOutput {
   std::vector<char> buffer_;
 };
 
-void write_header(std::ostream& out, const Mesh& mesh,
-                  std::span<const VertexAttribute> attributes) {
-  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
-      << mesh.vertex_count() << "\nproperty float x\nproperty float y\nproperty float z\n";
+void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+                  const std::string& picture) {
+  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
+  if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
+  out << "element vertex " << mesh.vertex_count()
+      << "\nproperty float x\nproperty float y\nproperty float z\n";
   for (const VertexAttribute& attribute : attributes) {
     if (attribute.is_normal()) {
       out << "property float nx\nproperty float ny\nproperty float nz\n";
     } else if (attribute.is_color()) {
       out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    } else if (attribute.is_uv()) {
+      out << "property float s\nproperty float t\n";
     } else if (attribute.components == 3) {
       for (const char axis : {'x', 'y', 'z'}) {
         out << "property float " << attribute.name << '_' << axis << '\n';
@@ -412,8 +416,9 @@ LoadedPoints read_ply_points(const std::filesystem::path& path) {
 
 bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).has_faces(); }
 
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes) {
-  write_header(out, mesh, attributes);
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& picture) {
+  write_header(out, mesh, attributes, picture);
   BinaryOutput binary(out);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     binary.put(mesh.positions[v].data(), 3);

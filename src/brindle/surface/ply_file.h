@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <span>
+#include <string>
 
 #include "brindle/surface/mesh.h"
 #include "brindle/surface/point_cloud.h"
@@ -23,7 +24,9 @@ bool ply_has_faces(const std::filesystem::path& path);
 
 /// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
 /// "color" red, green, blue from 0 to 255; others with their name, and with three components
-/// name_x, name_y, name_z.
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);
+/// name_x, name_y, name_z; "uv" s, t. `picture` names the file that these refer to, in a comment
+/// that MeshLab introduced.
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& picture = "");
 
 }  // namespace brindle
