@@ -14,6 +14,7 @@
 #include "brindle/surface/off_file.h"
 #include "brindle/surface/ply_file.h"
 #include "brindle/surface/stl_file.h"
+#include "brindle/surface/vtp_file.h"
 
 namespace brindle {
 namespace {
@@ -88,7 +89,7 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
     }
     if (kind_of(path) == ".obj" && !attribute.is_normal()) {
       throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
-                  attribute.name + "'; write .ply, .gltf or .glb");
+                  attribute.name + "'; write .ply, .vtp, .gltf or .glb");
     }
   }
 }
@@ -113,10 +114,10 @@ LoadedMesh read_mesh(const fs::path& path) {
 void write_mesh(const fs::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes) {
   const std::string kind = kind_of(path);
-  if (kind != ".obj" && kind != ".ply" && kind != ".gltf" && kind != ".glb") {
+  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
     throw Error("cannot write '" + path.string() + "': the extension '" +
-                path.extension().string() + "' is unknown; brindle writes .obj, .ply, .gltf and " +
-                std::string(".glb"));
+                path.extension().string() +
+                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
   }
   check_attributes(path, mesh, attributes);
   write_file(path, [&](std::ostream& out) {
@@ -124,6 +125,10 @@ void write_mesh(const fs::path& path, const Mesh& mesh,
       write_obj(out, mesh, attributes);
     } else if (kind == ".ply") {
       write_ply(out, mesh, attributes);
+    } else if (kind == ".vtp") {
+      write_vtp(
+          out,
+          {.points = mesh.positions, .triangles = mesh.triangles, .point_attributes = attributes});
     } else {
       write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text);
     }
