@@ -16,6 +16,7 @@
 #include "brindle/surface/off_file.h"
 #include "brindle/surface/ply_file.h"
 #include "brindle/surface/stl_file.h"
+#include "brindle/surface/vtp_file.h"
 
 namespace brindle {
 namespace {
@@ -84,7 +85,7 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
     }
     if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
       throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
-                  attribute.name + "'; write .ply, .gltf or .glb");
+                  attribute.name + "'; write .ply, .vtp, .gltf or .glb");
     }
   }
 }
@@ -92,10 +93,10 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
 std::string check_output(const fs::path& path, const Mesh& mesh,
                          std::span<const VertexAttribute> attributes) {
   const std::string kind = lower_extension(path);
-  if (kind != ".obj" && kind != ".ply" && kind != ".gltf" && kind != ".glb") {
+  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
     throw Error("cannot write '" + path.string() + "': the extension '" +
-                path.extension().string() + "' is unknown; brindle writes .obj, .ply, .gltf and " +
-                std::string(".glb"));
+                path.extension().string() +
+                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
   }
   check_attributes(path, mesh, attributes);
   return kind;
@@ -137,6 +138,10 @@ void write_mesh(const fs::path& path, const Mesh& mesh,
       write_obj(out, mesh, attributes);
     } else if (kind == ".ply") {
       write_ply(out, mesh, attributes);
+    } else if (kind == ".vtp") {
+      write_vtp(
+          out,
+          {.points = mesh.positions, .triangles = mesh.triangles, .point_attributes = attributes});
     } else {
       write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text);
     }
@@ -148,6 +153,10 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
   const std::string kind = check_output(path, mesh, attributes);
   if (std::none_of(attributes.begin(), attributes.end(), std::mem_fn(&VertexAttribute::is_uv))) {
     throw Error("cannot write '" + path.string() + "': a textured mesh needs the attribute 'uv'");
+  }
+  if (kind == ".vtp") {
+    throw Error("cannot write '" + path.string() +
+                "': VTP cannot hold a texture's picture; write .glb, .gltf, .obj or .ply");
   }
   const fs::path texture = texture_path(path);
   const fs::path materials = beside(path, ".mtl");

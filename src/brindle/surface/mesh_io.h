@@ -33,7 +33,7 @@ struct LoadedMesh {
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY (binary), glTF or GLB by the path's extension, whole or not at all.
+/// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
 /// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a
 /// bad name, or do not have 1 or 3 values ("uv": 2) for every vertex; and what write_file throws.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
