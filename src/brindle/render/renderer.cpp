@@ -7,10 +7,10 @@
 #include <type_traits>
 
 #include "brindle/base/error.h"
-#include "brindle/render/gl_name.h"
 #include "brindle/render/gl_texture_tile.h"
 #include "brindle/render/headless_context.h"
 #include "brindle/render/shader_program.h"
+#include "brindle/render/tiled_picture.h"
 
 namespace brindle {
 namespace {
@@ -35,45 +35,6 @@ enum Binding {
   kTextureV,
   kBindings
 };
-
-GLint limit(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
-void check_gl(const std::string& job) {
-  const GLenum error = glGetError();
-  if (error == GL_NO_ERROR) return;
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  throw Error(job + " failed: " +
-              (error == GL_OUT_OF_MEMORY ? "OpenGL is out of memory; take a smaller mesh or picture"
-                                         : "OpenGL error " + std::to_string(error)));
-}
-
-template <class Item>
-GlBuffer buffer_of(std::span<const Item> items, const char* what) {
-  GlBuffer buffer;
-  if (items.empty()) return buffer;
-  GLint64 largest = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-  if (items.size_bytes() > static_cast<std::size_t>(largest)) {
-    throw Error("cannot draw this mesh: its " + std::string(what) + " take " +
-                std::to_string(items.size_bytes()) + " bytes and this driver's buffers hold " +
-                std::to_string(largest) + "; take a smaller mesh");
-  }
-  GLuint name = 0;
-  glCreateBuffers(1, &name);
-  buffer = GlBuffer(name);
-  glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), 0);
-  return buffer;
-}
-
-template <class Item>
-GlBuffer buffer_of(const std::vector<Item>& items, const char* what) {
-  return buffer_of(std::span<const Item>(items), what);
-}
 
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
   std::vector<Eigen::Vector4f> packed(waves.directions.size());
@@ -150,101 +111,14 @@ void check_change(const SceneChange& change, std::size_t vertices, std::size_t t
   check_waves(change.waves, vertices);
 }
 
-void check_options(const RenderOptions& options) {
-  check_image_size(options.width, options.height);
-  if (!(options.stripe_width >= 0 && options.stripe_width <= 1)) {
-    throw Error("a stripe width of " + std::to_string(options.stripe_width) +
-                " is no share of the period; give a number from 0 to 1");
-  }
-  if (options.supersampling < 1 || options.supersampling > 4) {
-    throw Error("supersampling of " + std::to_string(options.supersampling) +
-                " is out of range; give a number from 1 to 4");
-  }
-  if (options.tile_side < 64) throw Error("tiles must be at least 64 samples wide");
-  if (!(options.mark_radius > 0)) throw Error("the radius of marks must be above 0 pixels");
-}
-
-GlTexture texture_of(GLenum format, int width, int height, int samples = 0) {
-  GLuint name = 0;
-  glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &name);
-  GlTexture texture(name);
-  if (samples > 0) {
-    glTextureStorage2DMultisample(texture, samples, format, width, height, GL_TRUE);
-  } else {
-    glTextureStorage2D(texture, 1, format, width, height);
-  }
-  return texture;
-}
-
-/// A framebuffer with its textures: colours first, then depth if it has one.
-struct Target {
-  GlFramebuffer framebuffer;
-  std::vector<GlTexture> textures;
-};
-
-Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height,
-                 int samples = 0) {
-  Target target;
-  GLuint name = 0;
-  glCreateFramebuffers(1, &name);
-  target.framebuffer = GlFramebuffer(name);
-  std::vector<GLenum> attachments;
-  for (const GLenum format : colors) {
-    attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
-    target.textures.push_back(texture_of(format, width, height, samples));
-    glNamedFramebufferTexture(target.framebuffer, attachments.back(), target.textures.back(), 0);
-  }
-  if (depth) {
-    target.textures.push_back(texture_of(GL_DEPTH_COMPONENT32F, width, height, samples));
-    glNamedFramebufferTexture(target.framebuffer, GL_DEPTH_ATTACHMENT, target.textures.back(), 0);
-  }
-  glNamedFramebufferDrawBuffers(target.framebuffer, static_cast<GLsizei>(attachments.size()),
-                                attachments.data());
-  if (glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) !=
-      GL_FRAMEBUFFER_COMPLETE) {
-    throw Error("OpenGL cannot draw into a picture of " + std::to_string(width) + " x " +
-                std::to_string(height) + " pixels; take a smaller one");
-  }
-  return target;
-}
-
 /// Samples a pixel beside supersampling; 0 for one. Where triangles are about as small as pixels
 /// each sample would be shaded by itself anyway, and software renderers take five times as long.
 int samples_for(std::size_t triangle_count, const RenderOptions& options) {
   const double pixels = static_cast<double>(options.width) * options.height *
                         options.supersampling * options.supersampling;
   if (4 * static_cast<double>(triangle_count) > pixels) return 0;
-  const int samples = std::min(kWantedSamples, limit(GL_MAX_SAMPLES));
+  const int samples = std::min(kWantedSamples, gl_limit(GL_MAX_SAMPLES));
   return samples > 1 ? samples : 0;
-}
-
-/// A part of the picture, in finished pixels from the lower left.
-struct Tile {
-  int x, y, width, height;
-};
-
-/// Scale and offset that spread the tile's part of clip space over the whole of it.
-Eigen::Vector4f tile_transform(const Tile& tile, int width, int height) {
-  const auto scale_x = static_cast<float>(width) / static_cast<float>(tile.width);
-  const auto scale_y = static_cast<float>(height) / static_cast<float>(tile.height);
-  const auto middle_x = static_cast<float>(2 * tile.x + tile.width) / static_cast<float>(width) - 1;
-  const auto middle_y =
-      static_cast<float>(2 * tile.y + tile.height) / static_cast<float>(height) - 1;
-  return {scale_x, scale_y, -middle_x * scale_x, -middle_y * scale_y};
-}
-
-/// Rows from the bottom, as OpenGL counts them, become rows from the top.
-template <class Item>
-void flip_rows(std::vector<Item>& items, int width, int height) {
-  for (int y = 0; y < height / 2; ++y) {
-    std::swap_ranges(items.begin() + static_cast<std::ptrdiff_t>(y) * width,
-                     items.begin() + static_cast<std::ptrdiff_t>(y + 1) * width,
-                     items.begin() + static_cast<std::ptrdiff_t>(height - 1 - y) * width);
-  }
-}
-
-Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
-  return camera.view_from_world.block<3, 1>(0, up == UpAxis::y ? 1 : 2);
 }
 
 }  // namespace
@@ -252,12 +126,13 @@ Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
 struct Renderer::State {
   ShaderProgram surface{{"surface_buffers.glsl", "surface.vert"},
                         {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
-                         "texture_fragment.glsl", "texture_tile.glsl", "striped_surface.frag"}};
+                         "texture_fragment.glsl", "texture_tile.glsl", "stripe_coverage.glsl",
+                         "light.glsl", "striped_surface.frag"}};
   ShaderProgram probe{{"surface_buffers.glsl", "surface.vert"},
                       {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
                        "fragment_probe.frag"}};
   ShaderProgram mark{{"mark.vert"}, {"mark.frag"}};
-  ShaderProgram develop{{"full_screen.vert"}, {"develop.frag"}};
+  TiledPicture picture;
   GlVertexArray no_attributes;
 
   std::vector<Vec3> points;  ///< what a camera has to frame
@@ -271,10 +146,7 @@ struct Renderer::State {
                     const Eigen::Vector4f& tile) const;
   void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
                   const RenderOptions& options) const;
-  void draw_light(const Target& target, const Camera& camera, const Tile& tile,
-                  const RenderOptions& options) const;
-  void draw_background_under(const Target& light, const Target& finished, const Tile& tile,
-                             const RenderOptions& options) const;
+  void draw_light(const Camera& camera, const Tile& tile, const RenderOptions& options) const;
 };
 
 void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& camera,
@@ -318,14 +190,8 @@ void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& ti
   glDisable(GL_BLEND);
 }
 
-void Renderer::State::draw_light(const Target& target, const Camera& camera, const Tile& tile,
+void Renderer::State::draw_light(const Camera& camera, const Tile& tile,
                                  const RenderOptions& options) const {
-  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-  constexpr float kFarthest = 1;
-  glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, kNothing.data());
-  glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  glViewport(0, 0, tile.width * options.supersampling, tile.height * options.supersampling);
   glEnable(GL_DEPTH_TEST);
   surface.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
                                              tile.height * options.supersampling));
@@ -335,27 +201,10 @@ void Renderer::State::draw_light(const Target& target, const Camera& camera, con
   surface.set("stripe_width", options.stripe_width);
   texture_tile.bind(surface);
   surface.set("up", up_seen_by(camera, options.camera.up));
-  const Eigen::Vector4f transform = tile_transform(tile, options.width, options.height);
+  const Eigen::Vector4f transform = tile_transform(tile, options);
   draw_surface(surface, camera, transform);
   draw_marks(camera, transform, options);
   glDisable(GL_DEPTH_TEST);
-}
-
-void Renderer::State::draw_background_under(const Target& light, const Target& finished,
-                                            const Tile& tile, const RenderOptions& options) const {
-  develop.set("light", 0);
-  develop.set("supersampling", options.supersampling);
-  develop.set("tile_corner", Eigen::Vector2i(tile.x, tile.y));
-  develop.set("picture_size", Eigen::Vector2f(options.width, options.height));
-  develop.set("background_center", linear_light(options.background_center));
-  develop.set("background_edge", linear_light(options.background_edge));
-  develop.set("transparent", options.transparent);
-  glBindTextureUnit(0, light.textures[0]);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished.framebuffer);
-  glViewport(0, 0, tile.width, tile.height);
-  glUseProgram(develop.name());
-  glBindVertexArray(no_attributes);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 RenderOptions with_faint_stripes(RenderOptions options) {
@@ -416,42 +265,18 @@ Image Renderer::draw(const RenderOptions& options) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->points, options.camera, options.width, options.height);
-  const int s = options.supersampling;
-  const int side =
-      std::min({options.tile_side, limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS)});
-  // An even number of pixels, so that derivatives pair the same pixels in every tiling.
-  const int step = side / s / 2 * 2;
-  const int tile_width = std::min(step, options.width);
-  const int tile_height = std::min(step, options.height);
   const int samples = samples_for(state_->triangle_count, options);
-  const Target many = target_of({GL_RGBA16F}, true, tile_width * s, tile_height * s, samples);
-  const Target light = target_of({GL_RGBA16F}, false, tile_width * s, tile_height * s);
-  const Target finished = target_of({GL_RGBA8}, false, tile_width, tile_height);
-  Image image(options.width, options.height);
-  glPixelStorei(GL_PACK_ROW_LENGTH, options.width);
-  for (int y = 0; y < options.height; y += step) {
-    for (int x = 0; x < options.width; x += step) {
-      const Tile tile{x, y, std::min(step, options.width - x), std::min(step, options.height - y)};
-      state_->draw_light(many, camera, tile, options);
-      glBlitNamedFramebuffer(many.framebuffer, light.framebuffer, 0, 0, tile.width * s,
-                             tile.height * s, 0, 0, tile.width * s, tile.height * s,
-                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
-      state_->draw_background_under(light, finished, tile, options);
-      glBindFramebuffer(GL_READ_FRAMEBUFFER, finished.framebuffer);
-      glReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE, &image.at(x, y));
-    }
-  }
-  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-  check_gl("drawing the picture");
-  flip_rows(image.pixels, image.width, image.height);
-  return image;
+  return state_->picture.draw(options, samples, [&](const Target& /*target*/, const Tile& tile) {
+    state_->draw_light(camera, tile, options);
+  });
 }
 
 FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {
   check_options(options);
   const int width = options.width;
   const int height = options.height;
-  if (std::max(width, height) > std::min(limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_VIEWPORT_DIMS))) {
+  if (std::max(width, height) >
+      std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS))) {
     throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels is beyond this driver's framebuffers; take a smaller one");
   }

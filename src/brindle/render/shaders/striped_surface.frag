@@ -12,12 +12,6 @@ uniform vec2 target_size;    // in pixels
 
 layout(location = 0) out vec4 color;
 
-// The integral of a tent from -1 to t.
-float tent_integral(float t) {
-  float s = clamp(t, -1.0, 1.0);
-  return s < 0.0 ? 0.5 * (1.0 + s) * (1.0 + s) : 1.0 - 0.5 * (1.0 - s) * (1.0 - s);
-}
-
 // The phase is known where the triangle covers the pixel; its centre is where neighbours that share
 // the pixel agree. This is the way from one to the other.
 vec2 way_to_centre() {
@@ -29,20 +23,10 @@ float turns_at_centre(FragmentWave fragment) {
   return atan(fragment.z.y, fragment.z.x) / kTurn + dot(fragment.turns_per_pixel, way_to_centre());
 }
 
-// How much of a pixel a stripe covers: the periodic pulse around Phi = pi/2, which a flip
-// (pi - Phi) leaves alone, filtered with a tent as wide as two pixels (a box filter, twice). Where
-// stripes are finer than that, their mean remains.
 float stripe_coverage(FragmentWave fragment) {
-  float footprint = max(length(fragment.turns_per_pixel), 1e-6);
-  if (fragment.z == vec2(0.0) || footprint > 1.5) return stripe_width;
-  float u = turns_at_centre(fragment) - 0.25;
-  u -= floor(u + 0.5);
-  float coverage = 0.0;
-  for (float period = -2.0; period <= 2.0; period += 1.0) {
-    coverage += tent_integral((u - period + 0.5 * stripe_width) / footprint) -
-                tent_integral((u - period - 0.5 * stripe_width) / footprint);
-  }
-  return mix(coverage, stripe_width, smoothstep(0.75, 1.25, footprint));
+  if (fragment.z == vec2(0.0)) return stripe_width;
+  return covered_share(turns_at_centre(fragment) - 0.25, length(fragment.turns_per_pixel),
+                       stripe_width);
 }
 
 vec3 linear_light(vec3 srgb) {
@@ -85,27 +69,8 @@ vec3 surface_color() {
   return surface;
 }
 
-// A soft key light from the upper left, a weak fill from the right, light from the sky and off the
-// ground, and a thin rim. Both sides look alike: a surface may have but one.
-vec3 lit(vec3 surface) {
-  vec3 n = normalize(gl_FrontFacing ? view_normal : -view_normal);
-  vec3 v = normalize(-view_position);
-  float facing = clamp(dot(n, v), 0.0, 1.0);
-  vec3 key_from = normalize(vec3(-0.45, 0.70, 0.75));
-  vec3 fill_from = normalize(vec3(0.85, 0.05, 0.50));
-  float key = clamp((dot(n, key_from) + 0.25) / 1.25, 0.0, 1.0);
-  float fill = clamp((dot(n, fill_from) + 0.40) / 1.40, 0.0, 1.0);
-  float sky = 0.5 + 0.5 * dot(n, up);
-  vec3 light = key * vec3(0.66, 0.64, 0.61) + fill * vec3(0.12, 0.13, 0.15) +
-               mix(vec3(0.17, 0.165, 0.16), vec3(0.30, 0.31, 0.33), sky);
-  light *= mix(0.62, 1.0, smoothstep(0.0, 0.55, facing));
-  float gloss = pow(clamp(dot(n, normalize(key_from + v)), 0.0, 1.0), 40.0);
-  vec3 reflected = surface * light + vec3(0.035 * gloss);
-  reflected += vec3(0.03) * pow(1.0 - facing, 4.0) * sky;
-  return reflected;
-}
-
 void main() {
   vec3 surface = surface_color();
-  color = vec4(shading ? lit(surface) : surface, 1.0);
+  vec3 normal = gl_FrontFacing ? view_normal : -view_normal;
+  color = vec4(shading ? lit(surface, normal, view_position, up) : surface, 1.0);
 }
