@@ -4,6 +4,7 @@
 #include <cctype>
 #include <complex>
 #include <ostream>
+#include <span>
 
 #include "brindle/base/error.h"
 #include "brindle/base/output_file.h"
@@ -26,12 +27,12 @@ Output plan_output(const std::filesystem::path& path) {
     return {path, OutputKind::picture};
   }
   if (extension == ".json") return {path, OutputKind::report};
-  for (const char* mesh : {".obj", ".ply", ".gltf", ".glb"}) {
+  for (const char* mesh : {".obj", ".ply", ".vtp", ".gltf", ".glb"}) {
     if (extension == mesh) return {path, OutputKind::mesh};
   }
   throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
-              "'; use .png for a picture, .obj, .ply, .gltf or .glb for a mesh, .json for a "
-              "report");
+              "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, .json for "
+              "a report");
 }
 
 VertexAttribute directions_of(const WaveSet& waves) {
@@ -48,6 +49,17 @@ VertexAttribute phases_of(const PhaseSolution& solution) {
   return attribute;
 }
 
+// 1 at the corners of triangles where a stripe begins or ends.
+VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corners) {
+  VertexAttribute attribute{"branch", 1, std::vector<float>(mesh.vertex_count())};
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const TriangleKind kind = corners[t].kind;
+    if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
+    for (const Index vertex : mesh.triangles[t]) attribute.values[vertex] = 1;
+  }
+  return attribute;
+}
+
 // OBJ has no place for attributes.
 void write_pattern_mesh(const std::filesystem::path& path, const Mesh& mesh,
                         const StripePattern& pattern) {
@@ -55,7 +67,8 @@ void write_pattern_mesh(const std::filesystem::path& path, const Mesh& mesh,
   if (lower_extension(path) != ".obj") {
     attributes = {phases_of(pattern.solution),
                   directions_of(pattern.waves),
-                  {"frequency", 1, pattern.waves.frequencies}};
+                  {"frequency", 1, pattern.waves.frequencies},
+                  branches_of(mesh, pattern.corners)};
   }
   write_mesh(path, mesh, attributes);
 }

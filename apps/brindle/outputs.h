@@ -18,9 +18,9 @@ struct Output {
   OutputKind kind;
 };
 
-/// What each path asks for, by its extension: .png a picture, .obj .ply .gltf .glb a mesh, .json a
-/// report. Throws Error if an extension is unknown, this build cannot write it, or a file could not
-/// be written there: better now than after a long job.
+/// What each path asks for, by its extension: .png a picture, .obj .ply .vtp .gltf .glb a mesh,
+/// .json a report. Throws Error if an extension is unknown, this build cannot write it, or a file
+/// could not be written there: better now than after a long job.
 std::vector<Output> plan_outputs(const std::vector<std::string>& paths);
 
 /// As `plan_outputs`, for a path that is a report whatever its extension.

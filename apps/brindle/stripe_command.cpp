@@ -19,8 +19,9 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
 
-Files by extension: .png a picture; .ply .gltf .glb a mesh with phase (radians), direction and
-frequency at every vertex; .obj the mesh alone; .json a report.)";
+Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians), direction,
+frequency and branch (1 at the corners of triangles where a stripe begins or ends) at every vertex;
+.obj the mesh alone; .json a report.)";
 
 struct StripeArguments {
   SurfaceOptions surface;

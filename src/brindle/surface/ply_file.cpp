@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "brindle/surface/binary_output.h"
 #include "brindle/surface/input_file.h"
 #include "brindle/surface/polygon.h"
 
 namespace brindle {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "binary files are little endian");
 
 enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -341,30 +338,6 @@ class PlyReader {
   std::vector<double> values_;
 };
 
-/// Bytes gathered and written in large pieces.
-class BinaryOutput {
- public:
-  explicit BinaryOutput(std::ostream& out) : out_(out) {}
-  BinaryOutput(const BinaryOutput&) = delete;
-  BinaryOutput& operator=(const BinaryOutput&) = delete;
-  ~BinaryOutput() { flush(); }
-
-  template <class Value>
-  void put(const Value* values, std::size_t count) {
-    const auto* bytes = reinterpret_cast<const char*>(values);
-    buffer_.insert(buffer_.end(), bytes, bytes + count * sizeof(Value));
-    if (buffer_.size() > (1 << 16)) flush();
-  }
-
- private:
-  void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
-  }
-  std::ostream& out_;
-  std::vector<char> buffer_;
-};
-
 void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
                   const std::string& picture) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
@@ -407,11 +380,7 @@ void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttrib
         binary.put(values, n);
         continue;
       }
-      for (int i = 0; i < 3; ++i) {
-        const float level = values[i] > 0 ? std::min(values[i], 1.0f) : 0.0f;
-        const auto byte = static_cast<unsigned char>(std::lround(255 * level));
-        binary.put(&byte, 1);
-      }
+      for (int i = 0; i < 3; ++i) binary.put(color_byte(values[i]));
     }
   }
   for (const Triangle& t : mesh.triangles) {

@@ -1,6 +1,8 @@
 /// Named values per vertex that a mesh file carries.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,5 +21,10 @@ struct VertexAttribute {
   bool is_color() const { return name == "color" && components == 3; }
   bool is_uv() const { return name == "uv" && components == 2; }
 };
+
+/// A colour's level as files store it: 0 to 1 becomes 0 to 255; what is no number becomes 0.
+inline unsigned char color_byte(float level) {
+  return static_cast<unsigned char>(std::lround(255 * (level > 0 ? std::min(level, 1.0f) : 0.0f)));
+}
 
 }  // namespace brindle
