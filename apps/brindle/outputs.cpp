@@ -8,6 +8,7 @@
 
 #include "brindle/base/error.h"
 #include "brindle/base/output_file.h"
+#include "brindle/pattern/texture_coordinates.h"
 #include "brindle/surface/mesh_io.h"
 
 namespace brindle::tool {
@@ -35,18 +36,26 @@ Output plan_output(const std::filesystem::path& path) {
               "a report");
 }
 
-VertexAttribute directions_of(const WaveSet& waves) {
-  VertexAttribute attribute{"direction", 3, {}};
-  for (const Vec3& direction : waves.directions) {
-    attribute.values.insert(attribute.values.end(), direction.begin(), direction.end());
+VertexAttribute vectors_attribute(const std::string& name, std::span<const Vec3> vectors) {
+  VertexAttribute attribute{name, 3, {}};
+  for (const Vec3& vector : vectors) {
+    attribute.values.insert(attribute.values.end(), vector.begin(), vector.end());
   }
   return attribute;
 }
 
-VertexAttribute phases_of(const PhaseSolution& solution) {
-  VertexAttribute attribute{"phase", 1, {}};
-  for (const Complex& z : solution.z) attribute.values.push_back(std::arg(z));
+VertexAttribute phases_attribute(const std::string& name, std::span<const Complex> z) {
+  VertexAttribute attribute{name, 1, {}};
+  for (const Complex& phase : z) attribute.values.push_back(std::arg(phase));
   return attribute;
+}
+
+// Phase, direction and frequency of every vertex; `suffix` sets two sets of waves apart.
+void add_waves(std::vector<VertexAttribute>& attributes, const WaveSet& waves,
+               std::span<const Complex> z, const std::string& suffix = "") {
+  attributes.push_back(phases_attribute("phase" + suffix, z));
+  attributes.push_back(vectors_attribute("direction" + suffix, waves.directions));
+  attributes.push_back({"frequency" + suffix, 1, waves.frequencies});
 }
 
 // 1 at the corners of triangles where a stripe begins or ends.
@@ -61,25 +70,61 @@ VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corn
 }
 
 // OBJ has no place for attributes.
+bool holds_attributes(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
+
 void write_pattern_mesh(const std::filesystem::path& path, const Mesh& mesh,
                         const StripePattern& pattern) {
   std::vector<VertexAttribute> attributes;
-  if (lower_extension(path) != ".obj") {
-    attributes = {phases_of(pattern.solution),
-                  directions_of(pattern.waves),
-                  {"frequency", 1, pattern.waves.frequencies},
-                  branches_of(mesh, pattern.corners)};
+  if (holds_attributes(path)) {
+    add_waves(attributes, pattern.waves, pattern.solution.z);
+    attributes.push_back(branches_of(mesh, pattern.corners));
   }
   write_mesh(path, mesh, attributes);
 }
 
+void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedMesh& textured,
+                       const Mesh& mesh, const StripePattern& pattern, const std::string& suffix) {
+  const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
+  add_waves(attributes, waves, z, suffix);
+  const VertexAttribute branches = branches_of(mesh, pattern.corners);
+  attributes.push_back(
+      {"branch" + suffix, 1, carried_values(textured, branches.values, branches.components)});
+}
+
+VertexAttribute coordinates_attribute(const TexturedMesh& textured) {
+  VertexAttribute attribute{"uv", 2, {}};
+  for (const auto& uv : textured.coordinates) {
+    attribute.values.insert(attribute.values.end(), {uv.x(), uv.y()});
+  }
+  return attribute;
+}
+
+void write_mesh_with_texture(const std::filesystem::path& path, const Surface& surface,
+                             const Texture& texture, const PictureOptions& picture) {
+  const TexturePattern& pattern = texture.pattern;
+  const TexturedMesh textured =
+      texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
+  const VertexAttribute normals = vectors_attribute("normal", surface.normals);
+  std::vector<VertexAttribute> attributes = {
+      {normals.name, normals.components,
+       carried_values(textured, normals.values, normals.components)},
+      coordinates_attribute(textured)};
+  if (holds_attributes(path)) {
+    add_carried_waves(attributes, textured, surface.mesh, pattern.u, "");
+    add_carried_waves(attributes, textured, surface.mesh, pattern.v, "_v");
+  }
+  write_textured_mesh(path, textured.mesh, attributes, tile_png(texture.tile, picture));
+}
+
 }  // namespace
 
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths) {
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool texture) {
   std::vector<Output> outputs;
   for (const std::string& path : paths) {
     outputs.push_back(plan_output(path));
     check_output_path(path);
+    if (!texture || outputs.back().kind != OutputKind::mesh) continue;
+    for (const std::filesystem::path& file : textured_mesh_files(path)) check_output_path(file);
   }
   return outputs;
 }
@@ -89,13 +134,16 @@ Output plan_report(const std::string& path) {
   return {path, OutputKind::report};
 }
 
-void write_output(const Output& output, const Surface& surface, const StripePattern& pattern,
+void write_output(const Output& output, const Surface& surface, const StripeResult& result,
                   const Report& report, const PictureOptions& picture) {
   switch (output.kind) {
     case OutputKind::picture:
-      return write_picture(output.path, surface, pattern, picture);
+      return write_picture(output.path, surface, result, picture);
     case OutputKind::mesh:
-      return write_pattern_mesh(output.path, surface.mesh, pattern);
+      if (const Texture* texture = result.texture()) {
+        return write_mesh_with_texture(output.path, surface, *texture, picture);
+      }
+      return write_pattern_mesh(output.path, surface.mesh, result.stripes());
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

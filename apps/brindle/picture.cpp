@@ -135,15 +135,25 @@ RenderOptions render_options(const PictureOptions& options) {
 }
 
 void write_picture(const std::filesystem::path& path, const Surface& surface,
-                   const StripePattern& pattern, const PictureOptions& options) {
+                   const StripeResult& result, const PictureOptions& options) {
+  const StripePattern& pattern = result.stripes();
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
-  const StripeScene scene{.mesh = surface.mesh,
-                          .normals = surface.normals,
-                          .waves = &pattern.waves,
-                          .z = pattern.solution.z,
-                          .triangle_colors = overlay.triangle_colors,
-                          .marks = overlay.marks};
+  StripeScene scene{.mesh = surface.mesh,
+                    .normals = surface.normals,
+                    .waves = &pattern.waves,
+                    .z = pattern.solution.z,
+                    .triangle_colors = overlay.triangle_colors,
+                    .marks = overlay.marks};
+  if (const Texture* texture = result.texture()) {
+    scene.texture_waves = &texture->pattern.waves;
+    scene.texture_tile = &texture->tile;
+  }
   write_png(path, render_picture(scene, render_options(options)));
+}
+
+std::string tile_png(const TextureTile& tile, const PictureOptions& options) {
+  constexpr int kSide = 512;
+  return png_of(tile_picture(tile, kSide, options.render.stripe_color, options.render.base_color));
 }
 
 }  // namespace brindle::tool

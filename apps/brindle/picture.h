@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/pipeline/surface.h"
+#include "stripe_result.h"
 
 namespace brindle::tool {
 
@@ -23,6 +25,9 @@ void check_pictures_available();
 
 /// Throws Error if no OpenGL context is to be had or the file cannot be written.
 void write_picture(const std::filesystem::path& path, const Surface& surface,
-                   const StripePattern& pattern, const PictureOptions& options);
+                   const StripeResult& result, const PictureOptions& options);
+
+/// The texture's tile as the content of a PNG file, in the picture's colours.
+std::string tile_png(const TextureTile& tile, const PictureOptions& options);
 
 }  // namespace brindle::tool

@@ -1,6 +1,7 @@
 #include "brindle/base/error.h"
 #include "moving_picture.h"
 #include "picture.h"
+#include "texture_options.h"
 
 namespace brindle::tool {
 
@@ -17,9 +18,18 @@ void check_pictures_available() {
 }
 
 void write_picture(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
-                   const StripePattern& /*pattern*/, const PictureOptions& /*options*/) {
+                   const StripeResult& /*result*/, const PictureOptions& /*options*/) {
   check_pictures_available();
 }
+
+std::string tile_png(const TextureTile& /*tile*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+  return {};
+}
+
+void add_texture_options(CLI::App& /*app*/, TextureChoice& /*choice*/, WaveOptions& /*waves*/) {}
+
+std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/) { return std::nullopt; }
 
 struct MovingPicture::State {};
 

@@ -20,7 +20,9 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
   result.topology_milliseconds = watch.lap();
 
   display.stage("direction field");
-  result.waves = make_waves(result.surface, waves);
+  WavesAndCrossing made = make_waves(result.surface, waves);
+  result.waves = std::move(made.waves);
+  result.frequencies_v = std::move(made.frequencies_v);
   result.load_milliseconds += watch.lap();
   return result;
 }

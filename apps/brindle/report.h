@@ -2,14 +2,23 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/pipeline/texture_pattern.h"
 #include "preparation.h"
 
 namespace brindle::tool {
+
+/// The figures of a texture beside those of its stripes along the field.
+struct TextureReport {
+  double energy_v = 0;
+  std::size_t branches_v = 0;
+  TextureSeams seams;
+  TextureQuality quality;
+};
 
 /// The figures of one run.
 struct Report {
@@ -22,9 +31,13 @@ struct Report {
   double energy = 0;
   PatternQuality quality;
   StripeMilliseconds milliseconds;
+  std::optional<TextureReport> texture;
 };
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);
+
+/// As above, of a texture: times are those of both patterns together.
+Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver);
 
 nlohmann::ordered_json to_json(const Report& report);
 

@@ -1,5 +1,7 @@
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "brindle/base/parallel.h"
 #include "commands.h"
@@ -8,6 +10,7 @@
 #include "preparation.h"
 #include "report.h"
 #include "solving_options.h"
+#include "texture_options.h"
 
 namespace brindle::tool {
 namespace {
@@ -18,23 +21,49 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe scan.obj --field curvature --rotate 90 --output scan.glb --report scan.json
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
+  brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
+  brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
 
 Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians), direction,
 frequency and branch (1 at the corners of triangles where a stripe begins or ends) at every vertex;
-.obj the mesh alone; .json a report.)";
+.obj the mesh alone; .json a report. With --texture, meshes have texture coordinates and show the
+tile: .gltf and .glb hold it, others have it beside them.)";
 
 struct StripeArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
+  TextureChoice texture;
   std::shared_ptr<PictureOptions> picture;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
 };
 
+Texture make_texture(Preparation& prepared, const StripeArguments& arguments, TextureTile tile,
+                     const Progress& progress) {
+  const TextureOptions options{std::move(prepared.frequencies_v), arguments.texture.oriented,
+                               arguments.solving.stripes};
+  return {texture_pattern(prepared.surface, std::move(prepared.waves), options, progress),
+          std::move(tile)};
+}
+
+StripeResult make_result(Preparation& prepared, const StripeArguments& arguments,
+                         std::optional<TextureTile> tile, const Progress& progress) {
+  if (tile) return {make_texture(prepared, arguments, std::move(*tile), progress)};
+  return {stripe_pattern(prepared.surface, std::move(prepared.waves), arguments.solving.stripes,
+                         progress)};
+}
+
+Report report_of(const Preparation& prepared, const StripeResult& result, Solver solver) {
+  const Texture* texture = result.texture();
+  return texture != nullptr ? make_report(prepared, texture->pattern, solver)
+                            : make_report(prepared, result.stripes(), solver);
+}
+
 void run(const StripeArguments& arguments) {
-  std::vector<Output> outputs = plan_outputs(arguments.outputs);
+  std::optional<TextureTile> tile = chosen_tile(arguments.texture);
+  std::vector<Output> outputs = plan_outputs(arguments.outputs, tile.has_value());
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));
 
@@ -43,12 +72,12 @@ void run(const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    const StripePattern pattern = stripe_pattern(prepared.surface, std::move(prepared.waves),
-                                                 arguments.solving.stripes, display.progress());
-    report = make_report(prepared, pattern, arguments.solving.stripes.solver.solver);
+    const StripeResult result =
+        make_result(prepared, arguments, std::move(tile), display.progress());
+    report = report_of(prepared, result, arguments.solving.stripes.solver.solver);
     for (const Output& output : outputs) {
       display.stage("writing " + output.path.string());
-      write_output(output, prepared.surface, pattern, report, *arguments.picture);
+      write_output(output, prepared.surface, result, report, *arguments.picture);
     }
   }
   if (!arguments.quiet) print_report(std::cout, report);
@@ -64,6 +93,7 @@ Command add_stripe_command(CLI::App& app) {
   add_wave_options(*command, arguments->waves);
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
+  add_texture_options(*command, arguments->texture, arguments->waves);
   command->add_option("-o,--output", arguments->outputs, "what to write, by extension; repeatable")
       ->type_name("FILE")
       ->expected(1)

@@ -21,25 +21,27 @@ std::optional<CurvatureDirection> curvature_direction_of(std::string_view name) 
 
 struct Field {
   DirectionField directions;
-  FrequencyField frequencies;  // empty if the field says nothing of them
+  FrequencyField frequencies;    // empty if the field says nothing of them
+  FrequencyField frequencies_v;  // the same of crossing stripes
 };
 
 Field make_field(const Surface& surface, const WaveOptions& options) {
   if (options.direction)
-    return {projected_direction_field(*options.direction, surface.normals), {}};
+    return {projected_direction_field(*options.direction, surface.normals), {}, {}};
   if (options.field == "smooth") {
     SmoothFieldOptions smooth;
     smooth.curvature_anchor = options.curvature_anchor;
     smooth.curvature_direction = options.curvature_direction;
-    return {smooth_direction_field(surface, smooth), {}};
+    return {smooth_direction_field(surface, smooth), {}, {}};
   }
   if (options.field == "curvature") {
     const auto curvatures =
         principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
-    return {curvature_direction_field(curvatures, options.curvature_direction), {}};
+    return {curvature_direction_field(curvatures, options.curvature_direction), {}, {}};
   }
   FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
-  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies)};
+  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
+          std::move(file.frequencies_v)};
 }
 
 }  // namespace
@@ -71,8 +73,8 @@ void add_frequency_options(CLI::App& app, WaveOptions& options) {
 void add_wave_options(CLI::App& app, WaveOptions& options) {
   CLI::Option* direction = add_direction_option(app, options);
   app.add_option("--field", options.field,
-                 "smooth (default), curvature, or a CSV file with one row a vertex: x,y,z or "
-                 "x,y,z,frequency")
+                 "smooth (default), curvature, or a CSV file with one row a vertex: x,y,z, "
+                 "x,y,z,frequency or x,y,z,frequency,frequency_v")
       ->type_name("FILE|curvature|smooth")
       ->excludes(direction);
   add_named_option(app, "--curvature-direction", options.curvature_direction,
@@ -87,17 +89,39 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_frequency_options(app, options);
 }
 
-WaveSet make_waves(const Surface& surface, const WaveOptions& options) {
+void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture) {
+  CLI::Option* stripes =
+      add_parsed_option(app, "--stripes-v", options.stripes_v, positive_number_of,
+                        "texture: tiles across the field along the diagonal (default: as along it)")
+          ->type_name("N")
+          ->needs(texture);
+  add_parsed_option(app, "--frequency-v", options.frequency_v, positive_number_of,
+                    "texture: tiles across the field per unit length, instead of --stripes-v")
+      ->type_name("F")
+      ->needs(texture)
+      ->excludes(stripes);
+}
+
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options) {
   Field field = make_field(surface, options);
   if (options.rotate_deg != 0) {
     field.directions = rotated(field.directions, surface.normals,
                                options.rotate_deg * std::numbers::pi_v<float> / 180);
   }
+  const auto everywhere = [&](float frequency) {
+    return constant_frequency_field(frequency, surface.mesh.vertex_count());
+  };
   if (field.frequencies.empty() || options.stripes || options.frequency) {
-    field.frequencies = constant_frequency_field(constant_frequency(surface.mesh, options),
-                                                 surface.mesh.vertex_count());
+    field.frequencies = everywhere(constant_frequency(surface.mesh, options));
+    field.frequencies_v.clear();
   }
-  return {surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)};
+  if (options.frequency_v) field.frequencies_v = everywhere(*options.frequency_v);
+  if (options.stripes_v) {
+    field.frequencies_v =
+        everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
+  }
+  return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
+          std::move(field.frequencies_v)};
 }
 
 }  // namespace brindle::tool

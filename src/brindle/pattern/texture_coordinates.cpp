@@ -268,4 +268,25 @@ std::vector<float> carried_values(const TexturedMesh& textured, std::span<const 
   return carried;
 }
 
+CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
+                           std::span<const Complex> z) {
+  CarriedWaves carried;
+  carried.waves.positions = textured.mesh.positions;
+  const std::size_t count = textured.origins.size();
+  carried.waves.directions.resize(count);
+  carried.waves.frequencies.resize(count);
+  carried.z.resize(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    const std::array<Index, 3>& origin = textured.origins[v];
+    FragmentWave wave{waves.directions[origin[0]], waves.frequencies[origin[0]], z[origin[0]]};
+    if (origin[0] != origin[1]) {
+      wave = fragment_phase(corner_waves(origin, waves, z), Vec3::Constant(1.0f / 3));
+    }
+    carried.waves.directions[v] = wave.direction;
+    carried.waves.frequencies[v] = wave.frequency;
+    carried.z[v] = wave.z;
+  }
+  return carried;
+}
+
 }  // namespace brindle

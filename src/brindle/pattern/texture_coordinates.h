@@ -36,4 +36,14 @@ TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, Ph
 std::vector<float> carried_values(const TexturedMesh& textured, std::span<const float> values,
                                   int components);
 
+struct CarriedWaves {
+  WaveSet waves;
+  std::vector<Complex> z;
+};
+
+/// The waves of the original mesh's vertices, carried to the vertices of the textured mesh: at
+/// barycentres they are what `fragment_phase` finds there.
+CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
+                           std::span<const Complex> z);
+
 }  // namespace brindle

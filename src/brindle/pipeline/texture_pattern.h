@@ -23,6 +23,8 @@ struct TexturePattern {
   TextureWaves waves;  ///< both at the corners of every triangle, oriented
   TextureSeams seams;
   TextureQuality quality;
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< as in the options
+  double orientation_milliseconds = 0;  ///< all that comes after both stripe patterns
 };
 
 /// Couples and solves both fields and orients the result. `waves` has one entry per vertex and

@@ -40,8 +40,8 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes = {});
 
 /// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
-/// `attributes` has "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; OBJ (with a
-/// material library, .mtl) and PLY name it, and it is written beside them: `texture_path`. Throws
+/// `attributes` has "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for others
+/// it is written beside the mesh, for OBJ with a material library: `textured_mesh_files`. Throws
 /// Error as `write_mesh` does, and if "uv" is missing.
 void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
                          std::span<const VertexAttribute> attributes, const std::string& png);

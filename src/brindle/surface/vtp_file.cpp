@@ -65,6 +65,7 @@ void add_attributes(std::ostream& xml, AppendedArrays& arrays, std::string_view 
   for (const VertexAttribute& attribute : attributes) {
     if (attribute.is_normal()) xml << " Normals=\"normal\"";
     if (attribute.is_color()) xml << " Scalars=\"color\"";
+    if (attribute.is_uv()) xml << " TCoords=\"uv\"";
   }
   xml << ">\n";
   for (const VertexAttribute& attribute : attributes) add_attribute(arrays, attribute);

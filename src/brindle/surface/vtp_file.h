@@ -21,8 +21,9 @@ struct PolyData {
 };
 
 /// Writes version 1.0 of the format with raw appended data, little endian. "normal" becomes the
-/// active normals, "color" bytes from 0 to 255; all else keeps its name. Attributes have values for
-/// every point or cell, and names of letters, digits and underscores.
+/// active normals, "uv" the texture coordinates, "color" bytes from 0 to 255; all else keeps its
+/// name. Attributes have values for every point or cell, and names of letters, digits and
+/// underscores.
 void write_vtp(std::ostream& out, const PolyData& data);
 
 }  // namespace brindle

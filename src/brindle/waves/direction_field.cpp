@@ -16,20 +16,25 @@ namespace {
 constexpr float kParallelToNormal = 1e-4f;
 
 void append_row(FieldFile& field, std::span<const float> row, const std::string& where) {
-  const bool has_frequency = row.size() == 4;
-  if (row.size() != 3 && row.size() != 4) {
+  if (row.size() < 3 || row.size() > 5) {
     throw Error(where + std::to_string(row.size()) +
-                " columns; a row must have 3 (x,y,z) or 4 (x,y,z,frequency)");
+                " columns; a row must have 3 (x,y,z), 4 (x,y,z,frequency) or 5 "
+                "(x,y,z,frequency,frequency_v)");
   }
-  if (!field.vectors.empty() && has_frequency == field.frequencies.empty()) {
+  const std::size_t columns =
+      3 + (field.frequencies.empty() ? 0 : 1) + (field.frequencies_v.empty() ? 0 : 1);
+  if (!field.vectors.empty() && row.size() != columns) {
     throw Error(where + std::to_string(row.size()) + " columns where the rows before have " +
-                (has_frequency ? "3" : "4") + "; give all rows the same number");
+                std::to_string(columns) + "; give all rows the same number");
   }
-  if (has_frequency && (!(row[3] > 0) || !std::isfinite(row[3]))) {
-    throw Error(where + "the frequency must be a finite number above zero");
+  for (std::size_t column = 3; column < row.size(); ++column) {
+    if (!(row[column] > 0) || !std::isfinite(row[column])) {
+      throw Error(where + "the frequency must be a finite number above zero");
+    }
   }
   field.vectors.emplace_back(row[0], row[1], row[2]);
-  if (has_frequency) field.frequencies.push_back(row[3]);
+  if (row.size() > 3) field.frequencies.push_back(row[3]);
+  if (row.size() > 4) field.frequencies_v.push_back(row[4]);
 }
 
 }  // namespace
