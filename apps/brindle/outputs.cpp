@@ -72,14 +72,16 @@ VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corn
 // OBJ has no place for attributes.
 bool holds_attributes(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
 
-void write_pattern_mesh(const std::filesystem::path& path, const Mesh& mesh,
+void write_pattern_mesh(const std::filesystem::path& path, const Surface& surface,
                         const StripePattern& pattern) {
+  const bool points = surface.mesh.triangles.empty();
   std::vector<VertexAttribute> attributes;
+  if (points) attributes.push_back(vectors_attribute("normal", surface.normals));
   if (holds_attributes(path)) {
     add_waves(attributes, pattern.waves, pattern.solution.z);
-    attributes.push_back(branches_of(mesh, pattern.corners));
+    if (!points) attributes.push_back(branches_of(surface.mesh, pattern.corners));
   }
-  write_mesh(path, mesh, attributes);
+  write_mesh(path, surface.mesh, attributes);
 }
 
 void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedMesh& textured,
@@ -129,6 +131,11 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool tex
   return outputs;
 }
 
+bool holds_points(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".ply" || extension == ".vtp";
+}
+
 Output plan_report(const std::string& path) {
   check_output_path(path);
   return {path, OutputKind::report};
@@ -143,7 +150,7 @@ void write_output(const Output& output, const Surface& surface, const StripeResu
       if (const Texture* texture = result.texture()) {
         return write_mesh_with_texture(output.path, surface, *texture, picture);
       }
-      return write_pattern_mesh(output.path, surface.mesh, result.stripes());
+      return write_pattern_mesh(output.path, surface, result.stripes());
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

@@ -27,6 +27,9 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool tex
 /// As `plan_outputs`, for a path that is a report whatever its extension.
 Output plan_report(const std::string& path);
 
+/// Whether points without triangles can be written there.
+bool holds_points(const std::filesystem::path& path);
+
 void write_output(const Output& output, const Surface& surface, const StripeResult& result,
                   const Report& report, const PictureOptions& picture);
 

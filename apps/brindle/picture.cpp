@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/base/error.h"
+#include "brindle/render/splats.h"
 #include "option_values.h"
 #include "picture_options.h"
 
@@ -115,6 +116,8 @@ void stand_on_z(PictureOptions& options) {
   if (!options.up) options.up = UpAxis::z;
 }
 
+bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }
+
 void check_pictures_available() {}
 
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
@@ -134,9 +137,27 @@ RenderOptions render_options(const PictureOptions& options) {
   return render;
 }
 
+namespace {
+
+Image picture_of_points(const Surface& surface, const StripePattern& pattern,
+                        const RenderOptions& options) {
+  const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
+  return render_splats({.positions = surface.mesh.positions,
+                        .normals = surface.normals,
+                        .radii = radii,
+                        .waves = &pattern.waves,
+                        .z = pattern.solution.z},
+                       options);
+}
+
+}  // namespace
+
 void write_picture(const std::filesystem::path& path, const Surface& surface,
                    const StripeResult& result, const PictureOptions& options) {
   const StripePattern& pattern = result.stripes();
+  if (surface.mesh.triangles.empty()) {
+    return write_png(path, picture_of_points(surface, pattern, render_options(options)));
+  }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
   StripeScene scene{.mesh = surface.mesh,
                     .normals = surface.normals,

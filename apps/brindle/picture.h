@@ -20,6 +20,9 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
 /// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
 void stand_on_z(PictureOptions& options);
 
+/// Whether pictures show stripes and nothing on top of them.
+bool shows_stripes(const PictureOptions& options);
+
 /// Throws Error in a build without OpenGL.
 void check_pictures_available();
 

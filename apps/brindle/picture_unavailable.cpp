@@ -13,6 +13,8 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& /*app*/) {
 
 void stand_on_z(PictureOptions& /*options*/) {}
 
+bool shows_stripes(const PictureOptions& /*options*/) { return true; }
+
 void check_pictures_available() {
   throw Error("this build draws no pictures; configure with -DBRINDLE_GL=ON to have them");
 }
@@ -27,9 +29,12 @@ std::string tile_png(const TextureTile& /*tile*/, const PictureOptions& /*option
   return {};
 }
 
-void add_texture_options(CLI::App& /*app*/, TextureChoice& /*choice*/, WaveOptions& /*waves*/) {}
+void add_texture_options(CLI::App& /*app*/, TextureChoice& /*choice*/, WaveOptions& /*waves*/,
+                         CLI::Option* /*cross*/) {}
 
-std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/) { return std::nullopt; }
+std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/, bool /*cross*/) {
+  return std::nullopt;
+}
 
 struct MovingPicture::State {};
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/pipeline/cross_texture.h"
 #include "brindle/pipeline/texture_pattern.h"
 #include "preparation.h"
 
@@ -32,6 +33,8 @@ struct Report {
   PatternQuality quality;
   StripeMilliseconds milliseconds;
   std::optional<TextureReport> texture;
+  std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
+                                        ///< waves together
 };
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);
@@ -39,6 +42,9 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
 /// As above, of a texture: times are those of both patterns together.
 Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver);
 
+Report make_report(const Preparation& prepared, const CrossTexture& texture, Solver solver);
+
+/// Without triangles there are no branches and singularities to count: those keys are left out.
 nlohmann::ordered_json to_json(const Report& report);
 
 /// A few lines for people.

@@ -3,7 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/pipeline/cross_texture.h"
 #include "commands.h"
 #include "outputs.h"
 #include "picture.h"
@@ -21,6 +23,8 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe scan.obj --field curvature --rotate 90 --output scan.glb --report scan.json
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
+  brindle stripe scan.obj --cross --texture plus_minus --output crosses.png
+  brindle stripe points.csv --output points.png --output points.ply
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
 
@@ -55,15 +59,61 @@ StripeResult make_result(Preparation& prepared, const StripeArguments& arguments
                          progress)};
 }
 
-Report report_of(const Preparation& prepared, const StripeResult& result, Solver solver) {
-  const Texture* texture = result.texture();
-  return texture != nullptr ? make_report(prepared, texture->pattern, solver)
+// What was made, on the surface that it is drawn on, and its report.
+struct Job {
+  Surface surface;
+  StripeResult result;
+  Report report;
+};
+
+Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTile tile,
+               const Progress& progress) {
+  const StripeOptions& options = arguments.solving.stripes;
+  const CrossPattern cross = cross_pattern(prepared.surface, prepared.waves, options, progress);
+  CrossTexture texture = cross_texture(prepared.surface, cross, options.phase_shift);
+  const Report report = make_report(prepared, texture, options.solver.solver);
+  return {
+      std::move(texture.surface), {Texture{std::move(texture.pattern), std::move(tile)}}, report};
+}
+
+Job make_job(Preparation prepared, const StripeArguments& arguments,
+             std::optional<TextureTile> tile, const Progress& progress) {
+  if (arguments.waves.cross) {
+    return make_cross(std::move(prepared), arguments, tile.value_or(BuiltInTile::checker),
+                      progress);
+  }
+  StripeResult result = make_result(prepared, arguments, std::move(tile), progress);
+  const Solver solver = arguments.solving.stripes.solver.solver;
+  const Report report = result.texture() != nullptr
+                            ? make_report(prepared, result.texture()->pattern, solver)
                             : make_report(prepared, result.stripes(), solver);
+  return {std::move(prepared.surface), std::move(result), report};
+}
+
+// What cannot be laid over points: better said before a long job.
+void check_points(const StripeArguments& arguments, const std::vector<Output>& outputs) {
+  const auto refuse = [](const std::string& what) {
+    throw Error("points have no triangles: " + what);
+  };
+  if (arguments.waves.cross) refuse("a cross field is drawn on meshes alone; leave out --cross");
+  if (!arguments.texture.tile.empty()) {
+    refuse("a texture is drawn on meshes alone; leave out --texture");
+  }
+  for (const Output& output : outputs) {
+    if (output.kind == OutputKind::mesh && !holds_points(output.path)) {
+      refuse("'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
+    }
+    if (output.kind == OutputKind::picture && !shows_stripes(*arguments.picture)) {
+      refuse("branches and angle errors are not drawn; take --view stripes");
+    }
+  }
 }
 
 void run(const StripeArguments& arguments) {
-  std::optional<TextureTile> tile = chosen_tile(arguments.texture);
-  std::vector<Output> outputs = plan_outputs(arguments.outputs, tile.has_value());
+  std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
+  std::vector<Output> outputs =
+      plan_outputs(arguments.outputs, tile.has_value() || arguments.waves.cross);
+  if (is_points(arguments.surface)) check_points(arguments, outputs);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));
 
@@ -72,12 +122,11 @@ void run(const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    const StripeResult result =
-        make_result(prepared, arguments, std::move(tile), display.progress());
-    report = report_of(prepared, result, arguments.solving.stripes.solver.solver);
+    const Job job = make_job(std::move(prepared), arguments, std::move(tile), display.progress());
+    report = job.report;
     for (const Output& output : outputs) {
       display.stage("writing " + output.path.string());
-      write_output(output, prepared.surface, result, report, *arguments.picture);
+      write_output(output, job.surface, job.result, report, *arguments.picture);
     }
   }
   if (!arguments.quiet) print_report(std::cout, report);
@@ -86,14 +135,16 @@ void run(const StripeArguments& arguments) {
 }  // namespace
 
 Command add_stripe_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("stripe", "Lay stripes over a surface");
+  CLI::App* command = app.add_subcommand("stripe", "Lay stripes over a surface or a point cloud");
   command->footer(kExamples);
   const auto arguments = std::make_shared<StripeArguments>();
   add_surface_options(*command, arguments->surface);
+  add_point_options(*command, arguments->surface);
   add_wave_options(*command, arguments->waves);
+  CLI::Option* cross = add_cross_option(*command, arguments->waves);
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
-  add_texture_options(*command, arguments->texture, arguments->waves);
+  add_texture_options(*command, arguments->texture, arguments->waves, cross);
   command->add_option("-o,--output", arguments->outputs, "what to write, by extension; repeatable")
       ->type_name("FILE")
       ->expected(1)

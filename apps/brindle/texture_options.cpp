@@ -5,8 +5,16 @@
 #include "brindle/base/error.h"
 
 namespace brindle::tool {
+namespace {
 
-void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves) {
+bool suits_crosses(BuiltInTile tile) {
+  return tile == BuiltInTile::checker || tile == BuiltInTile::dots || tile == BuiltInTile::plus;
+}
+
+}  // namespace
+
+void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves,
+                         CLI::Option* cross) {
   const std::string tiles(built_in_tile_names());
   CLI::Option* texture =
       app.add_option("--texture", choice.tile,
@@ -17,13 +25,22 @@ void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& wave
   app.add_flag("--oriented", choice.oriented,
                "texture: the field's vectors are meant with their signs, and arrows follow them; "
                "otherwise an orientation is looked for")
-      ->needs(texture);
-  add_crossing_frequency_options(app, waves, texture);
+      ->needs(texture)
+      ->excludes(cross);
+  add_crossing_frequency_options(app, waves, texture, cross);
 }
 
-std::optional<TextureTile> chosen_tile(const TextureChoice& choice) {
+std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) {
   if (choice.tile.empty()) return std::nullopt;
-  if (const auto tile = built_in_tile(choice.tile)) return *tile;
+  if (const auto tile = built_in_tile(choice.tile)) {
+    if (cross && !suits_crosses(*tile)) {
+      throw CLI::ValidationError("--texture", "'" + choice.tile +
+                                                  "' does not look the same turned by 90 degrees; "
+                                                  "with --cross take checker, dots, plus or a "
+                                                  "picture that does");
+    }
+    return *tile;
+  }
   try {
     return read_png(choice.tile);
   } catch (const Error& error) {

@@ -16,10 +16,12 @@ struct TextureChoice {
   bool oriented = false;  ///< the field's signs are meant
 };
 
-/// --texture, --oriented, --stripes-v and --frequency-v.
-void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves);
+/// --texture, --oriented, --stripes-v and --frequency-v; all but the first exclude `cross`.
+void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves,
+                         CLI::Option* cross);
 
-/// Nothing if no texture is asked for. Throws Error if a file cannot be read.
-std::optional<TextureTile> chosen_tile(const TextureChoice& choice);
+/// Nothing if no texture is asked for. Throws Error if a file cannot be read, CLI::ValidationError
+/// for a built-in tile that does not suit a cross field.
+std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross);
 
 }  // namespace brindle::tool

@@ -30,6 +30,7 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
     return {projected_direction_field(*options.direction, surface.normals), {}, {}};
   if (options.field == "smooth") {
     SmoothFieldOptions smooth;
+    smooth.symmetry = options.cross ? 4 : 2;
     smooth.curvature_anchor = options.curvature_anchor;
     smooth.curvature_direction = options.curvature_direction;
     return {smooth_direction_field(surface, smooth), {}, {}};
@@ -89,16 +90,27 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_frequency_options(app, options);
 }
 
-void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture) {
+CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {
+  return app.add_flag(
+      "--cross", options.cross,
+      "a cross field: stripes along both waves of a cross, which change places from vertex to "
+      "vertex where that is smoother; shown by a texture that looks the same turned by 90 degrees "
+      "(default checker)");
+}
+
+void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture,
+                                    CLI::Option* cross) {
   CLI::Option* stripes =
       add_parsed_option(app, "--stripes-v", options.stripes_v, positive_number_of,
                         "texture: tiles across the field along the diagonal (default: as along it)")
           ->type_name("N")
-          ->needs(texture);
+          ->needs(texture)
+          ->excludes(cross);
   add_parsed_option(app, "--frequency-v", options.frequency_v, positive_number_of,
                     "texture: tiles across the field per unit length, instead of --stripes-v")
       ->type_name("F")
       ->needs(texture)
+      ->excludes(cross)
       ->excludes(stripes);
 }
 

@@ -18,6 +18,7 @@ struct WaveOptions {
   std::string field = "smooth";   ///< "smooth", "curvature" or a file
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   float curvature_anchor = 0;  ///< of the smooth field
+  bool cross = false;          ///< the field is a cross field
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
@@ -37,8 +38,12 @@ CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
 /// --stripes and --frequency.
 void add_frequency_options(CLI::App& app, WaveOptions& options);
 
-/// --stripes-v and --frequency-v, for textures; both need the option `texture`.
-void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture);
+/// --cross.
+CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options);
+
+/// --stripes-v and --frequency-v, for textures; both need the option `texture` and exclude `cross`.
+void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture,
+                                    CLI::Option* cross);
 
 /// All options but those of crossing stripes.
 void add_wave_options(CLI::App& app, WaveOptions& options);

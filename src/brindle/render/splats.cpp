@@ -17,6 +17,10 @@ namespace {
 /// Points drawn at once. Software renderers keep all that they have not yet drawn in memory.
 constexpr std::size_t kBatch = 1 << 15;
 
+/// Radius of a disc over the mean distance to the neighbours: larger ones stick out at creases,
+/// smaller ones leave holes where points are uneven.
+constexpr float kOverlap = 0.8f;
+
 /// As splat.vert reads it.
 struct PackedSplat {
   Eigen::Vector4f position_radius;
@@ -64,7 +68,7 @@ std::vector<float> splat_radii(std::span<const Vec3> positions, const Adjacency&
       const auto neighbors = neighborhood.of(i);
       float sum = 0;
       for (const Index j : neighbors) sum += (positions[j] - positions[i]).norm();
-      radii[i] = neighbors.empty() ? 0 : sum / static_cast<float>(neighbors.size());
+      radii[i] = neighbors.empty() ? 0 : kOverlap * sum / static_cast<float>(neighbors.size());
     }
   });
   return radii;

@@ -12,26 +12,68 @@
 namespace brindle {
 namespace {
 
-/// Square of the width over the length below which points lie on a line.
+/// Squares of the width over the length below which points lie on a line, and below which their
+/// plane hangs on few of them.
 constexpr double kThinnest = 1e-8;
+constexpr double kThin = 0.1;
 
-Vec3 fitted_normal(Index point, std::span<const Vec3> positions, std::span<const Index> neighbors) {
+struct PlaneFit {
+  Eigen::Vector3d normal;
+  double width;  ///< square of the width over the length
+};
+
+/// The plane through the point and `others`.
+PlaneFit fitted_plane(Index point, std::span<const Vec3> positions, std::span<const Index> others) {
   // Relative to the point: far from the origin nothing else has digits to lose.
   const auto from_point = [&](Index j) -> Eigen::Vector3d {
     return positions[j].cast<double>() - positions[point].cast<double>();
   };
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Index j : neighbors) mean += from_point(j);
-  mean /= static_cast<double>(neighbors.size() + 1);
+  for (const Index j : others) mean += from_point(j);
+  mean /= static_cast<double>(others.size() + 1);
   Eigen::Matrix3d covariance = mean * mean.transpose();
-  for (const Index j : neighbors) {
+  for (const Index j : others) {
     const Eigen::Vector3d offset = from_point(j) - mean;
     covariance += offset * offset.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& squares = solver.eigenvalues();
-  if (!(squares[1] > kThinnest * squares[2])) return Vec3::Zero();
-  return solver.eigenvectors().col(0).cast<float>().normalized();
+  return {solver.eigenvectors().col(0), squares[2] > 0 ? squares[1] / squares[2] : 0};
+}
+
+/// The neighbours and their neighbours.
+std::vector<Index> wider_neighbors(Index point, const Adjacency& neighborhood) {
+  std::vector<Index> wider(neighborhood.of(point).begin(), neighborhood.of(point).end());
+  for (const Index j : neighborhood.of(point)) {
+    wider.insert(wider.end(), neighborhood.of(j).begin(), neighborhood.of(j).end());
+  }
+  std::sort(wider.begin(), wider.end());
+  wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
+  std::erase(wider, point);
+  return wider;
+}
+
+Vec3 fitted_normal(Index point, std::span<const Vec3> positions, const Adjacency& neighborhood) {
+  PlaneFit fit = fitted_plane(point, positions, neighborhood.of(point));
+  if (fit.width < kThin) {
+    fit = fitted_plane(point, positions, wider_neighbors(point, neighborhood));
+  }
+  return fit.width > kThinnest ? Vec3(fit.normal.cast<float>().normalized()) : Vec3(Vec3::Zero());
+}
+
+/// The axis that agrees best with the point's normal and those of its neighbours, whatever their
+/// signs: a single point whose plane is badly fitted would stand across the surface.
+Vec3 mean_axis(Index point, std::span<const Vec3> normals, const Adjacency& neighborhood) {
+  if (normals[point].isZero(0)) return Vec3::Zero();
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  const auto add = [&](Index i) {
+    const Eigen::Vector3d normal = normals[i].cast<double>();
+    sum += normal * normal.transpose();
+  };
+  add(point);
+  for (const Index neighbor : neighborhood.of(point)) add(neighbor);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  return solver.eigenvectors().col(2).cast<float>().normalized();
 }
 
 /// Around a closed surface the mean of <n, p> is three volumes over the area (divergence theorem),
@@ -65,15 +107,16 @@ struct Candidate {
 }  // namespace
 
 std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacency& neighborhood) {
-  std::vector<Vec3> normals(positions.size());
-  parallel_for(
-      normals.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for (auto i = static_cast<Index>(begin); i < end; ++i) {
-          normals[i] = fitted_normal(i, positions, neighborhood.of(i));
-        }
-      },
-      256);
+  constexpr std::size_t kGrain = 256;
+  std::vector<Vec3> fitted(positions.size()), normals(positions.size());
+  const auto for_all_points = [&](const auto& work) {
+    const auto work_on_range = [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<Index>(begin); i < end; ++i) work(i);
+    };
+    parallel_for(positions.size(), work_on_range, kGrain);
+  };
+  for_all_points([&](Index i) { fitted[i] = fitted_normal(i, positions, neighborhood); });
+  for_all_points([&](Index i) { normals[i] = mean_axis(i, fitted, neighborhood); });
   return normals;
 }
 
