@@ -366,7 +366,8 @@ void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAtt
     } else if (attribute.is_color()) {
       out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     } else if (attribute.is_uv()) {
-      out << "property float s\nproperty float t\n";
+      out << "property float texture_u\nproperty float texture_v\nproperty float s\n"
+             "property float t\n";
     } else if (attribute.components == 3) {
       for (const char axis : {'x', 'y', 'z'}) {
         out << "property float " << attribute.name << '_' << axis << '\n';
@@ -400,6 +401,7 @@ void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttrib
       const float* values = &attribute.values[n * v];
       if (!attribute.is_color()) {
         binary.put(values, n);
+        if (attribute.is_uv()) binary.put(values, n);
         continue;
       }
       for (int i = 0; i < 3; ++i) binary.put(color_byte(values[i]));

@@ -24,8 +24,9 @@ bool ply_has_faces(const std::filesystem::path& path);
 
 /// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
 /// "color" red, green, blue from 0 to 255; others with their name, and with three components
-/// name_x, name_y, name_z; "uv" s, t. `picture` names the file that these refer to, in a comment
-/// that MeshLab introduced.
+/// name_x, name_y, name_z; "uv" texture_u, texture_v (which VTK and MeshLab read) and the same
+/// again as s, t (Blender). `picture` names the file that these refer to, in a comment that MeshLab
+/// introduced.
 void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
                const std::string& picture = "");
 
