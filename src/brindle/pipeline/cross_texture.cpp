@@ -3,7 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "brindle/base/stopwatch.h"
+#include "brindle/surface/normals.h"
 
 namespace brindle {
 namespace {
@@ -79,6 +82,18 @@ class CrossTriangles {
   TextureWaves waves_;
 };
 
+/// Turns V round where it runs to the right of U, seen from outside: what a tile's picture shows
+/// must not be mirrored.
+void turn_left(const Mesh& mesh, TextureWaves& waves) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    Vec3 turn = Vec3::Zero();
+    for (int m = 0; m < 3; ++m) {
+      turn += waves.u[t][m].wave.direction.cross(waves.v[t][m].wave.direction);
+    }
+    if (turn.dot(triangle_normal(mesh, mesh.triangles[t])) < 0) flip(waves.v[t]);
+  }
+}
+
 /// The waves (i, r) of all vertices i, and none at the others, with the figures of the whole.
 StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec3> positions) {
   StripePattern pattern;
@@ -99,7 +114,7 @@ StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec
 }
 
 /// New triangles are singular, whatever their corners look like.
-std::vector<CornerPhases> corners_of(std::span<const CornerWaves> waves, std::size_t regular,
+std::vector<CornerPhases> corners_of(const std::vector<CornerWaves>& waves, std::size_t regular,
                                      PhaseShiftKind kind) {
   std::vector<CornerPhases> corners;
   for (const CornerWaves& wave : waves) {
@@ -121,6 +136,7 @@ CrossTexture cross_texture(const Surface& surface, const CrossPattern& cross,
   pattern.waves = std::move(triangles.waves());
   pattern.phase_shift = phase_shift;
   orient_corners(pattern.waves);
+  turn_left(texture.surface.mesh, pattern.waves);
   pattern.u = pattern_of(cross, 0, texture.surface.mesh.positions);
   pattern.v = pattern_of(cross, 1, texture.surface.mesh.positions);
   pattern.u.corners = corners_of(pattern.waves.u, cross.cover.base.size(), phase_shift);

@@ -22,7 +22,7 @@ struct CrossTexture {
 
 /// Gives every triangle waves U and V. In a singular triangle each of the three parts matches the
 /// crosses along its own edge, so that it fits its neighbour there; between the parts, inside the
-/// triangle, the texture turns.
+/// triangle, the texture turns. V runs to the left of U everywhere, seen from outside.
 CrossTexture cross_texture(const Surface& surface, const CrossPattern& cross,
                            PhaseShiftKind phase_shift = PhaseShiftKind::aligned);
 

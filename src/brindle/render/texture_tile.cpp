@@ -58,8 +58,8 @@ float arrow(const Point& p) {
 }
 
 float checker(float u, float v) {
-  const float to_u = 0.25f - std::abs(wrapped(u - 0.25f));
-  const float to_v = 0.25f - std::abs(wrapped(v - 0.25f));
+  const float to_u = 0.25f - std::abs(wrapped(u - 0.5f));
+  const float to_v = 0.25f - std::abs(wrapped(v - 0.5f));
   const float distance = std::min(std::abs(to_u), std::abs(to_v));
   return (to_u < 0) == (to_v < 0) ? -distance : distance;
 }

@@ -12,10 +12,10 @@ namespace brindle {
 
 /// Tiles that need no file: a figure in one colour on the ground of another. All but arrows look
 /// the same turned by 180 degrees about their middle, so they suit fields without orientation;
-/// checker, dots, plus and plus_minus also turned by 90 degrees, so they suit cross fields.
+/// checker, dots and plus also turned by 90 degrees, so they suit cross fields.
 enum class BuiltInTile {
   stripes,    ///< across U, as `Renderer` draws stripes of width 0.5
-  checker,    ///< two by two squares
+  checker,    ///< two by two squares, one in the middle
   dots,       ///< one in the middle
   arrows,     ///< one that points along U
   bricks,     ///< two courses along U, the second shifted by half a brick
