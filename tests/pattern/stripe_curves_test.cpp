@@ -39,7 +39,7 @@ struct Solved {
   }
   WavePattern pattern() const { return {surface.mesh, edges, surface.normals, surface.waves, z}; }
   StripeCurves curves(const CurveOptions& options = {}) const {
-    return stripe_curves(pattern(), options);
+    return stripe_curves(LiftedWaves(pattern()), options);
   }
 };
 

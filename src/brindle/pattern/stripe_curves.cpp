@@ -38,12 +38,10 @@ struct InnerEnd {
 
 class Tracer {
  public:
-  Tracer(const WavePattern& pattern, const CurveOptions& options)
-      : pattern_(pattern), options_(options) {}
+  Tracer(const LiftedWaves& lifted, const CurveOptions& options)
+      : pattern_(lifted.pattern()), options_(options), lifted_(lifted) {}
 
   StripeCurves trace() {
-    lift_vertices();
-    lift_edges();
     number_nodes();
     link_triangles();
     walk();
@@ -51,36 +49,9 @@ class Tracer {
   }
 
  private:
-  CornerWave wave_of(Index vertex) const {
-    const WaveSet& waves = pattern_.waves;
-    return canonical(
-        {{waves.positions[vertex], waves.directions[vertex], waves.frequencies[vertex]},
-         pattern_.z[vertex]});
+  Index crossings(Index edge) const {
+    return static_cast<Index>(std::abs(lifted_.edge(edge).peaks));
   }
-  bool has_wave(Index vertex) const { return !pattern_.waves.directions[vertex].isZero(0); }
-
-  void lift_vertices() {
-    turns_.resize(pattern_.mesh.vertex_count());
-    parallel_for(turns_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        turns_[v] = turns_after_peak(wave_of(static_cast<Index>(v)).z);
-      }
-    });
-  }
-
-  void lift_edges() {
-    const auto& vertices = pattern_.edges.vertices;
-    lifts_.resize(vertices.size());
-    parallel_for(vertices.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) {
-        const auto [a, b] = vertices[e];
-        if (!has_wave(a) || !has_wave(b)) continue;
-        lifts_[e] = lift_edge(wave_of(a), turns_[a], wave_of(b), turns_[b], pattern_.phase_shift);
-      }
-    });
-  }
-
-  Index crossings(Index edge) const { return static_cast<Index>(std::abs(lifts_[edge].peaks)); }
 
   /// An edge of three triangles or more has nodes for each of them.
   std::size_t copies(Index edge) const {
@@ -118,19 +89,6 @@ class Tracer {
                 " times; ask for fewer stripes");
   }
 
-  LiftedTriangle lifted(std::size_t t) const {
-    const Triangle& triangle = pattern_.mesh.triangles[t];
-    std::array<CornerWave, 3> corners;
-    std::array<Turns, 3> turns{};
-    std::array<EdgeLift, 3> edges;
-    for (int m = 0; m < 3; ++m) {
-      corners[m] = wave_of(triangle[m]);
-      turns[m] = turns_[triangle[m]];
-      edges[m] = lifts_[pattern_.edges.of_triangle[t][m]];
-    }
-    return lifted_triangle(triangle, corners, turns, edges);
-  }
-
   /// Regular triangles touch slots of their own only. Others, few, add nodes and ends, in order.
   void link_triangles() {
     const std::size_t count = pattern_.mesh.triangle_count();
@@ -138,7 +96,7 @@ class Tracer {
     parallel_for(count, [&](std::size_t begin, std::size_t end) {
       std::vector<StripePiece> pieces;
       for (std::size_t t = begin; t < end; ++t) {
-        const LiftedTriangle triangle = lifted(t);
+        const LiftedTriangle triangle = lifted_.triangle(t);
         if (triangle.kind == TriangleKind::regular) {
           stripe_pieces(triangle, options_.join, pieces);
           for (const StripePiece& piece : pieces) {
@@ -154,7 +112,7 @@ class Tracer {
   }
 
   void link_irregular(std::size_t t) {
-    const LiftedTriangle triangle = lifted(t);
+    const LiftedTriangle triangle = lifted_.triangle(t);
     const bool singular = triangle.kind == TriangleKind::field_singularity;
     const CurveEnd reason = singular ? CurveEnd::singularity : CurveEnd::branch;
     std::array<Index, 3> first_cut_node{};
@@ -225,9 +183,10 @@ class Tracer {
     if (node >= edge_of_node_.size()) return inner_points_[node - edge_of_node_.size()];
     const Index edge = edge_of_node_[node];
     const auto [a, b] = pattern_.edges.vertices[edge];
-    const Turns end = lifted_end(lifts_[edge], turns_[b]);
+    const Turns start = lifted_.turns(a);
+    const Turns end = lifted_end(lifted_.edge(edge), lifted_.turns(b));
     const Index number = (node - first_node_[edge]) % crossings(edge);
-    const auto t = static_cast<float>(crossing_position(turns_[a], end, number));
+    const auto t = static_cast<float>(crossing_position(start, end, number));
     const Vec3& from = pattern_.mesh.positions[a];
     CurvePoint result{from + t * (pattern_.mesh.positions[b] - from), Vec3::Zero()};
     add_normal(result.normal, 1 - t, a);
@@ -314,8 +273,7 @@ class Tracer {
 
   const WavePattern& pattern_;
   const CurveOptions& options_;
-  std::vector<Turns> turns_;                // one per vertex
-  std::vector<EdgeLift> lifts_;             // one per edge
+  const LiftedWaves& lifted_;
   std::vector<Index> first_node_;           // edges + 1 entries
   std::vector<Index> edge_of_node_;         // nodes on edges; those on cuts come after them
   std::vector<std::array<Link, 2>> links_;  // one per node
@@ -336,8 +294,8 @@ std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
   return counts;
 }
 
-StripeCurves stripe_curves(const WavePattern& pattern, const CurveOptions& options) {
-  return Tracer(pattern, options).trace();
+StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options) {
+  return Tracer(waves, options).trace();
 }
 
 std::size_t move_peaks(const Adjacency& neighborhood, float periods, WaveSet& waves,

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/pattern/stripe_pieces.h"
-#include "brindle/surface/mesh_edges.h"
+#include "brindle/pattern/lifted_waves.h"
 #include "brindle/surface/polylines.h"
 
 namespace brindle {
@@ -32,16 +31,6 @@ struct StripeCurves {
   std::array<std::size_t, kCurveEndKinds> end_counts() const;
 };
 
-/// A surface with one solved wave per vertex.
-struct WavePattern {
-  const Mesh& mesh;
-  const MeshEdges& edges;
-  std::span<const Vec3> normals;  ///< unit normals, one per vertex
-  const WaveSet& waves;
-  std::span<const Complex> z;  ///< exp(i Phi), one per vertex
-  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
-};
-
 struct CurveOptions {
   /// Joins curves that end side by side in a branch or singularity in pairs, and lets one that is
   /// left over run on to the middle of its neighbour's piece there.
@@ -59,7 +48,7 @@ struct CurveOptions {
 ///
 /// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
 /// crossings than an Index can count.
-StripeCurves stripe_curves(const WavePattern& pattern, const CurveOptions& options = {});
+StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {});
 
 /// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
 /// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and

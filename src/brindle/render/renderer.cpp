@@ -8,6 +8,7 @@
 
 #include "brindle/base/error.h"
 #include "brindle/render/gl_name.h"
+#include "brindle/render/gl_texture_tile.h"
 #include "brindle/render/headless_context.h"
 #include "brindle/render/shader_program.h"
 
@@ -22,7 +23,18 @@ constexpr int kWantedSamples = 8;
 /// Triangles drawn at once. Software renderers keep all that they have not yet drawn in memory.
 constexpr std::size_t kBatch = 1 << 16;
 
-enum Binding { kTriangles, kPositions, kNormals, kWaves, kPhases, kTriangleColors, kMarks };
+enum Binding {
+  kTriangles,
+  kPositions,
+  kNormals,
+  kWaves,
+  kPhases,
+  kTriangleColors,
+  kMarks,
+  kTextureU,
+  kTextureV,
+  kBindings
+};
 
 GLint limit(GLenum name) {
   GLint value = 0;
@@ -93,6 +105,19 @@ std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
   return packed;
 }
 
+/// Direction, frequency and z of every corner.
+std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
+  std::vector<float> packed;
+  packed.reserve(18 * triangles.size());
+  for (const CornerWaves& corners : triangles) {
+    for (const auto& [wave, z] : corners) {
+      packed.insert(packed.end(), wave.direction.begin(), wave.direction.end());
+      packed.insert(packed.end(), {wave.frequency, z.real(), z.imag()});
+    }
+  }
+  return packed;
+}
+
 void check_count(std::size_t count, std::size_t wanted, const char* what, const char* of) {
   if (count == 0 || count == wanted) return;
   throw Error("cannot draw this scene: it has " + std::to_string(count) + " " + what + " for " +
@@ -112,6 +137,9 @@ void check_scene(const StripeScene& scene) {
   check_count(scene.triangle_colors.size(), scene.mesh.triangle_count(), "triangle colours",
               "triangles");
   check_waves(scene.waves, vertices);
+  if (scene.texture_waves == nullptr) return;
+  check_count(scene.texture_waves->u.size(), scene.mesh.triangle_count(), "waves U", "triangles");
+  check_count(scene.texture_waves->v.size(), scene.mesh.triangle_count(), "waves V", "triangles");
 }
 
 void check_change(const SceneChange& change, std::size_t vertices, std::size_t triangles) {
@@ -224,7 +252,7 @@ Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
 struct Renderer::State {
   ShaderProgram surface{{"surface_buffers.glsl", "surface.vert"},
                         {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
-                         "striped_surface.frag"}};
+                         "texture_fragment.glsl", "texture_tile.glsl", "striped_surface.frag"}};
   ShaderProgram probe{{"surface_buffers.glsl", "surface.vert"},
                       {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
                        "fragment_probe.frag"}};
@@ -235,7 +263,8 @@ struct Renderer::State {
   std::vector<Vec3> points;  ///< what a camera has to frame
   std::size_t vertex_count = 0;
   std::size_t triangle_count = 0;
-  std::array<GlBuffer, 7> buffers;
+  std::array<GlBuffer, kBindings> buffers;
+  GlTextureTile texture_tile;
   GLsizei mark_count = 0;
 
   void draw_surface(const ShaderProgram& program, const Camera& camera,
@@ -256,6 +285,7 @@ void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& c
   program.set("tile", tile);
   program.set("smooth_normals", buffers[kNormals] != 0);
   program.set("has_waves", buffers[kWaves] != 0 && buffers[kPhases] != 0);
+  program.set("has_texture", buffers[kTextureU] != 0);
   program.set("has_triangle_colors", buffers[kTriangleColors] != 0);
   for (GLuint binding = 0; binding < buffers.size(); ++binding) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
@@ -303,6 +333,7 @@ void Renderer::State::draw_light(const Target& target, const Camera& camera, con
   surface.set("base_color", linear_light(options.base_color));
   surface.set("stripe_color", linear_light(options.stripe_color));
   surface.set("stripe_width", options.stripe_width);
+  texture_tile.bind(surface);
   surface.set("up", up_seen_by(camera, options.camera.up));
   const Eigen::Vector4f transform = tile_transform(tile, options.width, options.height);
   draw_surface(surface, camera, transform);
@@ -358,6 +389,11 @@ void Renderer::upload(const StripeScene& scene) {
   buffers[kTriangleColors] = buffer_of(packed_colors(scene.triangle_colors), "triangle colours");
   buffers[kMarks] = buffer_of(packed_marks(scene.marks), "marks");
   state_->mark_count = static_cast<GLsizei>(scene.marks.size());
+  if (scene.texture_waves != nullptr && scene.texture_tile != nullptr) {
+    buffers[kTextureU] = buffer_of(packed_corners(scene.texture_waves->u), "waves U");
+    buffers[kTextureV] = buffer_of(packed_corners(scene.texture_waves->v), "waves V");
+    state_->texture_tile = GlTextureTile(*scene.texture_tile);
+  }
   check_gl("copying the mesh to OpenGL");
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <set>
 #include <string>
 
 #include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/surface/assimp_file.h"
 #include "brindle/surface/gltf_file.h"
@@ -21,17 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string kind_of(const fs::path& path) {
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kind;
-}
-
 /// Positions and triangles as the file has them.
 Mesh read_raw(const fs::path& path) {
   const InputFile readable(path);
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (kind == ".obj") return read_obj(path);
   if (kind == ".ply") return read_ply(path);
   if (kind == ".off") return read_off(path);
@@ -68,7 +63,8 @@ void check_attribute(const fs::path& path, const Mesh& mesh, const VertexAttribu
                      std::all_of(attribute.name.begin(), attribute.name.end(),
                                  [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!named) fail("must be named by letters, digits and underscores only");
-  if (attribute.components != 1 && attribute.components != 3) {
+  const bool plain = attribute.components == 1 || attribute.components == 3;
+  if (!plain && !attribute.is_uv()) {
     fail("must have 1 or 3 components, not " + std::to_string(attribute.components));
   }
   const std::size_t expected = static_cast<std::size_t>(attribute.components) * mesh.vertex_count();
@@ -87,11 +83,34 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
       throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
                   "' is already taken; rename it");
     }
-    if (kind_of(path) == ".obj" && !attribute.is_normal()) {
+    if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
       throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
                   attribute.name + "'; write .ply, .vtp, .gltf or .glb");
     }
   }
+}
+
+std::string check_output(const fs::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes) {
+  const std::string kind = lower_extension(path);
+  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
+    throw Error("cannot write '" + path.string() + "': the extension '" +
+                path.extension().string() +
+                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
+  }
+  check_attributes(path, mesh, attributes);
+  return kind;
+}
+
+/// `path` with another ending.
+fs::path beside(const fs::path& path, const char* ending) {
+  return path.parent_path() / (path.stem().string() + ending);
+}
+
+fs::path texture_path(const fs::path& path) { return beside(path, "_texture.png"); }
+
+void write_beside(const fs::path& path, const std::string& content) {
+  write_file(path, [&](std::ostream& out) { out << content; });
 }
 
 }  // namespace
@@ -101,7 +120,7 @@ LoadedMesh read_mesh(const fs::path& path) {
   try {
     loaded.mesh = read_raw(path);
     const std::size_t joined = join_vertices(loaded.mesh);
-    if (kind_of(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
+    if (lower_extension(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
     loaded.repair = repair_mesh(loaded.mesh);
     loaded.repair.vertices_joined = joined;
   } catch (const std::bad_alloc&) {
@@ -113,13 +132,7 @@ LoadedMesh read_mesh(const fs::path& path) {
 
 void write_mesh(const fs::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes) {
-  const std::string kind = kind_of(path);
-  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
-    throw Error("cannot write '" + path.string() + "': the extension '" +
-                path.extension().string() +
-                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
-  }
-  check_attributes(path, mesh, attributes);
+  const std::string kind = check_output(path, mesh, attributes);
   write_file(path, [&](std::ostream& out) {
     if (kind == ".obj") {
       write_obj(out, mesh, attributes);
@@ -133,6 +146,39 @@ void write_mesh(const fs::path& path, const Mesh& mesh,
       write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text);
     }
   });
+}
+
+void write_textured_mesh(const fs::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes, const std::string& png) {
+  const std::string kind = check_output(path, mesh, attributes);
+  if (std::none_of(attributes.begin(), attributes.end(), std::mem_fn(&VertexAttribute::is_uv))) {
+    throw Error("cannot write '" + path.string() + "': a textured mesh needs the attribute 'uv'");
+  }
+  if (kind == ".vtp") {
+    throw Error("cannot write '" + path.string() +
+                "': VTP cannot hold a texture's picture; write .glb, .gltf, .obj or .ply");
+  }
+  const fs::path texture = texture_path(path);
+  const fs::path materials = beside(path, ".mtl");
+  const bool beside_mesh = kind == ".obj" || kind == ".ply";
+  if (beside_mesh) write_beside(texture, png);
+  if (kind == ".obj") write_beside(materials, material_library(texture.filename().string()));
+  write_file(path, [&](std::ostream& out) {
+    if (kind == ".obj") {
+      write_obj(out, mesh, attributes, materials.filename().string());
+    } else if (kind == ".ply") {
+      write_ply(out, mesh, attributes, texture.filename().string());
+    } else {
+      write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text, png);
+    }
+  });
+}
+
+std::vector<fs::path> textured_mesh_files(const fs::path& path) {
+  const std::string kind = lower_extension(path);
+  if (kind == ".obj") return {texture_path(path), beside(path, ".mtl"), path};
+  if (kind == ".ply") return {texture_path(path), path};
+  return {path};
 }
 
 }  // namespace brindle

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "brindle/surface/mesh.h"
 #include "brindle/surface/mesh_repair.h"
@@ -33,8 +35,18 @@ LoadedMesh read_mesh(const std::filesystem::path& path);
 
 /// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
 /// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a
-/// bad name, or do not have 1 or 3 values for every vertex; and what write_file throws.
+/// bad name, or do not have 1 or 3 values ("uv": 2) for every vertex; and what write_file throws.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes = {});
+
+/// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
+/// `attributes` has "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; OBJ (with a
+/// material library, .mtl) and PLY name it, and it is written beside them: `texture_path`. Throws
+/// Error as `write_mesh` does, and if "uv" is missing.
+void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes, const std::string& png);
+
+/// All files that `write_textured_mesh` writes for `path`, that itself last.
+std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
 
 }  // namespace brindle

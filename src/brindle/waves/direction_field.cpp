@@ -1,14 +1,13 @@
 #include "brindle/waves/direction_field.h"
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/surface/csv_file.h"
 
 namespace brindle {
 namespace {
@@ -16,33 +15,7 @@ namespace {
 /// A vector closer to the normal than this (as a sine) has no direction in the tangent plane.
 constexpr float kParallelToNormal = 1e-4f;
 
-std::string at_line(const std::filesystem::path& path, std::size_t line) {
-  return "'" + path.string() + "', line " + std::to_string(line) + ": ";
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// The row's numbers, or nothing if one of its cells is not a number.
-std::optional<std::vector<float>> parse_row(std::string_view row) {
-  std::vector<float> values;
-  while (true) {
-    const auto comma = row.find(',');
-    std::string_view cell = trimmed(row.substr(0, comma));
-    if (cell.starts_with('+')) cell.remove_prefix(1);
-    float value = 0;
-    const auto [end, failure] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (failure != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-    values.push_back(value);
-    if (comma == std::string_view::npos) return values;
-    row.remove_prefix(comma + 1);
-  }
-}
-
-void append_row(FieldFile& field, const std::vector<float>& row, const std::string& where) {
+void append_row(FieldFile& field, std::span<const float> row, const std::string& where) {
   const bool has_frequency = row.size() == 4;
   if (row.size() != 3 && row.size() != 4) {
     throw Error(where + std::to_string(row.size()) +
@@ -63,7 +36,7 @@ void append_row(FieldFile& field, const std::vector<float>& row, const std::stri
 
 Vec3 tangent_direction(const Vec3& vector, const Vec3& normal) {
   const float length = vector.norm();
-  if (!(length > 0) || !std::isfinite(length)) return Vec3::Zero();
+  if (!(length > 0) || !std::isfinite(length) || normal.isZero(0)) return Vec3::Zero();
   const Vec3 unit = vector / length;
   const Vec3 tangent = unit - unit.dot(normal) * normal;
   const float sine = tangent.norm();
@@ -109,29 +82,15 @@ DirectionField rotated(std::span<const Vec3> directions, std::span<const Vec3> n
 }
 
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error("cannot read field '" + path.string() + "': it is a folder; name a CSV file");
-  }
-  std::ifstream in(path);
-  if (!in) throw Error("cannot open field '" + path.string() + "'; check the path");
   FieldFile field;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    const std::string_view row = trimmed(line);
-    if (row.empty() || row.front() == '#') continue;
-    const auto values = parse_row(row);
-    if (values) {
-      if (field.vectors.size() == vertex_count) {
-        throw Error(at_line(path, number) + "more rows than the mesh has vertices (" +
-                    std::to_string(vertex_count) + "); give one row per vertex");
-      }
-      append_row(field, *values, at_line(path, number));
-    } else if (number > 1 || row.find_first_of("0123456789") != std::string_view::npos) {
-      throw Error(at_line(path, number) + "'" + std::string(row.substr(0, 60)) +
-                  "' is not a row of numbers; write x,y,z or x,y,z,frequency");
+  const CsvKind kind{"field", "x,y,z or x,y,z,frequency"};
+  read_csv(path, kind, [&](std::size_t line, std::span<const float> row) {
+    if (field.vectors.size() == vertex_count) {
+      throw Error(at_line(path, line) + "more rows than the mesh has vertices (" +
+                  std::to_string(vertex_count) + "); give one row per vertex");
     }
-  }
+    append_row(field, row, at_line(path, line));
+  });
   if (field.vectors.size() != vertex_count) {
     throw Error("'" + path.string() + "' has " + std::to_string(field.vectors.size()) +
                 " rows, but the mesh has " + std::to_string(vertex_count) +

@@ -16,7 +16,7 @@ namespace brindle {
 using DirectionField = std::vector<Vec3>;
 
 /// `vector` projected into the tangent plane and made a unit vector; zero if it is zero, not finite
-/// or (nearly) parallel to the unit normal.
+/// or (nearly) parallel to the unit normal, or if there is no normal (zero).
 Vec3 tangent_direction(const Vec3& vector, const Vec3& normal);
 
 /// Projects every vector into the tangent plane of its vertex and makes it a unit vector. Vectors

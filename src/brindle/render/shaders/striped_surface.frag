@@ -1,6 +1,7 @@
 // The lit surface with its stripes, in linear light.
 
 uniform bool has_waves;
+uniform bool has_texture;
 uniform bool has_triangle_colors;
 uniform bool shading;
 uniform vec3 base_color;
@@ -17,17 +18,24 @@ float tent_integral(float t) {
   return s < 0.0 ? 0.5 * (1.0 + s) * (1.0 + s) : 1.0 - 0.5 * (1.0 - s) * (1.0 - s);
 }
 
+// The phase is known where the triangle covers the pixel; its centre is where neighbours that share
+// the pixel agree. This is the way from one to the other.
+vec2 way_to_centre() {
+  return gl_FragCoord.xy - (0.5 * clip_position.xy / clip_position.z + 0.5) * target_size;
+}
+
+// Phi / 2 pi at the pixel's centre.
+float turns_at_centre(FragmentWave fragment) {
+  return atan(fragment.z.y, fragment.z.x) / kTurn + dot(fragment.turns_per_pixel, way_to_centre());
+}
+
 // How much of a pixel a stripe covers: the periodic pulse around Phi = pi/2, which a flip
 // (pi - Phi) leaves alone, filtered with a tent as wide as two pixels (a box filter, twice). Where
 // stripes are finer than that, their mean remains.
 float stripe_coverage(FragmentWave fragment) {
   float footprint = max(length(fragment.turns_per_pixel), 1e-6);
   if (fragment.z == vec2(0.0) || footprint > 1.5) return stripe_width;
-  // The phase is known where the triangle covers the pixel; its centre is where neighbours that
-  // share the pixel agree.
-  vec2 from = (0.5 * clip_position.xy / clip_position.z + 0.5) * target_size;
-  float u = atan(fragment.z.y, fragment.z.x) / kTurn - 0.25;
-  u += dot(fragment.turns_per_pixel, gl_FragCoord.xy - from);
+  float u = turns_at_centre(fragment) - 0.25;
   u -= floor(u + 0.5);
   float coverage = 0.0;
   for (float period = -2.0; period <= 2.0; period += 1.0) {
@@ -41,9 +49,30 @@ vec3 linear_light(vec3 srgb) {
   return mix(pow((srgb + 0.055) / 1.055, vec3(2.4)), srgb / 12.92, lessThan(srgb, vec3(0.04045)));
 }
 
+// A quarter more than the phase over 2 pi: `texture_coordinate` of pattern/texture_waves.h. Where a
+// phase is undefined, tiles are mixed up beyond all limits.
+vec3 textured(vec3 surface) {
+  const float kMostTiles = 4.0;
+  TextureFragment f = texture_here();
+  if (f.u.direction == vec3(0.0) || f.v.direction == vec3(0.0)) return surface;
+  vec2 uv = vec2(turns_at_centre(f.u), turns_at_centre(f.v)) + 0.25;
+  vec2 dx = vec2(f.u.turns_per_pixel.x, f.v.turns_per_pixel.x);
+  vec2 dy = vec2(f.u.turns_per_pixel.y, f.v.turns_per_pixel.y);
+  bool defined = f.u.z != vec2(0.0) && f.v.z != vec2(0.0) &&
+                 max(length(dx), length(dy)) < kMostTiles;
+  if (!defined) {
+    uv = vec2(0.0);
+    dx = vec2(kMostTiles, 0.0);
+    dy = vec2(0.0, kMostTiles);
+  }
+  return with_tile(surface, stripe_color, Footprint(uv, dx, dy));
+}
+
 vec3 surface_color() {
   vec3 surface = base_color;
-  if (has_waves) {
+  if (has_texture) {
+    surface = textured(surface);
+  } else if (has_waves) {
     FragmentWave fragment = wave_here();
     if (fragment.direction != vec3(0.0)) {
       surface = mix(surface, stripe_color, stripe_coverage(fragment));
