@@ -21,6 +21,16 @@ void write_picture(const std::filesystem::path& /*path*/, const Surface& /*surfa
   check_pictures_available();
 }
 
+void write_ornaments(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
+                     std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+}
+
+void write_line_drawing(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
+                        std::span<const PenLines> /*pens*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+}
+
 struct MovingPicture::State {};
 
 MovingPicture::MovingPicture(FrameOutput /*output*/, const PictureOptions& /*options*/,

@@ -275,11 +275,11 @@ TEST(StripeCurves, JoinedCurvesHaveFewerEnds) {
   EXPECT_EQ(inner(joined) % 2, inner(apart) % 2);
 }
 
-TEST(StripeCurves, MinLengthLeavesOutShorterOnes) {
+TEST(StripeCurves, LongerThanLeavesOutShorterOnes) {
   const Solved solved(wavy_surface("torus,resolution=64", Vec3(0.1f, 1, 0.2f), 40));
   const StripeCurves all = solved.curves();
   const float limit = 0.8f;
-  const StripeCurves some = solved.curves({.min_length = limit});
+  const StripeCurves some = longer_than(all, limit);
   std::size_t expected = 0;
   for (std::size_t line = 0; line < all.lines.count(); ++line) {
     expected += length_of(all.lines, line) >= limit;

@@ -263,12 +263,6 @@ class Tracer {
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
     lines.closed.push_back(ends[0] == CurveEnd::closed);
     curves_.ends.push_back(ends);
-    if (!(length_of(lines, lines.count() - 1) < options_.min_length)) return;
-    lines.offsets.pop_back();
-    lines.closed.pop_back();
-    curves_.ends.pop_back();
-    lines.points.resize(lines.offsets.back());
-    lines.normals.resize(lines.offsets.back());
   }
 
   const WavePattern& pattern_;
@@ -296,6 +290,22 @@ std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
 
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options) {
   return Tracer(waves, options).trace();
+}
+
+StripeCurves longer_than(const StripeCurves& curves, double length) {
+  StripeCurves longer;
+  Polylines& lines = longer.lines;
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    if (length_of(curves.lines, line) < length) continue;
+    const auto points = curves.lines.points_of(line);
+    const auto normals = curves.lines.normals_of(line);
+    lines.points.insert(lines.points.end(), points.begin(), points.end());
+    lines.normals.insert(lines.normals.end(), normals.begin(), normals.end());
+    lines.offsets.push_back(static_cast<Index>(lines.points.size()));
+    lines.closed.push_back(curves.lines.closed[line]);
+    longer.ends.push_back(curves.ends[line]);
+  }
+  return longer;
 }
 
 std::size_t move_peaks(const Adjacency& neighborhood, float periods, WaveSet& waves,

@@ -35,13 +35,12 @@ struct CurveOptions {
   /// Joins curves that end side by side in a branch or singularity in pairs, and lets one that is
   /// left over run on to the middle of its neighbour's piece there.
   bool join = false;
-  float min_length = 0;  ///< shorter curves are left out
 };
 
 /// The lines where sin Phi = 1, the same whichever way directions point. Several cross an edge
 /// where the frequency asks for it. Points lie on edges of the mesh, where the lifted phase, linear
 /// along the edge, is a peak; pieces between them are straight, and do not cross. A curve is
-/// closed, or both its ends have one of the reasons of CurveEnd. Without `min_length`, every
+/// closed, or both its ends have one of the reasons of CurveEnd. Every
 /// crossing of an edge is on exactly one curve; with none of the kinds `no_wave` and `nonmanifold`,
 /// there are as many ends at the boundary as boundary edges are crossed, and |branch_index| ends in
 /// every branch.
@@ -49,6 +48,9 @@ struct CurveOptions {
 /// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
 /// crossings than an Index can count.
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {});
+
+/// The curves that are at least `length` long.
+StripeCurves longer_than(const StripeCurves& curves, double length);
 
 /// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
 /// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and
