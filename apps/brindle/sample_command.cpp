@@ -1,6 +1,9 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <numbers>
+
+#include <Eigen/Geometry>
 
 #include "brindle/base/error.h"
 #include "brindle/base/file_extension.h"
@@ -144,22 +147,22 @@ void print(std::ostream& out, const Result& result) {
   out << formatted("time      extracted in %.1f ms\n", result.extract_milliseconds);
 }
 
-// A disc a fifth as wide as the spacing, just above the surface.
+// Discs a third as wide as the spacing, just above and below: a surface may be wound either way.
 void add_disc(const Sample& sample, Mesh& mesh) {
   constexpr int kCorners = 16;
   const float radius = 0.16f * std::min(sample.spacing_u, sample.spacing_v);
   const Vec3 x = sample.direction_u;
-  const Vec3 y = Vec3(sample.normal.y() * x.z() - sample.normal.z() * x.y(),
-                      sample.normal.z() * x.x() - sample.normal.x() * x.z(),
-                      sample.normal.x() * x.y() - sample.normal.y() * x.x());
-  const auto first = static_cast<Index>(mesh.positions.size());
-  const Vec3 centre = sample.position + 0.25f * radius * sample.normal;
-  for (int k = 0; k < kCorners; ++k) {
-    const float angle = 6.2831853f * static_cast<float>(k) / kCorners;
-    mesh.positions.push_back(centre + radius * (std::cos(angle) * x + std::sin(angle) * y));
-  }
-  for (Index k = 1; k + 1 < kCorners; ++k) {
-    mesh.triangles.push_back({first, first + k, first + k + 1});
+  const Vec3 y = sample.normal.cross(x);
+  for (const float height : {-0.25f, 0.25f}) {
+    const auto first = static_cast<Index>(mesh.positions.size());
+    const Vec3 centre = sample.position + height * radius * sample.normal;
+    for (int k = 0; k < kCorners; ++k) {
+      const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kCorners;
+      mesh.positions.push_back(centre + radius * (std::cos(angle) * x + std::sin(angle) * y));
+    }
+    for (Index k = 1; k + 1 < kCorners; ++k) {
+      mesh.triangles.push_back({first, first + k, first + k + 1});
+    }
   }
 }
 

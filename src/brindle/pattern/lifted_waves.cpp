@@ -23,41 +23,41 @@ void check_sizes(const WavePattern& pattern) {
 
 LiftedWaves::LiftedWaves(const WavePattern& pattern) : pattern_(pattern) {
   check_sizes(pattern);
-  turns_.resize(pattern.mesh.vertex_count());
-  parallel_for(turns_.size(), [&](std::size_t begin, std::size_t end) {
+  const WaveSet& waves = pattern.waves;
+  waves_.resize(pattern.mesh.vertex_count());
+  turns_.resize(waves_.size());
+  parallel_for(waves_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      turns_[v] = turns_after_peak(wave_of(static_cast<Index>(v)).z);
+      waves_[v] = canonical(
+          {{waves.positions[v], waves.directions[v], waves.frequencies[v]}, pattern.z[v]});
+      turns_[v] = waves.directions[v].isZero(0) ? 0 : turns_after_peak(waves_[v].z);
     }
   });
   const auto& vertices = pattern.edges.vertices;
-  const auto& directions = pattern.waves.directions;
   edges_.resize(vertices.size());
   parallel_for(vertices.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto [a, b] = vertices[e];
-      if (directions[a].isZero(0) || directions[b].isZero(0)) continue;
-      edges_[e] = lift_edge(wave_of(a), turns_[a], wave_of(b), turns_[b], pattern.phase_shift);
+      if (turns_[a] == 0 || turns_[b] == 0) continue;
+      edges_[e] = lift_edge(waves_[a], turns_[a], waves_[b], turns_[b], pattern.phase_shift);
     }
   });
 }
 
-CornerWave LiftedWaves::wave_of(Index vertex) const {
-  const WaveSet& waves = pattern_.waves;
-  return canonical({{waves.positions[vertex], waves.directions[vertex], waves.frequencies[vertex]},
-                    pattern_.z[vertex]});
-}
-
 LiftedTriangle LiftedWaves::triangle(std::size_t t) const {
   const Triangle& vertices = pattern_.mesh.triangles[t];
-  std::array<CornerWave, 3> corners;
   std::array<Turns, 3> turns{};
   std::array<EdgeLift, 3> edges;
   for (int m = 0; m < 3; ++m) {
-    corners[m] = wave_of(vertices[m]);
     turns[m] = turns_[vertices[m]];
+    if (turns[m] == 0) return {};
     edges[m] = edges_[pattern_.edges.of_triangle[t][m]];
   }
-  return lifted_triangle(vertices, corners, turns, edges);
+  LiftedTriangle result = lifted_triangle(vertices, turns, edges);
+  if (result.kind == TriangleKind::field_singularity) {
+    reach_inside({waves_[vertices[0]], waves_[vertices[1]], waves_[vertices[2]]}, result);
+  }
+  return result;
 }
 
 }  // namespace brindle

@@ -26,17 +26,16 @@ class LiftedWaves {
 
   const WavePattern& pattern() const { return pattern_; }
 
-  /// Of the vertex's wave (`turns_after_peak`).
+  /// Of the vertex's canonical wave (`turns_after_peak`); 0 if it has none.
   Turns turns(Index vertex) const { return turns_[vertex]; }
   /// Without peaks if an end has no wave.
   const EdgeLift& edge(Index edge) const { return edges_[edge]; }
   LiftedTriangle triangle(std::size_t t) const;
 
  private:
-  CornerWave wave_of(Index vertex) const;
-
   WavePattern pattern_;
-  std::vector<Turns> turns_;
+  std::vector<CornerWave> waves_;  // canonical
+  std::vector<Turns> turns_;       // 0 where there is no wave
   std::vector<EdgeLift> edges_;
 };
 

@@ -258,30 +258,32 @@ EdgeLift lift_edge(const CornerWave& first, Turns first_turns, const CornerWave&
   return lift;
 }
 
-LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<CornerWave, 3>& corners,
-                               const std::array<Turns, 3>& turns,
+LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns, 3>& turns,
                                const std::array<EdgeLift, 3>& edges) {
   LiftedTriangle result;
-  if (!std::all_of(corners.begin(), corners.end(), has_wave)) return result;
   result.turns = turns;
   result.edges = edges;
   for (int m = 0; m < 3; ++m) result.forward[m] = triangle[m] < triangle[(m + 1) % 3];
   if (edges[0].reflecting ^ edges[1].reflecting ^ edges[2].reflecting) {
     result.kind = TriangleKind::field_singularity;
-    const Vec3 first = corners[0].wave.position;
-    const Vec3 barycentre =
-        first + ((corners[1].wave.position - first) + (corners[2].wave.position - first)) / 3;
-    for (int m = 0; m < 3; ++m) {
-      result.inner[m] = reached_inside(corners[m], turns[m], barycentre);
-    }
     return result;
   }
   const std::array<int, 3> sense = senses(result);
   for (int m = 0; m < 3; ++m) {
-    result.branch_index += edge_side(result, m, sense[m], sense[(m + 1) % 3]).passed;
+    const int sign = result.forward[m] ? sense[m] : -sense[(m + 1) % 3];
+    result.branch_index += sign * edges[m].peaks;
   }
   result.kind = result.branch_index == 0 ? TriangleKind::regular : TriangleKind::branch;
   return result;
+}
+
+void reach_inside(const std::array<CornerWave, 3>& corners, LiftedTriangle& triangle) {
+  const Vec3 first = corners[0].wave.position;
+  const Vec3 barycentre =
+      first + ((corners[1].wave.position - first) + (corners[2].wave.position - first)) / 3;
+  for (int m = 0; m < 3; ++m) {
+    triangle.inner[m] = reached_inside(corners[m], triangle.turns[m], barycentre);
+  }
 }
 
 LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<CornerWave, 3>& corners,
@@ -299,7 +301,9 @@ LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Corner
     const auto [a, b] = triangle[m] < triangle[next] ? std::pair(m, next) : std::pair(next, m);
     edges[m] = lift_edge(own[a], turns[a], own[b], turns[b], kind);
   }
-  return lifted_triangle(triangle, own, turns, edges);
+  LiftedTriangle result = lifted_triangle(triangle, turns, edges);
+  if (result.kind == TriangleKind::field_singularity) reach_inside(own, result);
+  return result;
 }
 
 double crossing_position(Turns from, Turns to, Index number) {
@@ -309,10 +313,13 @@ double crossing_position(Turns from, Turns to, Index number) {
 
 void stripe_pieces(const LiftedTriangle& triangle, bool join, std::vector<StripePiece>& pieces) {
   pieces.clear();
-  if (triangle.kind == TriangleKind::no_wave) return;
+  const bool no_peaks =
+      triangle.edges[0].peaks == 0 && triangle.edges[1].peaks == 0 && triangle.edges[2].peaks == 0;
+  const bool singular = triangle.kind == TriangleKind::field_singularity;
+  if (triangle.kind == TriangleKind::no_wave || (no_peaks && !singular)) return;
   const std::array<Cell::Point, 3> corner = {Cell::Point::UnitX(), Cell::Point::UnitY(),
                                              Cell::Point::UnitZ()};
-  if (triangle.kind != TriangleKind::field_singularity) {
+  if (!singular) {
     const std::array<int, 3> sense = senses(triangle);
     std::array<Cell::Side, 3> sides;
     for (int m = 0; m < 3; ++m) sides[m] = edge_side(triangle, m, sense[m], sense[(m + 1) % 3]);

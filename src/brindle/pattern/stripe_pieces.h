@@ -49,11 +49,13 @@ struct LiftedTriangle {
   std::int32_t branch_index = 0;  ///< peaks left over on the way round
 };
 
-/// From what is known of the corners and edges: finds kind and branch index. `inner` is filled for
-/// singularities of the field only.
-LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<CornerWave, 3>& corners,
-                               const std::array<Turns, 3>& turns,
+/// From what is known of the corners and edges: finds kind and branch index. A singularity of the
+/// field still lacks `inner`.
+LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns, 3>& turns,
                                const std::array<EdgeLift, 3>& edges);
+
+/// Fills `inner` from the waves that have the `turns`.
+void reach_inside(const std::array<CornerWave, 3>& corners, LiftedTriangle& triangle);
 
 /// From the corners' waves alone, whichever waves they are: each vertex may lend another one to
 /// each triangle (cross fields). Two triangles agree along an edge if their waves there are the

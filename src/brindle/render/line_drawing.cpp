@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <ostream>
 
@@ -20,6 +21,7 @@ constexpr float kStep = 0.5f;        // pixels between points whose visibility i
 constexpr float kShortest = 1.5f;    // pixels: shorter strokes are noise along silhouettes
 constexpr float kLongestGap = 1.5f;  // pixels: shorter gaps are noise, too
 constexpr float kTolerance = 1e-4f;  // of distances
+constexpr float kSteepest = 5e-3f;   // of distances, between neighbouring cells
 
 float edge_function(const Eigen::Vector2f& a, const Eigen::Vector2f& b, float x, float y) {
   return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
@@ -159,14 +161,18 @@ bool Visibility::visible(const Seen& seen) const {
       x >= 0 && y >= 0 && x < static_cast<float>(columns_) && y < static_cast<float>(rows_);
   if (!within) return false;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
-  float farthest = 0;
+  float farthest = 0, nearest = std::numeric_limits<float>::infinity();
   for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
     for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
       const float nearness = nearness_[static_cast<std::size_t>(r) * columns_ + c];
-      if (nearness > 0) farthest = std::max(farthest, 1 / nearness);
+      if (nearness == 0) continue;
+      farthest = std::max(farthest, 1 / nearness);
+      nearest = std::min(nearest, 1 / nearness);
     }
   }
-  return farthest == 0 || seen.distance <= farthest * (1 + kTolerance);
+  // Towards its outline a surface falls off ever more steeply.
+  const float slack = std::min(farthest - nearest, kSteepest * farthest) + kTolerance * farthest;
+  return farthest == 0 || seen.distance <= farthest + slack;
 }
 
 void Visibility::add_strokes(std::span<const Seen> path, std::vector<Stroke>& strokes) const {
