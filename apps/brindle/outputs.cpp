@@ -120,6 +120,16 @@ void write_mesh_with_texture(const std::filesystem::path& path, const Surface& s
 
 }  // namespace
 
+void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
+                        bool& quiet) {
+  app.add_option("-o,--output", outputs, "what to write, by extension; repeatable")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--report", report, "write the report here")->type_name("FILE.json");
+  app.add_flag("-q,--quiet", quiet, "print nothing but errors");
+}
+
 std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool texture) {
   std::vector<Output> outputs;
   for (const std::string& path : paths) {

@@ -18,6 +18,10 @@ struct Output {
   OutputKind kind;
 };
 
+/// --output, --report and --quiet.
+void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
+                        bool& quiet);
+
 /// What each path asks for, by its extension: .png a picture, .obj .ply .vtp .gltf .glb a mesh,
 /// .json a report. Throws Error if an extension is unknown, this build cannot write it, or a file
 /// could not be written there: better now than after a long job. With a texture, meshes may have

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "brindle/pipeline/surface.h"
+#include "brindle/surface/polylines.h"
 #include "stripe_result.h"
 
 namespace brindle::tool {
@@ -25,6 +27,28 @@ bool shows_stripes(const PictureOptions& options);
 
 /// Throws Error in a build without OpenGL.
 void check_pictures_available();
+
+/// What is drawn on a surface in one colour: tubes along curves, discs at samples.
+struct Ornament {
+  Mesh mesh;
+  bool second = false;  ///< in the colour of the second pattern
+};
+
+/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+void write_ornaments(const std::filesystem::path& path, const Surface& surface,
+                     std::span<const Ornament> ornaments, const PictureOptions& options);
+
+/// Lines to draw with one pen.
+struct PenLines {
+  std::string name;
+  const Polylines& lines;
+  bool second = false;  ///< in the colour of the second pattern
+};
+
+/// Draws what is seen of lines from the picture's camera, and of the surface's outline, as SVG.
+/// Throws Error if the picture is too large or the file cannot be written.
+void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
+                        std::span<const PenLines> pens, const PictureOptions& options);
 
 /// Throws Error if no OpenGL context is to be had or the file cannot be written.
 void write_picture(const std::filesystem::path& path, const Surface& surface,

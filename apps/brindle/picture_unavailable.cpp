@@ -36,6 +36,16 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/, bool /*c
   return std::nullopt;
 }
 
+void write_ornaments(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
+                     std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+}
+
+void write_line_drawing(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
+                        std::span<const PenLines> /*pens*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+}
+
 struct MovingPicture::State {};
 
 MovingPicture::MovingPicture(FrameOutput /*output*/, const PictureOptions& /*options*/,

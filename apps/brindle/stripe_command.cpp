@@ -145,14 +145,8 @@ Command add_stripe_command(CLI::App& app) {
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
   add_texture_options(*command, arguments->texture, arguments->waves, cross);
-  command->add_option("-o,--output", arguments->outputs, "what to write, by extension; repeatable")
-      ->type_name("FILE")
-      ->expected(1)
-      ->take_all();
-  command->add_option("--report", arguments->report, "write the report here")
-      ->type_name("FILE.json");
+  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
   arguments->picture = add_picture_options(*command);
-  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
   return {command, [arguments] { run(*arguments); }};
 }
 

@@ -1,0 +1,22 @@
+/// How far neighbouring curves are apart.
+#pragma once
+
+#include "brindle/pattern/stripe_curves.h"
+
+namespace brindle {
+
+/// Distances between neighbouring curves over 1/f, measured on both sides of the curves at points
+/// about a fifth of 1/f apart.
+struct CurveSpacing {
+  std::size_t measured = 0;            ///< how often a neighbour was there
+  double mean = 0;                     ///< of the ratio; 1 is ideal
+  double deviation = 0;                ///< standard deviation of the ratio
+  double share_within_10_percent = 0;  ///< of what was measured, ratios from 0.9 to 1.1
+};
+
+/// Measures straight distances, which are those along the surface where it is flat over 1/f. A
+/// neighbour is the nearest curve sideways, on the same side of the surface, within 1.6 / f; where
+/// there is none (a boundary) nothing is measured. Throws Error in a build without nanoflann.
+CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves);
+
+}  // namespace brindle
