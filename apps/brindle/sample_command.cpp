@@ -10,6 +10,7 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sample_io.h"
 #include "brindle/surface/point_tree.h"
 #include "commands.h"
@@ -30,6 +31,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle sample scan.obj --stripes 30 --stripes-v 90 --output anisotropic.ply
   brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
   brindle sample shape:torus --output samples.png
+  brindle sample points.ply --stripes 50 --output samples.csv
 
 Files by extension: .csv .ply .vtp samples, each with position, normal, both directions and
 spacings, triangle and barycentric coordinates; .png a picture; .json a report. A field file's
@@ -91,6 +93,15 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
 
   display.stage("samples");
   Stopwatch watch;
+  if (surface.mesh.triangles.empty()) {
+    result.samples =
+        point_samples(*surface.neighborhood, surface.normals, {result.u.waves, result.u.solution.z},
+                      {result.v.waves, result.v.solution.z});
+    result.extract_milliseconds = watch.lap();
+    result.doubles = drop_doubles(result.samples, arguments.min_distance);
+    result.spacing = measure_sample_spacing(result.samples);
+    return result;
+  }
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
   result.edges_milliseconds = watch.lap();
   const LiftedWaves u(wave_pattern(arguments, surface, edges, result.u));
@@ -189,6 +200,12 @@ void run(const SampleArguments& arguments) {
     check_output_path(arguments.report);
     outputs.emplace_back(SampleOutput::report, arguments.report);
   }
+  for (const auto& [kind, path] : outputs) {
+    if (kind == SampleOutput::picture && is_points(arguments.surface)) {
+      throw Error("cannot draw '" + path +
+                  "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
+    }
+  }
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
   Result result;
@@ -210,6 +227,7 @@ Command add_sample_command(CLI::App& app) {
   command->footer(kExamples);
   const auto arguments = std::make_shared<SampleArguments>();
   add_surface_options(*command, arguments->surface);
+  add_point_options(*command, arguments->surface);
   add_wave_options(*command, arguments->waves);
   add_second_wave_options(*command, arguments->second);
   add_parsed_option(*command, "--min-distance", arguments->min_distance, not_negative_number_of,

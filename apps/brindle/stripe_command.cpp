@@ -90,7 +90,7 @@ Job make_job(Preparation prepared, const StripeArguments& arguments,
   return {std::move(prepared.surface), std::move(result), report};
 }
 
-// What cannot be laid over points: better said before a long job.
+// What cannot be laid over points or shown of crosses: better said before a long job.
 void check_points(const StripeArguments& arguments, const std::vector<Output>& outputs) {
   const auto refuse = [](const std::string& what) {
     throw Error("points have no triangles: " + what);
@@ -99,13 +99,19 @@ void check_points(const StripeArguments& arguments, const std::vector<Output>& o
   if (!arguments.texture.tile.empty()) {
     refuse("a texture is drawn on meshes alone; leave out --texture");
   }
+  if (!shows_stripes(*arguments.picture)) {
+    refuse("branches and angle errors are not drawn; take --view stripes");
+  }
   for (const Output& output : outputs) {
     if (output.kind == OutputKind::mesh && !holds_points(output.path)) {
       refuse("'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
     }
-    if (output.kind == OutputKind::picture && !shows_stripes(*arguments.picture)) {
-      refuse("branches and angle errors are not drawn; take --view stripes");
-    }
+  }
+}
+
+void check_cross(const StripeArguments& arguments) {
+  if (!shows_stripes(*arguments.picture)) {
+    throw Error("of a cross field, branches and angle errors are not drawn; take --view stripes");
   }
 }
 
@@ -113,6 +119,7 @@ void run(const StripeArguments& arguments) {
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
   std::vector<Output> outputs =
       plan_outputs(arguments.outputs, tile.has_value() || arguments.waves.cross);
+  if (arguments.waves.cross) check_cross(arguments);
   if (is_points(arguments.surface)) check_points(arguments, outputs);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));

@@ -33,6 +33,8 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
     smooth.symmetry = options.cross ? 4 : 2;
     smooth.curvature_anchor = options.curvature_anchor;
     smooth.curvature_direction = options.curvature_direction;
+    smooth.feature_anchor = options.feature_anchor;
+    smooth.feature_angle_deg = options.feature_angle_deg;
     return {smooth_direction_field(surface, smooth), {}, {}};
   }
   if (options.field == "curvature") {
@@ -84,6 +86,13 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, not_negative_number_of,
                     "how strongly curvature attracts the smooth field (default 0: not)")
       ->type_name("W");
+  add_parsed_option(app, "--feature-anchor", options.feature_anchor, not_negative_number_of,
+                    "how strongly sharp edges and boundaries attract the smooth field, so that it "
+                    "runs along them (default 0: not)")
+      ->type_name("W");
+  add_parsed_option(app, "--feature-angle", options.feature_angle_deg, not_negative_number_of,
+                    "bend from which an edge is sharp (default 40)")
+      ->type_name("DEG");
   add_parsed_option(app, "--rotate", options.rotate_deg, number_of,
                     "turn the field about the normals, in degrees")
       ->type_name("DEG");

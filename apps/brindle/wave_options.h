@@ -18,7 +18,9 @@ struct WaveOptions {
   std::string field = "smooth";   ///< "smooth", "curvature" or a file
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   float curvature_anchor = 0;  ///< of the smooth field
-  bool cross = false;          ///< the field is a cross field
+  float feature_anchor = 0;    ///< of the smooth field
+  float feature_angle_deg = 40;
+  bool cross = false;  ///< the field is a cross field
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`

@@ -64,7 +64,7 @@ TEST_F(BadInput, EmptyFile) {
 
 TEST_F(BadInput, MeshWithoutTriangles) {
   write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-  expect_refusal(1, "points.obj", {"stripe", "points.obj", "--report", "out.json"});
+  expect_refusal(1, "points.obj", {"info", "points.obj"});
 }
 
 TEST_F(BadInput, OnlyNanPositions) {

@@ -7,7 +7,7 @@
 
 #include "brindle/base/error.h"
 #include "brindle/surface/neighborhood.h"
-#include "test_scenes.h"
+#include "render/test_scenes.h"
 
 namespace brindle {
 namespace {
@@ -54,7 +54,16 @@ std::pair<double, int> difference(const Image& a, const Image& b) {
   return {sum / count, count};
 }
 
-TEST(Splats, LookLikeTheSurfaceOfTheirPoints) {
+struct Splats : testing::Test {
+  void SetUp() override {
+    try {
+      Studio::shared().context.check_errors("");
+    } catch (const Error&) {  // what tests of broken shaders left
+    }
+  }
+};
+
+TEST_F(Splats, LookLikeTheSurfaceOfTheirPoints) {
   const Points points(plane_wave(square(40), Vec3(0.8f, 0.6f, 0), 6));
   const Image mesh = Studio::shared().draw(points.surface.scene(), plain_options());
   const auto [mean, count] = difference(draw(points.scene()), mesh);
@@ -62,16 +71,16 @@ TEST(Splats, LookLikeTheSurfaceOfTheirPoints) {
   EXPECT_LT(mean, 4);
 }
 
-TEST(Splats, LeaveNoHolesInAClosedSurface) {
+TEST_F(Splats, LeaveNoHolesInAClosedSurface) {
   const Points points(plane_wave(square(30), Vec3::UnitX(), 6));
   const Image mesh = Studio::shared().draw(points.surface.scene(), plain_options());
   const Image image = draw(points.scene());
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    if (mesh.pixels[i].alpha == 255) EXPECT_GT(image.pixels[i].alpha, 0) << i;
+    EXPECT_TRUE(mesh.pixels[i].alpha < 255 || image.pixels[i].alpha > 0) << i;
   }
 }
 
-TEST(Splats, DoNotChangeWithTheSignsOfDirectionsAndNormals) {
+TEST_F(Splats, DoNotChangeWithTheSignsOfDirectionsAndNormals) {
   Points points(plane_wave(square(20), Vec3(0.8f, 0.6f, 0), 6));
   const Image before = draw(points.scene());
   points.surface = with_flips(points.surface);
@@ -82,9 +91,8 @@ TEST(Splats, DoNotChangeWithTheSignsOfDirectionsAndNormals) {
   EXPECT_LT(difference(draw(points.scene()), before).first, 0.5);
 }
 
-TEST(Splats, HideWhatLiesBehind) {
+TEST_F(Splats, HideWhatLiesBehind) {
   WavySurface front = plane_wave(square(20), Vec3::UnitX(), 6);
-  const Image alone = draw(Points(front).scene());
   // The same points again, further away and half a period on.
   const std::size_t count = front.z.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -99,15 +107,11 @@ TEST(Splats, HideWhatLiesBehind) {
     front.mesh.triangles.push_back(behind);
   }
   front.waves.positions = front.mesh.positions;
-  // Framed alike but for the depth, so only roughly the same pixels.
-  RenderOptions options = plain_options();
-  const Image both = draw(Points(front).scene(), options);
-  const Image mesh = Studio::shared().draw(front.scene(), options);
-  EXPECT_LT(difference(both, mesh).first, 8);
-  EXPECT_EQ(both.width, alone.width);
+  const Image mesh = Studio::shared().draw(front.scene(), plain_options());
+  EXPECT_LT(difference(draw(Points(front).scene()), mesh).first, 8);
 }
 
-TEST(Splats, AreTheSameInTilesAndAtOnce) {
+TEST_F(Splats, AreTheSameInTilesAndAtOnce) {
   const Points points(plane_wave(square(20), Vec3(0.8f, 0.6f, 0), 6));
   RenderOptions options = plain_options(200, 150);
   const Image whole = draw(points.scene(), options);
@@ -115,7 +119,7 @@ TEST(Splats, AreTheSameInTilesAndAtOnce) {
   EXPECT_LT(difference(draw(points.scene(), options), whole).first, 0.2);
 }
 
-TEST(Splats, WithoutAWaveArePlainAndWithoutANormalAreNot) {
+TEST_F(Splats, WithoutAWaveArePlainAndWithoutANormalAreNot) {
   Points points(plane_wave(square(20), Vec3::UnitX(), 6));
   for (Vec3& direction : points.surface.waves.directions) direction.setZero();
   const Image plain = draw(points.scene());
@@ -130,7 +134,7 @@ TEST(Splats, WithoutAWaveArePlainAndWithoutANormalAreNot) {
   for (const Pixel& pixel : draw(points.scene()).pixels) EXPECT_EQ(pixel.alpha, 0);
 }
 
-TEST(Splats, RefuseSizesThatDoNotMatch) {
+TEST_F(Splats, RefuseSizesThatDoNotMatch) {
   Points points(plane_wave(square(4), Vec3::UnitX(), 6));
   SplatRenderer renderer;
   points.radii.pop_back();
