@@ -97,13 +97,12 @@ class Pieces {
     const CornerWaves& u = waves_.u[t];
     const CornerWaves& v = waves_.v[t];
     const Vec3 barycentre = (u[0].wave.position + u[1].wave.position + u[2].wave.position) / 3;
-    const FragmentWave centre_u = fragment_phase(u, middle);
-    const FragmentWave centre_v = fragment_phase(v, middle);
+    const TextureFragment centre_wave = texture_fragment(u, v, middle);
     for (int a = 0; a < 3; ++a) {
       const int b = (a + 1) % 3;
       pieces.push_back({{triangle[a], triangle[b], centre},
-                        split_coordinates(u[a], u[b], centre_u, barycentre, kind_),
-                        split_coordinates(v[a], v[b], centre_v, barycentre, kind_)});
+                        split_coordinates(u[a], u[b], centre_wave.u, barycentre, kind_),
+                        split_coordinates(v[a], v[b], centre_wave.v, barycentre, kind_)});
     }
   }
 

@@ -7,7 +7,6 @@
 
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/fragment_phase.h"
 
 namespace brindle {
 namespace {
@@ -47,16 +46,13 @@ void turn_round(const Signs& signs, CornerWaves& corners) {
 void orient(CornerWaves& u, CornerWaves& v) {
   auto signs_u = common_signs(u);
   auto signs_v = common_signs(v);
-  if (signs_u && sum(*signs_u) < 0) negate(*signs_u);
-  if (signs_v) {
-    // Without an orientation of U there is no turn to keep.
-    const Signs wanted = signs_u.value_or(Signs{1, 1, 1});
-    float kept = 0;
-    for (int m = 0; m < 3; ++m) kept += wanted[m] * (*signs_v)[m];
-    if (kept < 0) negate(*signs_v);
-    turn_round(*signs_v, v);
-  }
-  if (signs_u) turn_round(*signs_u, u);
+  if (!signs_u || !signs_v) return;
+  if (sum(*signs_u) < 0) negate(*signs_u);
+  float kept = 0;
+  for (int m = 0; m < 3; ++m) kept += (*signs_u)[m] * (*signs_v)[m];
+  if (kept < 0) negate(*signs_v);
+  turn_round(*signs_u, u);
+  turn_round(*signs_v, v);
 }
 
 }  // namespace
@@ -90,10 +86,22 @@ bool run_alike(const CornerWaves& corners) {
   return true;
 }
 
+bool is_oriented(const TextureWaves& waves, std::size_t triangle) {
+  return run_alike(waves.u[triangle]) && run_alike(waves.v[triangle]);
+}
+
 void orient_corners(TextureWaves& waves) {
   parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) orient(waves.u[t], waves.v[t]);
   });
+}
+
+// The twin is shaders/texture_fragment.glsl.
+TextureFragment texture_fragment(const CornerWaves& u, const CornerWaves& v,
+                                 const Vec3& barycentric) {
+  const bool oriented = run_alike(u) && run_alike(v);
+  const auto phase = oriented ? oriented_fragment_phase : split_fragment_phase;
+  return {phase(u, barycentric), phase(v, barycentric)};
 }
 
 float texture_coordinate(Complex z) { return std::arg(z) / (2 * std::numbers::pi_v<float>)+0.25f; }

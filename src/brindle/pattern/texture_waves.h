@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/pattern/corner_waves.h"
+#include "brindle/pattern/fragment_phase.h"
 
 namespace brindle {
 
@@ -36,11 +37,25 @@ void flip(CornerWaves& corners);
 /// them is the zero vector.
 bool run_alike(const CornerWaves& corners);
 
-/// Makes the corners of every triangle run alike, U and V each for itself, where that is possible.
-/// Of the ways to do so it takes the one that leaves most corners of U as they stand and the turn
-/// from U to V (counter-clockwise or clockwise) as it is at most corners. Corners that cannot be
-/// oriented alike stay as they are; `fragment_phase` splits such triangles at their barycentre.
+/// Whether both the corners of U and those of V run alike: the triangle has an orientation.
+bool is_oriented(const TextureWaves& waves, std::size_t triangle);
+
+/// Makes the corners of every triangle run alike, both of U and of V, where that is possible. Of
+/// the ways to do so it takes the one that leaves most corners of U as they stand and the turn from
+/// U to V (counter-clockwise or clockwise) as it is at most corners. Other triangles stay as they
+/// are; `texture_fragment` splits them.
 void orient_corners(TextureWaves& waves);
+
+/// The waves U and V at a fragment.
+struct TextureFragment {
+  FragmentWave u;
+  FragmentWave v;
+};
+
+/// Eq. 13 and 14 for both. A triangle without orientation is split at its barycentre for U and V
+/// alike: so along each edge they are what its neighbour shows, or both run the other way.
+TextureFragment texture_fragment(const CornerWaves& u, const CornerWaves& v,
+                                 const Vec3& barycentric);
 
 /// The texture coordinate of a phase: Phi / 2 pi + 1/4, from -1/4 to 3/4. The quarter is the
 /// paper's: a wave that runs the other way has pi - Phi and with it minus the coordinate, so that a

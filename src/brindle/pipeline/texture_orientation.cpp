@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "brindle/base/parallel.h"
 #include "brindle/phases/solver.h"
+#include "brindle/pipeline/short_seam.h"
 
 namespace brindle {
 namespace {
 
 /// Far less than an edge of the seam weighs, even if all triangles of a piece together pull.
 constexpr float kAsItStands = 1e-7f;
-
-bool is_oriented(const TextureWaves& waves, std::size_t t) {
-  return run_alike(waves.u[t]) && run_alike(waves.v[t]);
-}
 
 /// How the waves on both sides of an edge agree: the triangles' corners at one vertex have the same
 /// waves up to their signs.
@@ -83,6 +81,76 @@ PhaseGraph triangle_graph(const std::vector<Link>& links, std::size_t triangle_c
   return graph;
 }
 
+void turn(TextureWaves& waves, const std::vector<std::uint8_t>& turned) {
+  parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!turned[t]) continue;
+      flip(waves.u[t]);
+      flip(waves.v[t]);
+    }
+  });
+}
+
+/// The smallest member of the set that an item belongs to, and sets that grow together.
+class MergedSets {
+ public:
+  explicit MergedSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+  Index of(Index item) {
+    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
+    return item;
+  }
+  void merge(Index a, Index b) {
+    const Index first = of(a), second = of(b);
+    parent_[std::max(first, second)] = std::min(first, second);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// For every vertex the node that stands for it. A seam costs nothing along the border and around
+/// triangles without orientation: their vertices are one node.
+std::vector<Index> seam_nodes(const TextureWaves& waves, std::span<const Triangle> triangles,
+                              std::span<const SharedEdge> edges) {
+  Index count = 0;
+  for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
+  std::vector<std::uint8_t> shared(3 * triangles.size());
+  for (const SharedEdge& edge : edges) {
+    for (int i = 0; i < 2; ++i) {
+      const Index t = edge.from[i] / 3;
+      const Index c = edge.from[i] % 3;
+      shared[edge.to[i] % 3 == (c + 1) % 3 ? 3 * t + c : edge.to[i]] = 1;
+    }
+  }
+  MergedSets sets(count);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const bool free = !is_oriented(waves, t);
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (free || !shared[3 * t + c]) sets.merge(triangles[t][c], triangles[t][(c + 1) % 3]);
+    }
+  }
+  std::vector<Index> nodes(count);
+  for (Index v = 0; v < count; ++v) nodes[v] = sets.of(v);
+  return nodes;
+}
+
+/// The edges between triangles with orientation.
+std::vector<SeamEdge> seam_edges(const TextureWaves& waves, std::span<const Triangle> triangles,
+                                 std::span<const SharedEdge> edges,
+                                 const std::vector<Index>& nodes) {
+  const auto node_at = [&](Index corner) { return nodes[triangles[corner / 3][corner % 3]]; };
+  std::vector<SeamEdge> result;
+  for (const SharedEdge& edge : edges) {
+    const Index a = edge.from[0] / 3, b = edge.from[1] / 3;
+    if (!is_oriented(waves, a) || !is_oriented(waves, b)) continue;
+    const auto [u, v] = agreement(waves, edge);
+    result.push_back({{node_at(edge.from[0]), node_at(edge.to[0])}, {a, b}, !u && !v});
+  }
+  return result;
+}
+
 }  // namespace
 
 TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge> edges) {
@@ -99,20 +167,20 @@ TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge
   return seams;
 }
 
-void orient_triangles(TextureWaves& waves, std::span<const SharedEdge> edges,
-                      const Progress& progress) {
+void orient_triangles(TextureWaves& waves, std::span<const Triangle> triangles,
+                      std::span<const SharedEdge> edges, const Progress& progress) {
   const PhaseGraph graph = triangle_graph(links_of(waves, edges), waves.triangle_count());
   SolverOptions options;
   options.sweeps = 4;
   options.cycles = 4;
   const PhaseSolution solution = solve_phases(graph, options, progress);
-  parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      if (solution.z[t].imag() >= 0) continue;
-      flip(waves.u[t]);
-      flip(waves.v[t]);
-    }
-  });
+  std::vector<std::uint8_t> turned(waves.triangle_count());
+  for (std::size_t t = 0; t < turned.size(); ++t) turned[t] = solution.z[t].imag() < 0;
+  turn(waves, turned);
+  progress.report("seams", 0);
+  const std::vector<Index> nodes = seam_nodes(waves, triangles, edges);
+  const std::vector<SeamEdge> seam = seam_edges(waves, triangles, edges, nodes);
+  turn(waves, shortening_turns(seam, nodes.size(), waves.triangle_count()));
 }
 
 }  // namespace brindle

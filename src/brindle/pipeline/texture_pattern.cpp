@@ -33,7 +33,7 @@ TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const Text
                                 pattern.v.waves, pattern.v.solution.z);
   orient_corners(pattern.waves);
   const std::vector<SharedEdge> edges = shared_edges(surface.mesh.triangles);
-  if (!options.oriented) orient_triangles(pattern.waves, edges, progress);
+  if (!options.oriented) orient_triangles(pattern.waves, surface.mesh.triangles, edges, progress);
   pattern.seams = texture_seams(pattern.waves, edges);
   pattern.quality = measure_texture(surface.mesh, pattern.waves, options.stripes.phase_shift);
   pattern.orientation_milliseconds = watch.lap();
