@@ -12,8 +12,9 @@
 namespace brindle {
 namespace {
 
-constexpr float kReach = 1.6f;  // how far a neighbour is looked for, times 1/f
-constexpr float kStep = 0.2f;   // between points, times 1/f
+constexpr float kReach = 1.6f;    // how far a neighbour is looked for, times 1/f
+constexpr float kStep = 0.2f;     // between points, times 1/f
+constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
 
 /// Points along all curves, with what a measurement needs to know.
 struct Marks {
@@ -115,7 +116,7 @@ void measure(const Marks& marks, Index i, const std::vector<Index>& near, Sums& 
   for (const Index other : near) {
     const Vec3 way = marks.lines.points[other] - p;
     const float aside = way.dot(sideways);
-    const bool beside = std::abs(aside) > 0.8f * way.norm() && other != i;
+    const bool beside = std::abs(way.dot(marks.along[i])) < kAslant * way.norm() && other != i;
     const bool alike = std::abs(marks.along[i].dot(marks.along[other])) > 0.5f &&
                        normal.dot(marks.lines.normals[other]) > 0.3f;
     if (!beside || !alike) continue;
