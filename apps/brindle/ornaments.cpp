@@ -9,6 +9,8 @@ namespace brindle::tool {
 namespace {
 
 constexpr Color kSecondColor{0.78f, 0.26f, 0.17f};
+// The outline runs along edges, beside the smooth outline that the depths have.
+constexpr float kOutlineTolerance = 0.01f;
 constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
 
 Color color_of(bool second, const RenderOptions& render) {
@@ -56,7 +58,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
   }
   const Polylines bounds =
       outline(surface.mesh, surface.normals, render.camera, render.width, render.height);
-  drawn.push_back({"outline", kOutlineColor, 1.4f, visibility.strokes(bounds)});
+  drawn.push_back({"outline", kOutlineColor, 1.4f, visibility.strokes(bounds, kOutlineTolerance)});
   write_svg(path, render.width, render.height, drawn);
 }
 

@@ -12,8 +12,9 @@
 namespace brindle {
 namespace {
 
-constexpr float kReach = 1.6f;  // how far a neighbour is looked for, times 1/f
-constexpr float kStep = 0.2f;   // between points, times 1/f
+constexpr float kReach = 1.6f;    // how far a neighbour is looked for, times 1/f
+constexpr float kStep = 0.2f;     // between points, times 1/f
+constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
 
 /// Points along all curves, with what a measurement needs to know.
 struct Marks {
@@ -79,6 +80,18 @@ float distance_to_curve(const Marks& marks, const Vec3& p, Index mark) {
   return least;
 }
 
+/// How much longer than the straight way an arc is that meets the normals at both its ends.
+float bending(const Vec3& way, const Vec3& normal, const Vec3& other) {
+  const Vec3 along = way.stableNormalized();
+  const auto tilt = [&](const Vec3& n, const Vec3& up) {
+    return std::atan2(n.dot(along), n.dot(up));
+  };
+  const Vec3 sum = normal + other;
+  const Vec3 up = (sum - sum.dot(along) * along).stableNormalized();
+  const float half = 0.5f * std::abs(tilt(normal, up) - tilt(other, up));
+  return half < 1e-3f ? 1.0f : half / std::sin(std::min(half, 1.5f));
+}
+
 struct Sums {
   double count = 0, ratio = 0, square = 0, within = 0;
 
@@ -103,12 +116,13 @@ void measure(const Marks& marks, Index i, const std::vector<Index>& near, Sums& 
   for (const Index other : near) {
     const Vec3 way = marks.lines.points[other] - p;
     const float aside = way.dot(sideways);
-    const bool beside = std::abs(aside) > 0.8f * way.norm() && other != i;
+    const bool beside = std::abs(way.dot(marks.along[i])) < kAslant * way.norm() && other != i;
     const bool alike = std::abs(marks.along[i].dot(marks.along[other])) > 0.5f &&
                        normal.dot(marks.lines.normals[other]) > 0.3f;
     if (!beside || !alike) continue;
     float& best = nearest[aside > 0];
-    best = std::min(best, distance_to_curve(marks, p, other));
+    best = std::min(best, distance_to_curve(marks, p, other) *
+                              bending(way, normal, marks.lines.normals[other]));
   }
   for (const float distance : nearest) {
     const double ratio = static_cast<double>(distance) * marks.frequencies[i];

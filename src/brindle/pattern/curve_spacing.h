@@ -14,9 +14,9 @@ struct CurveSpacing {
   double share_within_10_percent = 0;  ///< of what was measured, ratios from 0.9 to 1.1
 };
 
-/// Measures straight distances, which are those along the surface where it is flat over 1/f. A
-/// neighbour is the nearest curve sideways, on the same side of the surface, within 1.6 / f; where
-/// there is none (a boundary) nothing is measured. Throws Error in a build without nanoflann.
+/// Distances along the surface are taken for arcs that meet the normals at both ends. A neighbour
+/// is the nearest curve sideways, on the same side of the surface, within 1.6 / f; where there is
+/// none (a boundary) nothing is measured. Throws Error in a build without nanoflann.
 CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves);
 
 }  // namespace brindle

@@ -20,7 +20,6 @@ constexpr int kPerPixel = 2;         // depths along a side of a pixel
 constexpr float kStep = 0.5f;        // pixels between points whose visibility is asked for
 constexpr float kShortest = 1.5f;    // pixels: shorter strokes are noise along silhouettes
 constexpr float kLongestGap = 1.5f;  // pixels: shorter gaps are noise, too
-constexpr float kTolerance = 1e-4f;  // of distances
 constexpr float kSteepest = 5e-3f;   // of distances, between neighbouring cells
 
 float edge_function(const Eigen::Vector2f& a, const Eigen::Vector2f& b, float x, float y) {
@@ -155,7 +154,7 @@ void Visibility::draw_triangle(const std::array<Seen, 3>& corners) {
 
 /// Behind nothing: not farther than the farthest surface seen in the nine cells around it. The
 /// surface that the point lies on is among them, however steep it is.
-bool Visibility::visible(const Seen& seen) const {
+bool Visibility::visible(const Seen& seen, float tolerance) const {
   const float x = kPerPixel * seen.pixel.x(), y = kPerPixel * seen.pixel.y();
   const bool within =
       x >= 0 && y >= 0 && x < static_cast<float>(columns_) && y < static_cast<float>(rows_);
@@ -171,11 +170,12 @@ bool Visibility::visible(const Seen& seen) const {
     }
   }
   // Towards its outline a surface falls off ever more steeply.
-  const float slack = std::min(farthest - nearest, kSteepest * farthest) + kTolerance * farthest;
+  const float slack = std::min(farthest - nearest, kSteepest * farthest) + tolerance * farthest;
   return farthest == 0 || seen.distance <= farthest + slack;
 }
 
-void Visibility::add_strokes(std::span<const Seen> path, std::vector<Stroke>& strokes) const {
+void Visibility::add_strokes(std::span<const Seen> path, float tolerance,
+                             std::vector<Stroke>& strokes) const {
   Stroke stroke;
   const auto finish = [&] {
     if (length_of(stroke) >= kShortest) strokes.push_back(without_needless_corners(stroke));
@@ -186,7 +186,7 @@ void Visibility::add_strokes(std::span<const Seen> path, std::vector<Stroke>& st
   const auto pass = [&](const Seen& seen, float step) {
     behind.push_back(seen.pixel);
     hidden += step;
-    if (visible(seen)) {
+    if (visible(seen, tolerance)) {
       if (hidden > kLongestGap + step) finish(), behind = {seen.pixel};
       stroke.insert(stroke.end(), behind.begin(), behind.end());
       behind.clear();
@@ -210,14 +210,14 @@ void Visibility::add_strokes(std::span<const Seen> path, std::vector<Stroke>& st
   finish();
 }
 
-std::vector<Stroke> Visibility::strokes(const Polylines& lines) const {
+std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance) const {
   std::vector<Stroke> strokes;
   std::vector<Seen> path;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     path.clear();
     for (const Vec3& point : lines.points_of(line)) path.push_back(project(point));
     if (lines.closed[line] && !path.empty()) path.push_back(path.front());
-    add_strokes(path, strokes);
+    add_strokes(path, tolerance, strokes);
   }
   return strokes;
 }

@@ -25,7 +25,8 @@ class Visibility {
 
   /// The parts of lines on the surface that nothing is in front of, in the order of the lines.
   /// Corners that change a stroke by less than a twentieth of a pixel are left out.
-  std::vector<Stroke> strokes(const Polylines& lines) const;
+  /// What lies behind the surface by less than `tolerance` times its distance counts as on it.
+  std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f) const;
 
  private:
   struct Seen {
@@ -35,8 +36,8 @@ class Visibility {
   Seen project(const Vec3& point) const;
   void draw(const Mesh& mesh);
   void draw_triangle(const std::array<Seen, 3>& corners);
-  bool visible(const Seen& seen) const;
-  void add_strokes(std::span<const Seen> path, std::vector<Stroke>& strokes) const;
+  bool visible(const Seen& seen, float tolerance) const;
+  void add_strokes(std::span<const Seen> path, float tolerance, std::vector<Stroke>& strokes) const;
 
   Camera camera_;
   int width_;
