@@ -1,25 +1,17 @@
 #include "outputs.h"
 
-#include <algorithm>
-#include <cctype>
 #include <complex>
 #include <ostream>
 #include <span>
 
 #include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/pattern/texture_coordinates.h"
 #include "brindle/surface/mesh_io.h"
 
 namespace brindle::tool {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 Output plan_output(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);

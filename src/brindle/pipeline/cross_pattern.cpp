@@ -8,13 +8,6 @@
 namespace brindle {
 namespace {
 
-Surface surface_of(const CrossCover& cover, std::span<const Vec3> normals) {
-  Surface surface{{cover.waves.positions, cover.triangles}, cover.neighborhood, {}};
-  surface.normals.reserve(2 * normals.size());
-  for (const Vec3& normal : normals) surface.normals.insert(surface.normals.end(), 2, normal);
-  return surface;
-}
-
 PatternQuality quality_of(const CrossCover& cover, const StripePattern& pattern) {
   PatternQuality quality = pattern.quality;
   const std::size_t pairs = cover.base.size();
@@ -30,6 +23,13 @@ PatternQuality quality_of(const CrossCover& cover, const StripePattern& pattern)
 
 }  // namespace
 
+Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals) {
+  Surface surface{{cover.waves.positions, cover.triangles}, cover.neighborhood, {}};
+  surface.normals.reserve(2 * normals.size());
+  for (const Vec3& normal : normals) surface.normals.insert(surface.normals.end(), 2, normal);
+  return surface;
+}
+
 CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
                            const StripeOptions& options, const Progress& progress) {
   const std::size_t vertices = surface.mesh.vertex_count();
@@ -43,7 +43,7 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
   CrossPattern result;
   result.cover = cross_cover(*surface.neighborhood, surface.mesh.triangles,
                              cross_waves(waves, surface.normals));
-  result.surface = surface_of(result.cover, surface.normals);
+  result.surface = cover_surface(result.cover, surface.normals);
   const double matching = watch.lap();
   result.pattern = stripe_pattern(result.surface, result.cover.waves, options, progress);
   result.pattern.milliseconds.couple += matching;

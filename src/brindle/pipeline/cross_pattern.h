@@ -16,6 +16,10 @@ struct CrossPattern {
   PatternQuality quality;
 };
 
+/// The cover as a surface, whose vertices are its nodes: on it a cross field is a line field, and
+/// everything that works on surfaces works. `normals` are those of the covered surface's vertices.
+Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals);
+
 /// Matches the crosses that `waves` (one per vertex) and a quarter turn make along the edges of the
 /// surface, and lays stripes along both their waves. Everything has 90-degree symmetry: turning any
 /// vertex's direction by a quarter changes nothing but names. Throws what `stripe_pattern` throws.

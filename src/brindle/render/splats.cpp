@@ -1,5 +1,6 @@
 #include "brindle/render/splats.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,10 @@
 /// Pictures of any size, drawn part by part in linear light and then developed.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "brindle/render/gl_target.h"
 #include "brindle/render/renderer.h"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/surface/assimp_file.h"
 #include "brindle/surface/gltf_file.h"
@@ -22,17 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string kind_of(const fs::path& path) {
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kind;
-}
-
 /// Positions and triangles as the file has them.
 Mesh read_raw(const fs::path& path) {
   const InputFile readable(path);
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (kind == ".obj") return read_obj(path);
   if (kind == ".ply") return read_ply(path);
   if (kind == ".off") return read_off(path);
@@ -89,7 +83,7 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
       throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
                   "' is already taken; rename it");
     }
-    if (kind_of(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
+    if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
       throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
                   attribute.name + "'; write .ply, .vtp, .gltf or .glb");
     }
@@ -98,7 +92,7 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
 
 void check_output(const fs::path& path, const Mesh& mesh,
                   std::span<const VertexAttribute> attributes) {
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
     throw Error("cannot write '" + path.string() + "': the extension '" +
                 path.extension().string() +
@@ -151,7 +145,7 @@ LoadedMesh read_mesh(const fs::path& path) {
   try {
     loaded.mesh = read_raw(path);
     const std::size_t joined = join_vertices(loaded.mesh);
-    if (kind_of(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
+    if (lower_extension(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
     loaded.repair = repair_mesh(loaded.mesh);
     loaded.repair.vertices_joined = joined;
   } catch (const std::bad_alloc&) {
@@ -164,7 +158,8 @@ LoadedMesh read_mesh(const fs::path& path) {
 void write_mesh(const fs::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes) {
   check_output(path, mesh, attributes);
-  write_file(path, [&](std::ostream& out) { write_as(out, kind_of(path), mesh, attributes, {}); });
+  write_file(
+      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, attributes, {}); });
 }
 
 void write_textured_mesh(const fs::path& path, const Mesh& mesh,
@@ -175,7 +170,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
   }
   const fs::path picture = picture_path(path);
   const fs::path materials = materials_path(path);
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (!holds_picture(kind)) write_whole(picture, png);
   if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
   const TextureNames names{picture.filename().string(), materials.filename().string(), png};
@@ -183,7 +178,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
 }
 
 std::vector<fs::path> textured_mesh_files(const fs::path& path) {
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   std::vector<fs::path> files;
   if (!holds_picture(kind)) files.push_back(picture_path(path));
   if (kind == ".obj") files.push_back(materials_path(path));

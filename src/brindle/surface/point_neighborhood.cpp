@@ -5,74 +5,34 @@
 
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
-
-#ifdef BRINDLE_HAS_NANOFLANN
-#include <nanoflann.hpp>
-#endif
+#include "brindle/surface/point_tree.h"
 
 namespace brindle {
 namespace {
 
-#ifdef BRINDLE_HAS_NANOFLANN
-
-/// The points as nanoflann wants to see them.
-class Points {
- public:
-  Points(std::span<const Vec3> positions, std::span<const Index> used)
-      : positions_(positions), used_(used) {}
-
-  std::size_t kdtree_get_point_count() const { return used_.size(); }
-  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return positions_[used_[i]][static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box& /*box*/) const {
-    return false;
-  }
-
- private:
-  std::span<const Vec3> positions_;
-  std::span<const Index> used_;
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Points>,
-                                                 Points, 3, Index>;
-
 /// For each used point the numbers of its nearest others, `count` each.
 std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<const Index> used,
                                   std::size_t count) {
-  const Points points(positions, used);
-  const Tree tree(3, points);
+  std::vector<Vec3> points;
+  points.reserve(used.size());
+  for (const Index i : used) points.push_back(positions[i]);
+  const PointTree tree(points);
   std::vector<Index> nearest(used.size() * count);
-  parallel_for(
-      used.size(),
-      [&](std::size_t begin, std::size_t end) {
-        // The point itself comes along.
-        std::vector<Index> found(count + 1);
-        std::vector<float> squares(count + 1);
-        for (std::size_t i = begin; i < end; ++i) {
-          nanoflann::KNNResultSet<float, Index> result(count + 1);
-          result.init(found.data(), squares.data());
-          tree.findNeighbors(result, positions[used[i]].data(), nanoflann::SearchParams());
-          std::size_t taken = 0;
-          for (const Index other : found) {
-            if (other != i && taken < count) nearest[i * count + taken++] = used[other];
-          }
-        }
-      },
-      256);
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> found;
+    for (std::size_t i = begin; i < end; ++i) {
+      // The point itself comes along.
+      tree.nearest(points[i], count + 1, found);
+      std::size_t taken = 0;
+      for (const Index other : found) {
+        if (other != i && taken < count) nearest[i * count + taken++] = used[other];
+      }
+    }
+  };
+  constexpr std::size_t kGrain = 256;
+  parallel_for(used.size(), find, kGrain);
   return nearest;
 }
-
-#else
-
-std::vector<Index> nearest_others(std::span<const Vec3> /*positions*/,
-                                  std::span<const Index> /*used*/, std::size_t /*count*/) {
-  throw Error(
-      "this build cannot find the neighbours of points; configure with -DBRINDLE_NANOFLANN=ON");
-}
-
-#endif
 
 /// Rows of i with both i's nearest and those whose nearest i is, not yet sorted and with doubles.
 Adjacency joined_both_ways(std::span<const Index> used, std::span<const Index> nearest,

@@ -1,5 +1,6 @@
 #include "brindle/surface/point_tree.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "brindle/base/error.h"
@@ -50,6 +51,15 @@ void PointTree::within(const Vec3& point, float radius, std::vector<Index>& foun
   for (const auto& [index, square] : matches) found.push_back(index);
 }
 
+void PointTree::nearest(const Vec3& point, std::size_t count, std::vector<Index>& found) const {
+  found.resize(std::min(count, state_->points.positions.size()));
+  if (found.empty()) return;
+  std::vector<float> squares(found.size());
+  nanoflann::KNNResultSet<float, Index> result(found.size());
+  result.init(found.data(), squares.data());
+  state_->tree.findNeighbors(result, point.data(), nanoflann::SearchParams());
+}
+
 #else
 
 struct PointTree::State {};
@@ -62,6 +72,9 @@ bool PointTree::available() { return false; }
 
 void PointTree::within(const Vec3& /*point*/, float /*radius*/,
                        std::vector<Index>& /*found*/) const {}
+
+void PointTree::nearest(const Vec3& /*point*/, std::size_t /*count*/,
+                        std::vector<Index>& /*found*/) const {}
 
 #endif
 

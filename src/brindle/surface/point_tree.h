@@ -1,6 +1,7 @@
 /// Points near a point.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,6 +23,10 @@ class PointTree {
 
   /// Replaces `found` by the numbers of all points nearer to `point` than `radius`, nearest first.
   void within(const Vec3& point, float radius, std::vector<Index>& found) const;
+
+  /// Replaces `found` by the numbers of the `count` points nearest to `point`, nearest first; of
+  /// all if there are fewer.
+  void nearest(const Vec3& point, std::size_t count, std::vector<Index>& found) const;
 
  private:
   struct State;
