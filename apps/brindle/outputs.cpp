@@ -31,6 +31,10 @@ Output plan_output(const std::filesystem::path& path) {
   for (const char* mesh : {".obj", ".ply", ".vtp", ".gltf", ".glb"}) {
     if (extension == mesh) return {path, OutputKind::mesh};
   }
+  if (extension == ".stl" || extension == ".off") {
+    throw Error("cannot write '" + path.string() + "': '" + extension +
+                "' has no place for phases or texture coordinates; use .ply, .vtp or .glb");
+  }
   throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
               "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, .json for "
               "a report");
