@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <complex>
 #include <ostream>
 #include <span>
+#include <utility>
 
 #include "brindle/base/error.h"
 #include "brindle/base/output_file.h"
@@ -90,9 +92,10 @@ void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedM
                        const Mesh& mesh, const StripePattern& pattern, const std::string& suffix) {
   const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
   add_waves(attributes, waves, z, suffix);
-  const VertexAttribute branches = branches_of(mesh, pattern.corners);
-  attributes.push_back(
-      {"branch" + suffix, 1, carried_values(textured, branches.values, branches.components)});
+  std::vector<float> flags = carried_values(textured, branches_of(mesh, pattern.corners).values, 1);
+  // A barycentre is at a branch if all corners are.
+  for (float& flag : flags) flag = std::floor(flag);
+  attributes.push_back({"branch" + suffix, 1, std::move(flags)});
 }
 
 VertexAttribute coordinates_attribute(const TexturedMesh& textured) {
