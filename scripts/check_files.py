@@ -192,7 +192,7 @@ def agreement(ours, theirs):
     green = (theirs[..., 1] > 200) & (theirs[..., 0] < 60) & (theirs[..., 2] < 60)
     a, b = figure(ours), figure(theirs)
     counted = ~grown(green, 3) & away_from_borders(a) & away_from_borders(b)
-    if counted.sum() < 0.1 * WIDTH * HEIGHT:
+    if counted.sum() < 0.05 * WIDTH * HEIGHT:
         return 0.0
     both = [(a & counted).sum(), (~a & counted).sum()]
     if min(both) < 0.01 * counted.sum():
