@@ -1,8 +1,10 @@
 #include "outputs.h"
 
+#include <cmath>
 #include <complex>
 #include <ostream>
 #include <span>
+#include <utility>
 
 #include "brindle/base/error.h"
 #include "brindle/base/file_extension.h"
@@ -22,6 +24,10 @@ Output plan_output(const std::filesystem::path& path) {
   if (extension == ".json") return {path, OutputKind::report};
   for (const char* mesh : {".obj", ".ply", ".vtp", ".gltf", ".glb"}) {
     if (extension == mesh) return {path, OutputKind::mesh};
+  }
+  if (extension == ".stl" || extension == ".off") {
+    throw Error("cannot write '" + path.string() + "': '" + extension +
+                "' has no place for phases or texture coordinates; use .ply, .vtp or .glb");
   }
   throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
               "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, .json for "
@@ -80,9 +86,10 @@ void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedM
                        const Mesh& mesh, const StripePattern& pattern, const std::string& suffix) {
   const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
   add_waves(attributes, waves, z, suffix);
-  const VertexAttribute branches = branches_of(mesh, pattern.corners);
-  attributes.push_back(
-      {"branch" + suffix, 1, carried_values(textured, branches.values, branches.components)});
+  std::vector<float> flags = carried_values(textured, branches_of(mesh, pattern.corners).values, 1);
+  // A barycentre is at a branch if all corners are.
+  for (float& flag : flags) flag = std::floor(flag);
+  attributes.push_back({"branch" + suffix, 1, std::move(flags)});
 }
 
 VertexAttribute coordinates_attribute(const TexturedMesh& textured) {

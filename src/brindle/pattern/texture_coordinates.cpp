@@ -273,7 +273,6 @@ CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
   carried.waves.positions = textured.mesh.positions;
   const std::size_t count = textured.origins.size();
   carried.waves.directions.resize(count);
-  carried.waves.frequencies.resize(count);
   carried.z.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
     const std::array<Index, 3>& origin = textured.origins[v];
@@ -282,9 +281,9 @@ CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
       wave = fragment_phase(corner_waves(origin, waves, z), Vec3::Constant(1.0f / 3));
     }
     carried.waves.directions[v] = wave.direction;
-    carried.waves.frequencies[v] = wave.frequency;
     carried.z[v] = wave.z;
   }
+  carried.waves.frequencies = carried_values(textured, waves.frequencies, 1);
   return carried;
 }
 

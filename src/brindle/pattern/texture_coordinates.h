@@ -42,7 +42,8 @@ struct CarriedWaves {
 };
 
 /// The waves of the original mesh's vertices, carried to the vertices of the textured mesh: at
-/// barycentres they are what `fragment_phase` finds there.
+/// barycentres they are what `fragment_phase` finds there, and in the middle of a singularity there
+/// is no wave.
 CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
                            std::span<const Complex> z);
 

@@ -53,8 +53,13 @@ float arrow_head(Point p, float base, float tip, float half_width) {
   return std::min(to_slope, to_base);
 }
 
-float arrow(const Point& p) {
+float lone_arrow(const Point& p) {
   return std::min(box(p + Point(0.14f, 0), {0.26f, 0.065f}), arrow_head(p, 0.06f, 0.42f, 0.21f));
+}
+
+/// Behind an arrow's tip is the next one's tail.
+float arrow(const Point& p) {
+  return std::min({lone_arrow(p), lone_arrow(p + Point(1, 0)), lone_arrow(p - Point(1, 0))});
 }
 
 float checker(float u, float v) {
@@ -75,7 +80,8 @@ float bricks(const Point& p) {
   return std::min(middle_course, other_course) - kRound;
 }
 
-/// Each stroke's image under half a turn about the middle is a stroke, too.
+/// Before and behind each stroke is its next copy. A stroke's image under half a turn about the
+/// middle is a stroke, too.
 float hatch(float u, float v) {
   constexpr float kRadius = 0.03f;
   float distance = 1;
@@ -85,7 +91,10 @@ float hatch(float u, float v) {
       const Point to = turn * (crossing ? Point(-0.28f, 0.40f) : Point(0.40f, -0.22f));
       const Point p = wrapped(Point(u - 0.5f, v - 0.5f) - 0.5f * (from + to));
       const Point half = 0.5f * (to - from);
-      distance = std::min(distance, stroke(p, -half, half, kRadius));
+      const Point next = crossing ? Point(0, 1) : Point(1, 0);
+      for (const float copy : {-1.0f, 0.0f, 1.0f}) {
+        distance = std::min(distance, stroke(p + copy * next, -half, half, kRadius));
+      }
     }
   }
   return distance;

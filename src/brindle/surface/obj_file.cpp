@@ -205,7 +205,7 @@ void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttrib
 std::string material_library(const std::string& picture) {
   const std::string name(kMaterial);
   return "# written by brindle\nnewmtl " + name +
-         "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + "\n";
+         "\nKa 0.2 0.2 0.2\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + "\n";
 }
 
 }  // namespace brindle
