@@ -144,7 +144,8 @@ Family make_family(const CurvesArguments& arguments, Result& result, std::string
   family.ends = family.curves.end_counts();
   if (PointTree::available()) {
     display.stage("spacing");
-    family.spacing = measure_curve_spacing(wave_pattern, family.curves);
+    const CurveSpacing spacing = measure_curve_spacing(wave_pattern, family.curves);
+    if (spacing.measured > 0) family.spacing = spacing;
   }
   drop_short(family, arguments.min_length.on(diagonal));
   Polylines& lines = family.curves.lines;

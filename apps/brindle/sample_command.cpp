@@ -164,7 +164,7 @@ void add_disc(const Sample& sample, Mesh& mesh) {
   const float radius = 0.16f * std::min(sample.spacing_u, sample.spacing_v);
   const Vec3 x = sample.direction_u;
   const Vec3 y = sample.normal.cross(x);
-  for (const float height : {-0.25f, 0.25f}) {
+  for (const float height : {-0.12f, 0.12f}) {
     const auto first = static_cast<Index>(mesh.positions.size());
     const Vec3 centre = sample.position + height * radius * sample.normal;
     for (int k = 0; k < kCorners; ++k) {

@@ -60,6 +60,16 @@ TEST(CurveSpacing, IsMeasuredAlongArcs) {
   EXPECT_GT(spacing.share_within_10_percent, 0.999);
 }
 
+TEST(CurveSpacing, IsNotMeasuredBeyondThePointsAllowed) {
+  const WavySurface surface = wavy_surface("plane,resolution=20", Vec3(1, 0.4f, 0), 30);
+  const std::vector<Complex> z(surface.mesh.vertex_count(), Complex(1));
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  const WavePattern pattern{surface.mesh, edges, surface.normals, surface.waves, z};
+  const StripeCurves curves = stripe_curves(LiftedWaves(pattern));
+  EXPECT_EQ(measure_curve_spacing(pattern, curves, 100).measured, 0u);
+  EXPECT_GT(measure_curve_spacing(pattern, curves).measured, 100u);
+}
+
 TEST(CurveSpacing, NoCurvesMeasureNothing) {
   WavySurface surface = wavy_surface("plane,resolution=4", Vec3(1, 0.4f, 0), 3);
   for (Vec3& d : surface.waves.directions) d.setZero();

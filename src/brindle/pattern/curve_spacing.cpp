@@ -24,12 +24,16 @@ struct Marks {
   std::vector<std::array<Index, 2>> adjacent;  ///< points before and behind on the curve
 };
 
-Marks marks_along(const WavePattern& pattern, const StripeCurves& curves) {
-  Marks marks;
+/// The distance between points that is small enough everywhere.
+float step_along(const WavePattern& pattern) {
   const auto& frequencies = pattern.waves.frequencies;
-  const float highest =
-      frequencies.empty() ? 1 : *std::max_element(frequencies.begin(), frequencies.end());
-  marks.lines = resampled(curves.lines, kStep / highest);
+  if (frequencies.empty()) return 1;
+  return kStep / *std::max_element(frequencies.begin(), frequencies.end());
+}
+
+Marks marks_along(const StripeCurves& curves, float step) {
+  Marks marks;
+  marks.lines = resampled(curves.lines, step);
   const auto& points = marks.lines.points;
   marks.along.resize(points.size());
   marks.adjacent.resize(points.size());
@@ -132,8 +136,15 @@ void measure(const Marks& marks, Index i, const std::vector<Index>& near, Sums& 
 
 }  // namespace
 
-CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves) {
-  Marks marks = marks_along(pattern, curves);
+CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves,
+                                   std::size_t most_points) {
+  const float step = step_along(pattern);
+  auto points = static_cast<double>(curves.lines.count());
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    points += length_of(curves.lines, line) / static_cast<double>(step);
+  }
+  if (points > static_cast<double>(most_points)) return {};
+  Marks marks = marks_along(curves, step);
   add_frequencies(pattern, marks);
   const PointTree tree(marks.lines.points);
   const Sums sums =

@@ -16,7 +16,10 @@ struct CurveSpacing {
 
 /// Distances along the surface are taken for arcs that meet the normals at both ends. A neighbour
 /// is the nearest curve sideways, on the same side of the surface, within 1.6 / f; where there is
-/// none (a boundary) nothing is measured. Throws Error in a build without nanoflann.
-CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves);
+/// none (a boundary) nothing is measured. Nor is anything where it would take more than
+/// `most_points` points: their number grows with the square of the frequency, that of the curves'
+/// own points only with the frequency. Throws Error in a build without nanoflann.
+CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves,
+                                   std::size_t most_points = 1'000'000);
 
 }  // namespace brindle
