@@ -63,16 +63,11 @@ TEST(TextureTile, AllButArrowsLookTheSameTurnedHalfWay) {
 }
 
 TEST(TextureTile, SomeLookTheSameTurnedByAQuarter) {
-  for (const BuiltInTile tile : {BuiltInTile::dots, BuiltInTile::plus}) {
+  for (const BuiltInTile tile : {BuiltInTile::dots, BuiltInTile::plus, BuiltInTile::checker}) {
     at_many_points([&](float u, float v) {
       ASSERT_NEAR(tile_distance(tile, u, v), tile_distance(tile, 1 - v, u), 1e-5f);
     });
   }
-  // Its colours change places.
-  at_many_points([&](float u, float v) {
-    ASSERT_NEAR(tile_distance(BuiltInTile::checker, u, v),
-                -tile_distance(BuiltInTile::checker, 1 - v, u), 1e-5f);
-  });
 }
 
 TEST(TextureTile, ArrowsPointAlongU) {
@@ -84,9 +79,9 @@ TEST(TextureTile, ArrowsPointAlongU) {
 
 TEST(TextureTile, PicturesShowTheFigureWithSmoothEdges) {
   const Image image = tile_picture(BuiltInTile::checker, 64, {0, 0, 0}, {1, 1, 1});
-  EXPECT_EQ(image.at(10, 50), (Pixel{0, 0, 0, 255}));  // lower left
-  EXPECT_EQ(image.at(50, 50), (Pixel{255, 255, 255, 255}));
-  EXPECT_EQ(image.at(50, 10), (Pixel{0, 0, 0, 255}));
+  EXPECT_EQ(image.at(32, 32), (Pixel{0, 0, 0, 255}));
+  EXPECT_EQ(image.at(8, 32), (Pixel{255, 255, 255, 255}));
+  EXPECT_EQ(image.at(8, 8), (Pixel{0, 0, 0, 255}));
   const Image arrow = tile_picture(BuiltInTile::arrows, 64, {0, 0, 0}, {1, 1, 1});
   int between = 0;
   for (const Pixel& pixel : arrow.pixels) between += pixel.red > 10 && pixel.red < 245;
