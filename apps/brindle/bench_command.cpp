@@ -44,6 +44,7 @@ Subject subject_of(const Arguments& arguments, const BenchPlan& plan, const std:
   Subject subject{mesh, subdivide, std::move(prepared.surface), {}, prepared.topology_milliseconds};
   subject.fields.push_back(std::move(prepared.waves));
   if (plan.two_fields) add_crossing_field(subject);
+  if (plan.cross) make_cross_field(subject);
   return subject;
 }
 

@@ -98,6 +98,7 @@ BenchPlan plan_of(const BenchArguments& arguments) {
   std::erase_if(plan.solvers,
                 [](const SolverCase& solver) { return !is_available(solver.options.solver); });
   plan.two_fields = arguments.figure == 13;
+  plan.cross = arguments.figure == 16;
   if (arguments.figure == 0) {
     plan.subdivide = arguments.subdivide.value_or(arguments.quick ? 1 : 2);
     plan.threads = thread_counts(most);

@@ -24,6 +24,7 @@ struct BenchPlan {
   std::vector<std::string> meshes;
   int subdivide = 0;        ///< 0: no finer copies
   bool two_fields = false;  ///< a second field at right angles
+  bool cross = false;       ///< the field is a cross field
   std::vector<SolverCase> solvers;
   std::vector<int> threads;  ///< ascending; each is measured
   bool memory = false;

@@ -14,6 +14,8 @@ struct Command {
 
 Command add_stripe_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
+Command add_curves_command(CLI::App& app);
+Command add_sample_command(CLI::App& app);
 Command add_animate_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 Command add_bench_command(CLI::App& app);

@@ -67,6 +67,7 @@ Command add_compare_command(CLI::App& app) {
   command->footer(kExamples);
   const auto arguments = std::make_shared<CompareArguments>();
   add_surface_options(*command, arguments->surface);
+  add_point_options(*command, arguments->surface);
   add_wave_options(*command, arguments->waves);
   add_solving_options(*command, arguments->solving);
   command->add_option("--json", arguments->json, "write the reports here, as a list")

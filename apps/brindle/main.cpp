@@ -19,6 +19,8 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
   brindle compare horse.ply --stripes 160
   brindle animate horse.ply --scene vortices --output vortices.mp4
+  brindle curves horse.ply --stripes 100 --output horse.svg
+  brindle sample horse.ply --output samples.csv
   brindle info horse.ply
 
 'brindle COMMAND --help' tells more of each command.)";
@@ -75,7 +77,8 @@ ExitCode parse_and_run(int argc, char** argv) {
       "List the built-in shapes and exit");
   app.require_subcommand(1);
   app.footer(kExamples);
-  const std::vector<Command> commands = {add_stripe_command(app), add_compare_command(app),
+  const std::vector<Command> commands = {add_stripe_command(app),  add_compare_command(app),
+                                         add_curves_command(app),  add_sample_command(app),
                                          add_animate_command(app), add_info_command(app),
                                          add_bench_command(app)};
   try {

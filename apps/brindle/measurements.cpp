@@ -5,6 +5,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/pattern/quality.h"
+#include "brindle/pipeline/cross_pattern.h"
 #include "brindle/pipeline/stripe_animator.h"
 #include "brindle/pipeline/stripe_pattern.h"
 #include "brindle/waves/direction_field.h"
@@ -41,6 +42,14 @@ void add_crossing_field(Subject& subject) {
   crossing.directions =
       rotated(crossing.directions, subject.surface.normals, std::numbers::pi_v<float> / 2);
   subject.fields.push_back(std::move(crossing));
+}
+
+void make_cross_field(Subject& subject) {
+  Surface& surface = subject.surface;
+  CrossCover cover = cross_cover(*surface.neighborhood, surface.mesh.triangles,
+                                 cross_waves(subject.fields[0], surface.normals));
+  surface = cover_surface(cover, surface.normals);
+  subject.fields = {std::move(cover.waves)};
 }
 
 SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,

@@ -68,6 +68,9 @@ struct Subject {
 /// Adds the field that crosses the first one.
 void add_crossing_field(Subject& subject);
 
+/// Makes the field a cross field: the surface becomes its cover, with two vertices for each.
+void make_cross_field(Subject& subject);
+
 struct Quality {
   double energy = 0;                ///< mean over fields
   std::size_t branches = 0;         ///< sum over fields

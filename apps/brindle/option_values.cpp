@@ -54,6 +54,21 @@ float positive_number_of(const std::string& option, const std::string& text) {
   return *value;
 }
 
+Length length_of(const std::string& option, const std::string& text) {
+  const bool percent = text.ends_with('%');
+  const auto value = finite_number(percent ? text.substr(0, text.size() - 1) : text);
+  if (!value || *value < 0) {
+    wrong_usage(option, "a length like 0.02, or 1.5% of the diagonal", text);
+  }
+  return {percent ? *value / 100 : *value, percent};
+}
+
+Length positive_length_of(const std::string& option, const std::string& text) {
+  const Length length = length_of(option, text);
+  if (length.value <= 0) wrong_usage(option, "a length above zero", text);
+  return length;
+}
+
 Vec3 direction_of(const std::string& option, const std::string& text) {
   const char* expected = "x,y,z: three finite numbers, not all zero";
   const std::vector<std::string> parts = split(text, ',');

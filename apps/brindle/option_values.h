@@ -27,6 +27,20 @@ float positive_number_of(const std::string& option, const std::string& text);
 /// "x,y,z", finite and not all zero.
 Vec3 direction_of(const std::string& option, const std::string& text);
 
+/// A length in the mesh's units, or as a share of the bounding box's diagonal.
+struct Length {
+  float value = 0;
+  bool of_diagonal = false;
+
+  float on(float diagonal) const { return of_diagonal ? value * diagonal : value; }
+};
+
+/// "0.02" or "1.5%", zero or more.
+Length length_of(const std::string& option, const std::string& text);
+
+/// As `length_of`, above zero.
+Length positive_length_of(const std::string& option, const std::string& text);
+
 /// The parts of "a,b,c".
 std::vector<std::string> split(const std::string& text, char separator);
 

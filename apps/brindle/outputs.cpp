@@ -1,23 +1,19 @@
 #include "outputs.h"
 
-#include <algorithm>
-#include <cctype>
+#include <cmath>
 #include <complex>
 #include <ostream>
+#include <span>
+#include <utility>
 
 #include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/pattern/texture_coordinates.h"
 #include "brindle/surface/mesh_io.h"
 
 namespace brindle::tool {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 Output plan_output(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
@@ -26,49 +22,127 @@ Output plan_output(const std::filesystem::path& path) {
     return {path, OutputKind::picture};
   }
   if (extension == ".json") return {path, OutputKind::report};
-  for (const char* mesh : {".obj", ".ply", ".gltf", ".glb"}) {
+  for (const char* mesh : {".obj", ".ply", ".vtp", ".gltf", ".glb"}) {
     if (extension == mesh) return {path, OutputKind::mesh};
   }
+  if (extension == ".stl" || extension == ".off") {
+    throw Error("cannot write '" + path.string() + "': '" + extension +
+                "' has no place for phases or texture coordinates; use .ply, .vtp or .glb");
+  }
   throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
-              "'; use .png for a picture, .obj, .ply, .gltf or .glb for a mesh, .json for a "
-              "report");
+              "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, .json for "
+              "a report");
 }
 
-VertexAttribute directions_of(const WaveSet& waves) {
-  VertexAttribute attribute{"direction", 3, {}};
-  for (const Vec3& direction : waves.directions) {
-    attribute.values.insert(attribute.values.end(), direction.begin(), direction.end());
+VertexAttribute vectors_attribute(const std::string& name, std::span<const Vec3> vectors) {
+  VertexAttribute attribute{name, 3, {}};
+  for (const Vec3& vector : vectors) {
+    attribute.values.insert(attribute.values.end(), vector.begin(), vector.end());
   }
   return attribute;
 }
 
-VertexAttribute phases_of(const PhaseSolution& solution) {
-  VertexAttribute attribute{"phase", 1, {}};
-  for (const Complex& z : solution.z) attribute.values.push_back(std::arg(z));
+VertexAttribute phases_attribute(const std::string& name, std::span<const Complex> z) {
+  VertexAttribute attribute{name, 1, {}};
+  for (const Complex& phase : z) attribute.values.push_back(std::arg(phase));
+  return attribute;
+}
+
+// Phase, direction and frequency of every vertex; `suffix` sets two sets of waves apart.
+void add_waves(std::vector<VertexAttribute>& attributes, const WaveSet& waves,
+               std::span<const Complex> z, const std::string& suffix = "") {
+  attributes.push_back(phases_attribute("phase" + suffix, z));
+  attributes.push_back(vectors_attribute("direction" + suffix, waves.directions));
+  attributes.push_back({"frequency" + suffix, 1, waves.frequencies});
+}
+
+// 1 at the corners of triangles where a stripe begins or ends.
+VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corners) {
+  VertexAttribute attribute{"branch", 1, std::vector<float>(mesh.vertex_count())};
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const TriangleKind kind = corners[t].kind;
+    if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
+    for (const Index vertex : mesh.triangles[t]) attribute.values[vertex] = 1;
+  }
   return attribute;
 }
 
 // OBJ has no place for attributes.
-void write_pattern_mesh(const std::filesystem::path& path, const Mesh& mesh,
+bool holds_attributes(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
+
+void write_pattern_mesh(const std::filesystem::path& path, const Surface& surface,
                         const StripePattern& pattern) {
+  const bool points = surface.mesh.triangles.empty();
   std::vector<VertexAttribute> attributes;
-  if (lower_extension(path) != ".obj") {
-    attributes = {phases_of(pattern.solution),
-                  directions_of(pattern.waves),
-                  {"frequency", 1, pattern.waves.frequencies}};
+  if (points) attributes.push_back(vectors_attribute("normal", surface.normals));
+  if (holds_attributes(path)) {
+    add_waves(attributes, pattern.waves, pattern.solution.z);
+    if (!points) attributes.push_back(branches_of(surface.mesh, pattern.corners));
   }
-  write_mesh(path, mesh, attributes);
+  write_mesh(path, surface.mesh, attributes);
+}
+
+void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedMesh& textured,
+                       const Mesh& mesh, const StripePattern& pattern, const std::string& suffix) {
+  const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
+  add_waves(attributes, waves, z, suffix);
+  std::vector<float> flags = carried_values(textured, branches_of(mesh, pattern.corners).values, 1);
+  // A barycentre is at a branch if all corners are.
+  for (float& flag : flags) flag = std::floor(flag);
+  attributes.push_back({"branch" + suffix, 1, std::move(flags)});
+}
+
+VertexAttribute coordinates_attribute(const TexturedMesh& textured) {
+  VertexAttribute attribute{"uv", 2, {}};
+  for (const auto& uv : textured.coordinates) {
+    attribute.values.insert(attribute.values.end(), {uv.x(), uv.y()});
+  }
+  return attribute;
+}
+
+void write_mesh_with_texture(const std::filesystem::path& path, const Surface& surface,
+                             const Texture& texture, const PictureOptions& picture) {
+  const TexturePattern& pattern = texture.pattern;
+  const TexturedMesh textured =
+      texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
+  const VertexAttribute normals = vectors_attribute("normal", surface.normals);
+  std::vector<VertexAttribute> attributes = {
+      {normals.name, normals.components,
+       carried_values(textured, normals.values, normals.components)},
+      coordinates_attribute(textured)};
+  if (holds_attributes(path)) {
+    add_carried_waves(attributes, textured, surface.mesh, pattern.u, "");
+    add_carried_waves(attributes, textured, surface.mesh, pattern.v, "_v");
+  }
+  write_textured_mesh(path, textured.mesh, attributes, tile_png(texture.tile, picture));
 }
 
 }  // namespace
 
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths) {
+void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
+                        bool& quiet) {
+  app.add_option("-o,--output", outputs, "what to write, by extension; repeatable")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--report", report, "write the report here")->type_name("FILE.json");
+  app.add_flag("-q,--quiet", quiet, "print nothing but errors");
+}
+
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool texture) {
   std::vector<Output> outputs;
   for (const std::string& path : paths) {
     outputs.push_back(plan_output(path));
     check_output_path(path);
+    if (!texture || outputs.back().kind != OutputKind::mesh) continue;
+    for (const std::filesystem::path& file : textured_mesh_files(path)) check_output_path(file);
   }
   return outputs;
+}
+
+bool holds_points(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".ply" || extension == ".vtp";
 }
 
 Output plan_report(const std::string& path) {
@@ -76,13 +150,16 @@ Output plan_report(const std::string& path) {
   return {path, OutputKind::report};
 }
 
-void write_output(const Output& output, const Surface& surface, const StripePattern& pattern,
+void write_output(const Output& output, const Surface& surface, const StripeResult& result,
                   const Report& report, const PictureOptions& picture) {
   switch (output.kind) {
     case OutputKind::picture:
-      return write_picture(output.path, surface, pattern, picture);
+      return write_picture(output.path, surface, result, picture);
     case OutputKind::mesh:
-      return write_pattern_mesh(output.path, surface.mesh, pattern);
+      if (const Texture* texture = result.texture()) {
+        return write_mesh_with_texture(output.path, surface, *texture, picture);
+      }
+      return write_pattern_mesh(output.path, surface, result.stripes());
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "brindle/pipeline/stripe_pattern.h"
 #include "picture.h"
 #include "report.h"
+#include "stripe_result.h"
 
 namespace brindle::tool {
 
@@ -18,15 +18,23 @@ struct Output {
   OutputKind kind;
 };
 
-/// What each path asks for, by its extension: .png a picture, .obj .ply .gltf .glb a mesh, .json a
-/// report. Throws Error if an extension is unknown, this build cannot write it, or a file could not
-/// be written there: better now than after a long job.
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths);
+/// --output, --report and --quiet.
+void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
+                        bool& quiet);
+
+/// What each path asks for, by its extension: .png a picture, .obj .ply .vtp .gltf .glb a mesh,
+/// .json a report. Throws Error if an extension is unknown, this build cannot write it, or a file
+/// could not be written there: better now than after a long job. With a texture, meshes may have
+/// files beside them (`textured_mesh_files`).
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool texture);
 
 /// As `plan_outputs`, for a path that is a report whatever its extension.
 Output plan_report(const std::string& path);
 
-void write_output(const Output& output, const Surface& surface, const StripePattern& pattern,
+/// Whether points without triangles can be written there.
+bool holds_points(const std::filesystem::path& path);
+
+void write_output(const Output& output, const Surface& surface, const StripeResult& result,
                   const Report& report, const PictureOptions& picture);
 
 /// Writes indented JSON.

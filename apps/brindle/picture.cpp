@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/base/error.h"
+#include "brindle/render/splats.h"
 #include "option_values.h"
 #include "picture_options.h"
 
@@ -115,6 +116,8 @@ void stand_on_z(PictureOptions& options) {
   if (!options.up) options.up = UpAxis::z;
 }
 
+bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }
+
 void check_pictures_available() {}
 
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
@@ -134,16 +137,44 @@ RenderOptions render_options(const PictureOptions& options) {
   return render;
 }
 
+namespace {
+
+Image picture_of_points(const Surface& surface, const StripePattern& pattern,
+                        const RenderOptions& options) {
+  const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
+  return render_splats({.positions = surface.mesh.positions,
+                        .normals = surface.normals,
+                        .radii = radii,
+                        .waves = &pattern.waves,
+                        .z = pattern.solution.z},
+                       options);
+}
+
+}  // namespace
+
 void write_picture(const std::filesystem::path& path, const Surface& surface,
-                   const StripePattern& pattern, const PictureOptions& options) {
+                   const StripeResult& result, const PictureOptions& options) {
+  const StripePattern& pattern = result.stripes();
+  if (surface.mesh.triangles.empty()) {
+    return write_png(path, picture_of_points(surface, pattern, render_options(options)));
+  }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
-  const StripeScene scene{.mesh = surface.mesh,
-                          .normals = surface.normals,
-                          .waves = &pattern.waves,
-                          .z = pattern.solution.z,
-                          .triangle_colors = overlay.triangle_colors,
-                          .marks = overlay.marks};
+  StripeScene scene{.mesh = surface.mesh,
+                    .normals = surface.normals,
+                    .waves = &pattern.waves,
+                    .z = pattern.solution.z,
+                    .triangle_colors = overlay.triangle_colors,
+                    .marks = overlay.marks};
+  if (const Texture* texture = result.texture()) {
+    scene.texture_waves = &texture->pattern.waves;
+    scene.texture_tile = &texture->tile;
+  }
   write_png(path, render_picture(scene, render_options(options)));
+}
+
+std::string tile_png(const TextureTile& tile, const PictureOptions& options) {
+  constexpr int kSide = 512;
+  return png_of(tile_picture(tile, kSide, options.render.stripe_color, options.render.base_color));
 }
 
 }  // namespace brindle::tool

@@ -1,6 +1,7 @@
 #include "brindle/base/error.h"
 #include "moving_picture.h"
 #include "picture.h"
+#include "texture_options.h"
 
 namespace brindle::tool {
 
@@ -12,12 +13,36 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& /*app*/) {
 
 void stand_on_z(PictureOptions& /*options*/) {}
 
+bool shows_stripes(const PictureOptions& /*options*/) { return true; }
+
 void check_pictures_available() {
   throw Error("this build draws no pictures; configure with -DBRINDLE_GL=ON to have them");
 }
 
 void write_picture(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
-                   const StripePattern& /*pattern*/, const PictureOptions& /*options*/) {
+                   const StripeResult& /*result*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+}
+
+std::string tile_png(const TextureTile& /*tile*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+  return {};
+}
+
+void add_texture_options(CLI::App& /*app*/, TextureChoice& /*choice*/, WaveOptions& /*waves*/,
+                         CLI::Option* /*cross*/) {}
+
+std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/, bool /*cross*/) {
+  return std::nullopt;
+}
+
+void write_ornaments(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
+                     std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/) {
+  check_pictures_available();
+}
+
+void write_line_drawing(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
+                        std::span<const PenLines> /*pens*/, const PictureOptions& /*options*/) {
   check_pictures_available();
 }
 

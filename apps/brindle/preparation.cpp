@@ -1,26 +1,57 @@
 #include "preparation.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/pipeline/point_surface.h"
 
 namespace brindle::tool {
+namespace {
+
+// Loads a surface into `result`, with the time that takes.
+void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
+  Stopwatch watch;
+  LoadedMesh loaded = load_mesh(options);
+  display.note(describe(loaded.repair));
+  result.load_milliseconds = watch.lap();
+  display.stage("neighbourhood and normals");
+  result.surface = make_surface(std::move(loaded.mesh));
+  result.topology_milliseconds = watch.lap();
+}
+
+void prepare_points(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
+  Stopwatch watch;
+  LoadedPoints loaded = load_points(options);
+  display.note(describe(loaded.repair));
+  result.load_milliseconds = watch.lap();
+  display.stage("neighbours and normals of points");
+  const std::size_t used = loaded.cloud.used.size();
+  result.surface = make_point_surface(std::move(loaded.cloud), options.neighbors);
+  const auto with_normal = static_cast<std::size_t>(
+      std::ranges::count_if(result.surface.normals, [](const Vec3& n) { return !n.isZero(0); }));
+  if (with_normal < used) {
+    display.note(std::to_string(used - with_normal) +
+                 " points whose neighbours lie on a line: kept, without a wave\n");
+  }
+  result.topology_milliseconds = watch.lap();
+}
+
+}  // namespace
 
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
                     ProgressDisplay& display) {
   Preparation result;
-  Stopwatch watch;
   display.stage("loading " + surface.mesh);
-  LoadedMesh loaded = load_mesh(surface);
-  display.note(describe(loaded.repair));
-  result.load_milliseconds = watch.lap();
+  is_points(surface) ? prepare_points(result, surface, display)
+                     : prepare_mesh(result, surface, display);
 
-  display.stage("neighbourhood and normals");
-  result.surface = make_surface(std::move(loaded.mesh));
-  result.topology_milliseconds = watch.lap();
-
+  Stopwatch watch;
   display.stage("direction field");
-  result.waves = make_waves(result.surface, waves);
+  WavesAndCrossing made = make_waves(result.surface, waves);
+  result.waves = std::move(made.waves);
+  result.frequencies_v = std::move(made.frequencies_v);
   result.load_milliseconds += watch.lap();
   return result;
 }

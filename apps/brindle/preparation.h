@@ -11,6 +11,7 @@ namespace brindle::tool {
 struct Preparation {
   Surface surface;
   WaveSet waves;
+  FrequencyField frequencies_v;      ///< of crossing stripes; empty: those of `waves`
   double load_milliseconds = 0;      ///< reading or making the mesh and its field
   double topology_milliseconds = 0;  ///< neighbourhood and normals
 };

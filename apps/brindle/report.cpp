@@ -8,6 +8,50 @@
 #include "formatted.h"
 
 namespace brindle::tool {
+namespace {
+
+nlohmann::ordered_json to_json(const TextureReport& texture) {
+  return {{"energy_v", texture.energy_v},
+          {"branches_v", texture.branches_v},
+          {"turned_edges", texture.seams.turned},
+          {"mirrored_edges", texture.seams.mirrored},
+          {"unoriented_triangles", texture.seams.unoriented_triangles}};
+}
+
+nlohmann::ordered_json to_json(const TextureQuality& quality) {
+  return {{"angle_distortion_mean_deg", quality.angle_mean_deg},
+          {"angle_distortion_95th_deg", quality.angle_95th_deg},
+          {"area_distortion_mean", quality.area_mean},
+          {"area_distortion_95th", quality.area_95th}};
+}
+
+void print_texture(std::ostream& out, const TextureReport& texture) {
+  out << formatted(
+      "texture   %zu branches across the field; turned round at %zu edges, mirrored at "
+      "%zu, %zu triangles without orientation\n",
+      texture.branches_v, texture.seams.turned, texture.seams.mirrored,
+      texture.seams.unoriented_triangles);
+}
+
+void print_tiles(std::ostream& out, const TextureQuality& quality) {
+  out << formatted(
+      "tiles     angle off by %.2f degrees on average, 95 %% below %.2f; "
+      "area by %.1f %%, 95 %% below %.1f %%\n",
+      quality.angle_mean_deg, quality.angle_95th_deg, 100 * quality.area_mean,
+      100 * quality.area_95th);
+}
+
+void print_branches(std::ostream& out, const Report& report) {
+  const PatternQuality& quality = report.quality;
+  if (report.triangles == 0) return;
+  out << (report.cross
+              ? formatted("branches  %zu of both waves; the cross field has %zu singularities\n",
+                          quality.branches, quality.field_singularities)
+              : formatted("branches  %zu, of these %zu where the field has a singularity\n",
+                          quality.branches, quality.field_singularities));
+}
+
+}  // namespace
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver) {
   const Surface& surface = prepared.surface;
@@ -26,27 +70,57 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
   return report;
 }
 
+Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver) {
+  Report report = make_report(prepared, texture.u, solver);
+  const StripeMilliseconds& more = texture.v.milliseconds;
+  report.milliseconds.topology += more.topology;
+  report.milliseconds.couple += more.couple;
+  report.milliseconds.solve += more.solve;
+  report.milliseconds.pattern += more.pattern + texture.orientation_milliseconds;
+  report.texture = TextureReport{texture.v.solution.energy, texture.v.quality.branches,
+                                 texture.seams, texture.quality};
+  return report;
+}
+
+Report make_report(const Preparation& prepared, const CrossTexture& texture, Solver solver) {
+  Report report = make_report(prepared, texture.pattern.u, solver);
+  report.milliseconds.pattern += texture.pattern.orientation_milliseconds;
+  report.cross = texture.pattern.quality;
+  return report;
+}
+
 nlohmann::ordered_json to_json(const Report& report) {
   const StripeMilliseconds& time = report.milliseconds;
-  return {{"vertices", report.vertices},
-          {"triangles", report.triangles},
-          {"edges", report.edges},
-          {"solver", name_of(report.solver)},
-          {"threads", report.threads},
-          {"iterations", report.iterations},
-          {"energy", report.energy},
-          {"branches", report.quality.branches},
-          {"field_singularities", report.quality.field_singularities},
-          {"angle_error_mean_deg", report.quality.angle_error_mean_deg},
-          {"angle_error_share_over_5deg", report.quality.angle_error_share_over_5deg},
-          {"spacing_error_mean", report.quality.spacing_error_mean},
-          {"milliseconds",
-           {{"load", time.load},
-            {"topology", time.topology},
-            {"couple", time.couple},
-            {"solve", time.solve},
-            {"pattern", time.pattern}}},
-          {"device", report.device}};
+  nlohmann::ordered_json json = {
+      {"vertices", report.vertices},
+      {"triangles", report.triangles},
+      {"edges", report.edges},
+      {"solver", name_of(report.solver)},
+      {"threads", report.threads},
+      {"iterations", report.iterations},
+      {"energy", report.energy},
+      {"branches", report.quality.branches},
+      {"field_singularities", report.quality.field_singularities},
+      {"angle_error_mean_deg", report.quality.angle_error_mean_deg},
+      {"angle_error_share_over_5deg", report.quality.angle_error_share_over_5deg},
+      {"spacing_error_mean", report.quality.spacing_error_mean},
+      {"milliseconds",
+       {{"load", time.load},
+        {"topology", time.topology},
+        {"couple", time.couple},
+        {"solve", time.solve},
+        {"pattern", time.pattern}}},
+      {"device", report.device}};
+  if (report.triangles == 0) {
+    json.erase("branches");
+    json.erase("field_singularities");
+  }
+  if (report.texture) {
+    json["texture"] = to_json(*report.texture);
+    json["texture"].update(to_json(report.texture->quality));
+  }
+  if (report.cross) json["cross"] = to_json(*report.cross);
+  return json;
 }
 
 void print_report(std::ostream& out, const Report& report) {
@@ -57,15 +131,19 @@ void print_report(std::ostream& out, const Report& report) {
       << formatted("solver    %s, %d iteration%s, %d thread%s\n", name_of(report.solver).data(),
                    report.iterations, report.iterations == 1 ? "" : "s", report.threads,
                    report.threads == 1 ? "" : "s")
-      << device_line(report.device) << formatted("energy    %.6f\n", report.energy)
-      << formatted("branches  %zu, of these %zu where the field has a singularity\n",
-                   quality.branches, quality.field_singularities)
-      << formatted(
-             "errors    angle %.2f degrees on average, above 5 degrees in %.1f %%, "
-             "spacing %.1f %%\n",
-             quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
-             100 * quality.spacing_error_mean)
-      << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f ms\n",
+      << device_line(report.device) << formatted("energy    %.6f\n", report.energy);
+  print_branches(out, report);
+  out << formatted(
+      "errors    angle %.2f degrees on average, above 5 degrees in %.1f %%, "
+      "spacing %.1f %%\n",
+      quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
+      100 * quality.spacing_error_mean);
+  if (report.texture) {
+    print_texture(out, *report.texture);
+    print_tiles(out, report.texture->quality);
+  }
+  if (report.cross) print_tiles(out, *report.cross);
+  out << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f ms\n",
                    time.load, time.topology, time.couple, time.solve, time.pattern);
 }
 

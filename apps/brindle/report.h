@@ -2,14 +2,24 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/pipeline/cross_texture.h"
+#include "brindle/pipeline/texture_pattern.h"
 #include "preparation.h"
 
 namespace brindle::tool {
+
+/// The figures of a texture beside those of its stripes along the field.
+struct TextureReport {
+  double energy_v = 0;
+  std::size_t branches_v = 0;
+  TextureSeams seams;
+  TextureQuality quality;
+};
 
 /// The figures of one run.
 struct Report {
@@ -23,10 +33,19 @@ struct Report {
   PatternQuality quality;
   StripeMilliseconds milliseconds;
   nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
+  std::optional<TextureReport> texture;
+  std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
+                                        ///< waves together
 };
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);
 
+/// As above, of a texture: times are those of both patterns together.
+Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver);
+
+Report make_report(const Preparation& prepared, const CrossTexture& texture, Solver solver);
+
+/// Without triangles there are no branches and singularities to count: those keys are left out.
 nlohmann::ordered_json to_json(const Report& report);
 
 /// A few lines for people.

@@ -1,8 +1,11 @@
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/pipeline/cross_texture.h"
 #include "commands.h"
 #include "device.h"
 #include "outputs.h"
@@ -10,6 +13,7 @@
 #include "preparation.h"
 #include "report.h"
 #include "solving_options.h"
+#include "texture_options.h"
 
 namespace brindle::tool {
 namespace {
@@ -21,34 +25,116 @@ constexpr const char* kExamples = R"(Examples:
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
   brindle stripe horse.ply --device gpu --report horse.json
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
+  brindle stripe scan.obj --cross --texture plus_minus --output crosses.png
+  brindle stripe points.csv --output points.png --output points.ply
+  brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
+  brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
 
-Files by extension: .png a picture; .ply .gltf .glb a mesh with phase (radians), direction and
-frequency at every vertex; .obj the mesh alone; .json a report.)";
+Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians), direction,
+frequency and branch (1 at the corners of triangles where a stripe begins or ends) at every vertex;
+.obj the mesh alone; .json a report. With --texture, meshes have texture coordinates and show the
+tile: .gltf and .glb hold it, others have it beside them.)";
 
 struct StripeArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
   DeviceKind device = DeviceKind::cpu;
+  TextureChoice texture;
   std::shared_ptr<PictureOptions> picture;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
 };
 
+Texture make_texture(Preparation& prepared, const StripeArguments& arguments, TextureTile tile,
+                     const Progress& progress) {
+  const TextureOptions options{std::move(prepared.frequencies_v), arguments.texture.oriented,
+                               arguments.solving.stripes};
+  return {texture_pattern(prepared.surface, std::move(prepared.waves), options, progress),
+          std::move(tile)};
+}
+
+StripeResult make_result(Preparation& prepared, const StripeArguments& arguments,
+                         std::optional<TextureTile> tile, const Progress& progress) {
+  if (tile) return {make_texture(prepared, arguments, std::move(*tile), progress)};
+  return {stripe_pattern(prepared.surface, std::move(prepared.waves), arguments.solving.stripes,
+                         progress)};
+}
+
+// What was made, on the surface that it is drawn on, and its report.
+struct Job {
+  Surface surface;
+  StripeResult result;
+  Report report;
+};
+
+Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTile tile,
+               const Progress& progress) {
+  const StripeOptions& options = arguments.solving.stripes;
+  const CrossPattern cross = cross_pattern(prepared.surface, prepared.waves, options, progress);
+  CrossTexture texture = cross_texture(prepared.surface, cross, options.phase_shift);
+  const Report report = make_report(prepared, texture, options.solver.solver);
+  return {
+      std::move(texture.surface), {Texture{std::move(texture.pattern), std::move(tile)}}, report};
+}
+
+Job make_job(Preparation prepared, const StripeArguments& arguments,
+             std::optional<TextureTile> tile, const Progress& progress) {
+  if (arguments.waves.cross) {
+    return make_cross(std::move(prepared), arguments, tile.value_or(BuiltInTile::checker),
+                      progress);
+  }
+  StripeResult result = make_result(prepared, arguments, std::move(tile), progress);
+  const Solver solver = arguments.solving.stripes.solver.solver;
+  const Report report = result.texture() != nullptr
+                            ? make_report(prepared, result.texture()->pattern, solver)
+                            : make_report(prepared, result.stripes(), solver);
+  return {std::move(prepared.surface), std::move(result), report};
+}
+
+// What cannot be laid over points or shown of crosses: better said before a long job.
+void check_points(const StripeArguments& arguments, const std::vector<Output>& outputs) {
+  const auto refuse = [](const std::string& what) {
+    throw Error("points have no triangles: " + what);
+  };
+  if (arguments.waves.cross) refuse("a cross field is drawn on meshes alone; leave out --cross");
+  if (!arguments.texture.tile.empty()) {
+    refuse("a texture is drawn on meshes alone; leave out --texture");
+  }
+  if (!shows_stripes(*arguments.picture)) {
+    refuse("branches and angle errors are not drawn; take --view stripes");
+  }
+  for (const Output& output : outputs) {
+    if (output.kind == OutputKind::mesh && !holds_points(output.path)) {
+      refuse("'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
+    }
+  }
+}
+
+void check_cross(const StripeArguments& arguments) {
+  if (!shows_stripes(*arguments.picture)) {
+    throw Error("of a cross field, branches and angle errors are not drawn; take --view stripes");
+  }
+}
+
 /// Solves on the device, which is given back before anything is drawn.
-StripePattern solve(const StripeArguments& arguments, const Surface& surface, WaveSet waves,
-                    nlohmann::ordered_json& description, const Progress& progress) {
+Job solve(StripeArguments arguments, Preparation prepared, std::optional<TextureTile> tile,
+          const Progress& progress) {
   const Device device(arguments.device);
-  description = device.description();
-  StripeOptions options = arguments.solving.stripes;
-  options.solve = device.solver();
-  return stripe_pattern(surface, std::move(waves), options, progress);
+  arguments.solving.stripes.solve = device.solver();
+  Job job = make_job(std::move(prepared), arguments, std::move(tile), progress);
+  job.report.device = device.description();
+  return job;
 }
 
 void run(const StripeArguments& arguments) {
   check_solver(arguments.device, arguments.solving.stripes.solver.solver);
-  std::vector<Output> outputs = plan_outputs(arguments.outputs);
+  std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
+  std::vector<Output> outputs =
+      plan_outputs(arguments.outputs, tile.has_value() || arguments.waves.cross);
+  if (arguments.waves.cross) check_cross(arguments);
+  if (is_points(arguments.surface)) check_points(arguments, outputs);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));
 
@@ -57,14 +143,11 @@ void run(const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    nlohmann::ordered_json device;
-    const StripePattern pattern =
-        solve(arguments, prepared.surface, std::move(prepared.waves), device, display.progress());
-    report = make_report(prepared, pattern, arguments.solving.stripes.solver.solver);
-    report.device = std::move(device);
+    const Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
+    report = job.report;
     for (const Output& output : outputs) {
       display.stage("writing " + output.path.string());
-      write_output(output, prepared.surface, pattern, report, *arguments.picture);
+      write_output(output, job.surface, job.result, report, *arguments.picture);
     }
   }
   if (!arguments.quiet) print_report(std::cout, report);
@@ -73,22 +156,19 @@ void run(const StripeArguments& arguments) {
 }  // namespace
 
 Command add_stripe_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("stripe", "Lay stripes over a surface");
+  CLI::App* command = app.add_subcommand("stripe", "Lay stripes over a surface or a point cloud");
   command->footer(kExamples);
   const auto arguments = std::make_shared<StripeArguments>();
   add_surface_options(*command, arguments->surface);
+  add_point_options(*command, arguments->surface);
   add_wave_options(*command, arguments->waves);
+  CLI::Option* cross = add_cross_option(*command, arguments->waves);
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
   add_device_option(*command, arguments->device);
-  command->add_option("-o,--output", arguments->outputs, "what to write, by extension; repeatable")
-      ->type_name("FILE")
-      ->expected(1)
-      ->take_all();
-  command->add_option("--report", arguments->report, "write the report here")
-      ->type_name("FILE.json");
+  add_texture_options(*command, arguments->texture, arguments->waves, cross);
+  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
   arguments->picture = add_picture_options(*command);
-  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
   return {command, [arguments] { run(*arguments); }};
 }
 

@@ -32,6 +32,28 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
       ->check(CLI::Range(0, 10));
 }
 
+void add_point_options(CLI::App& app, SurfaceOptions& options) {
+  app.add_flag(
+      "--points", options.points,
+      "take the vertices alone, as points; files without faces (.ply, .obj, .csv with rows "
+      "x,y,z or x,y,z,nx,ny,nz) are points anyway");
+  app.add_option("--neighbors", options.neighbors, "points: join each to its K nearest (default 8)")
+      ->type_name("K")
+      ->check(CLI::Range(3, 100));
+}
+
+bool is_points(const SurfaceOptions& options) {
+  return options.points || (!is_shape(options) && is_point_file(options.mesh));
+}
+
+LoadedPoints load_points(const SurfaceOptions& options) {
+  if (options.subdivide > 0) {
+    throw CLI::ValidationError("--subdivide", "points have no triangles to split");
+  }
+  return is_shape(options) ? make_point_cloud(make_named_shape(options).positions)
+                           : read_points(options.mesh);
+}
+
 bool is_shape(const SurfaceOptions& options) {
   return std::string_view(options.mesh).starts_with(kShapePrefix);
 }

@@ -8,6 +8,7 @@
 
 #include "brindle/pipeline/surface.h"
 #include "brindle/waves/direction_field.h"
+#include "brindle/waves/frequency_field.h"
 #include "brindle/waves/phase_graph.h"
 
 namespace brindle::tool {
@@ -17,9 +18,20 @@ struct WaveOptions {
   std::string field = "smooth";   ///< "smooth", "curvature" or a file
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   float curvature_anchor = 0;  ///< of the smooth field
+  float feature_anchor = 0;    ///< of the smooth field
+  float feature_angle_deg = 40;
+  bool cross = false;  ///< the field is a cross field
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
+  std::optional<float> stripes_v;  ///< the same of the crossing stripes
+  std::optional<float> frequency_v;
+};
+
+/// Waves without phases, and the frequencies of those that cross them.
+struct WavesAndCrossing {
+  WaveSet waves;                 ///< one wave per vertex
+  FrequencyField frequencies_v;  ///< one per vertex; empty: those of `waves`
 };
 
 /// --direction alone.
@@ -28,13 +40,20 @@ CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
 /// --stripes and --frequency.
 void add_frequency_options(CLI::App& app, WaveOptions& options);
 
-/// All options.
+/// --cross.
+CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options);
+
+/// --stripes-v and --frequency-v, for textures; both need the option `texture` and exclude `cross`.
+void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture,
+                                    CLI::Option* cross);
+
+/// All options but those of crossing stripes.
 void add_wave_options(CLI::App& app, WaveOptions& options);
 
 /// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);
 
-/// One wave per vertex, without phases. Throws Error if a field file does not fit.
-WaveSet make_waves(const Surface& surface, const WaveOptions& options);
+/// Throws Error if a field file does not fit.
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options);
 
 }  // namespace brindle::tool

@@ -64,7 +64,7 @@ TEST_F(BadInput, EmptyFile) {
 
 TEST_F(BadInput, MeshWithoutTriangles) {
   write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-  expect_refusal(1, "points.obj", {"stripe", "points.obj", "--report", "out.json"});
+  expect_refusal(1, "points.obj", {"info", "points.obj"});
 }
 
 TEST_F(BadInput, OnlyNanPositions) {
@@ -119,7 +119,7 @@ TEST_F(BadInput, OutputsAreCheckedBeforeAnythingIsWritten) {
 TEST_F(BadInput, FullDisk) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   for (const char* name :
-       {"full.png", "full.obj", "full.ply", "full.gltf", "full.glb", "full.json"}) {
+       {"full.png", "full.obj", "full.ply", "full.vtp", "full.gltf", "full.glb", "full.json"}) {
     fs::create_symlink("/dev/full", folder / name);
     expect_refusal(1, name, {"stripe", kSmallTorus, "--output", name, "--size", "64x48"});
   }

@@ -85,13 +85,19 @@ TEST_F(Stripe, AnswersOnStdoutUnlessQuiet) {
 }
 
 TEST_F(Stripe, WritesWhatTheExtensionSays) {
-  const ToolResult result = run({"stripe", kSmallTorus, "-o", "a.obj", "-o", "a.ply", "--output",
-                                 "a.gltf", "--output", "a.GLB", "--output", "a.json"});
+  const ToolResult result =
+      run({"stripe", kSmallTorus, "-o", "a.obj", "-o", "a.ply", "--output", "a.gltf", "--output",
+           "a.GLB", "--output", "a.json", "-o", "a.vtp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(content(folder / "a.ply").substr(0, 3), "ply");
   EXPECT_EQ(content(folder / "a.GLB").substr(0, 4), "glTF");
   EXPECT_EQ(Json::parse(content(folder / "a.gltf"))["asset"]["version"], "2.0");
   EXPECT_EQ(Json::parse(content(folder / "a.json"))["solver"], "multilevel");
+  for (const char* name : {"phase", "direction", "frequency", "branch"}) {
+    EXPECT_NE(content(folder / "a.vtp").find("Name=\"" + std::string(name)), std::string::npos);
+    EXPECT_NE(content(folder / "a.ply").find("property float " + std::string(name)),
+              std::string::npos);
+  }
   const int vertices = report({})["vertices"];
   for (const char* mesh : {"a.obj", "a.ply", "a.gltf", "a.GLB"}) {
     EXPECT_EQ(report({}, mesh)["vertices"], vertices) << mesh;

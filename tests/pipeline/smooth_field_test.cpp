@@ -7,6 +7,7 @@
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/surface/shapes.h"
+#include "brindle/surface/subdivide.h"
 
 namespace brindle {
 namespace {
@@ -85,6 +86,60 @@ TEST(SmoothField, RefusesASymmetryBelowOne) {
   options.symmetry = 0;
   EXPECT_THROW(smooth_direction_field(make_surface(make_shape("plane,resolution=4")), options),
                Error);
+}
+
+/// The mean over all directions of how far they are from the nearest of two crossed axes, degrees.
+double degrees_off_axes(const Surface& surface, const DirectionField& field, const Vec3& axis) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vec3 along = tangent_direction(axis, surface.normals[i]);
+    if (along.isZero(0)) continue;
+    const double angle = std::acos(std::min(1.0f, std::abs(field[i].dot(along)))) * 57.29578;
+    sum += std::min(angle, 90 - angle);
+    ++count;
+  }
+  return sum / static_cast<double>(count);
+}
+
+TEST(SmoothField, CrossesRunAlongTheBoundary) {
+  const Surface plane = make_surface(make_shape("plane,resolution=30"));
+  const DirectionField field =
+      smooth_direction_field(plane, {.symmetry = 4, .feature_anchor = 1.0f});
+  EXPECT_LT(degrees_off_axes(plane, field, Vec3::UnitX()), 3);
+}
+
+/// A cube whose edges are edges of triangles, standing askew.
+Surface cube() {
+  Mesh mesh;
+  for (int corner = 0; corner < 8; ++corner) {
+    mesh.positions.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return make_surface(subdivide(std::move(mesh), 4));
+}
+
+TEST(SmoothField, CrossesRunAlongTheEdgesOfACube) {
+  const Surface surface = cube();
+  const auto off_axes = [&](float anchor) {
+    const SmoothFieldOptions options{.symmetry = 4, .feature_anchor = anchor};
+    return degrees_off_axes(surface, smooth_direction_field(surface, options), Vec3::UnitZ());
+  };
+  EXPECT_LT(off_axes(1), 3);
+  EXPECT_LT(off_axes(1), 0.5 * off_axes(0));
+}
+
+TEST(SmoothField, FollowsCreasesThatTrianglesFollowInZigzag) {
+  // Without fillets; the grid that this shape comes from leaves no straight edges.
+  const Surface box = make_surface(make_shape("box,fillet=0.001,hole=0,resolution=20"));
+  const SmoothFieldOptions options{.symmetry = 4, .feature_anchor = 1, .feature_angle_deg = 25};
+  EXPECT_LT(degrees_off_axes(box, smooth_direction_field(box, options), Vec3::UnitZ()), 5);
+}
+
+TEST(SmoothField, RefusesFeaturesForVectors) {
+  const Surface plane = make_surface(make_shape("plane,resolution=5"));
+  EXPECT_THROW(smooth_direction_field(plane, {.symmetry = 1, .feature_anchor = 1.0f}), Error);
 }
 
 }  // namespace

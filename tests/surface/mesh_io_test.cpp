@@ -564,5 +564,45 @@ TEST_F(MeshIo, KeepsTheVertexNumbersOfTheSharedModels) {
   }
 }
 
+VertexAttribute corners_of_a_picture() { return {"uv", 2, {0, 0, 1, 0, 0, 1}}; }
+
+Mesh one_triangle() { return {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}}; }
+
+TEST_F(MeshIo, TexturedMeshesNameTheirPictureBesideThem) {
+  const std::vector<VertexAttribute> uv = {corners_of_a_picture()};
+  for (const char* name : {"my mesh.obj", "my mesh.ply", "my mesh.vtp"}) {
+    write_textured_mesh(folder / name, one_triangle(), uv, "picture");
+    for (const fs::path& file : textured_mesh_files(folder / name)) {
+      EXPECT_TRUE(fs::exists(file)) << file;
+    }
+    EXPECT_EQ(load(folder / "my mesh_texture.png"), "picture");
+    fs::remove(folder / "my mesh_texture.png");
+  }
+  EXPECT_NE(load(folder / "my mesh.obj").find("vt 1 0\n"), std::string::npos);
+  EXPECT_NE(load(folder / "my mesh.obj").find("f 1/1 2/2 3/3\n"), std::string::npos);
+  EXPECT_NE(load(folder / "my mesh.mtl").find("map_Kd my mesh_texture.png\n"), std::string::npos);
+  EXPECT_EQ(read_mesh(folder / "my mesh.obj").mesh.positions, one_triangle().positions);
+  EXPECT_EQ(read_mesh(folder / "my mesh.ply").mesh.triangles, one_triangle().triangles);
+}
+
+TEST_F(MeshIo, GltfHoldsItsPictureAndTurnsVDown) {
+  const std::vector<VertexAttribute> uv = {corners_of_a_picture()};
+  write_textured_mesh(folder / "a.glb", one_triangle(), uv, "12345");
+  const std::string file = load(folder / "a.glb");
+  EXPECT_EQ(file.substr(file.size() - 8), std::string("12345\0\0\0", 8));
+  EXPECT_EQ(file.size() % 4, 0u);
+  std::array<float, 6> stored{};
+  std::memcpy(stored.data(), file.data() + file.size() - 8 - sizeof stored, sizeof stored);
+  EXPECT_EQ(stored, (std::array<float, 6>{0, 1, 1, 1, 0, 0}));
+  EXPECT_EQ(textured_mesh_files(folder / "a.glb"), std::vector<fs::path>{folder / "a.glb"});
+}
+
+TEST_F(MeshIo, TexturedMeshesNeedCoordinates) {
+  EXPECT_THROW(write_textured_mesh(folder / "a.glb", one_triangle(), {}, "png"), Error);
+  const std::vector<VertexAttribute> short_uv = {{"uv", 2, {0, 0}}};
+  EXPECT_THROW(write_textured_mesh(folder / "a.obj", one_triangle(), short_uv, "png"), Error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
 }  // namespace
 }  // namespace brindle

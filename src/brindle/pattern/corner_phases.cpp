@@ -11,15 +11,14 @@ namespace {
 
 constexpr float kTwoPi = 2 * std::numbers::pi_v<float>;
 
-/// Phi_ji plus what is left to the other corner's phase, wrapped: the lifted step from j to i.
+}  // namespace
+
 float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind) {
   const float shift = phase_shift(kind, j.wave, i.wave).radians;
   // The difference of the phases themselves, less the shift, both wrapped.
   const float remainder = std::arg(i.z * std::conj(j.z)) - shift;
   return shift + remainder - kTwoPi * std::round(remainder / kTwoPi);
 }
-
-}  // namespace
 
 CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftKind kind) {
   CornerPhases result;

@@ -26,6 +26,10 @@ struct CornerPhases {
   TriangleKind kind = TriangleKind::no_wave;
 };
 
+/// What the phase gains from corner j to corner i, in radians, both running alike: the phase shift
+/// Phi_ji plus what it leaves of the difference of the phases, wrapped to between -pi and pi.
+float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind);
+
 /// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the
 /// phase shift plus the wrapped remainder. The closing error over 2 pi is the branch index.
 /// A corner without direction has no wave.

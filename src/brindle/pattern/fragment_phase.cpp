@@ -69,8 +69,8 @@ int opposite_corner(const Vec3& barycentric) {
 /// corner has no weight anywhere in the sub-triangle. So the value on the edge is the edge's own,
 /// and the value on a cut from a corner to the barycentre is that corner's alone, seen from either
 /// side: nothing jumps but at the barycentre itself, which becomes the singular point.
-FragmentWave split_fragment_phase(std::array<CornerWave, 3> corners, const Vec3& barycentric,
-                                  const Vec3& point) {
+FragmentWave split_wave(std::array<CornerWave, 3> corners, const Vec3& barycentric,
+                        const Vec3& point) {
   const int c = opposite_corner(barycentric);
   const int a = (c + 1) % 3;
   const int b = (c + 2) % 3;
@@ -99,13 +99,20 @@ FragmentWave oriented_fragment_phase(const std::array<CornerWave, 3>& corners,
   return blended_wave(moved, barycentric, point_at(moved, barycentric));
 }
 
+FragmentWave split_fragment_phase(const std::array<CornerWave, 3>& corners,
+                                  const Vec3& barycentric) {
+  if (!all_have_waves(corners)) return {};
+  const std::array<CornerWave, 3> moved = moved_to_first_corner(corners);
+  return split_wave(moved, barycentric, point_at(moved, barycentric));
+}
+
 FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3& barycentric) {
   if (!all_have_waves(corners)) return {};
   std::array<CornerWave, 3> moved = moved_to_first_corner(corners);
   const Vec3 point = point_at(moved, barycentric);
   const auto signs = common_orientation(
       {moved[0].wave.direction, moved[1].wave.direction, moved[2].wave.direction});
-  if (!signs) return split_fragment_phase(moved, barycentric, point);
+  if (!signs) return split_wave(moved, barycentric, point);
   for (int m = 1; m < 3; ++m) {
     if ((*signs)[m] < 0) moved[m] = flipped(moved[m]);
   }

@@ -25,6 +25,11 @@ std::optional<std::array<float, 3>> common_orientation(const std::array<Vec3, 3>
 FragmentWave oriented_fragment_phase(const std::array<CornerWave, 3>& corners,
                                      const Vec3& barycentric);
 
+/// The fragment's wave in a triangle that is split at its barycentre: from the two corners of the
+/// edge that its part keeps, with the sign of the first of them.
+FragmentWave split_fragment_phase(const std::array<CornerWave, 3>& corners,
+                                  const Vec3& barycentric);
+
 /// The fragment's wave in any triangle. Corners that cannot be oriented alike are handled by
 /// splitting the triangle at its barycentre (Knöppel et al. 2015), so that no edge shows a seam.
 /// The result is defined up to a flip: sin Phi is what two triangles share along an edge.

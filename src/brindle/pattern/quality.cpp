@@ -17,16 +17,6 @@ struct TriangleError {
   float spacing = 0;
 };
 
-/// The gradient of the linear function with the given values at the corners; zero without area.
-Vec3 gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value) {
-  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  const float square = normal.squaredNorm();
-  if (!(square > 0)) return Vec3::Zero();
-  const Vec3 sum = (value[1] - value[0]) * (corner[0] - corner[2]) +
-                   (value[2] - value[0]) * (corner[1] - corner[0]);
-  return normal.cross(sum) / square;
-}
-
 TriangleError triangle_error(const Triangle& triangle, const Mesh& mesh, const WaveSet& waves,
                              const CornerPhases& corners) {
   if (corners.kind != TriangleKind::regular) return {};
@@ -38,7 +28,7 @@ TriangleError triangle_error(const Triangle& triangle, const Mesh& mesh, const W
     direction += corners.sign[m] * waves.directions[triangle[m]];
     frequency += waves.frequencies[triangle[m]] / 3;
   }
-  const Vec3 slope = gradient(position, corners.phase);
+  const Vec3 slope = linear_gradient(position, corners.phase);
   // The gradient lies in the triangle; what sticks out of it cannot be followed by any pattern.
   const Vec3 normal = triangle_normal(mesh, triangle);
   direction -= direction.dot(normal) * normal;
@@ -68,6 +58,15 @@ struct Sums {
 };
 
 }  // namespace
+
+Vec3 linear_gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value) {
+  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  const float square = normal.squaredNorm();
+  if (!(square > 0)) return Vec3::Zero();
+  const Vec3 sum = (value[1] - value[0]) * (corner[0] - corner[2]) +
+                   (value[2] - value[0]) * (corner[1] - corner[0]);
+  return normal.cross(sum) / square;
+}
 
 std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
                                     std::span<const CornerPhases> corners) {

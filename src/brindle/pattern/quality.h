@@ -1,6 +1,7 @@
 /// How well a pattern follows its field: branches, angle and spacing errors (paper, Fig. 8).
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct PatternQuality {
   double angle_error_share_over_5deg = 0;  ///< share of regular triangles, between 0 and 1
   double spacing_error_mean = 0;  ///< mean of | |gradient| / (2 pi f) - 1 |, regular triangles
 };
+
+/// The gradient of the linear function with these values at a triangle's corners, in the triangle's
+/// plane; zero if the triangle has no area.
+Vec3 linear_gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value);
 
 /// Angle in degrees, 0 to 180, between the gradient of the lifted corner phases and the mean corner
 /// direction in the triangle's plane, for every triangle; -1 where the triangle is not regular.

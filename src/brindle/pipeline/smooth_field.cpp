@@ -9,6 +9,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/phases/solver.h"
 #include "brindle/surface/curvature.h"
+#include "brindle/surface/feature_edges.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 
@@ -37,11 +38,45 @@ void add_curvature_anchors(PhaseGraph& graph, const Surface& surface,
   const DirectionField directions =
       curvature_direction_field(curvatures, options.curvature_direction);
   const std::vector<float> trust = anisotropy(curvatures);
-  graph.anchor.resize(graph.node_count());
   for (Index i = 0; i < graph.node_count(); ++i) {
     const auto degree = static_cast<float>(graph.adjacency->of(i).size());
-    graph.anchor[i] = options.curvature_anchor * trust[i] * degree *
-                      representation(directions[i], surface.normals[i], options.symmetry);
+    graph.anchor[i] += options.curvature_anchor * trust[i] * degree *
+                       representation(directions[i], surface.normals[i], options.symmetry);
+  }
+}
+
+/// At every vertex the mean of its features as lines (N = 2): a crease that the triangles follow in
+/// zigzag keeps its direction, and where creases meet across each other they cancel.
+std::vector<Complex> feature_lines(const Surface& surface, float angle_deg) {
+  const Mesh& mesh = surface.mesh;
+  const MeshEdges edges = mesh_edges(mesh, *surface.neighborhood);
+  std::vector<Complex> lines(mesh.vertex_count());
+  std::vector<float> lengths(mesh.vertex_count());
+  for (const auto& [a, b] : feature_edges(mesh, edges, angle_deg)) {
+    const Vec3 edge = mesh.positions[b] - mesh.positions[a];
+    for (const Index i : {a, b}) {
+      const Vec3& normal = surface.normals[i];
+      lines[i] += edge.norm() * representation(tangent_direction(edge, normal), normal, 2);
+      lengths[i] += edge.norm();
+    }
+  }
+  for (Index i = 0; i < lines.size(); ++i) {
+    if (lengths[i] > 0) lines[i] /= lengths[i];
+  }
+  return lines;
+}
+
+void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
+                         const SmoothFieldOptions& options) {
+  if (options.symmetry % 2 != 0) {
+    throw Error("smooth field: edges have no sign; feature anchors need an even symmetry");
+  }
+  const std::vector<Complex> lines = feature_lines(surface, options.feature_angle_deg);
+  for (Index i = 0; i < graph.node_count(); ++i) {
+    const auto degree = static_cast<float>(graph.adjacency->of(i).size());
+    const float turns = static_cast<float>(options.symmetry / 2);
+    graph.anchor[i] += std::polar(options.feature_anchor * degree * std::abs(lines[i]),
+                                  turns * std::arg(lines[i]));
   }
 }
 
@@ -51,7 +86,11 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   if (options.symmetry < 1) throw Error("smooth field: the symmetry N must be 1 or above");
   if (surface.mesh.vertex_count() == 0) return {};
   PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry);
+  if (options.curvature_anchor > 0 || options.feature_anchor > 0) {
+    graph.anchor.resize(graph.node_count());
+  }
   if (options.curvature_anchor > 0) add_curvature_anchors(graph, surface, options);
+  if (options.feature_anchor > 0) add_feature_anchors(graph, surface, options);
   SolverOptions solver;
   solver.sweeps = options.sweeps;
   solver.cycles = options.cycles;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/pattern/point_quality.h"
 #include "brindle/pipeline/stripe_animator.h"
 #include "brindle/surface/areas.h"
 #include "brindle/surface/cotangent_weights.h"
@@ -13,8 +14,10 @@
 namespace brindle {
 namespace {
 
-/// Vertex areas, never zero: a vertex without area must not make a mass or a mean vanish.
+/// Vertex areas, never zero: a vertex without area must not make a mass or a mean vanish. Points
+/// without triangles count alike.
 std::vector<float> positive_areas(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return std::vector<float>(mesh.vertex_count(), 1.0f);
   std::vector<float> areas = vertex_areas(mesh);
   float largest = 0;
   for (const float area : areas) largest = std::max(largest, area);
@@ -86,7 +89,10 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   progress.report("pattern", 0);
   result.corners =
       corner_phases(surface.mesh.triangles, waves, result.solution.z, options.phase_shift);
-  result.quality = measure_quality(surface.mesh, waves, result.corners);
+  result.quality = surface.mesh.triangles.empty()
+                       ? measure_point_quality(*surface.neighborhood, surface.normals, waves,
+                                               result.solution.z, options.phase_shift)
+                       : measure_quality(surface.mesh, waves, result.corners);
   result.milliseconds.pattern = watch.lap();
   result.waves = std::move(waves);
   return result;

@@ -45,7 +45,8 @@ struct StripePattern {
 };
 
 /// Couples the waves along the edges of the surface, solves for phases, lifts them to the corners
-/// of the triangles and measures the result. `waves` has one entry per vertex. Throws Error if
+/// of the triangles and measures the result; on points without triangles as `measure_point_quality`
+/// does. `waves` has one entry per vertex. Throws Error if
 /// sizes do not match, and what `solve_phases` throws.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});

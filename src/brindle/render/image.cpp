@@ -69,10 +69,10 @@ Image::Image(int image_width, int image_height) : width(image_width), height(ima
   pixels.resize(static_cast<std::size_t>(width) * height);
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+std::string png_of(const Image& image) {
   check_image_size(image.width, image.height);
   if (image.pixels.size() != static_cast<std::size_t>(image.width) * image.height) {
-    throw Error("cannot write '" + path.string() + "': the picture's pixels do not match its size");
+    throw Error("the picture's pixels do not match its size");
   }
   const bool with_alpha = std::any_of(image.pixels.begin(), image.pixels.end(),
                                       [](const Pixel& pixel) { return pixel.alpha != 255; });
@@ -82,12 +82,22 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   png.image.height = static_cast<png_uint_32>(image.height);
   png.image.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
-  std::vector<char> file(size);
+  std::string file(size, '\0');
   if (!png_image_write_to_memory(&png.image, file.data(), &size, 0, rows.data(), 0, nullptr)) {
-    throw Error("cannot write '" + path.string() + "': " + png.image.message);
+    throw Error(png.image.message);
   }
-  write_file(
-      path, [&](std::ostream& out) { out.write(file.data(), static_cast<std::streamsize>(size)); });
+  file.resize(size);
+  return file;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  std::string file;
+  try {
+    file = png_of(image);
+  } catch (const Error& error) {
+    throw Error("cannot write '" + path.string() + "': " + error.what());
+  }
+  write_file(path, [&](std::ostream& out) { out << file; });
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace brindle {
@@ -39,6 +40,10 @@ struct Image {
 
 /// Throws Error, naming the size and the limit, unless a picture of this size is within the limits.
 void check_image_size(std::int64_t width, std::int64_t height);
+
+/// The content of a PNG file: with an alpha channel only if a pixel is not opaque.
+/// Throws Error if the picture is empty or its pixels do not match its size.
+std::string png_of(const Image& image);
 
 /// Writes a PNG file: with an alpha channel only if a pixel is not opaque.
 /// Throws Error if the picture is empty or its pixels do not match its size, and what `write_file`

@@ -10,6 +10,8 @@
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/headless_context.h"
 #include "brindle/gl/shader_program.h"
+#include "brindle/render/gl_texture_tile.h"
+#include "brindle/render/tiled_picture.h"
 
 namespace brindle {
 namespace {
@@ -22,7 +24,18 @@ constexpr int kWantedSamples = 8;
 /// Triangles drawn at once. Software renderers keep all that they have not yet drawn in memory.
 constexpr std::size_t kBatch = 1 << 16;
 
-enum Binding { kTriangles, kPositions, kNormals, kWaves, kPhases, kTriangleColors, kMarks };
+enum Binding {
+  kTriangles,
+  kPositions,
+  kNormals,
+  kWaves,
+  kPhases,
+  kTriangleColors,
+  kMarks,
+  kTextureU,
+  kTextureV,
+  kBindings
+};
 
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
   std::vector<Eigen::Vector4f> packed(waves.directions.size());
@@ -54,6 +67,19 @@ std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
   return packed;
 }
 
+/// Direction, frequency and z of every corner.
+std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
+  std::vector<float> packed;
+  packed.reserve(18 * triangles.size());
+  for (const CornerWaves& corners : triangles) {
+    for (const auto& [wave, z] : corners) {
+      packed.insert(packed.end(), wave.direction.begin(), wave.direction.end());
+      packed.insert(packed.end(), {wave.frequency, z.real(), z.imag()});
+    }
+  }
+  return packed;
+}
+
 void check_count(std::size_t count, std::size_t wanted, const char* what, const char* of) {
   if (count == 0 || count == wanted) return;
   throw Error("cannot draw this scene: it has " + std::to_string(count) + " " + what + " for " +
@@ -73,6 +99,9 @@ void check_scene(const StripeScene& scene) {
   check_count(scene.triangle_colors.size(), scene.mesh.triangle_count(), "triangle colours",
               "triangles");
   check_waves(scene.waves, vertices);
+  if (scene.texture_waves == nullptr) return;
+  check_count(scene.texture_waves->u.size(), scene.mesh.triangle_count(), "waves U", "triangles");
+  check_count(scene.texture_waves->v.size(), scene.mesh.triangle_count(), "waves V", "triangles");
 }
 
 void check_change(const SceneChange& change, std::size_t vertices, std::size_t triangles) {
@@ -81,64 +110,6 @@ void check_change(const SceneChange& change, std::size_t vertices, std::size_t t
   check_count(change.z.size(), vertices, "phases", "vertices");
   check_count(change.triangle_colors.size(), triangles, "triangle colours", "triangles");
   check_waves(change.waves, vertices);
-}
-
-void check_options(const RenderOptions& options) {
-  check_image_size(options.width, options.height);
-  if (!(options.stripe_width >= 0 && options.stripe_width <= 1)) {
-    throw Error("a stripe width of " + std::to_string(options.stripe_width) +
-                " is no share of the period; give a number from 0 to 1");
-  }
-  if (options.supersampling < 1 || options.supersampling > 4) {
-    throw Error("supersampling of " + std::to_string(options.supersampling) +
-                " is out of range; give a number from 1 to 4");
-  }
-  if (options.tile_side < 64) throw Error("tiles must be at least 64 samples wide");
-  if (!(options.mark_radius > 0)) throw Error("the radius of marks must be above 0 pixels");
-}
-
-GlTexture texture_of(GLenum format, int width, int height, int samples = 0) {
-  GLuint name = 0;
-  glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &name);
-  GlTexture texture(name);
-  if (samples > 0) {
-    glTextureStorage2DMultisample(texture, samples, format, width, height, GL_TRUE);
-  } else {
-    glTextureStorage2D(texture, 1, format, width, height);
-  }
-  return texture;
-}
-
-/// A framebuffer with its textures: colours first, then depth if it has one.
-struct Target {
-  GlFramebuffer framebuffer;
-  std::vector<GlTexture> textures;
-};
-
-Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height,
-                 int samples = 0) {
-  Target target;
-  GLuint name = 0;
-  glCreateFramebuffers(1, &name);
-  target.framebuffer = GlFramebuffer(name);
-  std::vector<GLenum> attachments;
-  for (const GLenum format : colors) {
-    attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
-    target.textures.push_back(texture_of(format, width, height, samples));
-    glNamedFramebufferTexture(target.framebuffer, attachments.back(), target.textures.back(), 0);
-  }
-  if (depth) {
-    target.textures.push_back(texture_of(GL_DEPTH_COMPONENT32F, width, height, samples));
-    glNamedFramebufferTexture(target.framebuffer, GL_DEPTH_ATTACHMENT, target.textures.back(), 0);
-  }
-  glNamedFramebufferDrawBuffers(target.framebuffer, static_cast<GLsizei>(attachments.size()),
-                                attachments.data());
-  if (glCheckNamedFramebufferStatus(target.framebuffer, GL_DRAW_FRAMEBUFFER) !=
-      GL_FRAMEBUFFER_COMPLETE) {
-    throw Error("OpenGL cannot draw into a picture of " + std::to_string(width) + " x " +
-                std::to_string(height) + " pixels; take a smaller one");
-  }
-  return target;
 }
 
 /// Samples a pixel beside supersampling; 0 for one. Where triangles are about as small as pixels
@@ -151,53 +122,26 @@ int samples_for(std::size_t triangle_count, const RenderOptions& options) {
   return samples > 1 ? samples : 0;
 }
 
-/// A part of the picture, in finished pixels from the lower left.
-struct Tile {
-  int x, y, width, height;
-};
-
-/// Scale and offset that spread the tile's part of clip space over the whole of it.
-Eigen::Vector4f tile_transform(const Tile& tile, int width, int height) {
-  const auto scale_x = static_cast<float>(width) / static_cast<float>(tile.width);
-  const auto scale_y = static_cast<float>(height) / static_cast<float>(tile.height);
-  const auto middle_x = static_cast<float>(2 * tile.x + tile.width) / static_cast<float>(width) - 1;
-  const auto middle_y =
-      static_cast<float>(2 * tile.y + tile.height) / static_cast<float>(height) - 1;
-  return {scale_x, scale_y, -middle_x * scale_x, -middle_y * scale_y};
-}
-
-/// Rows from the bottom, as OpenGL counts them, become rows from the top.
-template <class Item>
-void flip_rows(std::vector<Item>& items, int width, int height) {
-  for (int y = 0; y < height / 2; ++y) {
-    std::swap_ranges(items.begin() + static_cast<std::ptrdiff_t>(y) * width,
-                     items.begin() + static_cast<std::ptrdiff_t>(y + 1) * width,
-                     items.begin() + static_cast<std::ptrdiff_t>(height - 1 - y) * width);
-  }
-}
-
-Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
-  return camera.view_from_world.block<3, 1>(0, up == UpAxis::y ? 1 : 2);
-}
-
 }  // namespace
 
 struct Renderer::State {
   ShaderProgram surface{{"surface_buffers.glsl", "surface.vert"},
                         {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
-                         "striped_surface.frag"}};
+                         "texture_fragment.glsl", "texture_tile.glsl", "stripe_coverage.glsl",
+                         "light.glsl", "striped_surface.frag"}};
   ShaderProgram probe{{"surface_buffers.glsl", "surface.vert"},
                       {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
                        "fragment_probe.frag"}};
   ShaderProgram mark{{"mark.vert"}, {"mark.frag"}};
-  ShaderProgram develop{{"full_screen.vert"}, {"develop.frag"}};
+  TiledPicture picture;
   GlVertexArray no_attributes;
 
   std::vector<Vec3> points;  ///< what a camera has to frame
   std::size_t vertex_count = 0;
   std::size_t triangle_count = 0;
-  std::array<GlBuffer, 7> buffers;
+  std::array<GlBuffer, kBindings> buffers;
   GLuint foreign_phases = 0;  ///< instead of those in `buffers`, unless 0
+  GlTextureTile texture_tile;
   GLsizei mark_count = 0;
 
   bool has_phases() const { return foreign_phases != 0 || buffers[kPhases] != 0; }
@@ -205,10 +149,7 @@ struct Renderer::State {
                     const Eigen::Vector4f& tile) const;
   void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
                   const RenderOptions& options) const;
-  void draw_light(const Target& target, const Camera& camera, const Tile& tile,
-                  const RenderOptions& options) const;
-  void draw_background_under(const Target& light, const Target& finished, const Tile& tile,
-                             const RenderOptions& options) const;
+  void draw_light(const Camera& camera, const Tile& tile, const RenderOptions& options) const;
 };
 
 void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& camera,
@@ -219,6 +160,7 @@ void Renderer::State::draw_surface(const ShaderProgram& program, const Camera& c
   program.set("tile", tile);
   program.set("smooth_normals", buffers[kNormals] != 0);
   program.set("has_waves", buffers[kWaves] != 0 && has_phases());
+  program.set("has_texture", buffers[kTextureU] != 0);
   program.set("has_triangle_colors", buffers[kTriangleColors] != 0);
   for (GLuint binding = 0; binding < buffers.size(); ++binding) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
@@ -252,14 +194,8 @@ void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& ti
   glDisable(GL_BLEND);
 }
 
-void Renderer::State::draw_light(const Target& target, const Camera& camera, const Tile& tile,
+void Renderer::State::draw_light(const Camera& camera, const Tile& tile,
                                  const RenderOptions& options) const {
-  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-  constexpr float kFarthest = 1;
-  glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, kNothing.data());
-  glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  glViewport(0, 0, tile.width * options.supersampling, tile.height * options.supersampling);
   glEnable(GL_DEPTH_TEST);
   surface.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
                                              tile.height * options.supersampling));
@@ -267,28 +203,12 @@ void Renderer::State::draw_light(const Target& target, const Camera& camera, con
   surface.set("base_color", linear_light(options.base_color));
   surface.set("stripe_color", linear_light(options.stripe_color));
   surface.set("stripe_width", options.stripe_width);
+  texture_tile.bind(surface);
   surface.set("up", up_seen_by(camera, options.camera.up));
-  const Eigen::Vector4f transform = tile_transform(tile, options.width, options.height);
+  const Eigen::Vector4f transform = tile_transform(tile, options);
   draw_surface(surface, camera, transform);
   draw_marks(camera, transform, options);
   glDisable(GL_DEPTH_TEST);
-}
-
-void Renderer::State::draw_background_under(const Target& light, const Target& finished,
-                                            const Tile& tile, const RenderOptions& options) const {
-  develop.set("light", 0);
-  develop.set("supersampling", options.supersampling);
-  develop.set("tile_corner", Eigen::Vector2i(tile.x, tile.y));
-  develop.set("picture_size", Eigen::Vector2f(options.width, options.height));
-  develop.set("background_center", linear_light(options.background_center));
-  develop.set("background_edge", linear_light(options.background_edge));
-  develop.set("transparent", options.transparent);
-  glBindTextureUnit(0, light.textures[0]);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished.framebuffer);
-  glViewport(0, 0, tile.width, tile.height);
-  glUseProgram(develop.name());
-  glBindVertexArray(no_attributes);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 RenderOptions with_faint_stripes(RenderOptions options) {
@@ -323,6 +243,11 @@ void Renderer::upload(const StripeScene& scene) {
   buffers[kTriangleColors] = buffer_of(packed_colors(scene.triangle_colors), "triangle colours");
   buffers[kMarks] = buffer_of(packed_marks(scene.marks), "marks");
   state_->mark_count = static_cast<GLsizei>(scene.marks.size());
+  if (scene.texture_waves != nullptr && scene.texture_tile != nullptr) {
+    buffers[kTextureU] = buffer_of(packed_corners(scene.texture_waves->u), "waves U");
+    buffers[kTextureV] = buffer_of(packed_corners(scene.texture_waves->v), "waves V");
+    state_->texture_tile = GlTextureTile(*scene.texture_tile);
+  }
   check_gl("copying the mesh to OpenGL");
 }
 
@@ -360,35 +285,10 @@ Image Renderer::draw(const RenderOptions& options) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->points, options.camera, options.width, options.height);
-  const int s = options.supersampling;
-  const int side =
-      std::min({options.tile_side, gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS)});
-  // An even number of pixels, so that derivatives pair the same pixels in every tiling.
-  const int step = side / s / 2 * 2;
-  const int tile_width = std::min(step, options.width);
-  const int tile_height = std::min(step, options.height);
   const int samples = samples_for(state_->triangle_count, options);
-  const Target many = target_of({GL_RGBA16F}, true, tile_width * s, tile_height * s, samples);
-  const Target light = target_of({GL_RGBA16F}, false, tile_width * s, tile_height * s);
-  const Target finished = target_of({GL_RGBA8}, false, tile_width, tile_height);
-  Image image(options.width, options.height);
-  glPixelStorei(GL_PACK_ROW_LENGTH, options.width);
-  for (int y = 0; y < options.height; y += step) {
-    for (int x = 0; x < options.width; x += step) {
-      const Tile tile{x, y, std::min(step, options.width - x), std::min(step, options.height - y)};
-      state_->draw_light(many, camera, tile, options);
-      glBlitNamedFramebuffer(many.framebuffer, light.framebuffer, 0, 0, tile.width * s,
-                             tile.height * s, 0, 0, tile.width * s, tile.height * s,
-                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
-      state_->draw_background_under(light, finished, tile, options);
-      glBindFramebuffer(GL_READ_FRAMEBUFFER, finished.framebuffer);
-      glReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE, &image.at(x, y));
-    }
-  }
-  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-  check_gl("drawing the picture");
-  flip_rows(image.pixels, image.width, image.height);
-  return image;
+  return state_->picture.draw(options, samples, [&](const Target& /*target*/, const Tile& tile) {
+    state_->draw_light(camera, tile, options);
+  });
 }
 
 FragmentImage Renderer::draw_fragments(const RenderOptions& options) const {

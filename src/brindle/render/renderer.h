@@ -5,10 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "brindle/pattern/texture_waves.h"
 #include "brindle/render/camera.h"
 #include "brindle/render/color.h"
 #include "brindle/render/image.h"
 #include "brindle/render/overlay.h"
+#include "brindle/render/texture_tile.h"
 #include "brindle/surface/mesh.h"
 #include "brindle/waves/phase_graph.h"
 
@@ -23,6 +25,9 @@ struct StripeScene {
   std::span<const Complex> z = {};     ///< one phase exp(i Phi) per vertex
   std::span<const TriangleColor> triangle_colors = {};  ///< one per triangle
   std::span<const Mark> marks = {};
+  const TextureWaves* texture_waves =
+      nullptr;                                ///< with `texture_tile`: a texture instead of stripes
+  const TextureTile* texture_tile = nullptr;  ///< figures are drawn in the colour of stripes
 };
 
 /// What has changed in a scene that was uploaded before. Spans left empty and no waves leave what

@@ -281,7 +281,7 @@ class GltfCheck {
 
 /// One array of a file's buffer.
 struct Block {
-  std::string name;  ///< of the attribute; empty for indices
+  std::string name;  ///< of the attribute; empty for indices and for pictures
   const void* data;
   std::uint64_t size;  ///< bytes
   std::uint64_t count;
@@ -291,6 +291,7 @@ struct Block {
 std::string gltf_name(const VertexAttribute& attribute) {
   if (attribute.is_normal()) return "NORMAL";
   if (attribute.is_color()) return "COLOR_0";
+  if (attribute.is_uv()) return "TEXCOORD_0";
   std::string name = "_" + attribute.name;
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -308,6 +309,40 @@ std::vector<Block> blocks_of(const Mesh& mesh, std::span<const VertexAttribute> 
   return blocks;
 }
 
+/// Texture coordinates whose V runs down, as in glTF.
+std::vector<VertexAttribute> with_v_down(std::span<const VertexAttribute> attributes) {
+  std::vector<VertexAttribute> turned(attributes.begin(), attributes.end());
+  for (VertexAttribute& attribute : turned) {
+    if (!attribute.is_uv()) continue;
+    for (std::size_t i = 1; i < attribute.values.size(); i += 2) {
+      attribute.values[i] = 1 - attribute.values[i];
+    }
+  }
+  return turned;
+}
+
+/// Adds a material that shows the picture, whose bytes follow the blocks, and gives it to the mesh.
+void add_picture(Json& json, std::uint64_t offset, std::uint64_t size) {
+  constexpr int kRepeat = 10497, kLinear = 9729, kLinearMipmapLinear = 9987;
+  json["images"] = {{{"bufferView", json["bufferViews"].size()}, {"mimeType", "image/png"}}};
+  json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}});
+  json["samplers"] = {{{"magFilter", kLinear},
+                       {"minFilter", kLinearMipmapLinear},
+                       {"wrapS", kRepeat},
+                       {"wrapT", kRepeat}}};
+  json["textures"] = {{{"sampler", 0}, {"source", 0}}};
+  json["materials"] = {
+      {{"name", "brindle"},
+       {"doubleSided", true},
+       {"pbrMetallicRoughness",
+        {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
+  json["meshes"][0]["primitives"][0]["material"] = 0;
+}
+
+const char* type_of(int components) {
+  return components == 3 ? "VEC3" : components == 2 ? "VEC2" : "SCALAR";
+}
+
 Json describe(const Mesh& mesh, const std::vector<Block>& blocks, std::uint64_t size) {
   Json json = {{"asset", {{"version", "2.0"}, {"generator", "brindle"}}},
                {"scene", 0},
@@ -322,7 +357,7 @@ Json describe(const Mesh& mesh, const std::vector<Block>& blocks, std::uint64_t 
     json["accessors"].push_back({{"bufferView", json["bufferViews"].size()},
                                  {"componentType", indices ? 5125 : 5126},
                                  {"count", block.count},
-                                 {"type", block.components == 3 ? "VEC3" : "SCALAR"}});
+                                 {"type", type_of(block.components)}});
     json["bufferViews"].push_back({{"buffer", 0},
                                    {"byteOffset", offset},
                                    {"byteLength", block.size},
@@ -427,19 +462,27 @@ void check_gltf(const std::filesystem::path& path) {
 }
 
 void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
-                GltfKind kind) {
+                GltfKind kind, const std::string& png) {
   if (mesh.triangles.empty()) {
     throw Error("glTF cannot hold a mesh without triangles; choose PLY or OBJ");
   }
-  const std::vector<Block> blocks = blocks_of(mesh, attributes);
+  const std::vector<VertexAttribute> stored = with_v_down(attributes);
+  std::vector<Block> blocks = blocks_of(mesh, stored);
   std::uint64_t size = 0;
   for (const Block& block : blocks) size += block.size;
-  if (size > 0xf0000000) throw Error("the mesh is too large for glTF; choose PLY");
-  const Json json = describe(mesh, blocks, size);
+  const std::uint64_t picture_size = (png.size() + 3) / 4 * 4;
+  if (size + picture_size > 0xf0000000) throw Error("the mesh is too large for glTF; choose PLY");
+  Json json = describe(mesh, blocks, size + picture_size);
+  std::string padded = png;
+  padded.resize(picture_size);
+  if (!png.empty()) {
+    add_picture(json, size, png.size());
+    blocks.push_back({"", padded.data(), picture_size, 1, 1});
+  }
   if (kind == GltfKind::text) {
     write_text(out, json, blocks);
   } else {
-    write_binary(out, json, blocks, size);
+    write_binary(out, json, blocks, size + picture_size);
   }
 }
 
@@ -459,7 +502,8 @@ namespace {
 
 void check_gltf(const std::filesystem::path&) { refuse(); }
 
-void write_gltf(std::ostream&, const Mesh&, std::span<const VertexAttribute>, GltfKind) {
+void write_gltf(std::ostream&, const Mesh&, std::span<const VertexAttribute>, GltfKind,
+                const std::string&) {
   refuse();
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <span>
+#include <string>
 
 #include "brindle/surface/mesh.h"
 #include "brindle/surface/vertex_attribute.h"
@@ -17,9 +18,10 @@ void check_gltf(const std::filesystem::path& path);
 enum class GltfKind { text, binary };
 
 /// The text form holds its data too, in base64. "normal" is stored as NORMAL, "color" as COLOR_0,
-/// others under their name in capitals after an underscore. Throws Error for a mesh without
-/// triangles, and for data beyond 4 GB, which the format cannot hold.
+/// "uv" as TEXCOORD_0 (whose V runs down), others under their name in capitals after an underscore.
+/// `png`, a PNG file's content, becomes the mesh's material, repeated beyond its borders. Throws
+/// Error for a mesh without triangles, and for data beyond 4 GB, which the format cannot hold.
 void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
-                GltfKind kind);
+                GltfKind kind, const std::string& png = "");
 
 }  // namespace brindle

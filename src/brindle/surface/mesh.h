@@ -24,7 +24,8 @@ struct Mesh {
   std::size_t triangle_count() const { return triangles.size(); }
 };
 
-/// Corners of the axis-aligned box around all vertices that a triangle uses; both zero if none.
+/// Corners of the axis-aligned box around all vertices that a triangle uses, or around all vertices
+/// if there is no triangle; both zero if there is no vertex.
 struct BoundingBox {
   Vec3 lower = Vec3::Zero();
   Vec3 upper = Vec3::Zero();

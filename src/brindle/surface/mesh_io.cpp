@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <set>
 #include <string>
 
 #include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/surface/assimp_file.h"
 #include "brindle/surface/gltf_file.h"
@@ -14,23 +16,17 @@
 #include "brindle/surface/off_file.h"
 #include "brindle/surface/ply_file.h"
 #include "brindle/surface/stl_file.h"
+#include "brindle/surface/vtp_file.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string kind_of(const fs::path& path) {
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kind;
-}
-
 /// Positions and triangles as the file has them.
 Mesh read_raw(const fs::path& path) {
   const InputFile readable(path);
-  const std::string kind = kind_of(path);
+  const std::string kind = lower_extension(path);
   if (kind == ".obj") return read_obj(path);
   if (kind == ".ply") return read_ply(path);
   if (kind == ".off") return read_off(path);
@@ -67,7 +63,8 @@ void check_attribute(const fs::path& path, const Mesh& mesh, const VertexAttribu
                      std::all_of(attribute.name.begin(), attribute.name.end(),
                                  [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!named) fail("must be named by letters, digits and underscores only");
-  if (attribute.components != 1 && attribute.components != 3) {
+  const bool plain = attribute.components == 1 || attribute.components == 3;
+  if (!plain && !attribute.is_uv()) {
     fail("must have 1 or 3 components, not " + std::to_string(attribute.components));
   }
   const std::size_t expected = static_cast<std::size_t>(attribute.components) * mesh.vertex_count();
@@ -86,10 +83,58 @@ void check_attributes(const fs::path& path, const Mesh& mesh,
       throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
                   "' is already taken; rename it");
     }
-    if (kind_of(path) == ".obj" && !attribute.is_normal()) {
+    if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
       throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
-                  attribute.name + "'; write .ply, .gltf or .glb");
+                  attribute.name + "'; write .ply, .vtp, .gltf or .glb");
     }
+  }
+}
+
+void check_output(const fs::path& path, const Mesh& mesh,
+                  std::span<const VertexAttribute> attributes) {
+  const std::string kind = lower_extension(path);
+  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
+    throw Error("cannot write '" + path.string() + "': the extension '" +
+                path.extension().string() +
+                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
+  }
+  check_attributes(path, mesh, attributes);
+}
+
+/// `path` with another ending.
+fs::path beside(const fs::path& path, const char* ending) {
+  return path.parent_path() / (path.stem().string() + ending);
+}
+
+fs::path picture_path(const fs::path& path) { return beside(path, "_texture.png"); }
+fs::path materials_path(const fs::path& path) { return beside(path, ".mtl"); }
+
+bool holds_picture(const std::string& kind) { return kind == ".gltf" || kind == ".glb"; }
+
+void write_whole(const fs::path& path, const std::string& content) {
+  write_file(path, [&](std::ostream& out) { out << content; });
+}
+
+/// What a mesh file says of its texture; all empty if it has none.
+struct TextureNames {
+  std::string picture;    ///< file beside the mesh
+  std::string materials;  ///< file beside an OBJ file
+  std::string png;        ///< the picture itself
+};
+
+void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
+              std::span<const VertexAttribute> attributes, const TextureNames& texture) {
+  if (kind == ".obj") {
+    write_obj(out, mesh, attributes, texture.materials);
+  } else if (kind == ".ply") {
+    write_ply(out, mesh, attributes, texture.picture);
+  } else if (kind == ".vtp") {
+    write_vtp(
+        out,
+        {.points = mesh.positions, .triangles = mesh.triangles, .point_attributes = attributes});
+  } else {
+    write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text,
+               texture.png);
   }
 }
 
@@ -100,7 +145,7 @@ LoadedMesh read_mesh(const fs::path& path) {
   try {
     loaded.mesh = read_raw(path);
     const std::size_t joined = join_vertices(loaded.mesh);
-    if (kind_of(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
+    if (lower_extension(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
     loaded.repair = repair_mesh(loaded.mesh);
     loaded.repair.vertices_joined = joined;
   } catch (const std::bad_alloc&) {
@@ -112,22 +157,33 @@ LoadedMesh read_mesh(const fs::path& path) {
 
 void write_mesh(const fs::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes) {
-  const std::string kind = kind_of(path);
-  if (kind != ".obj" && kind != ".ply" && kind != ".gltf" && kind != ".glb") {
-    throw Error("cannot write '" + path.string() + "': the extension '" +
-                path.extension().string() + "' is unknown; brindle writes .obj, .ply, .gltf and " +
-                std::string(".glb"));
+  check_output(path, mesh, attributes);
+  write_file(
+      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, attributes, {}); });
+}
+
+void write_textured_mesh(const fs::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes, const std::string& png) {
+  check_output(path, mesh, attributes);
+  if (std::none_of(attributes.begin(), attributes.end(), std::mem_fn(&VertexAttribute::is_uv))) {
+    throw Error("cannot write '" + path.string() + "': a textured mesh needs the attribute 'uv'");
   }
-  check_attributes(path, mesh, attributes);
-  write_file(path, [&](std::ostream& out) {
-    if (kind == ".obj") {
-      write_obj(out, mesh, attributes);
-    } else if (kind == ".ply") {
-      write_ply(out, mesh, attributes);
-    } else {
-      write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text);
-    }
-  });
+  const fs::path picture = picture_path(path);
+  const fs::path materials = materials_path(path);
+  const std::string kind = lower_extension(path);
+  if (!holds_picture(kind)) write_whole(picture, png);
+  if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
+  const TextureNames names{picture.filename().string(), materials.filename().string(), png};
+  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, attributes, names); });
+}
+
+std::vector<fs::path> textured_mesh_files(const fs::path& path) {
+  const std::string kind = lower_extension(path);
+  std::vector<fs::path> files;
+  if (!holds_picture(kind)) files.push_back(picture_path(path));
+  if (kind == ".obj") files.push_back(materials_path(path));
+  files.push_back(path);
+  return files;
 }
 
 }  // namespace brindle

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "brindle/surface/mesh.h"
 #include "brindle/surface/mesh_repair.h"
@@ -31,10 +33,20 @@ struct LoadedMesh {
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY (binary), glTF or GLB by the path's extension, whole or not at all.
+/// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
 /// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a
-/// bad name, or do not have 1 or 3 values for every vertex; and what write_file throws.
+/// bad name, or do not have 1 or 3 values ("uv": 2) for every vertex; and what write_file throws.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                 std::span<const VertexAttribute> attributes = {});
+
+/// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
+/// `attributes` has "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for others
+/// it is written beside the mesh, for OBJ with a material library: `textured_mesh_files`. Throws
+/// Error as `write_mesh` does, and if "uv" is missing.
+void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes, const std::string& png);
+
+/// All files that `write_textured_mesh` writes for `path`, that itself last.
+std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
 
 }  // namespace brindle

@@ -26,26 +26,6 @@ bool usable(const Vec3& position) {
   return (position.array().abs() <= kLargestCoordinate).all();  // false for NaN
 }
 
-std::vector<char> replace_positions(Mesh& mesh, MeshRepair& repair) {
-  std::vector<char> good(mesh.vertex_count());
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    good[v] = usable(mesh.positions[v]);
-    if (good[v]) {
-      sum += mesh.positions[v].cast<double>();
-    } else {
-      ++repair.vertices_not_finite;
-    }
-  }
-  if (repair.vertices_not_finite == 0) return good;
-  const std::size_t left = mesh.vertex_count() - repair.vertices_not_finite;
-  const Vec3 centroid = (sum / static_cast<double>(std::max<std::size_t>(left, 1))).cast<float>();
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (!good[v]) mesh.positions[v] = centroid;
-  }
-  return good;
-}
-
 bool has_area(const Mesh& mesh, const Triangle& t) {
   const Eigen::Vector3d p = mesh.positions[t[0]].cast<double>();
   const Eigen::Vector3d a = mesh.positions[t[1]].cast<double>() - p;
@@ -120,9 +100,28 @@ std::uint64_t hash(const Vec3& position) {
 
 }  // namespace
 
+std::vector<char> set_positions_finite(std::vector<Vec3>& positions) {
+  std::vector<char> good(positions.size());
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  std::size_t left = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    good[v] = usable(positions[v]);
+    if (!good[v]) continue;
+    sum += positions[v].cast<double>();
+    ++left;
+  }
+  if (left == positions.size()) return good;
+  const Vec3 centroid = (sum / static_cast<double>(std::max<std::size_t>(left, 1))).cast<float>();
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (!good[v]) positions[v] = centroid;
+  }
+  return good;
+}
+
 MeshRepair repair_mesh(Mesh& mesh) {
   MeshRepair repair;
-  const std::vector<char> good = replace_positions(mesh, repair);
+  const std::vector<char> good = set_positions_finite(mesh.positions);
+  repair.vertices_not_finite = static_cast<std::size_t>(std::count(good.begin(), good.end(), 0));
   drop_bad_triangles(mesh, good, repair);
   drop_duplicates(mesh, repair);
   const std::vector<char> referenced = referenced_vertices(mesh);

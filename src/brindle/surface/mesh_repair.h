@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "brindle/surface/mesh.h"
 
@@ -34,6 +35,10 @@ std::string describe(const MeshRepair& repair);
 /// Drops triangles that cannot be used. Vertices stay, and keep their numbers, so that data per
 /// vertex still match: those that are not finite are moved to the centroid of the others.
 MeshRepair repair_mesh(Mesh& mesh);
+
+/// Moves positions with a coordinate that is NaN, infinite or beyond 1e18 to the centroid of the
+/// others. Returns, for every position, whether it was good.
+std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
 
 /// Lets triangles use, of all vertices at exactly the same place, the one with the smallest number.
 /// The others stay, in no triangle. Returns how many there are.

@@ -1,6 +1,7 @@
 #include "brindle/surface/obj_file.h"
 
 #include <algorithm>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -16,18 +17,42 @@ class ObjReader {
  public:
   explicit ObjReader(const std::filesystem::path& path) : file_(path) {}
 
-  Mesh read() {
+  Mesh read_mesh() {
     while (const auto line = next_whole_line()) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
       if (keyword == "v") {
-        add_vertex(rest);
+        mesh_.positions.push_back(three_numbers("vertex", rest));
       } else if (keyword == "f") {
         add_face(rest);
       }
     }
     check_forward_references();
     return std::move(mesh_);
+  }
+
+  LoadedPoints read_points() {
+    std::vector<Vec3> normals;
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        mesh_.positions.push_back(three_numbers("vertex", rest));
+      } else if (keyword == "vn") {
+        normals.push_back(three_numbers("normal", rest));
+      }
+    }
+    // Only faces could say which normal belongs to which of another number of points.
+    if (normals.size() != mesh_.vertex_count()) normals.clear();
+    return make_point_cloud(std::move(mesh_.positions), std::move(normals));
+  }
+
+  bool has_faces() {
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      if (take_word(rest) == "f") return true;
+    }
+    return false;
   }
 
  private:
@@ -50,15 +75,18 @@ class ObjReader {
     return joined_;
   }
 
-  void add_vertex(std::string_view rest) {
-    Vec3 position;
-    for (float& coordinate : position) {
+  Vec3 three_numbers(const char* what, std::string_view rest) {
+    Vec3 numbers;
+    for (float& number : numbers) {
       const std::string_view word = take_word(rest);
       const auto value = parse_float(word);
-      if (!value) file_.fail("a vertex needs three numbers, not '" + std::string(word) + "'");
-      coordinate = *value;
+      if (!value) {
+        file_.fail(std::string("a ") + what + " needs three numbers, not '" + std::string(word) +
+                   "'");
+      }
+      number = *value;
     }
-    mesh_.positions.push_back(position);
+    return numbers;
   }
 
   void add_face(std::string_view rest) {
@@ -123,29 +151,61 @@ class ObjReader {
   std::string joined_;
 };
 
+constexpr std::string_view kMaterial = "brindle";
+
+const VertexAttribute* first_of(std::span<const VertexAttribute> attributes,
+                                bool (VertexAttribute::*is)() const) {
+  const auto found = std::find_if(attributes.begin(), attributes.end(), std::mem_fn(is));
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+/// One line a vertex; none if there is no attribute.
+void write_values(TextOutput& text, std::string_view keyword, const VertexAttribute* attribute) {
+  if (attribute == nullptr) return;
+  const auto n = static_cast<std::size_t>(attribute->components);
+  for (std::size_t i = 0; i < attribute->values.size(); ++i) {
+    if (i % n == 0) text << keyword;
+    text << ' ' << attribute->values[i];
+    if (i % n == n - 1) text << '\n';
+  }
+}
+
 }  // namespace
 
-Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
+Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read_mesh(); }
 
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes) {
-  const auto normal = std::find_if(attributes.begin(), attributes.end(),
-                                   [](const VertexAttribute& a) { return a.is_normal(); });
-  const bool normals = normal != attributes.end();
+LoadedPoints read_obj_points(const std::filesystem::path& path) {
+  return ObjReader(path).read_points();
+}
+
+bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
+
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& materials) {
+  const VertexAttribute* normal = first_of(attributes, &VertexAttribute::is_normal);
+  const VertexAttribute* uv = first_of(attributes, &VertexAttribute::is_uv);
   TextOutput text(out);
   text << "# written by brindle\n";
+  if (!materials.empty()) text << "mtllib " << materials << '\n';
   for (const Vec3& p : mesh.positions) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for (std::size_t v = 0; normals && v < mesh.vertex_count(); ++v) {
-    const float* n = &normal->values[3 * v];
-    text << "vn " << n[0] << ' ' << n[1] << ' ' << n[2] << '\n';
-  }
+  write_values(text, "vt", uv);
+  write_values(text, "vn", normal);
+  if (!materials.empty()) text << "usemtl " << kMaterial << '\n';
   for (const Triangle& t : mesh.triangles) {
     text << 'f';
     for (const Index v : t) {
       text << ' ' << v + 1;
-      if (normals) text << "//" << v + 1;
+      if (uv != nullptr) text << '/' << v + 1;
+      if (normal != nullptr) text << (uv == nullptr ? "//" : "/") << v + 1;
     }
     text << '\n';
   }
+}
+
+std::string material_library(const std::string& picture) {
+  const std::string name(kMaterial);
+  return "# written by brindle\nnewmtl " + name +
+         "\nKa 0.2 0.2 0.2\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + "\n";
 }
 
 }  // namespace brindle

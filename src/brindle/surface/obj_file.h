@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <iosfwd>
 #include <span>
+#include <string>
 
 #include "brindle/surface/mesh.h"
+#include "brindle/surface/point_cloud.h"
 #include "brindle/surface/vertex_attribute.h"
 
 namespace brindle {
@@ -15,7 +17,19 @@ namespace brindle {
 /// three corners or with corners that do not exist.
 Mesh read_obj(const std::filesystem::path& path);
 
-/// Normals are the only attribute that the format has.
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);
+/// The vertices alone, with normals if there are as many: one each, in the same order. Throws
+/// Error, naming the line, for coordinates that are no numbers.
+LoadedPoints read_obj_points(const std::filesystem::path& path);
+
+bool obj_has_faces(const std::filesystem::path& path);
+
+/// Normals and texture coordinates are the only attributes that the format has. If `materials`
+/// names a material library, the mesh has its material.
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& materials = "");
+
+/// A library of the one material that `write_obj` names: a picture file, repeated beyond its
+/// borders.
+std::string material_library(const std::string& picture);
 
 }  // namespace brindle

@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "brindle/surface/binary_output.h"
 #include "brindle/surface/input_file.h"
 #include "brindle/surface/polygon.h"
 
 namespace brindle {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "binary files are little endian");
 
 enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -236,21 +233,35 @@ class PlyReader {
   explicit PlyReader(const std::filesystem::path& path)
       : file_(path), header_(HeaderReader(file_).read()), body_(file_, header_.encoding) {}
 
-  Mesh read() {
+  Mesh read_mesh() {
+    read_elements(true);
+    return std::move(mesh_);
+  }
+
+  LoadedPoints read_points() {
+    read_elements(false);
+    return make_point_cloud(std::move(mesh_.positions), std::move(normals_));
+  }
+
+  bool has_faces() const {
+    return std::any_of(header_.elements.begin(), header_.elements.end(),
+                       [](const Element& e) { return e.name == "face" && e.count > 0; });
+  }
+
+ private:
+  void read_elements(bool faces) {
     for (const Element& element : header_.elements) {
       check_size(element);
       if (element.name == "vertex") {
         read_vertices(element);
-      } else if (element.name == "face") {
+      } else if (faces && element.name == "face") {
         read_faces(element);
       } else {
         read_rows(element, [](const Property&, std::span<const double>) {});
       }
     }
-    return std::move(mesh_);
   }
 
- private:
   /// An absurd number in the header must not make us ask for as much memory.
   void check_size(const Element& element) {
     std::uint64_t smallest_row = body_.is_text() ? 1 : 0;
@@ -286,28 +297,29 @@ class PlyReader {
   }
 
   void read_vertices(const Element& element) {
-    for (const char* axis : {"x", "y", "z"}) {
-      const bool there = std::any_of(element.properties.begin(), element.properties.end(),
-                                     [&](const Property& p) { return p.name == axis && !p.list; });
-      if (!there) file_.fail_whole("has vertices without '" + std::string(axis) + "'");
+    const std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+    std::array<const Property*, 6> wanted{};
+    for (const Property& property : element.properties) {
+      const auto name = std::find(names.begin(), names.end(), property.name);
+      if (name != names.end() && !property.list) wanted[name - names.begin()] = &property;
     }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (wanted[axis] == nullptr) {
+        file_.fail_whole("has vertices without '" + std::string(names[axis]) + "'");
+      }
+    }
+    const bool normals = wanted[3] && wanted[4] && wanted[5];
     mesh_.positions.reserve(mesh_.positions.size() + element.count);
-    Vec3 position = Vec3::Zero();
-    const Property* last = &last_coordinate(element);
-    read_rows(element, [&](const Property& property, std::span<const double> values) {
-      if (property.list || property.name.size() != 1) return;
-      const char axis = property.name[0];
-      if (axis >= 'x' && axis <= 'z') position[axis - 'x'] = static_cast<float>(values[0]);
-      if (&property == last) mesh_.positions.push_back(position);
+    std::array<float, 6> values{};
+    const Property* last = &element.properties.back();
+    read_rows(element, [&](const Property& property, std::span<const double> read) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (&property == wanted[i]) values[i] = static_cast<float>(read[0]);
+      }
+      if (&property != last) return;
+      mesh_.positions.emplace_back(values[0], values[1], values[2]);
+      if (normals) normals_.emplace_back(values[3], values[4], values[5]);
     });
-  }
-
-  /// The last of x, y and z in a row.
-  static const Property& last_coordinate(const Element& element) {
-    return *std::find_if(element.properties.rbegin(), element.properties.rend(),
-                         [](const Property& p) {
-                           return !p.list && (p.name == "x" || p.name == "y" || p.name == "z");
-                         });
   }
 
   void read_faces(const Element& element) {
@@ -338,42 +350,24 @@ class PlyReader {
   Header header_;
   Body body_;
   Mesh mesh_;
+  std::vector<Vec3> normals_;
   std::vector<double> values_;
 };
 
-/// Bytes gathered and written in large pieces.
-class BinaryOutput {
- public:
-  explicit BinaryOutput(std::ostream& out) : out_(out) {}
-  BinaryOutput(const BinaryOutput&) = delete;
-  BinaryOutput& operator=(const BinaryOutput&) = delete;
-  ~BinaryOutput() { flush(); }
-
-  template <class Value>
-  void put(const Value* values, std::size_t count) {
-    const auto* bytes = reinterpret_cast<const char*>(values);
-    buffer_.insert(buffer_.end(), bytes, bytes + count * sizeof(Value));
-    if (buffer_.size() > (1 << 16)) flush();
-  }
-
- private:
-  void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
-  }
-  std::ostream& out_;
-  std::vector<char> buffer_;
-};
-
-void write_header(std::ostream& out, const Mesh& mesh,
-                  std::span<const VertexAttribute> attributes) {
-  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
-      << mesh.vertex_count() << "\nproperty float x\nproperty float y\nproperty float z\n";
+void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+                  const std::string& picture) {
+  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
+  if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
+  out << "element vertex " << mesh.vertex_count()
+      << "\nproperty float x\nproperty float y\nproperty float z\n";
   for (const VertexAttribute& attribute : attributes) {
     if (attribute.is_normal()) {
       out << "property float nx\nproperty float ny\nproperty float nz\n";
     } else if (attribute.is_color()) {
       out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    } else if (attribute.is_uv()) {
+      out << "property float texture_u\nproperty float texture_v\nproperty float s\n"
+             "property float t\n";
     } else if (attribute.components == 3) {
       for (const char axis : {'x', 'y', 'z'}) {
         out << "property float " << attribute.name << '_' << axis << '\n';
@@ -388,10 +382,17 @@ void write_header(std::ostream& out, const Mesh& mesh,
 
 }  // namespace
 
-Mesh read_ply(const std::filesystem::path& path) { return PlyReader(path).read(); }
+Mesh read_ply(const std::filesystem::path& path) { return PlyReader(path).read_mesh(); }
 
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes) {
-  write_header(out, mesh, attributes);
+LoadedPoints read_ply_points(const std::filesystem::path& path) {
+  return PlyReader(path).read_points();
+}
+
+bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).has_faces(); }
+
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& picture) {
+  write_header(out, mesh, attributes, picture);
   BinaryOutput binary(out);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     binary.put(mesh.positions[v].data(), 3);
@@ -400,13 +401,10 @@ void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttrib
       const float* values = &attribute.values[n * v];
       if (!attribute.is_color()) {
         binary.put(values, n);
+        if (attribute.is_uv()) binary.put(values, n);
         continue;
       }
-      for (int i = 0; i < 3; ++i) {
-        const float level = values[i] > 0 ? std::min(values[i], 1.0f) : 0.0f;
-        const auto byte = static_cast<unsigned char>(std::lround(255 * level));
-        binary.put(&byte, 1);
-      }
+      for (int i = 0; i < 3; ++i) binary.put(color_byte(values[i]));
     }
   }
   for (const Triangle& t : mesh.triangles) {

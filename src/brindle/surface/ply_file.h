@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <iosfwd>
 #include <span>
+#include <string>
 
 #include "brindle/surface/mesh.h"
+#include "brindle/surface/point_cloud.h"
 #include "brindle/surface/vertex_attribute.h"
 
 namespace brindle {
@@ -14,9 +16,18 @@ namespace brindle {
 /// Error, naming the line where there is one, if the file is not as its header says.
 Mesh read_ply(const std::filesystem::path& path);
 
+/// The vertices alone, with their normals if each has nx, ny and nz. Throws as `read_ply` does.
+LoadedPoints read_ply_points(const std::filesystem::path& path);
+
+/// Whether the header names faces. Throws as `read_ply` does for what is wrong with the header.
+bool ply_has_faces(const std::filesystem::path& path);
+
 /// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
 /// "color" red, green, blue from 0 to 255; others with their name, and with three components
-/// name_x, name_y, name_z.
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes);
+/// name_x, name_y, name_z; "uv" texture_u, texture_v (which VTK and MeshLab read) and the same
+/// again as s, t (Blender). `picture` names the file that these refer to, in a comment that MeshLab
+/// introduced.
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& picture = "");
 
 }  // namespace brindle

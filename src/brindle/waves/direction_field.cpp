@@ -1,14 +1,13 @@
 #include "brindle/waves/direction_field.h"
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/surface/csv_file.h"
 
 namespace brindle {
 namespace {
@@ -16,54 +15,33 @@ namespace {
 /// A vector closer to the normal than this (as a sine) has no direction in the tangent plane.
 constexpr float kParallelToNormal = 1e-4f;
 
-std::string at_line(const std::filesystem::path& path, std::size_t line) {
-  return "'" + path.string() + "', line " + std::to_string(line) + ": ";
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// The row's numbers, or nothing if one of its cells is not a number.
-std::optional<std::vector<float>> parse_row(std::string_view row) {
-  std::vector<float> values;
-  while (true) {
-    const auto comma = row.find(',');
-    std::string_view cell = trimmed(row.substr(0, comma));
-    if (cell.starts_with('+')) cell.remove_prefix(1);
-    float value = 0;
-    const auto [end, failure] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (failure != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-    values.push_back(value);
-    if (comma == std::string_view::npos) return values;
-    row.remove_prefix(comma + 1);
-  }
-}
-
-void append_row(FieldFile& field, const std::vector<float>& row, const std::string& where) {
-  const bool has_frequency = row.size() == 4;
-  if (row.size() != 3 && row.size() != 4) {
+void append_row(FieldFile& field, std::span<const float> row, const std::string& where) {
+  if (row.size() < 3 || row.size() > 5) {
     throw Error(where + std::to_string(row.size()) +
-                " columns; a row must have 3 (x,y,z) or 4 (x,y,z,frequency)");
+                " columns; a row must have 3 (x,y,z), 4 (x,y,z,frequency) or 5 "
+                "(x,y,z,frequency,frequency_v)");
   }
-  if (!field.vectors.empty() && has_frequency == field.frequencies.empty()) {
+  const std::size_t columns =
+      3 + (field.frequencies.empty() ? 0 : 1) + (field.frequencies_v.empty() ? 0 : 1);
+  if (!field.vectors.empty() && row.size() != columns) {
     throw Error(where + std::to_string(row.size()) + " columns where the rows before have " +
-                (has_frequency ? "3" : "4") + "; give all rows the same number");
+                std::to_string(columns) + "; give all rows the same number");
   }
-  if (has_frequency && (!(row[3] > 0) || !std::isfinite(row[3]))) {
-    throw Error(where + "the frequency must be a finite number above zero");
+  for (std::size_t column = 3; column < row.size(); ++column) {
+    if (!(row[column] > 0) || !std::isfinite(row[column])) {
+      throw Error(where + "the frequency must be a finite number above zero");
+    }
   }
   field.vectors.emplace_back(row[0], row[1], row[2]);
-  if (has_frequency) field.frequencies.push_back(row[3]);
+  if (row.size() > 3) field.frequencies.push_back(row[3]);
+  if (row.size() > 4) field.frequencies_v.push_back(row[4]);
 }
 
 }  // namespace
 
 Vec3 tangent_direction(const Vec3& vector, const Vec3& normal) {
   const float length = vector.norm();
-  if (!(length > 0) || !std::isfinite(length)) return Vec3::Zero();
+  if (!(length > 0) || !std::isfinite(length) || normal.isZero(0)) return Vec3::Zero();
   const Vec3 unit = vector / length;
   const Vec3 tangent = unit - unit.dot(normal) * normal;
   const float sine = tangent.norm();
@@ -109,29 +87,15 @@ DirectionField rotated(std::span<const Vec3> directions, std::span<const Vec3> n
 }
 
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error("cannot read field '" + path.string() + "': it is a folder; name a CSV file");
-  }
-  std::ifstream in(path);
-  if (!in) throw Error("cannot open field '" + path.string() + "'; check the path");
   FieldFile field;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    const std::string_view row = trimmed(line);
-    if (row.empty() || row.front() == '#') continue;
-    const auto values = parse_row(row);
-    if (values) {
-      if (field.vectors.size() == vertex_count) {
-        throw Error(at_line(path, number) + "more rows than the mesh has vertices (" +
-                    std::to_string(vertex_count) + "); give one row per vertex");
-      }
-      append_row(field, *values, at_line(path, number));
-    } else if (number > 1 || row.find_first_of("0123456789") != std::string_view::npos) {
-      throw Error(at_line(path, number) + "'" + std::string(row.substr(0, 60)) +
-                  "' is not a row of numbers; write x,y,z or x,y,z,frequency");
+  const CsvKind kind{"field", "x,y,z or x,y,z,frequency"};
+  read_csv(path, kind, [&](std::size_t line, std::span<const float> row) {
+    if (field.vectors.size() == vertex_count) {
+      throw Error(at_line(path, line) + "more rows than the mesh has vertices (" +
+                  std::to_string(vertex_count) + "); give one row per vertex");
     }
-  }
+    append_row(field, row, at_line(path, line));
+  });
   if (field.vectors.size() != vertex_count) {
     throw Error("'" + path.string() + "' has " + std::to_string(field.vectors.size()) +
                 " rows, but the mesh has " + std::to_string(vertex_count) +

@@ -16,7 +16,7 @@ namespace brindle {
 using DirectionField = std::vector<Vec3>;
 
 /// `vector` projected into the tangent plane and made a unit vector; zero if it is zero, not finite
-/// or (nearly) parallel to the unit normal.
+/// or (nearly) parallel to the unit normal, or if there is no normal (zero).
 Vec3 tangent_direction(const Vec3& vector, const Vec3& normal);
 
 /// Projects every vector into the tangent plane of its vertex and makes it a unit vector. Vectors
@@ -42,10 +42,12 @@ DirectionField rotated(std::span<const Vec3> directions, std::span<const Vec3> n
 /// What a field file holds: one row per vertex.
 struct FieldFile {
   std::vector<Vec3> vectors;
-  std::vector<float> frequencies;  ///< stripes per unit length; empty if the file has 3 columns
+  std::vector<float> frequencies;    ///< stripes per unit length; empty if the file has 3 columns
+  std::vector<float> frequencies_v;  ///< of the crossing stripes; empty below 5 columns
 };
 
-/// Reads a comma-separated file of 3 columns x,y,z, or 4 with the frequency; a header line of words
+/// Reads a comma-separated file of 3 columns x,y,z, 4 with the frequency, or 5 with the frequency
+/// of the stripes that cross the others where a texture is laid along both; a header line of words
 /// and lines that begin with # are skipped. `nan` is a value: no wave here.
 /// Throws Error naming the file, the line and the remedy if the file cannot be read, a row has
 /// another number of columns or a word in it, a frequency is not above zero, or the number of rows

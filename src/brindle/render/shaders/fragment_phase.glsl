@@ -92,7 +92,7 @@ int opposite_corner(vec3 barycentric) {
   return barycentric[2] < barycentric[c] ? 2 : c;
 }
 
-FragmentWave split_fragment_phase(CornerWave corners[3], Fragment f) {
+FragmentWave split_wave(CornerWave corners[3], Fragment f) {
   int c = opposite_corner(f.weights);
   int a = (c + 1) % 3;
   int b = (c + 2) % 3;
@@ -110,18 +110,24 @@ FragmentWave split_fragment_phase(CornerWave corners[3], Fragment f) {
   return blended_wave(corners, f);
 }
 
-FragmentWave fragment_phase(CornerWave corners[3], vec3 barycentric, vec3 barycentric_dx,
-                            vec3 barycentric_dy) {
-  if (!all_have_waves(corners)) return kNoWave;
+// Moves the corners so that the first is at zero.
+Fragment fragment_at(inout CornerWave corners[3], vec3 barycentric, vec3 barycentric_dx,
+                     vec3 barycentric_dy) {
   vec3 first = corners[0].position;
   for (int m = 0; m < 3; ++m) corners[m].position -= first;
   mat3 points = mat3(corners[0].position, corners[1].position, corners[2].position);
-  Fragment f = Fragment(barycentric, barycentric_dx, barycentric_dy, points * barycentric,
-                        points * barycentric_dx, points * barycentric_dy);
+  return Fragment(barycentric, barycentric_dx, barycentric_dy, points * barycentric,
+                  points * barycentric_dx, points * barycentric_dy);
+}
+
+FragmentWave fragment_phase(CornerWave corners[3], vec3 barycentric, vec3 barycentric_dx,
+                            vec3 barycentric_dy) {
+  if (!all_have_waves(corners)) return kNoWave;
+  Fragment f = fragment_at(corners, barycentric, barycentric_dx, barycentric_dy);
   bool turn_second = runs_against(corners[0].direction, corners[1].direction);
   bool turn_third = runs_against(corners[0].direction, corners[2].direction);
   if (runs_against(corners[1].direction, corners[2].direction) != (turn_second != turn_third)) {
-    return split_fragment_phase(corners, f);
+    return split_wave(corners, f);
   }
   if (turn_second) corners[1] = flipped(corners[1]);
   if (turn_third) corners[2] = flipped(corners[2]);

@@ -1,0 +1,381 @@
+#include <iostream>
+#include <memory>
+#include <numeric>
+
+#include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/pattern/curve_spacing.h"
+#include "brindle/surface/point_tree.h"
+#include "brindle/surface/polyline_io.h"
+#include "brindle/surface/tubes.h"
+#include "commands.h"
+#include "formatted.h"
+#include "option_values.h"
+#include "outputs.h"
+#include "picture.h"
+#include "preparation.h"
+#include "report.h"
+#include "second_waves.h"
+#include "solving_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  brindle curves horse.ply --stripes 100 --output horse.svg --camera 60,15
+  brindle curves scan.obj --lines both --stripes 30 --stripes-v 60 --output grid.obj
+  brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
+  brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
+  brindle curves shape:trefoil --join --output curves.vtp --report curves.json
+
+Files by extension: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh
+of tubes; .svg a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in
+the mesh's units, or in percent of the bounding box's diagonal. --help of 'brindle stripe' tells
+more of fields and cameras.)";
+
+enum class Which { u, v, both };
+
+std::optional<Which> which_of(std::string_view name) {
+  if (name == "u") return Which::u;
+  if (name == "v") return Which::v;
+  if (name == "both") return Which::both;
+  return std::nullopt;
+}
+
+struct CurvesArguments {
+  SurfaceOptions surface;
+  WaveOptions waves;
+  SecondWaveOptions second;
+  SolvingOptions solving;
+  std::shared_ptr<PictureOptions> picture;
+  Which which = Which::u;
+  float offset = 0;
+  bool join = false;
+  Length min_length;
+  std::optional<Length> simplify, resample, tube_radius;
+  int tube_sides = 8;
+  std::vector<std::string> outputs;
+  std::string report;
+  bool quiet = false;
+};
+
+enum class CurveOutput { lines, tubes, drawing, picture, report };
+
+// What a path asks for. Throws Error, naming what to do, for what it cannot hold.
+CurveOutput planned(const std::string& path, bool tubes) {
+  const std::string kind = lower_extension(path);
+  check_output_path(path);
+  if (kind == ".json") return CurveOutput::report;
+  if (kind == ".svg" || kind == ".png") {
+    check_pictures_available();
+    return kind == ".svg" ? CurveOutput::drawing : CurveOutput::picture;
+  }
+  const bool mesh = kind == ".gltf" || kind == ".glb";
+  if (mesh && !tubes) {
+    throw Error("cannot write '" + path + "': brindle writes no lines into " + kind +
+                "; use .obj, .ply, .vtp or .csv, or ask for tubes with --tube-radius");
+  }
+  if (tubes && kind == ".csv") {
+    throw Error("cannot write '" + path +
+                "': .csv holds no tubes; use .obj, .ply, .vtp, .gltf or .glb, or leave out "
+                "--tube-radius");
+  }
+  if (mesh || is_polyline_format(path)) return tubes ? CurveOutput::tubes : CurveOutput::lines;
+  throw Error("cannot write '" + path + "': unknown extension '" + kind +
+              "'; use .obj, .ply, .vtp or .csv for lines, .gltf or .glb for tubes, .svg for a "
+              "drawing, .png for a picture, .json for a report");
+}
+
+// One of U and V with its curves.
+struct Family {
+  std::string name;
+  StripePattern pattern;
+  StripeCurves curves;
+  std::array<std::size_t, kCurveEndKinds> ends{};  // of all curves
+  std::size_t jogs = 0;                            // edges that moved curves do not cross straight
+  std::size_t short_curves = 0;                    // left out
+  std::optional<CurveSpacing> spacing;
+  double extract_milliseconds = 0;
+};
+
+struct Result {
+  Preparation prepared;
+  MeshEdges edges;
+  std::vector<Family> families;
+  double edges_milliseconds = 0;
+};
+
+double total_length(const Polylines& lines) {
+  double length = 0;
+  for (std::size_t line = 0; line < lines.count(); ++line) length += length_of(lines, line);
+  return length;
+}
+
+// Throws away short curves after all ends were counted.
+void drop_short(Family& family, float min_length) {
+  if (min_length <= 0) return;
+  const StripeCurves all = std::move(family.curves);
+  family.curves = longer_than(all, min_length);
+  family.short_curves = all.lines.count() - family.curves.lines.count();
+}
+
+Family make_family(const CurvesArguments& arguments, Result& result, std::string name,
+                   WaveSet waves, ProgressDisplay& display) {
+  const Surface& surface = result.prepared.surface;
+  const float diagonal = bounding_box(surface.mesh).diagonal();
+  Family family;
+  family.name = std::move(name);
+  family.pattern =
+      stripe_pattern(surface, std::move(waves), arguments.solving.stripes, display.progress());
+  StripePattern& pattern = family.pattern;
+  family.jogs =
+      move_peaks(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
+
+  display.stage("curves");
+  Stopwatch watch;
+  const WavePattern wave_pattern{surface.mesh,       result.edges,
+                                 surface.normals,    pattern.waves,
+                                 pattern.solution.z, arguments.solving.stripes.phase_shift};
+  family.curves = stripe_curves(LiftedWaves(wave_pattern), {.join = arguments.join});
+  family.extract_milliseconds = watch.lap();
+  family.ends = family.curves.end_counts();
+  if (PointTree::available()) {
+    display.stage("spacing");
+    const CurveSpacing spacing = measure_curve_spacing(wave_pattern, family.curves);
+    if (spacing.measured > 0) family.spacing = spacing;
+  }
+  drop_short(family, arguments.min_length.on(diagonal));
+  Polylines& lines = family.curves.lines;
+  if (arguments.simplify) lines = simplified(lines, arguments.simplify->on(diagonal));
+  if (arguments.resample) lines = resampled(lines, arguments.resample->on(diagonal));
+  return family;
+}
+
+Result make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
+  Result result;
+  result.prepared = prepare(arguments.surface, arguments.waves, display);
+  Stopwatch watch;
+  result.edges = mesh_edges(result.prepared.surface.mesh, *result.prepared.surface.neighborhood);
+  result.edges_milliseconds = watch.lap();
+  WaveSet& u = result.prepared.waves;
+  WaveSet v;
+  if (arguments.which != Which::u) {
+    v = make_second_waves(result.prepared.surface, u, arguments.second);
+  }
+  const auto add = [&](const char* name, WaveSet&& waves) {
+    result.families.push_back(make_family(arguments, result, name, std::move(waves), display));
+  };
+  if (arguments.which != Which::v) add("u", std::move(u));
+  if (arguments.which != Which::u) add("v", std::move(v));
+  return result;
+}
+
+nlohmann::ordered_json to_json(const CurveSpacing& spacing) {
+  return {{"measured", spacing.measured},
+          {"mean", spacing.mean},
+          {"deviation", spacing.deviation},
+          {"share_within_10_percent", spacing.share_within_10_percent}};
+}
+
+nlohmann::ordered_json to_json(const Family& family) {
+  const Polylines& lines = family.curves.lines;
+  const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
+  nlohmann::ordered_json json = {
+      {"energy", family.pattern.solution.energy},
+      {"branches", family.pattern.quality.branches},
+      {"field_singularities", family.pattern.quality.field_singularities},
+      {"curves", lines.count()},
+      {"closed", std::accumulate(lines.closed.begin(), lines.closed.end(), std::size_t{0})},
+      {"short_curves_left_out", family.short_curves},
+      {"points", lines.points.size()},
+      {"length", total_length(lines)},
+      {"ends",
+       {{"total", std::accumulate(family.ends.begin(), family.ends.end(), std::size_t{0})},
+        {"boundary", end(CurveEnd::boundary)},
+        {"no_wave", end(CurveEnd::no_wave)},
+        {"nonmanifold", end(CurveEnd::nonmanifold)},
+        {"branch", end(CurveEnd::branch)},
+        {"singularity", end(CurveEnd::singularity)}}},
+      {"edges_with_jogs", family.jogs}};
+  if (family.spacing) json["spacing"] = to_json(*family.spacing);
+  return json;
+}
+
+nlohmann::ordered_json to_json(const Result& result) {
+  const Surface& surface = result.prepared.surface;
+  StripeMilliseconds time;
+  time.load = result.prepared.load_milliseconds;
+  time.topology = result.prepared.topology_milliseconds + result.edges_milliseconds;
+  double extract = 0;
+  nlohmann::ordered_json json = {{"vertices", surface.mesh.vertex_count()},
+                                 {"triangles", surface.mesh.triangle_count()},
+                                 {"edges", surface.neighborhood->edge_count()},
+                                 {"threads", ThreadLimit::current()}};
+  for (const Family& family : result.families) {
+    json[family.name] = to_json(family);
+    const StripeMilliseconds& own = family.pattern.milliseconds;
+    time.topology += own.topology;
+    time.couple += own.couple;
+    time.solve += own.solve;
+    time.pattern += own.pattern;
+    extract += family.extract_milliseconds;
+  }
+  json["milliseconds"] = {{"load", time.load},       {"topology", time.topology},
+                          {"couple", time.couple},   {"solve", time.solve},
+                          {"pattern", time.pattern}, {"extract", extract}};
+  return json;
+}
+
+void print(std::ostream& out, const Result& result) {
+  for (const Family& family : result.families) {
+    const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
+    const Polylines& lines = family.curves.lines;
+    out << formatted("%s  %zu curves of %zu points, length %g\n", family.name.c_str(),
+                     lines.count(), lines.points.size(), total_length(lines))
+        << formatted(
+               "   ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu beside "
+               "vertices without wave, %zu at edges of three triangles or more\n",
+               end(CurveEnd::boundary), end(CurveEnd::branch), end(CurveEnd::singularity),
+               end(CurveEnd::no_wave), end(CurveEnd::nonmanifold));
+    if (family.short_curves > 0) {
+      out << formatted("   %zu shorter curves left out\n", family.short_curves);
+    }
+    if (family.jogs > 0) {
+      out << formatted("   the field has no orientation: curves jog at %zu edges\n", family.jogs);
+    }
+    if (family.spacing) {
+      out << formatted(
+          "   spacing: %.3f / f on average, deviation %.3f, within 10 %% for %.1f %% of the "
+          "length\n",
+          family.spacing->mean, family.spacing->deviation,
+          100 * family.spacing->share_within_10_percent);
+    }
+    out << formatted("   extracted in %.1f ms\n", family.extract_milliseconds);
+  }
+}
+
+// A default that leaves most of the surface to see: a sixth of the spacing, across both sides.
+float tube_radius_of(const CurvesArguments& arguments, const Result& result) {
+  const Mesh& mesh = result.prepared.surface.mesh;
+  if (arguments.tube_radius) return arguments.tube_radius->on(bounding_box(mesh).diagonal());
+  const auto& frequencies = result.families.front().pattern.waves.frequencies;
+  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+  return static_cast<float>(static_cast<double>(frequencies.size()) / (12 * sum));
+}
+
+std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Result& result) {
+  const TubeOptions options{tube_radius_of(arguments, result), arguments.tube_sides};
+  std::vector<Ornament> ornaments;
+  for (const Family& family : result.families) {
+    ornaments.push_back({tubes(family.curves.lines, options), family.name == "v"});
+  }
+  return ornaments;
+}
+
+void write_tubes(const std::string& path, const std::vector<Ornament>& ornaments) {
+  Mesh all;
+  for (const Ornament& ornament : ornaments) {
+    const auto first = static_cast<Index>(all.positions.size());
+    const Mesh& mesh = ornament.mesh;
+    all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    for (const Triangle& t : mesh.triangles) {
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+  }
+  if (all.triangles.empty()) throw Error("cannot write '" + path + "': there are no curves");
+  write_mesh(path, all);
+}
+
+void write(CurveOutput kind, const std::string& path, const CurvesArguments& arguments,
+           const Result& result) {
+  const Surface& surface = result.prepared.surface;
+  std::vector<NamedLines> lines;
+  std::vector<PenLines> pens;
+  for (const Family& family : result.families) {
+    lines.push_back({family.name, family.curves.lines});
+    pens.push_back({family.name, family.curves.lines, family.name == "v"});
+  }
+  switch (kind) {
+    case CurveOutput::lines:
+      return write_polylines(path, lines);
+    case CurveOutput::tubes:
+      return write_tubes(path, tubes_of(arguments, result));
+    case CurveOutput::drawing:
+      return write_line_drawing(path, surface, pens, *arguments.picture);
+    case CurveOutput::picture:
+      return write_ornaments(path, surface, tubes_of(arguments, result), *arguments.picture);
+    case CurveOutput::report:
+      return write_json(path, to_json(result));
+  }
+}
+
+void run(const CurvesArguments& arguments) {
+  std::vector<std::pair<CurveOutput, std::string>> outputs;
+  for (const std::string& path : arguments.outputs) {
+    outputs.emplace_back(planned(path, arguments.tube_radius.has_value()), path);
+  }
+  if (!arguments.report.empty()) {
+    check_output_path(arguments.report);
+    outputs.emplace_back(CurveOutput::report, arguments.report);
+  }
+  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  const ThreadLimit threads(arguments.solving.threads);
+  Result result;
+  {
+    ProgressDisplay display(arguments.quiet);
+    result = make_result(arguments, display);
+    for (const auto& [kind, path] : outputs) {
+      display.stage("writing " + path);
+      write(kind, path, arguments, result);
+    }
+  }
+  if (!arguments.quiet) print(std::cout, result);
+}
+
+void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
+  add_named_option(command, "--lines", arguments.which, which_of, "u|v|both",
+                   "across the field (u, default), along it (v: stripes of the field turned by 90 "
+                   "degrees), or both");
+  add_parsed_option(command, "--offset", arguments.offset, number_of,
+                    "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
+      ->type_name("P");
+  command.add_flag("--join", arguments.join,
+                   "join curves that end side by side, and let others run into their neighbours");
+  add_parsed_option(command, "--min-length", arguments.min_length, length_of,
+                    "leave out shorter curves")
+      ->type_name("L|P%");
+  add_parsed_option(command, "--simplify", arguments.simplify, length_of,
+                    "leave out points up to this far from the curve")
+      ->type_name("L|P%");
+  add_parsed_option(command, "--resample", arguments.resample, positive_length_of,
+                    "points at equal distances, about this far apart")
+      ->type_name("L|P%");
+  add_parsed_option(command, "--tube-radius", arguments.tube_radius, positive_length_of,
+                    "write mesh files of tubes, not lines (pictures show tubes anyway)")
+      ->type_name("L|P%");
+  command.add_option("--tube-sides", arguments.tube_sides, "3 to 64 (default 8)")
+      ->type_name("N")
+      ->check(CLI::Range(3, 64));
+}
+
+}  // namespace
+
+Command add_curves_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("curves", "Trace the stripes as curves");
+  command->footer(kExamples);
+  const auto arguments = std::make_shared<CurvesArguments>();
+  add_surface_options(*command, arguments->surface);
+  add_wave_options(*command, arguments->waves);
+  add_second_wave_options(*command, arguments->second);
+  add_curve_options(*command, *arguments);
+  add_solver_option(*command, arguments->solving);
+  add_solving_options(*command, arguments->solving);
+  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
+  arguments->picture = add_picture_options(*command);
+  return {command, [arguments] { run(*arguments); }};
+}
+
+}  // namespace brindle::tool

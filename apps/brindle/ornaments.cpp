@@ -1,0 +1,65 @@
+// Pictures of curves and samples, for builds with OpenGL.
+#include <algorithm>
+
+#include "brindle/render/line_drawing.h"
+#include "brindle/surface/normals.h"
+#include "picture_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr Color kSecondColor{0.78f, 0.26f, 0.17f};
+// The outline runs along edges, beside the smooth outline that the depths have.
+constexpr float kOutlineTolerance = 0.01f;
+constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
+
+Color color_of(bool second, const RenderOptions& render) {
+  return second ? kSecondColor : render.stripe_color;
+}
+
+// One mesh of all, with normals and a colour for every triangle.
+struct Assembly {
+  Mesh mesh;
+  std::vector<Vec3> normals;
+  std::vector<TriangleColor> colors;
+
+  void add(const Mesh& part, std::span<const Vec3> part_normals, const TriangleColor& color) {
+    const auto first = static_cast<Index>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    normals.insert(normals.end(), part_normals.begin(), part_normals.end());
+    for (const Triangle& t : part.triangles) {
+      mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    colors.resize(mesh.triangles.size(), color);
+  }
+};
+
+}  // namespace
+
+void write_ornaments(const std::filesystem::path& path, const Surface& surface,
+                     std::span<const Ornament> ornaments, const PictureOptions& options) {
+  const RenderOptions render = render_options(options);
+  Assembly all;
+  all.add(surface.mesh, surface.normals, {});
+  for (const Ornament& ornament : ornaments) {
+    all.add(ornament.mesh, vertex_normals(ornament.mesh), {color_of(ornament.second, render), 1});
+  }
+  const StripeScene scene{.mesh = all.mesh, .normals = all.normals, .triangle_colors = all.colors};
+  write_png(path, render_picture(scene, render));
+}
+
+void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
+                        std::span<const PenLines> pens, const PictureOptions& options) {
+  const RenderOptions render = render_options(options);
+  const Visibility visibility(surface.mesh, render.camera, render.width, render.height);
+  std::vector<Pen> drawn;
+  for (const PenLines& pen : pens) {
+    drawn.push_back({pen.name, color_of(pen.second, render), 1.0f, visibility.strokes(pen.lines)});
+  }
+  const Polylines bounds =
+      outline(surface.mesh, surface.normals, render.camera, render.width, render.height);
+  drawn.push_back({"outline", kOutlineColor, 1.4f, visibility.strokes(bounds, kOutlineTolerance)});
+  write_svg(path, render.width, render.height, drawn);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,243 @@
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/error.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/pattern/point_sampling.h"
+#include "brindle/pattern/sample_io.h"
+#include "brindle/surface/point_tree.h"
+#include "commands.h"
+#include "formatted.h"
+#include "option_values.h"
+#include "outputs.h"
+#include "picture.h"
+#include "preparation.h"
+#include "report.h"
+#include "second_waves.h"
+#include "solving_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  brindle sample horse.ply --stripes 100 --output samples.csv
+  brindle sample scan.obj --stripes 30 --stripes-v 90 --output anisotropic.ply
+  brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
+  brindle sample shape:torus --output samples.png
+  brindle sample points.ply --stripes 50 --output samples.csv
+
+Files by extension: .csv .ply .vtp samples, each with position, normal, both directions and
+spacings, triangle and barycentric coordinates; .png a picture; .json a report. A field file's
+fourth column, and that of --field-v, are frequencies: the higher, the denser the samples.)";
+
+struct SampleArguments {
+  SurfaceOptions surface;
+  WaveOptions waves;
+  SecondWaveOptions second;
+  SolvingOptions solving;
+  std::shared_ptr<PictureOptions> picture;
+  float min_distance = 0.25f;
+  std::vector<std::string> outputs;
+  std::string report;
+  bool quiet = false;
+};
+
+enum class SampleOutput { samples, picture, report };
+
+SampleOutput planned(const std::string& path) {
+  check_output_path(path);
+  const std::string kind = lower_extension(path);
+  if (kind == ".json") return SampleOutput::report;
+  if (kind == ".png") {
+    check_pictures_available();
+    return SampleOutput::picture;
+  }
+  if (is_sample_format(path)) return SampleOutput::samples;
+  throw Error("cannot write '" + path + "': '" + kind +
+              "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, .json for a "
+              "report");
+}
+
+struct Result {
+  Preparation prepared;
+  StripePattern u, v;
+  std::vector<Sample> samples;
+  std::size_t doubles = 0;  // left out
+  std::optional<SampleSpacing> spacing;
+  double edges_milliseconds = 0;
+  double extract_milliseconds = 0;
+};
+
+WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surface,
+                         const MeshEdges& edges, const StripePattern& pattern) {
+  return {surface.mesh,       edges,
+          surface.normals,    pattern.waves,
+          pattern.solution.z, arguments.solving.stripes.phase_shift};
+}
+
+Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
+  Result result;
+  result.prepared = prepare(arguments.surface, arguments.waves, display);
+  const Surface& surface = result.prepared.surface;
+  WaveSet waves_v = make_second_waves(surface, result.prepared.waves, arguments.second);
+  const StripeOptions& options = arguments.solving.stripes;
+  result.u = stripe_pattern(surface, std::move(result.prepared.waves), options, display.progress());
+  result.v = stripe_pattern(surface, std::move(waves_v), options, display.progress());
+
+  display.stage("samples");
+  Stopwatch watch;
+  if (surface.mesh.triangles.empty()) {
+    result.samples =
+        point_samples(*surface.neighborhood, surface.normals, {result.u.waves, result.u.solution.z},
+                      {result.v.waves, result.v.solution.z});
+    result.extract_milliseconds = watch.lap();
+    result.doubles = drop_doubles(result.samples, arguments.min_distance);
+    result.spacing = measure_sample_spacing(result.samples);
+    return result;
+  }
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  result.edges_milliseconds = watch.lap();
+  const LiftedWaves u(wave_pattern(arguments, surface, edges, result.u));
+  const LiftedWaves v(wave_pattern(arguments, surface, edges, result.v));
+  result.samples = wave_samples(surface.mesh, surface.normals, sampled_waves(u), sampled_waves(v));
+  result.extract_milliseconds = watch.lap();
+  if (PointTree::available()) {
+    result.doubles = drop_doubles(result.samples, arguments.min_distance);
+    result.spacing = measure_sample_spacing(result.samples);
+  }
+  return result;
+}
+
+nlohmann::ordered_json to_json(const Result& result) {
+  const Surface& surface = result.prepared.surface;
+  const auto both = [&](double StripeMilliseconds::*part) {
+    return result.u.milliseconds.*part + result.v.milliseconds.*part;
+  };
+  nlohmann::ordered_json json = {{"vertices", surface.mesh.vertex_count()},
+                                 {"triangles", surface.mesh.triangle_count()},
+                                 {"edges", surface.neighborhood->edge_count()},
+                                 {"threads", ThreadLimit::current()},
+                                 {"samples", result.samples.size()},
+                                 {"doubles_left_out", result.doubles},
+                                 {"branches_u", result.u.quality.branches},
+                                 {"branches_v", result.v.quality.branches}};
+  if (result.spacing) {
+    json["nearest_neighbour"] = {{"measured", result.spacing->samples},
+                                 {"mean", result.spacing->mean},
+                                 {"deviation", result.spacing->deviation},
+                                 {"isolated_double_share", result.spacing->double_share}};
+  }
+  json["milliseconds"] = {
+      {"load", result.prepared.load_milliseconds},
+      {"topology", result.prepared.topology_milliseconds + result.edges_milliseconds +
+                       both(&StripeMilliseconds::topology)},
+      {"couple", both(&StripeMilliseconds::couple)},
+      {"solve", both(&StripeMilliseconds::solve)},
+      {"pattern", both(&StripeMilliseconds::pattern)},
+      {"extract", result.extract_milliseconds}};
+  return json;
+}
+
+void print(std::ostream& out, const Result& result) {
+  out << formatted("samples   %zu, %zu more left out as too near to others\n",
+                   result.samples.size(), result.doubles)
+      << formatted("branches  %zu of U, %zu of V\n", result.u.quality.branches,
+                   result.v.quality.branches);
+  if (result.spacing) {
+    out << formatted(
+        "nearest   %.3f of the ideal grid's distance on average, deviation %.3f, doubles %.2f %%\n",
+        result.spacing->mean, result.spacing->deviation, 100 * result.spacing->double_share);
+  }
+  out << formatted("time      extracted in %.1f ms\n", result.extract_milliseconds);
+}
+
+// Discs a third as wide as the spacing, just above and below: a surface may be wound either way.
+void add_disc(const Sample& sample, Mesh& mesh) {
+  constexpr int kCorners = 16;
+  const float radius = 0.16f * std::min(sample.spacing_u, sample.spacing_v);
+  const Vec3 x = sample.direction_u;
+  const Vec3 y = sample.normal.cross(x);
+  for (const float height : {-0.12f, 0.12f}) {
+    const auto first = static_cast<Index>(mesh.positions.size());
+    const Vec3 centre = sample.position + height * radius * sample.normal;
+    for (int k = 0; k < kCorners; ++k) {
+      const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kCorners;
+      mesh.positions.push_back(centre + radius * (std::cos(angle) * x + std::sin(angle) * y));
+    }
+    for (Index k = 1; k + 1 < kCorners; ++k) {
+      mesh.triangles.push_back({first, first + k, first + k + 1});
+    }
+  }
+}
+
+void write(SampleOutput kind, const std::string& path, const SampleArguments& arguments,
+           const Result& result) {
+  switch (kind) {
+    case SampleOutput::samples:
+      return write_samples(path, result.samples);
+    case SampleOutput::picture: {
+      Ornament discs{{}, true};
+      for (const Sample& sample : result.samples) add_disc(sample, discs.mesh);
+      return write_ornaments(path, result.prepared.surface, std::span(&discs, 1),
+                             *arguments.picture);
+    }
+    case SampleOutput::report:
+      return write_json(path, to_json(result));
+  }
+}
+
+void run(const SampleArguments& arguments) {
+  std::vector<std::pair<SampleOutput, std::string>> outputs;
+  for (const std::string& path : arguments.outputs) outputs.emplace_back(planned(path), path);
+  if (!arguments.report.empty()) {
+    check_output_path(arguments.report);
+    outputs.emplace_back(SampleOutput::report, arguments.report);
+  }
+  for (const auto& [kind, path] : outputs) {
+    if (kind == SampleOutput::picture && is_points(arguments.surface)) {
+      throw Error("cannot draw '" + path +
+                  "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
+    }
+  }
+  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  const ThreadLimit threads(arguments.solving.threads);
+  Result result;
+  {
+    ProgressDisplay display(arguments.quiet);
+    result = make_result(arguments, display);
+    for (const auto& [kind, path] : outputs) {
+      display.stage("writing " + path);
+      write(kind, path, arguments, result);
+    }
+  }
+  if (!arguments.quiet) print(std::cout, result);
+}
+
+}  // namespace
+
+Command add_sample_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("sample", "Sample a surface where two patterns cross");
+  command->footer(kExamples);
+  const auto arguments = std::make_shared<SampleArguments>();
+  add_surface_options(*command, arguments->surface);
+  add_point_options(*command, arguments->surface);
+  add_wave_options(*command, arguments->waves);
+  add_second_wave_options(*command, arguments->second);
+  add_parsed_option(*command, "--min-distance", arguments->min_distance, not_negative_number_of,
+                    "leave out samples nearer to another, in spacings (default 0.25)")
+      ->type_name("D");
+  add_solver_option(*command, arguments->solving);
+  add_solving_options(*command, arguments->solving);
+  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
+  arguments->picture = add_picture_options(*command);
+  return {command, [arguments] { run(*arguments); }};
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,24 @@
+// A textured mesh for other programs. Built and run by the tests.
+#include <filesystem>
+
+#include "brindle/pattern/texture_coordinates.h"
+#include "brindle/pipeline/smooth_field.h"
+#include "brindle/pipeline/texture_pattern.h"
+#include "brindle/surface/mesh_io.h"
+#include "brindle/surface/shapes.h"
+
+int main() {
+  const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));
+  const brindle::TexturePattern texture = brindle::texture_pattern(
+      surface, {surface.mesh.positions, brindle::smooth_direction_field(surface),
+                brindle::constant_frequency_field(16, surface.mesh.vertex_count())});
+  const brindle::TexturedMesh textured =
+      brindle::texture_coordinates(surface.mesh, texture.waves, texture.phase_shift);
+  brindle::VertexAttribute uv{"uv", 2, {}};
+  for (const auto& at_vertex : textured.coordinates) {
+    uv.values.insert(uv.values.end(), at_vertex.begin(), at_vertex.end());
+  }
+  const auto path = std::filesystem::temp_directory_path() / "brindle_example_files.obj";
+  brindle::write_mesh(path, textured.mesh, {&uv, 1});  // or write_textured_mesh, with a picture
+  std::filesystem::remove(path);
+}

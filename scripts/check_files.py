@@ -1,0 +1,295 @@
+#!/usr/bin/python3
+"""Reads Brindle's mesh files back with other programs, renders them there and compares pictures.
+
+    scripts/check_files.py build/release/apps/brindle/brindle [--mesh MESH] [--keep FOLDER]
+                           [--tiles stripes,arrows,bricks]
+
+VTK (python3-vtk9) reads and draws .obj with its material, .ply, .vtp, .gltf and .glb; Assimp's
+command line (assimp-utils) turns .obj, .ply, .gltf and .glb into OBJ files, which VTK then draws.
+Each picture is taken from where Brindle takes its own, and every pixel away from borders must show
+figure or ground as Brindle's does. Needs a display, or xvfb-run (xvfb, xauth). Exits with 0 if all
+agree, 1 if not, 77 if a program is missing.
+"""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+WIDTH, HEIGHT = 800, 600
+AZIMUTH_DEG, ELEVATION_DEG = 30, 20
+FIELD_OF_VIEW_DEG, MARGIN = 28, 0.05  # of render/camera.cpp
+FORMATS = ("obj", "ply", "vtp", "gltf", "glb")
+ASSIMP_FORMATS = ("obj", "ply", "gltf", "glb")
+WANTED_AGREEMENT = 0.99
+
+try:
+    import numpy as np
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+except ImportError as missing:
+    print(f"skipped: {missing}; install python3-vtk9 and python3-numpy")
+    sys.exit(SKIPPED)
+
+
+def ensure_display():
+    """Starts this script again under xvfb-run where there is no display."""
+    if os.environ.get("DISPLAY"):
+        return
+    if not shutil.which("xvfb-run"):
+        print("skipped: no display; install xvfb and xauth")
+        sys.exit(SKIPPED)
+    os.execvp("xvfb-run", ["xvfb-run", "-a", sys.executable, *sys.argv])
+
+
+def camera_over(points, up_axis):
+    """The camera with which render/camera.cpp frames the points."""
+    azimuth, elevation = np.radians([AZIMUTH_DEG, ELEVATION_DEG])
+    right = np.array([np.cos(azimuth), 0, -np.sin(azimuth)])
+    back = np.array([np.sin(azimuth) * np.cos(elevation), np.sin(elevation),
+                     np.cos(azimuth) * np.cos(elevation)])
+    axes = np.array([right, np.cross(back, right), back])
+    if up_axis == "z":
+        axes = axes @ np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+    origin = (points.min(axis=0) + points.max(axis=0)) / 2
+    x, y, z = axes @ (points - origin).T
+    t = np.tan(np.radians(FIELD_OF_VIEW_DEG / 2))
+    u = t * HEIGHT / WIDTH
+    inner_t, inner_u = t * (1 - MARGIN), u * (1 - MARGIN)
+    extent_right, extent_left = (x + inner_t * z).max(), (-x + inner_t * z).max()
+    extent_top, extent_bottom = (y + inner_u * z).max(), (-y + inner_u * z).max()
+    eye = np.array([(extent_right - extent_left) / 2, (extent_top - extent_bottom) / 2,
+                    max((extent_right + extent_left) / (2 * inner_t),
+                        (extent_top + extent_bottom) / (2 * inner_u))])
+    camera = vtk.vtkCamera()
+    camera.SetPosition(*(origin + axes.T @ eye))
+    camera.SetFocalPoint(*(origin + axes.T @ (eye - [0, 0, 1])))
+    camera.SetViewUp(*axes[1])
+    camera.SetViewAngle(np.degrees(2 * np.arctan(u)))
+    return camera
+
+
+def textured_actor(reader, picture):
+    """What a reader gives, with a picture that repeats."""
+    reader.Update()
+    data = reader.GetOutput()
+    if data.GetPointData().GetTCoords() is None:
+        raise RuntimeError("the reader finds no texture coordinates")
+    png = vtk.vtkPNGReader()
+    png.SetFileName(picture)
+    texture = vtk.vtkTexture()
+    texture.SetInputConnection(png.GetOutputPort())
+    texture.InterpolateOn()
+    texture.MipmapOn()
+    texture.RepeatOn()
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.SetTexture(texture)
+    return actor
+
+
+def add_file(path, picture, window, renderer):
+    """Reads the file into the renderer."""
+    kind = os.path.splitext(path)[1]
+    if kind in (".gltf", ".glb"):
+        importer = vtk.vtkGLTFImporter()
+        importer.SetFileName(path)
+        importer.SetRenderWindow(window)
+        importer.Update()
+    elif kind == ".obj" and os.path.exists(path[:-4] + ".mtl"):
+        importer = vtk.vtkOBJImporter()
+        importer.SetFileName(path)
+        importer.SetFileNameMTL(path[:-4] + ".mtl")
+        importer.SetTexturePath(os.path.dirname(path))
+        importer.SetRenderWindow(window)
+        importer.Update()
+    else:
+        reader = {".obj": vtk.vtkOBJReader, ".ply": vtk.vtkPLYReader,
+                  ".vtp": vtk.vtkXMLPolyDataReader}[kind]()
+        reader.SetFileName(path)
+        renderer.AddActor(textured_actor(reader, picture))
+
+
+def unlit(renderer):
+    """Shows every actor's own picture, also of the materials of glTF, which ask for light."""
+    actors = renderer.GetActors()
+    actors.InitTraversal()
+    for _ in range(actors.GetNumberOfItems()):
+        actor = actors.GetNextActor()
+        picture = actor.GetProperty().GetTexture("albedoTex")
+        if picture:
+            actor.SetTexture(picture)
+        actor.GetProperty().LightingOff()
+        actor.GetProperty().SetInterpolationToFlat()
+
+
+def picture_of(window, renderer, camera, path):
+    unlit(renderer)
+    renderer.SetActiveCamera(camera)
+    renderer.SetBackground(0, 1, 0)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.SetInputBufferTypeToRGB()
+    grab.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+
+
+def rendered(path, picture, camera, out):
+    """The file as VTK draws it, without light."""
+    renderer = vtk.vtkRenderer()
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(WIDTH, HEIGHT)
+    window.AddRenderer(renderer)
+    add_file(path, picture, window, renderer)
+    picture_of(window, renderer, camera, out)
+    return pixels_of(out)
+
+
+def pixels_of(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    values = vtk_to_numpy(image.GetPointData().GetScalars())
+    return values.reshape(HEIGHT, WIDTH, -1)[..., :3].astype(float)
+
+
+def figure(pixels):
+    """Whether a pixel has the dark blue of the figure: light changes its level, not its hue."""
+    return pixels[..., 0] < 0.7 * pixels[..., 2]
+
+
+def grown(mask, pixels):
+    for _ in range(pixels):
+        wide = mask.copy()
+        wide[1:] |= mask[:-1]
+        wide[:-1] |= mask[1:]
+        wide[:, 1:] |= mask[:, :-1]
+        wide[:, :-1] |= mask[:, 1:]
+        mask = wide
+    return mask
+
+
+def away_from_borders(mask):
+    return ~(grown(mask, 2) & grown(~mask, 2))
+
+
+def agreement(ours, theirs):
+    """The share of pixels that show the same, of all that show the surface away from borders."""
+    green = (theirs[..., 1] > 200) & (theirs[..., 0] < 60) & (theirs[..., 2] < 60)
+    a, b = figure(ours), figure(theirs)
+    counted = ~grown(green, 3) & away_from_borders(a) & away_from_borders(b)
+    if counted.sum() < 0.05 * WIDTH * HEIGHT:
+        return 0.0
+    both = [(a & counted).sum(), (~a & counted).sum()]
+    if min(both) < 0.01 * counted.sum():
+        return 0.0  # one of figure and ground is missing: nothing would be compared
+    return ((a == b) & counted).sum() / counted.sum()
+
+
+def write_all(brindle, mesh, tile, folder):
+    names = [f"{tile}.{kind}" for kind in FORMATS]
+    command = [brindle, "stripe", mesh, "--texture", tile, "--stripes", "16", "--quiet",
+               "--size", f"{WIDTH}x{HEIGHT}", "--output", f"{tile}.png"]
+    for name in names:
+        command += ["--output", name]
+    subprocess.run(command, cwd=folder, check=True, stderr=subprocess.DEVNULL)
+
+
+def vtp_of(path):
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def check_attributes(data):
+    """Phases, directions and frequencies of both waves must have arrived as they are defined."""
+    for suffix in ("", "_v"):
+        values = {name: vtk_to_numpy(data.GetPointData().GetArray(name + suffix))
+                  for name in ("phase", "direction", "frequency", "branch")}
+        assert np.abs(values["phase"]).max() <= np.pi + 1e-6
+        lengths = np.linalg.norm(values["direction"], axis=1)
+        # None in the middle of a singularity.
+        assert (np.minimum(lengths, np.abs(lengths - 1)) < 1e-3).all() and lengths.mean() > 0.99
+        assert values["frequency"].min() > 0
+        assert set(np.unique(values["branch"])) <= {0, 1}
+        # Where the mesh shows U and V, they are phases over a turn, plus a quarter.
+        coordinates = vtk_to_numpy(data.GetPointData().GetTCoords())[:, 1 if suffix else 0]
+        turns = values["phase"] / (2 * np.pi) + 0.25
+        off = np.minimum(np.abs(coordinates - turns - np.round(coordinates - turns)),
+                         np.abs(coordinates + turns - np.round(coordinates + turns)))
+        assert np.median(off) < 1e-5 and (off > 1e-3).mean() < 0.01
+
+
+def through_assimp(folder, name):
+    """The file as Assimp understands it, written as OBJ; without material, the picture stays ours."""
+    converted = os.path.join(folder, "assimp_" + name.replace(".", "_") + ".obj")
+    subprocess.run(["assimp", "export", name, converted], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    if os.path.exists(converted[:-4] + ".mtl"):
+        os.remove(converted[:-4] + ".mtl")
+    return converted
+
+
+def check(brindle, mesh, tile, folder):
+    write_all(brindle, mesh, tile, folder)
+    ours = pixels_of(os.path.join(folder, f"{tile}.png"))
+    vtp = vtp_of(os.path.join(folder, f"{tile}.vtp"))
+    check_attributes(vtp)
+    camera = camera_over(vtk_to_numpy(vtp.GetPoints().GetData()).astype(float),
+                         "z" if mesh.startswith("shape:") else "y")
+    picture = os.path.join(folder, f"{tile}_texture.png")
+    files = [(f"VTK {kind}", os.path.join(folder, f"{tile}.{kind}")) for kind in FORMATS]
+    if shutil.which("assimp"):
+        files += [(f"Assimp {kind}", through_assimp(folder, f"{tile}.{kind}"))
+                  for kind in ASSIMP_FORMATS]
+    else:
+        print("assimp is missing; install assimp-utils for the other half")
+    good = True
+    for name, path in files:
+        out = os.path.join(folder, f"{tile}_in_{name.replace(' ', '_').lower()}.png")
+        share = agreement(ours, rendered(path, picture, camera, out))
+        good &= share >= WANTED_AGREEMENT
+        print(f"{tile:10} {name:12} {100 * share:6.2f} % of pixels agree"
+              + ("" if share >= WANTED_AGREEMENT else f"  TOO FEW, see {out}"))
+    return good
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("brindle", help="the program")
+    parser.add_argument("--mesh", default="shape:torus,resolution=120")
+    parser.add_argument("--tiles", default="stripes,arrows,bricks")
+    parser.add_argument("--keep", help="a folder for the files and pictures")
+    arguments = parser.parse_args()
+    if not os.path.exists(arguments.brindle):
+        parser.error(f"there is no program {arguments.brindle}")
+    ensure_display()
+    folder = arguments.keep or tempfile.mkdtemp(prefix="brindle_files_")
+    os.makedirs(folder, exist_ok=True)
+    brindle = os.path.abspath(arguments.brindle)
+    mesh = arguments.mesh
+    if not mesh.startswith("shape:"):
+        mesh = os.path.abspath(mesh)
+    good = [check(brindle, mesh, tile, folder) for tile in arguments.tiles.split(",")]
+    if not arguments.keep and all(good):
+        shutil.rmtree(folder)
+    sys.exit(0 if all(good) else 1)
+
+
+if __name__ == "__main__":
+    main()

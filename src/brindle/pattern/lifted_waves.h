@@ -1,0 +1,42 @@
+/// The waves of all vertices, lifted along the edges of their mesh: once for curves and samples.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brindle/pattern/stripe_pieces.h"
+#include "brindle/surface/mesh_edges.h"
+
+namespace brindle {
+
+/// A surface with one solved wave per vertex. What it refers to must outlive it.
+struct WavePattern {
+  const Mesh& mesh;
+  const MeshEdges& edges;
+  std::span<const Vec3> normals;  ///< unit normals, one per vertex
+  const WaveSet& waves;
+  std::span<const Complex> z;  ///< exp(i Phi), one per vertex
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+};
+
+class LiftedWaves {
+ public:
+  /// Lifts all edges. Throws Error if the sizes of the pattern's parts do not match.
+  explicit LiftedWaves(const WavePattern& pattern);
+
+  const WavePattern& pattern() const { return pattern_; }
+
+  /// Of the vertex's canonical wave (`turns_after_peak`); 0 if it has none.
+  Turns turns(Index vertex) const { return turns_[vertex]; }
+  /// Without peaks if an end has no wave.
+  const EdgeLift& edge(Index edge) const { return edges_[edge]; }
+  LiftedTriangle triangle(std::size_t t) const;
+
+ private:
+  WavePattern pattern_;
+  std::vector<CornerWave> waves_;  // canonical
+  std::vector<Turns> turns_;       // 0 where there is no wave
+  std::vector<EdgeLift> edges_;
+};
+
+}  // namespace brindle

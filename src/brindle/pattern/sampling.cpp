@@ -1,0 +1,292 @@
+#include "brindle/pattern/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/surface/point_tree.h"
+
+namespace brindle {
+namespace {
+
+using Point = Eigen::Vector2d;  // the second and third barycentric coordinate
+
+/// V's crossings of an edge count as this much farther along it, seen from its lower vertex. So
+/// crossings of U and V never coincide, and the triangles of the edge agree on their order.
+constexpr double kNudge = 1e-10;
+
+double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Where a crossing of an edge is, going round the triangle: the edge's number plus the share of
+/// its length.
+double place_around(const PieceEnd& end, double nudge) {
+  return end.side + end.barycentric[(end.side + 1) % 3] + nudge;
+}
+
+struct Segment {
+  std::array<Point, 2> ends;
+  std::array<double, 2> around;  ///< `place_around`, where both ends are on edges
+  bool from_edge_to_edge;
+};
+
+/// The pieces of one pattern in a triangle, nudged forward along the edges by `nudge`.
+void make_segments(const LiftedTriangle& triangle, double nudge, std::vector<StripePiece>& pieces,
+                   std::vector<Segment>& segments) {
+  stripe_pieces(triangle, false, pieces);
+  segments.clear();
+  for (const StripePiece& piece : pieces) {
+    Segment segment;
+    segment.from_edge_to_edge = true;
+    for (int e = 0; e < 2; ++e) {
+      const PieceEnd& end = piece.ends[e];
+      std::array<double, 3> b = end.barycentric;
+      const bool on_edge = end.side < 3;
+      if (on_edge) {
+        const double way = triangle.forward[end.side] ? nudge : -nudge;
+        segment.around[e] = place_around(end, way);
+        b[(end.side + 1) % 3] += way;
+        b[end.side] -= way;
+      }
+      segment.from_edge_to_edge &= on_edge;
+      segment.ends[e] = {b[1], b[2]};
+    }
+    segments.push_back(segment);
+  }
+}
+
+/// What lies exactly on a line counts as on its left, for both pieces that meet there.
+bool left_of(const Point& p, const Segment& line) {
+  return cross(line.ends[1] - line.ends[0], p - line.ends[0]) >= 0;
+}
+
+bool segments_cross(const Segment& u, const Segment& v) {
+  if (u.from_edge_to_edge && v.from_edge_to_edge) {
+    const auto [low, high] = std::minmax(u.around[0], u.around[1]);
+    const auto between = [low = low, high = high](double p) { return p > low && p < high; };
+    return between(v.around[0]) != between(v.around[1]);
+  }
+  return left_of(u.ends[0], v) != left_of(u.ends[1], v) &&
+         left_of(v.ends[0], u) != left_of(v.ends[1], u);
+}
+
+/// Where two segments that cross do so.
+Point crossing_of(const Segment& u, const Segment& v) {
+  const Point along = u.ends[1] - u.ends[0];
+  const Point other = v.ends[1] - v.ends[0];
+  const double area = cross(along, other);
+  const double t = area == 0 ? 0.5 : cross(v.ends[0] - u.ends[0], other) / area;
+  return u.ends[0] + std::clamp(t, 0.0, 1.0) * along;
+}
+
+Vec3 inside_triangle(const Point& p) {
+  Vec3 b(static_cast<float>(1 - p.x() - p.y()), static_cast<float>(p.x()),
+         static_cast<float>(p.y()));
+  b = b.cwiseMax(0.0f);
+  return b / b.sum();
+}
+
+/// Direction and frequency of the wave between the corners, which are turned to run like the first.
+std::pair<Vec3, float> blended(const CornerWaves& corners, const Vec3& barycentric,
+                               const Vec3& normal) {
+  int first = 0;
+  barycentric.maxCoeff(&first);
+  Vec3 direction = Vec3::Zero();
+  float frequency = 0;
+  for (int m = 0; m < 3; ++m) {
+    const Wave& wave = corners[m].wave;
+    const float sign = wave.direction.dot(corners[first].wave.direction) < 0 ? -1.0f : 1.0f;
+    direction += barycentric[m] * sign * wave.direction;
+    frequency += barycentric[m] * wave.frequency;
+  }
+  direction -= direction.dot(normal) * normal;
+  return {direction.stableNormalized(), frequency};
+}
+
+class Sampler {
+ public:
+  Sampler(const Mesh& mesh, std::span<const Vec3> normals, const SampledWaves& u,
+          const SampledWaves& v)
+      : mesh_(mesh), normals_(normals), u_(u), v_(v) {}
+
+  void sample(std::size_t t, std::vector<Sample>& samples) {
+    const LiftedTriangle lifted_u = u_.lifted(t);
+    if (!has_peaks(lifted_u)) return;
+    const LiftedTriangle lifted_v = v_.lifted(t);
+    if (!has_peaks(lifted_v)) return;
+    make_segments(lifted_u, 0, pieces_, segments_u_);
+    make_segments(lifted_v, kNudge, pieces_, segments_v_);
+    for (const Segment& u : segments_u_) {
+      for (const Segment& v : segments_v_) {
+        if (segments_cross(u, v)) samples.push_back(make(t, inside_triangle(crossing_of(u, v))));
+      }
+    }
+  }
+
+ private:
+  static bool has_peaks(const LiftedTriangle& triangle) {
+    if (triangle.kind == TriangleKind::no_wave) return false;
+    return std::any_of(triangle.edges.begin(), triangle.edges.end(),
+                       [](const EdgeLift& edge) { return edge.peaks != 0; }) ||
+           triangle.kind == TriangleKind::field_singularity;
+  }
+
+  Sample make(std::size_t t, const Vec3& barycentric) const {
+    const Triangle& corners = mesh_.triangles[t];
+    Sample sample;
+    sample.triangle = static_cast<Index>(t);
+    sample.barycentric = barycentric;
+    const Vec3& first = mesh_.positions[corners[0]];
+    sample.position = first;
+    sample.normal = Vec3::Zero();
+    for (int m = 0; m < 3; ++m) {
+      sample.position += barycentric[m] * (mesh_.positions[corners[m]] - first);
+      const Vec3& normal = normals_[corners[m]];
+      sample.normal += (sample.normal.dot(normal) < 0 ? -1 : 1) * barycentric[m] * normal;
+    }
+    sample.normal.stableNormalize();
+    const auto [direction_u, frequency_u] = blended(u_.corners(t), barycentric, sample.normal);
+    const auto [direction_v, frequency_v] = blended(v_.corners(t), barycentric, sample.normal);
+    sample.direction_u = direction_u;
+    sample.direction_v = direction_v;
+    sample.spacing_u = 1 / frequency_u;
+    sample.spacing_v = 1 / frequency_v;
+    return sample;
+  }
+
+  const Mesh& mesh_;
+  std::span<const Vec3> normals_;
+  const SampledWaves& u_;
+  const SampledWaves& v_;
+  std::vector<StripePiece> pieces_;
+  std::vector<Segment> segments_u_, segments_v_;
+};
+
+std::vector<Vec3> positions_of(std::span<const Sample> samples) {
+  std::vector<Vec3> positions;
+  positions.reserve(samples.size());
+  for (const Sample& sample : samples) positions.push_back(sample.position);
+  return positions;
+}
+
+float smaller_spacing(const Sample& sample) { return std::min(sample.spacing_u, sample.spacing_v); }
+
+bool face_alike(const Sample& a, const Sample& b) { return a.normal.dot(b.normal) > 0; }
+
+/// The nearest other sample within `reach`, facing alike.
+std::optional<Index> nearest_other(std::span<const Sample> samples, const PointTree& tree, Index i,
+                                   float reach, std::vector<Index>& found) {
+  tree.within(samples[i].position, reach, found);
+  for (const Index other : found) {
+    if (other != i && face_alike(samples[i], samples[other])) return other;
+  }
+  return {};
+}
+
+struct SpacingSums {
+  double count = 0, ratio = 0, square = 0, doubles = 0;
+
+  SpacingSums operator+(const SpacingSums& o) const {
+    return {count + o.count, ratio + o.ratio, square + o.square, doubles + o.doubles};
+  }
+};
+
+}  // namespace
+
+SampledWaves sampled_waves(const LiftedWaves& waves) {
+  return {[&waves](std::size_t t) { return waves.triangle(t); },
+          [&waves](std::size_t t) {
+            const WavePattern& pattern = waves.pattern();
+            return corner_waves(pattern.mesh.triangles[t], pattern.waves, pattern.z);
+          }};
+}
+
+SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corners,
+                           PhaseShiftKind kind) {
+  return {[&mesh, corners, kind](std::size_t t) {
+            return lifted_triangle(mesh.triangles[t], corners[t], kind);
+          },
+          [corners](std::size_t t) { return corners[t]; }};
+}
+
+std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
+                                 const SampledWaves& u, const SampledWaves& v) {
+  constexpr std::size_t kBlock = 4096;
+  const std::size_t blocks = (mesh.triangle_count() + kBlock - 1) / kBlock;
+  std::vector<std::vector<Sample>> parts(blocks);
+  parallel_for(
+      blocks,
+      [&](std::size_t begin, std::size_t end) {
+        Sampler sampler(mesh, normals, u, v);
+        for (std::size_t block = begin; block < end; ++block) {
+          const std::size_t last = std::min((block + 1) * kBlock, mesh.triangle_count());
+          for (std::size_t t = block * kBlock; t < last; ++t) sampler.sample(t, parts[block]);
+        }
+      },
+      1);
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
+  std::vector<Sample> samples;
+  samples.reserve(count);
+  for (auto& part : parts) {
+    samples.insert(samples.end(), part.begin(), part.end());
+    part = {};
+  }
+  return samples;
+}
+
+std::size_t drop_doubles(std::vector<Sample>& samples, float share) {
+  if (samples.empty() || !(share > 0)) return 0;
+  const std::vector<Vec3> positions = positions_of(samples);
+  const PointTree tree(positions);
+  std::vector<std::uint8_t> dropped(samples.size());
+  std::vector<Index> found;
+  for (Index i = 0; i < samples.size(); ++i) {
+    const float own = smaller_spacing(samples[i]);
+    tree.within(samples[i].position, share * own, found);
+    dropped[i] = std::any_of(found.begin(), found.end(), [&](Index other) {
+      const float distance = (positions[other] - positions[i]).norm();
+      return other < i && !dropped[other] && face_alike(samples[i], samples[other]) &&
+             distance < share * smaller_spacing(samples[other]);
+    });
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!dropped[i]) samples[kept++] = samples[i];
+  }
+  const std::size_t count = samples.size() - kept;
+  samples.resize(kept);
+  return count;
+}
+
+SampleSpacing measure_sample_spacing(std::span<const Sample> samples) {
+  const std::vector<Vec3> positions = positions_of(samples);
+  const PointTree tree(positions);
+  const auto sums =
+      parallel_sum<SpacingSums>(samples.size(), [&](std::size_t begin, std::size_t end) {
+        SpacingSums part;
+        std::vector<Index> found;
+        for (std::size_t i = begin; i < end; ++i) {
+          const float ideal = smaller_spacing(samples[i]);
+          const auto other = nearest_other(samples, tree, static_cast<Index>(i), 2 * ideal, found);
+          if (!other) continue;
+          const double ratio = (positions[*other] - positions[i]).norm() / ideal;
+          part = part + SpacingSums{1, ratio, ratio * ratio, ratio < 0.1 ? 1.0 : 0.0};
+        }
+        return part;
+      });
+  SampleSpacing spacing;
+  spacing.samples = static_cast<std::size_t>(sums.count);
+  if (sums.count == 0) return spacing;
+  spacing.mean = sums.ratio / sums.count;
+  spacing.deviation =
+      std::sqrt(std::max(0.0, sums.square / sums.count - spacing.mean * spacing.mean));
+  spacing.double_share = sums.doubles / sums.count;
+  return spacing;
+}
+
+}  // namespace brindle

@@ -1,0 +1,62 @@
+/// The centre lines of stripes, joined over a whole surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brindle/pattern/lifted_waves.h"
+#include "brindle/surface/polylines.h"
+
+namespace brindle {
+
+/// Why a curve ends.
+enum class CurveEnd : std::uint8_t {
+  closed,       ///< it does not
+  boundary,     ///< an edge of one triangle
+  no_wave,      ///< a triangle with a corner that has no wave
+  nonmanifold,  ///< an edge of three triangles or more
+  branch,       ///< a triangle around which the phase does not close
+  singularity   ///< a triangle that is a singularity of the field
+};
+inline constexpr std::size_t kCurveEndKinds = 6;
+
+/// Curves with the reason why each end is one.
+struct StripeCurves {
+  Polylines lines;
+  std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
+
+  /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
+  std::array<std::size_t, kCurveEndKinds> end_counts() const;
+};
+
+struct CurveOptions {
+  /// Joins curves that end side by side in a branch or singularity in pairs, and lets one that is
+  /// left over run on to the middle of its neighbour's piece there.
+  bool join = false;
+};
+
+/// The lines where sin Phi = 1, the same whichever way directions point. Several cross an edge
+/// where the frequency asks for it. Points lie on edges of the mesh, where the lifted phase, linear
+/// along the edge, is a peak; pieces between them are straight, and do not cross. A curve is
+/// closed, or both its ends have one of the reasons of CurveEnd. Every
+/// crossing of an edge is on exactly one curve; with none of the kinds `no_wave` and `nonmanifold`,
+/// there are as many ends at the boundary as boundary edges are crossed, and |branch_index| ends in
+/// every branch.
+///
+/// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
+/// crossings than an Index can count.
+StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {});
+
+/// The curves that are at least `length` long.
+StripeCurves longer_than(const StripeCurves& curves, double length);
+
+/// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
+/// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and
+/// `z` are turned round with `orient_alike` first. Returns the number of edges across which they
+/// do not even so; there the moved curves jog sideways.
+std::size_t move_peaks(const Adjacency& neighborhood, float periods, WaveSet& waves,
+                       std::span<Complex> z);
+
+}  // namespace brindle

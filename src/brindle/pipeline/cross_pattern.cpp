@@ -1,0 +1,54 @@
+#include "brindle/pipeline/cross_pattern.h"
+
+#include <utility>
+
+#include "brindle/base/error.h"
+#include "brindle/base/stopwatch.h"
+
+namespace brindle {
+namespace {
+
+PatternQuality quality_of(const CrossCover& cover, const StripePattern& pattern) {
+  PatternQuality quality = pattern.quality;
+  const std::size_t pairs = cover.base.size();
+  quality.branches += 2 * cover.singular.size();
+  quality.field_singularities = cover.singular.size();
+  for (std::size_t s = 0; s < pairs; ++s) {
+    quality.field_singularities +=
+        pattern.corners[s].kind == TriangleKind::field_singularity ||
+        pattern.corners[pairs + s].kind == TriangleKind::field_singularity;
+  }
+  return quality;
+}
+
+}  // namespace
+
+Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals) {
+  Surface surface{{cover.waves.positions, cover.triangles}, cover.neighborhood, {}};
+  surface.normals.reserve(2 * normals.size());
+  for (const Vec3& normal : normals) surface.normals.insert(surface.normals.end(), 2, normal);
+  return surface;
+}
+
+CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
+                           const StripeOptions& options, const Progress& progress) {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  if (waves.positions.size() != vertices || waves.directions.size() != vertices ||
+      waves.frequencies.size() != vertices) {
+    throw Error("cross field: positions, directions and frequencies must have one entry for each " +
+                std::string("of ") + std::to_string(vertices) + " vertices");
+  }
+  Stopwatch watch;
+  progress.report("match crosses", 0);
+  CrossPattern result;
+  result.cover = cross_cover(*surface.neighborhood, surface.mesh.triangles,
+                             cross_waves(waves, surface.normals));
+  result.surface = cover_surface(result.cover, surface.normals);
+  const double matching = watch.lap();
+  result.pattern = stripe_pattern(result.surface, result.cover.waves, options, progress);
+  result.pattern.milliseconds.couple += matching;
+  result.quality = quality_of(result.cover, result.pattern);
+  return result;
+}
+
+}  // namespace brindle

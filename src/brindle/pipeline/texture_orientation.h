@@ -1,0 +1,33 @@
+/// Which way round each triangle shows its texture, and where that has to change.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "brindle/base/progress.h"
+#include "brindle/pattern/texture_waves.h"
+#include "brindle/surface/shared_edges.h"
+
+namespace brindle {
+
+/// Edges at which the textures of two triangles do not fit, and triangles without orientation.
+struct TextureSeams {
+  std::size_t turned = 0;    ///< edges where U and V both run the other way: a tile with 180-degree
+                             ///< symmetry shows nothing of it
+  std::size_t mirrored = 0;  ///< edges where one of them does: the mesh's winding changes here
+  std::size_t unoriented_triangles = 0;  ///< corners that cannot be oriented alike, or have no wave
+};
+
+/// Counts the seams. Edges of triangles without orientation are not counted.
+TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge> edges);
+
+/// Turns whole triangles (U and V together) so that the seam runs along few edges: none where the
+/// field has an orientation. Triangles are the nodes of a phase graph whose phases are +1 (as it
+/// stands) and -1 (turned), coupled along edges, whose energy counts the edges of the seam; what
+/// the multilevel solver leaves is replaced by shortest paths (`shortening_turns`). Each piece of
+/// the surface has most of its triangles as they stood. Corners must have been oriented
+/// (`orient_corners`); `edges` are those that `triangles` share.
+void orient_triangles(TextureWaves& waves, std::span<const Triangle> triangles,
+                      std::span<const SharedEdge> edges, const Progress& progress = {});
+
+}  // namespace brindle

@@ -1,0 +1,43 @@
+#include "brindle/pipeline/texture_pattern.h"
+
+#include <numbers>
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/waves/direction_field.h"
+
+namespace brindle {
+namespace {
+
+/// The waves turned by 90 degrees about the normals.
+WaveSet orthogonal_waves(const Surface& surface, const WaveSet& waves,
+                         const FrequencyField& frequencies) {
+  return {waves.positions,
+          rotated(waves.directions, surface.normals, std::numbers::pi_v<float> / 2),
+          frequencies.empty() ? waves.frequencies : frequencies};
+}
+
+}  // namespace
+
+TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const TextureOptions& options,
+                               const Progress& progress) {
+  TexturePattern pattern;
+  pattern.phase_shift = options.stripes.phase_shift;
+  WaveSet waves_v = orthogonal_waves(surface, waves, options.frequencies_v);
+  pattern.u = stripe_pattern(surface, std::move(waves), options.stripes, progress);
+  pattern.v = stripe_pattern(surface, std::move(waves_v), options.stripes, progress);
+
+  Stopwatch watch;
+  progress.report("texture", 0);
+  pattern.waves = texture_waves(surface.mesh.triangles, pattern.u.waves, pattern.u.solution.z,
+                                pattern.v.waves, pattern.v.solution.z);
+  orient_corners(pattern.waves);
+  const std::vector<SharedEdge> edges = shared_edges(surface.mesh.triangles);
+  if (!options.oriented) orient_triangles(pattern.waves, surface.mesh.triangles, edges, progress);
+  pattern.seams = texture_seams(pattern.waves, edges);
+  pattern.quality = measure_texture(surface.mesh, pattern.waves, options.stripes.phase_shift);
+  pattern.orientation_milliseconds = watch.lap();
+  return pattern;
+}
+
+}  // namespace brindle

@@ -1,0 +1,116 @@
+#include "brindle/render/gl_texture_tile.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace brindle {
+namespace {
+
+enum Unit { kColorUnit = 0, kDistanceUnit = 1 };
+
+/// Texels along a side of a figure.
+constexpr int kFigureSide = 512;
+
+GlTexture repeated_texture(GLenum format, int width, int height, bool smaller_ones) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  GlTexture texture(name);
+  const auto longest = static_cast<unsigned>(std::max(width, height));
+  glTextureStorage2D(texture, smaller_ones ? std::bit_width(longest) : 1, format, width, height);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
+                      smaller_ones ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+  glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return texture;
+}
+
+/// Distances from the middle of every texel, row by row from v = 0.
+std::vector<float> distances_of(BuiltInTile tile) {
+  std::vector<float> distances;
+  distances.reserve(kFigureSide * kFigureSide);
+  for (int y = 0; y < kFigureSide; ++y) {
+    for (int x = 0; x < kFigureSide; ++x) {
+      distances.push_back(tile_distance(tile, (static_cast<float>(x) + 0.5f) / kFigureSide,
+                                        (static_cast<float>(y) + 0.5f) / kFigureSide));
+    }
+  }
+  return distances;
+}
+
+GlTexture distance_texture(const std::vector<float>& distances) {
+  GlTexture texture = repeated_texture(GL_R32F, kFigureSide, kFigureSide, false);
+  glTextureSubImage2D(texture, 0, 0, 0, kFigureSide, kFigureSide, GL_RED, GL_FLOAT,
+                      distances.data());
+  return texture;
+}
+
+GlTexture coverage_texture(std::vector<float> distances) {
+  for (float& d : distances) d = std::clamp(0.5f - kFigureSide * d, 0.0f, 1.0f);
+  GlTexture texture = repeated_texture(GL_R16F, kFigureSide, kFigureSide, true);
+  glTextureSubImage2D(texture, 0, 0, 0, kFigureSide, kFigureSide, GL_RED, GL_FLOAT,
+                      distances.data());
+  glGenerateTextureMipmap(texture);
+  return texture;
+}
+
+/// Rows from the bottom, as OpenGL counts them.
+Image upside_down(const Image& image) {
+  Image turned(image.width, image.height);
+  for (int y = 0; y < image.height; ++y) {
+    std::copy_n(&image.at(0, y), image.width, &turned.at(0, image.height - 1 - y));
+  }
+  return turned;
+}
+
+/// Light multiplied with alpha, so that smaller copies mix neighbours by what is seen of them.
+GlTexture transparent_texture(const Image& image) {
+  std::vector<Eigen::Vector4f> light;
+  light.reserve(image.pixels.size());
+  for (const Pixel& pixel : image.pixels) light.push_back(premultiplied_light(pixel));
+  GlTexture texture = repeated_texture(GL_RGBA16F, image.width, image.height, true);
+  glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, light.data());
+  return texture;
+}
+
+GlTexture opaque_texture(const Image& image) {
+  GlTexture texture = repeated_texture(GL_SRGB8_ALPHA8, image.width, image.height, true);
+  glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      image.pixels.data());
+  return texture;
+}
+
+GlTexture picture_texture(const Image& picture) {
+  GLint longest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
+  const Image image = upside_down(reduced(picture, longest));
+  const bool opaque = std::all_of(image.pixels.begin(), image.pixels.end(),
+                                  [](const Pixel& pixel) { return pixel.alpha == 255; });
+  GlTexture texture = opaque ? opaque_texture(image) : transparent_texture(image);
+  glGenerateTextureMipmap(texture);
+  return texture;
+}
+
+}  // namespace
+
+GlTextureTile::GlTextureTile(const TextureTile& tile) {
+  if (const auto* picture = std::get_if<Image>(&tile)) {
+    colors_ = picture_texture(*picture);
+    return;
+  }
+  const std::vector<float> distances = distances_of(std::get<BuiltInTile>(tile));
+  distances_ = distance_texture(distances);
+  colors_ = coverage_texture(distances);
+}
+
+void GlTextureTile::bind(const ShaderProgram& program) const {
+  program.set("tile_colors", static_cast<int>(kColorUnit));
+  program.set("tile_distances", static_cast<int>(kDistanceUnit));
+  program.set("tile_is_figure", distances_ != 0);
+  glBindTextureUnit(kColorUnit, colors_);
+  glBindTextureUnit(kDistanceUnit, distances_);
+}
+
+}  // namespace brindle

@@ -1,0 +1,59 @@
+// The tile under a pixel, filtered over all of the pixel.
+
+uniform sampler2D tile_colors;     // light multiplied with alpha; of a figure: its coverage
+uniform sampler2D tile_distances;  // of a figure: to its border, in sides of the tile
+uniform bool tile_is_figure;
+
+const float kMostSamples = 16.0;
+
+// A pixel's place and extent in texture coordinates.
+struct Footprint {
+  vec2 uv;
+  vec2 dx, dy;
+};
+
+// Where tiles are larger than their textures, the distance says more than the texels: borders stay
+// sharp at any magnification.
+float figure_from_distance(Footprint f) {
+  vec2 step = 1.0 / vec2(textureSize(tile_distances, 0));
+  float distance = textureLod(tile_distances, f.uv, 0.0).r;
+  vec2 slope = 0.5 / step *
+      vec2(textureLod(tile_distances, f.uv + vec2(step.x, 0.0), 0.0).r -
+               textureLod(tile_distances, f.uv - vec2(step.x, 0.0), 0.0).r,
+           textureLod(tile_distances, f.uv + vec2(0.0, step.y), 0.0).r -
+               textureLod(tile_distances, f.uv - vec2(0.0, step.y), 0.0).r);
+  float width = length(vec2(dot(slope, f.dx), dot(slope, f.dy)));
+  return clamp(0.5 - distance / max(width, 1e-6), 0.0, 1.0);
+}
+
+// The mean over the ellipse that the pixel becomes in the tile: samples along its longer axis, each
+// as wide as the shorter one (Heckbert 1989; as anisotropic filters of graphics cards do it, but
+// the same on all of them). The extents are derivatives of the waves: nothing wraps.
+vec4 filtered_tile(Footprint f) {
+  vec2 size = vec2(textureSize(tile_colors, 0));
+  mat2 texels = mat2(f.dx * size, f.dy * size);
+  mat2 square = texels * transpose(texels);
+  float mean = 0.5 * (square[0][0] + square[1][1]);
+  float apart = length(vec2(0.5 * (square[0][0] - square[1][1]), square[0][1]));
+  float longer = sqrt(mean + apart);
+  float shorter = sqrt(max(mean - apart, 0.0));
+  float samples = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMostSamples);
+  float angle = 0.5 * atan(2.0 * square[0][1], square[0][0] - square[1][1]);
+  vec2 axis = longer * vec2(cos(angle), sin(angle)) / size;
+  float level = log2(max(max(shorter, longer / samples), 1.0));
+  vec4 sum = vec4(0.0);
+  for (float k = 0.5; k < samples; k += 1.0) {
+    sum += textureLod(tile_colors, f.uv + (k / samples - 0.5) * axis, level);
+  }
+  return sum / samples;
+}
+
+// The surface's colour with the tile over it. U and V are given as phases.
+vec3 with_tile(vec3 surface, vec3 figure_color, Footprint f) {
+  vec4 tile = filtered_tile(f);
+  if (!tile_is_figure) return tile.rgb + (1.0 - tile.a) * surface;
+  float texels = max(length(f.dx), length(f.dy)) * float(textureSize(tile_colors, 0).x);
+  float coverage = tile.r;
+  if (texels < 1.0) coverage = mix(figure_from_distance(f), tile.r, smoothstep(0.5, 1.0, texels));
+  return mix(surface, figure_color, coverage);
+}

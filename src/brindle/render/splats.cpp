@@ -1,0 +1,207 @@
+#include "brindle/render/splats.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "brindle/base/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/headless_context.h"
+#include "brindle/gl/shader_program.h"
+#include "brindle/render/tiled_picture.h"
+
+namespace brindle {
+namespace {
+
+/// Points drawn at once. Software renderers keep all that they have not yet drawn in memory.
+constexpr std::size_t kBatch = 1 << 15;
+
+/// Radius of a disc over the mean distance to the neighbours: larger ones stick out at creases,
+/// smaller ones leave holes where points are uneven.
+constexpr float kOverlap = 0.8f;
+
+/// As splat.vert reads it.
+struct PackedSplat {
+  Eigen::Vector4f position_radius;
+  Eigen::Vector4f normal_turns;         ///< Phi over 2 pi
+  Eigen::Vector4f direction_frequency;  ///< zero: no wave
+};
+
+void check_scene(const SplatScene& scene) {
+  const std::size_t points = scene.positions.size();
+  const auto check = [&](std::size_t count, const char* what) {
+    if (count != points) {
+      throw Error("cannot draw these points: there are " + std::to_string(count) + " " + what +
+                  " for " + std::to_string(points) + " points");
+    }
+  };
+  check(scene.normals.size(), "normals");
+  check(scene.radii.size(), "radii");
+  if (scene.waves == nullptr) return;
+  check(scene.waves->directions.size(), "directions");
+  check(scene.waves->frequencies.size(), "frequencies");
+  check(scene.z.size(), "phases");
+}
+
+std::vector<PackedSplat> packed_splats(const SplatScene& scene) {
+  std::vector<PackedSplat> packed;
+  for (std::size_t i = 0; i < scene.positions.size(); ++i) {
+    if (scene.normals[i].isZero(0) || !(scene.radii[i] > 0)) continue;
+    PackedSplat& splat = packed.emplace_back();
+    splat.position_radius << scene.positions[i], scene.radii[i];
+    splat.normal_turns << scene.normals[i], 0;
+    splat.direction_frequency.setZero();
+    if (scene.waves == nullptr) continue;
+    splat.normal_turns.w() = std::arg(scene.z[i]) / (2 * std::numbers::pi_v<float>);
+    splat.direction_frequency << scene.waves->directions[i], scene.waves->frequencies[i];
+  }
+  return packed;
+}
+
+}  // namespace
+
+std::vector<float> splat_radii(std::span<const Vec3> positions, const Adjacency& neighborhood) {
+  std::vector<float> radii(positions.size());
+  parallel_for(radii.size(), [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      const auto neighbors = neighborhood.of(i);
+      float sum = 0;
+      for (const Index j : neighbors) sum += (positions[j] - positions[i]).norm();
+      radii[i] = neighbors.empty() ? 0 : kOverlap * sum / static_cast<float>(neighbors.size());
+    }
+  });
+  return radii;
+}
+
+struct SplatRenderer::State {
+  ShaderProgram splat{{"splat.vert"}, {"splat.frag"}};
+  ShaderProgram surface{{"full_screen.vert"},
+                        {"stripe_coverage.glsl", "light.glsl", "splat_surface.frag"}};
+  TiledPicture picture;
+  GlVertexArray no_attributes;
+
+  std::vector<Vec3> points;  ///< what a camera has to frame
+  GlBuffer splats;
+  std::size_t splat_count = 0;
+
+  void draw_splats(bool behind) const;
+  void draw_tile(const Target& target, const Target& sums, const Camera& camera, const Tile& tile,
+                 const RenderOptions& options) const;
+  void draw_surface(const Target& target, const Target& sums, const Camera& camera,
+                    const Tile& tile, const RenderOptions& options) const;
+};
+
+/// `behind` draws depths alone, each disc moved away from the eye by its radius: what lies in front
+/// of that is blended, what lies behind is hidden.
+void SplatRenderer::State::draw_splats(bool behind) const {
+  splat.set("behind", behind);
+  glUseProgram(splat.name());
+  glBindVertexArray(no_attributes);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, splats);
+  for (std::size_t first = 0; first < splat_count; first += kBatch) {
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * first),
+                 static_cast<GLsizei>(6 * std::min(kBatch, splat_count - first)));
+    if (first + kBatch < splat_count) glFinish();
+  }
+}
+
+void SplatRenderer::State::draw_tile(const Target& target, const Target& sums, const Camera& camera,
+                                     const Tile& tile, const RenderOptions& options) const {
+  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  for (const GLint attachment : {0, 1}) {
+    glClearNamedFramebufferfv(sums.framebuffer, GL_COLOR, attachment, kNothing.data());
+  }
+  glClearNamedFramebufferfv(sums.framebuffer, GL_DEPTH, 0, &kFarthest);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, sums.framebuffer);
+  splat.set("origin", camera.origin);
+  splat.set("view_from_world", camera.view_from_world);
+  splat.set("clip_from_view", camera.clip_from_view);
+  splat.set("tile", tile_transform(tile, options));
+  glEnable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_splats(true);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  draw_splats(false);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
+  draw_surface(target, sums, camera, tile, options);
+}
+
+void SplatRenderer::State::draw_surface(const Target& target, const Target& sums,
+                                        const Camera& camera, const Tile& tile,
+                                        const RenderOptions& options) const {
+  surface.set("phase_sums", 0);
+  surface.set("normal_sums", 1);
+  surface.set("tile", tile_transform(tile, options));
+  surface.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
+                                             tile.height * options.supersampling));
+  surface.set("view_scale",
+              Eigen::Vector2f(camera.clip_from_view(0, 0), camera.clip_from_view(1, 1)));
+  surface.set("up", up_seen_by(camera, options.camera.up));
+  surface.set("shading", options.shading);
+  surface.set("base_color", linear_light(options.base_color));
+  surface.set("stripe_color", linear_light(options.stripe_color));
+  surface.set("stripe_width", options.stripe_width);
+  glBindTextureUnit(0, sums.textures[0]);
+  glBindTextureUnit(1, sums.textures[1]);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  glUseProgram(surface.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+SplatRenderer::SplatRenderer() : state_(std::make_unique<State>()) {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  state_->no_attributes = GlVertexArray(name);
+}
+
+SplatRenderer::~SplatRenderer() = default;
+SplatRenderer::SplatRenderer(SplatRenderer&&) noexcept = default;
+SplatRenderer& SplatRenderer::operator=(SplatRenderer&&) noexcept = default;
+
+void SplatRenderer::upload(const SplatScene& scene) {
+  check_scene(scene);
+  const std::vector<PackedSplat> packed = packed_splats(scene);
+  state_->points.clear();
+  for (const PackedSplat& splat : packed) {
+    state_->points.push_back(splat.position_radius.head<3>());
+  }
+  state_->splats = buffer_of(packed, "points");
+  state_->splat_count = packed.size();
+  check_gl("copying the points to OpenGL");
+}
+
+Image SplatRenderer::draw(const RenderOptions& options) const {
+  check_options(options);
+  const Camera camera =
+      framed_camera(state_->points, options.camera, options.width, options.height);
+  Target sums;
+  return state_->picture.draw(options, 0, [&](const Target& target, const Tile& tile) {
+    // The first tile is the largest.
+    if (sums.textures.empty()) {
+      sums = target_of({GL_RGBA32F, GL_RGBA32F}, true, tile.width * options.supersampling,
+                       tile.height * options.supersampling);
+    }
+    state_->draw_tile(target, sums, camera, tile, options);
+  });
+}
+
+Image render_splats(const SplatScene& scene, const RenderOptions& options) {
+  check_options(options);
+  const HeadlessContext context;
+  SplatRenderer renderer;
+  renderer.upload(scene);
+  Image image = renderer.draw(options);
+  context.check_errors("drawing the points");
+  return image;
+}
+
+}  // namespace brindle

@@ -1,0 +1,229 @@
+#include "brindle/render/texture_tile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace brindle {
+namespace {
+
+using Point = Eigen::Vector2f;
+
+constexpr std::array<std::pair<std::string_view, BuiltInTile>, 9> kTiles{
+    {{"stripes", BuiltInTile::stripes},
+     {"checker", BuiltInTile::checker},
+     {"dots", BuiltInTile::dots},
+     {"arrows", BuiltInTile::arrows},
+     {"bricks", BuiltInTile::bricks},
+     {"hatch", BuiltInTile::hatch},
+     {"plus", BuiltInTile::plus},
+     {"minus", BuiltInTile::minus},
+     {"plusminus", BuiltInTile::plus_minus}}};
+
+/// From -1/2 to 1/2.
+float wrapped(float x) { return x - std::round(x); }
+
+Point wrapped(const Point& p) { return {wrapped(p.x()), wrapped(p.y())}; }
+
+float box(const Point& p, const Point& half) {
+  const Point d = p.cwiseAbs() - half;
+  return d.cwiseMax(0.0f).norm() + std::min(d.maxCoeff(), 0.0f);
+}
+
+/// A stroke with round ends.
+float stroke(const Point& p, const Point& from, const Point& to, float radius) {
+  const Point along = to - from;
+  const float t = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0f, 1.0f);
+  return (p - from - t * along).norm() - radius;
+}
+
+/// A triangle that points along u, symmetric about the u axis.
+float arrow_head(Point p, float base, float tip, float half_width) {
+  p.y() = std::abs(p.y());
+  const Point corner(base, half_width);
+  const Point slope = Point(tip, 0) - corner;
+  const Point outward = Point(-slope.y(), slope.x()).normalized();
+  const float beyond_slope = (p - corner).dot(outward);
+  const float inside = std::max(beyond_slope, base - p.x());
+  if (inside < 0) return inside;
+  const float to_slope = stroke(p, corner, Point(tip, 0), 0);
+  const float to_base = stroke(p, Point(base, 0), corner, 0);
+  return std::min(to_slope, to_base);
+}
+
+float lone_arrow(const Point& p) {
+  return std::min(box(p + Point(0.14f, 0), {0.26f, 0.065f}), arrow_head(p, 0.06f, 0.42f, 0.21f));
+}
+
+/// Behind an arrow's tip is the next one's tail.
+float arrow(const Point& p) {
+  return std::min({lone_arrow(p), lone_arrow(p + Point(1, 0)), lone_arrow(p - Point(1, 0))});
+}
+
+float checker(float u, float v) {
+  const float to_u = 0.25f - std::abs(wrapped(u - 0.5f));
+  const float to_v = 0.25f - std::abs(wrapped(v - 0.5f));
+  const float distance = std::min(std::abs(to_u), std::abs(to_v));
+  return (to_u < 0) == (to_v < 0) ? -distance : distance;
+}
+
+/// One course has its brick in the middle, the other its joint. Rows are set so that half a turn
+/// about the middle maps each onto itself.
+float bricks(const Point& p) {
+  constexpr float kJoint = 0.035f;
+  constexpr float kRound = 0.03f;
+  const Point half(0.5f - kJoint - kRound, 0.25f - kJoint - kRound);
+  const float middle_course = box(wrapped(p - Point(0, 0.5f)), half);
+  const float other_course = box(wrapped(p - Point(0.5f, 0)), half);
+  return std::min(middle_course, other_course) - kRound;
+}
+
+/// Before and behind each stroke is its next copy. A stroke's image under half a turn about the
+/// middle is a stroke, too.
+float hatch(float u, float v) {
+  constexpr float kRadius = 0.03f;
+  float distance = 1;
+  for (const float turn : {1.0f, -1.0f}) {
+    for (const bool crossing : {false, true}) {
+      const Point from = turn * (crossing ? Point(-0.22f, -0.40f) : Point(-0.40f, -0.28f));
+      const Point to = turn * (crossing ? Point(-0.28f, 0.40f) : Point(0.40f, -0.22f));
+      const Point p = wrapped(Point(u - 0.5f, v - 0.5f) - 0.5f * (from + to));
+      const Point half = 0.5f * (to - from);
+      const Point next = crossing ? Point(0, 1) : Point(1, 0);
+      for (const float copy : {-1.0f, 0.0f, 1.0f}) {
+        distance = std::min(distance, stroke(p + copy * next, -half, half, kRadius));
+      }
+    }
+  }
+  return distance;
+}
+
+float minus_sign(const Point& p) { return box(p, {0.25f, 0.07f}); }
+
+float plus_sign(const Point& p) { return std::min(minus_sign(p), minus_sign({p.y(), p.x()})); }
+
+/// Both signs share the tile, so they are smaller.
+float plus_and_minus(const Point& p) {
+  constexpr float kScale = 0.75f;
+  return kScale *
+         std::min(plus_sign(p / kScale), minus_sign(wrapped(p + Point(0.5f, 0.5f)) / kScale));
+}
+
+std::uint8_t srgb_byte(float light) {
+  const float level =
+      light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(level, 0.0f, 1.0f)));
+}
+
+Pixel pixel_of(const Eigen::Vector4f& light) {
+  const float alpha = light.w();
+  if (!(alpha > 0)) return {0, 0, 0, 0};
+  return {srgb_byte(light.x() / alpha), srgb_byte(light.y() / alpha), srgb_byte(light.z() / alpha),
+          static_cast<std::uint8_t>(std::lround(255 * std::min(alpha, 1.0f)))};
+}
+
+Pixel opaque_pixel(const Vec3& light) { return pixel_of({light.x(), light.y(), light.z(), 1}); }
+
+Image halved(const Image& image) {
+  Image half(std::max(1, image.width / 2), std::max(1, image.height / 2));
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+      for (int i = 0; i < 4; ++i) {
+        sum += premultiplied_light(image.at(std::min(2 * x + i % 2, image.width - 1),
+                                            std::min(2 * y + i / 2, image.height - 1)));
+      }
+      half.at(x, y) = pixel_of(sum / 4);
+    }
+  }
+  return half;
+}
+
+Image figure_picture(BuiltInTile tile, int side, const Vec3& figure, const Vec3& ground) {
+  Image image(side, side);
+  const auto pixels = static_cast<float>(side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const float u = (static_cast<float>(x) + 0.5f) / pixels;
+      const float v = 1 - (static_cast<float>(y) + 0.5f) / pixels;
+      const float coverage = std::clamp(0.5f - pixels * tile_distance(tile, u, v), 0.0f, 1.0f);
+      image.at(x, y) = opaque_pixel(ground + coverage * (figure - ground));
+    }
+  }
+  return image;
+}
+
+Image over(Image picture, const Vec3& ground) {
+  for (Pixel& pixel : picture.pixels) {
+    if (pixel.alpha == 255) continue;
+    const Eigen::Vector4f light = premultiplied_light(pixel);
+    pixel = opaque_pixel(light.head<3>() + (1 - light.w()) * ground);
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::optional<BuiltInTile> built_in_tile(std::string_view name) {
+  for (const auto& [known, tile] : kTiles) {
+    if (known == name) return tile;
+  }
+  return std::nullopt;
+}
+
+std::string_view built_in_tile_names() {
+  static const std::string names = [] {
+    std::string all;
+    for (const auto& [name, tile] : kTiles) all += (all.empty() ? "" : "|") + std::string(name);
+    return all;
+  }();
+  return names;
+}
+
+float tile_distance(BuiltInTile tile, float u, float v) {
+  const Point p = wrapped(Point(u - 0.5f, v - 0.5f));
+  switch (tile) {
+    case BuiltInTile::stripes:
+      return std::abs(p.x()) - 0.25f;
+    case BuiltInTile::checker:
+      return checker(u, v);
+    case BuiltInTile::dots:
+      return p.norm() - 0.29f;
+    case BuiltInTile::arrows:
+      return arrow(p);
+    case BuiltInTile::bricks:
+      return bricks(p);
+    case BuiltInTile::hatch:
+      return hatch(u, v);
+    case BuiltInTile::plus:
+      return plus_sign(p);
+    case BuiltInTile::minus:
+      return minus_sign(p);
+    case BuiltInTile::plus_minus:
+      return plus_and_minus(p);
+  }
+  return 1;
+}
+
+Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground) {
+  const Vec3 ground_light = linear_light(ground);
+  if (const auto* picture = std::get_if<Image>(&tile)) return over(*picture, ground_light);
+  return figure_picture(std::get<BuiltInTile>(tile), side, linear_light(figure), ground_light);
+}
+
+Eigen::Vector4f premultiplied_light(const Pixel& pixel) {
+  const float alpha = static_cast<float>(pixel.alpha) / 255;
+  const Vec3 light =
+      linear_light({static_cast<float>(pixel.red) / 255, static_cast<float>(pixel.green) / 255,
+                    static_cast<float>(pixel.blue) / 255});
+  return {alpha * light.x(), alpha * light.y(), alpha * light.z(), alpha};
+}
+
+Image reduced(Image image, int longest) {
+  while (std::max(image.width, image.height) > longest) image = halved(image);
+  return image;
+}
+
+}  // namespace brindle

@@ -1,0 +1,59 @@
+/// Pictures of any size, drawn part by part in linear light and then developed.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "brindle/gl/shader_program.h"
+#include "brindle/render/gl_target.h"
+#include "brindle/render/renderer.h"
+
+namespace brindle {
+
+/// A part of the picture, in finished pixels from the lower left.
+struct Tile {
+  int x, y, width, height;
+};
+
+/// Scale and offset that spread the tile's part of clip space over the whole of it.
+Eigen::Vector4f tile_transform(const Tile& tile, const RenderOptions& options);
+
+/// The world's direction upwards, seen from the camera.
+Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up);
+
+/// Rows from the bottom, as OpenGL counts them, become rows from the top.
+template <class Item>
+void flip_rows(std::vector<Item>& items, int width, int height) {
+  for (int y = 0; y < height / 2; ++y) {
+    std::swap_ranges(items.begin() + static_cast<std::ptrdiff_t>(y) * width,
+                     items.begin() + static_cast<std::ptrdiff_t>(y + 1) * width,
+                     items.begin() + static_cast<std::ptrdiff_t>(height - 1 - y) * width);
+  }
+}
+
+/// Averages the samples of a pixel, lays the background underneath and encodes as sRGB.
+class TiledPicture {
+ public:
+  TiledPicture();
+
+  /// Draws a tile into a target of premultiplied linear light, already empty, bound and with its
+  /// viewport set; it is `options.supersampling` times as wide and high as the tile.
+  using DrawLight = std::function<void(const Target& target, const Tile& tile)>;
+
+  /// Calls `draw_light` for every tile. `samples` beside supersampling, 0 for one.
+  Image draw(const RenderOptions& options, int samples, const DrawLight& draw_light) const;
+
+ private:
+  void develop(const Target& light, const Target& finished, const Tile& tile,
+               const RenderOptions& options) const;
+
+  ShaderProgram develop_{{"full_screen.vert"}, {"develop.frag"}};
+  GlVertexArray no_attributes_;
+};
+
+/// Throws Error for options out of range.
+void check_options(const RenderOptions& options);
+
+}  // namespace brindle

@@ -1,0 +1,41 @@
+/// Numbers written as they stand in memory, little endian.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+namespace brindle {
+
+static_assert(std::endian::native == std::endian::little, "binary files are little endian");
+
+/// Bytes gathered and written in large pieces.
+class BinaryOutput {
+ public:
+  explicit BinaryOutput(std::ostream& out) : out_(out) {}
+  BinaryOutput(const BinaryOutput&) = delete;
+  BinaryOutput& operator=(const BinaryOutput&) = delete;
+  ~BinaryOutput() { flush(); }
+
+  template <class Value>
+  void put(const Value* values, std::size_t count) {
+    const auto* bytes = reinterpret_cast<const char*>(values);
+    buffer_.insert(buffer_.end(), bytes, bytes + count * sizeof(Value));
+    if (buffer_.size() > (1 << 16)) flush();
+  }
+  template <class Value>
+  void put(const Value& value) {
+    put(&value, 1);
+  }
+
+ private:
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+  std::ostream& out_;
+  std::vector<char> buffer_;
+};
+
+}  // namespace brindle

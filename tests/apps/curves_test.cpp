@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tool.h"
+
+namespace brindle::test {
+namespace {
+
+const char* const kSmallTorus = "shape:torus,resolution=48";
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+struct Curves : ToolTest {
+  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+    Arguments arguments = {"curves", mesh, "--report", "report.json", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+    return Json::parse(content(folder / "report.json"));
+  }
+};
+
+std::size_t lines_that_begin(const std::string& text, const std::string& begin) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find("\n" + begin, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+TEST_F(Curves, ReportBalances) {
+  const Json report = this->report({"--lines", "both"});
+  for (const char* family : {"u", "v"}) {
+    const Json& lines = report.at(family);
+    const Json& ends = lines.at("ends");
+    int sum = 0;
+    for (const char* kind : {"boundary", "no_wave", "nonmanifold", "branch", "singularity"}) {
+      sum += ends.at(kind).get<int>();
+    }
+    EXPECT_EQ(ends.at("total"), sum);
+    EXPECT_EQ(2 * (lines.at("curves").get<int>() - lines.at("closed").get<int>()), sum);
+    EXPECT_GT(lines.at("points").get<int>(), lines.at("curves").get<int>());
+    EXPECT_GT(lines.at("length").get<double>(), 0);
+  }
+  for (const char* key : {"load", "topology", "couple", "solve", "pattern", "extract"}) {
+    EXPECT_GE(report.at("milliseconds").at(key).get<double>(), 0) << key;
+  }
+}
+
+TEST_F(Curves, WritesWhatTheExtensionSays) {
+  const Json report = this->report(
+      {"-o", "a.obj", "-o", "a.ply", "-o", "a.vtp", "-o", "a.CSV", "-o", "a.svg", "-o", "a.json"});
+  const auto& u = report.at("u");
+  const std::string obj = content(folder / "a.obj");
+  EXPECT_EQ(lines_that_begin(obj, "v "), u.at("points"));
+  EXPECT_EQ(lines_that_begin(obj, "l "), u.at("curves"));
+  EXPECT_EQ(lines_that_begin(content(folder / "a.CSV"), "u,"), u.at("points"));
+  EXPECT_NE(content(folder / "a.ply").find("element edge "), std::string::npos);
+  EXPECT_NE(content(folder / "a.vtp")
+                .find("NumberOfLines=\"" + std::to_string(u.at("curves").get<int>())),
+            std::string::npos);
+  EXPECT_GT(lines_that_begin(content(folder / "a.svg"), "<path"), 10u);
+  EXPECT_EQ(Json::parse(content(folder / "a.json")).at("u"), u);
+}
+
+TEST_F(Curves, TubesAreMeshesThatCanBeReadAgain) {
+  const Arguments tubes = {"--tube-radius", "0.3%", "--tube-sides", "5", "--stripes", "10"};
+  for (const std::string name : {"a.obj", "a.ply", "a.glb", "a.vtp"}) {
+    Arguments arguments = tubes;
+    arguments.insert(arguments.end(), {"-o", name});
+    report(arguments);
+    if (name == "a.vtp") continue;
+    const ToolResult info = run({"info", name});
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_NE(info.out.find(" 0 on a boundary, 0 non-manifold"), std::string::npos) << info.out;
+  }
+}
+
+TEST_F(Curves, NumbersDoNotDependOnThreads) {
+  const auto with = [&](const char* threads) {
+    Json json = report({"--lines", "both", "--threads", threads, "-o", "a.csv"});
+    json.erase("milliseconds");
+    json.erase("threads");
+    return std::pair(json, content(folder / "a.csv"));
+  };
+  EXPECT_EQ(with("1"), with("2"));
+}
+
+TEST_F(Curves, OptionsChangeTheLines) {
+  const Json plain = report({}).at("u");
+  const auto points = [&](const Arguments& more) {
+    return report(more).at("u").at("points").get<int>();
+  };
+  EXPECT_LT(points({"--simplify", "0.5%"}), plain.at("points").get<int>());
+  EXPECT_NEAR(points({"--resample", "1%"}), plain.at("length").get<double>() / (0.01 * 2.89),
+              0.05 * points({"--resample", "1%"}));
+  const Json longer = report({"--min-length", "30%"}).at("u");
+  EXPECT_EQ(longer.at("curves").get<int>() + longer.at("short_curves_left_out").get<int>(),
+            plain.at("curves").get<int>());
+  EXPECT_EQ(longer.at("ends"), plain.at("ends")) << "ends are those of all curves";
+  EXPECT_NE(report({"--offset", "0.25", "-o", "a.csv"}).at("u"), plain);
+  EXPECT_LE(report({"--join"}).at("u").at("curves"), plain.at("curves"));
+  EXPECT_TRUE(report({"--lines", "v"}).contains("v"));
+  EXPECT_FALSE(report({"--lines", "v"}).contains("u"));
+}
+
+TEST_F(Curves, SecondPatternHasItsOwnFieldAndFrequency) {
+  const auto v = [&](const Arguments& more) {
+    Arguments arguments = {"--lines", "v"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return report(arguments, "mesh.obj").at("v").at("length").get<double>();
+  };
+  write_text(folder / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  std::string field;
+  for (int i = 0; i < 4; ++i) field += "1,0,0,30\n";
+  write_text(folder / "v.csv", field);
+  EXPECT_NEAR(v({"--direction", "0,1,0", "--frequency-v", "20"}), 20, 1.5);
+  EXPECT_NEAR(v({"--direction", "0,1,0", "--frequency", "20"}), 20, 1.5);
+  EXPECT_NEAR(v({"--direction", "0,1,0", "--field-v", "v.csv"}), 30, 1.5);
+  EXPECT_NEAR(v({"--direction", "0,1,0", "--field-v", "v.csv", "--stripes-v", "14.142"}), 10, 1.5);
+}
+
+TEST_F(Curves, FormatsThatHoldNoLinesNameOneThatDoes) {
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    expect_refusal(1, "--tube-radius", {"curves", kSmallTorus, "-o", name});
+  }
+  expect_refusal(1, ".vtp", {"curves", kSmallTorus, "-o", "a.stl"});
+  expect_refusal(1, ".glb", {"curves", kSmallTorus, "-o", "a.csv", "--tube-radius", "1%"});
+  expect_refusal(1, "none", {"curves", kSmallTorus, "-o", "a.obj", "-o", "none/a.svg"});
+  expect_refusal(1, "none", {"curves", kSmallTorus, "--report", "none/a.json"});
+  expect_refusal(1, "none.csv", {"curves", kSmallTorus, "--lines", "v", "--field-v", "none.csv"});
+  expect_refusal(1, "none.ply", {"curves", "none.ply", "-o", "a.obj"});
+}
+
+TEST_F(Curves, FullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  for (const char* name : {"full.obj", "full.ply", "full.vtp", "full.csv", "full.svg"}) {
+    std::filesystem::create_symlink("/dev/full", folder / name);
+    expect_refusal(1, name, {"curves", kSmallTorus, "-o", name, "--size", "64x48"});
+  }
+}
+
+TEST_F(Curves, TooManyPointsAreRefused) {
+  expect_refusal(1, "larger spacing", {"curves", kSmallTorus, "--resample", "1e-12", "-q"});
+}
+
+struct WrongCurves : ToolTest, testing::WithParamInterface<Arguments> {};
+
+TEST_P(WrongCurves, EndsWithCodeTwo) {
+  Arguments arguments = {"curves", kSmallTorus, "--report", "out.json"};
+  arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
+  expect_refusal(2, GetParam().front(), arguments);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Curves, WrongCurves,
+    testing::Values(Arguments{"--lines", "w"}, Arguments{"--offset", "half"},
+                    Arguments{"--offset", "inf"}, Arguments{"--min-length", "-1"},
+                    Arguments{"--min-length", "1 %"}, Arguments{"--simplify", "nan"},
+                    Arguments{"--simplify", "%"}, Arguments{"--resample", "0"},
+                    Arguments{"--tube-radius", "0%"}, Arguments{"--tube-sides", "2"},
+                    Arguments{"--stripes-v", "0"}, Arguments{"--frequency-v", "-2"},
+                    Arguments{"--stripes-v", "2", "--frequency-v", "3"}, Arguments{"--field-v"}));
+
+}  // namespace
+}  // namespace brindle::test

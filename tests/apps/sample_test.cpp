@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tool.h"
+
+namespace brindle::test {
+namespace {
+
+const char* const kSmallTorus = "shape:torus,resolution=48";
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+struct SampleTool : ToolTest {
+  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+    Arguments arguments = {"sample", mesh, "--report", "report.json", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(content(folder / "report.json"));
+  }
+};
+
+TEST_F(SampleTool, ReportHasSpacingStatistics) {
+  const Json report = this->report({});
+  EXPECT_GT(report.at("samples").get<int>(), 100);
+  const Json& nearest = report.at("nearest_neighbour");
+  EXPECT_NEAR(nearest.at("mean").get<double>(), 1, 0.15);
+  EXPECT_LT(nearest.at("deviation").get<double>(), 0.25);
+  EXPECT_EQ(nearest.at("isolated_double_share"), 0);
+}
+
+TEST_F(SampleTool, WritesWhatTheExtensionSays) {
+  const Json report = this->report({"-o", "a.csv", "-o", "a.ply", "-o", "a.vtp"});
+  const std::string csv = content(folder / "a.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), report.at("samples").get<int>() + 1);
+  EXPECT_TRUE(csv.starts_with("x,y,z,nx,ny,nz,direction_u_x")) << csv.substr(0, 60);
+  const std::string count = std::to_string(report.at("samples").get<int>());
+  EXPECT_NE(content(folder / "a.ply").find("element vertex " + count + "\n"), std::string::npos);
+  EXPECT_NE(content(folder / "a.vtp").find("NumberOfVerts=\"" + count + "\""), std::string::npos);
+}
+
+TEST_F(SampleTool, NumbersDoNotDependOnThreads) {
+  const auto with = [&](const char* threads) {
+    report({"--threads", threads, "-o", "a.csv"});
+    return content(folder / "a.csv");
+  };
+  EXPECT_EQ(with("1"), with("2"));
+}
+
+TEST_F(SampleTool, FrequenciesOfBothPatternsGiveTheDensity) {
+  const int even = report({"--stripes", "20"}).at("samples");
+  const int narrow = report({"--stripes", "20", "--stripes-v", "60"}).at("samples");
+  EXPECT_NEAR(narrow, 3 * even, 0.2 * 3 * even);
+}
+
+TEST_F(SampleTool, FormatsThatHoldNoSamplesNameOneThatDoes) {
+  for (const char* name : {"a.obj", "a.glb", "a.svg", "a"}) {
+    expect_refusal(1, ".csv", {"sample", kSmallTorus, "-o", name});
+  }
+  expect_refusal(1, "none", {"sample", kSmallTorus, "-o", "none/a.csv"});
+  expect_refusal(1, "none.csv", {"sample", kSmallTorus, "--field-v", "none.csv", "-o", "a.csv"});
+  write_text(folder / "short.csv", "1,0,0,1\n");
+  expect_refusal(1, "short.csv", {"sample", kSmallTorus, "--field-v", "short.csv", "-o", "a.csv"});
+}
+
+TEST_F(SampleTool, FullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  for (const char* name : {"full.ply", "full.vtp", "full.csv"}) {
+    std::filesystem::create_symlink("/dev/full", folder / name);
+    expect_refusal(1, name, {"sample", kSmallTorus, "-o", name});
+  }
+}
+
+TEST_F(SampleTool, WrongUsageEndsWithCodeTwo) {
+  for (const Arguments& wrong :
+       {Arguments{"--min-distance", "-1"}, Arguments{"--min-distance", "near"},
+        Arguments{"--stripes-v", "none"}, Arguments{"--frequency-v", "inf"}}) {
+    Arguments arguments = {"sample", kSmallTorus, "-o", "a.csv"};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    expect_refusal(2, wrong.front(), arguments);
+  }
+}
+
+}  // namespace
+}  // namespace brindle::test

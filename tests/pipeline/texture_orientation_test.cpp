@@ -1,0 +1,114 @@
+#include "brindle/pipeline/texture_orientation.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/parallel.h"
+#include "brindle/pipeline/smooth_field.h"
+#include "textures.h"
+
+namespace brindle {
+namespace {
+
+using namespace testing_support;
+
+/// Directions with every other sign turned.
+DirectionField with_random_signs(DirectionField field) {
+  std::mt19937 random(11);
+  for (Vec3& direction : field) {
+    if (random() % 2) direction = -direction;
+  }
+  return field;
+}
+
+/// Waves as they stand at the vertices of a surface, U along the field and V across it, all with
+/// the same phase.
+TextureWaves waves_at_corners(const Surface& surface, const DirectionField& field) {
+  const WaveSet u = waves_of(surface, field, 10);
+  const WaveSet v = waves_of(surface, rotated(field, surface.normals, 1.5707963f), 10);
+  const std::vector<Complex> z(field.size(), Complex(1));
+  TextureWaves waves = texture_waves(surface.mesh.triangles, u, z, v, z);
+  orient_corners(waves);
+  return waves;
+}
+
+TextureSeams seams_after_orientation(const Surface& surface, const DirectionField& field) {
+  TextureWaves waves = waves_at_corners(surface, field);
+  const auto edges = shared_edges(surface.mesh.triangles);
+  orient_triangles(waves, surface.mesh.triangles, edges);
+  return texture_seams(waves, edges);
+}
+
+TEST(TextureOrientation, FindsTheOrientationOfAFieldThatHasOne) {
+  for (const char* shape : {"torus,resolution=100", "cylinder,resolution=80", "plane"}) {
+    const Surface surface = make_surface(make_shape(shape));
+    // No zero on these shapes.
+    const Vec3 axis = shape[0] == 't' ? Vec3(0, 0, 1) : Vec3(0.2f, 0.1f, 0.9f);
+    DirectionField field = projected_direction_field(axis, surface.normals);
+    if (shape[0] == 't') {
+      for (std::size_t i = 0; i < field.size(); ++i) {
+        const Vec3& p = surface.mesh.positions[i];
+        field[i] = tangent_direction(Vec3(-p.y(), p.x(), 0), surface.normals[i]);
+      }
+    } else if (shape[0] == 'p') {
+      field = projected_direction_field(Vec3(3, 1, 0), surface.normals);
+    }
+    const TextureSeams seams = seams_after_orientation(surface, with_random_signs(field));
+    EXPECT_EQ(seams.turned, 0u) << shape;
+    EXPECT_EQ(seams.mirrored, 0u) << shape;
+    EXPECT_EQ(seams.unoriented_triangles, 0u) << shape;
+  }
+}
+
+TEST(TextureOrientation, KeepsTheSignsThatMostOfAPieceHas) {
+  const Surface surface = make_surface(make_shape("plane,resolution=40"));
+  DirectionField field = projected_direction_field(Vec3(1, 2, 0), surface.normals);
+  std::mt19937 random(3);
+  for (Vec3& direction : field) {
+    if (random() % 4 == 0) direction = -direction;
+  }
+  TextureWaves waves = waves_at_corners(surface, field);
+  orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+  for (const CornerWaves& corners : waves.u) {
+    for (const CornerWave& corner : corners) EXPECT_GT(corner.wave.direction.x(), 0);
+  }
+}
+
+TEST(TextureOrientation, TheSeamOfAHalfSingularityTakesTheShortWayOut) {
+  for (const int resolution : {20, 60}) {
+    const Surface surface =
+        make_surface(make_shape("plane,resolution=" + std::to_string(resolution)));
+    const TextureSeams seams =
+        seams_after_orientation(surface, with_random_signs(singular_field(surface.mesh, 0.5f)));
+    EXPECT_EQ(seams.unoriented_triangles, 1u);
+    // From the middle straight to the border.
+    EXPECT_GE(seams.turned, static_cast<std::size_t>(resolution / 2 - 1));
+    EXPECT_LE(seams.turned, static_cast<std::size_t>(resolution / 2 + 1));
+    EXPECT_EQ(seams.mirrored, 0u);
+  }
+}
+
+TEST(TextureOrientation, AWholeSingularityNeedsNoSeam) {
+  const Surface surface = make_surface(make_shape("plane,resolution=50"));
+  const TextureSeams seams =
+      seams_after_orientation(surface, with_random_signs(singular_field(surface.mesh, 1)));
+  EXPECT_EQ(seams.turned, 0u);
+}
+
+TEST(TextureOrientation, DoesNotDependOnThreads) {
+  const Surface surface = make_surface(make_shape("sphere,resolution=30"));
+  const DirectionField field = smooth_direction_field(surface);
+  std::vector<TextureWaves> results;
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    results.push_back(waves_at_corners(surface, field));
+    orient_triangles(results.back(), surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+  }
+  for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
+    ASSERT_EQ(results[0].u[t][0].wave.direction, results[1].u[t][0].wave.direction);
+  }
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,145 @@
+#include "brindle/render/splats.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/error.h"
+#include "brindle/surface/neighborhood.h"
+#include "render/test_scenes.h"
+
+namespace brindle {
+namespace {
+
+using test::plain_options;
+using test::plane_wave;
+using test::square;
+using test::Studio;
+using test::WavySurface;
+
+struct Points {
+  WavySurface surface;
+  std::vector<Vec3> normals;
+  std::vector<float> radii;
+
+  explicit Points(WavySurface of)
+      : surface(std::move(of)),
+        normals(surface.mesh.vertex_count(), Vec3::UnitZ()),
+        radii(splat_radii(surface.mesh.positions, vertex_neighborhood(surface.mesh))) {}
+
+  SplatScene scene() const {
+    return {surface.mesh.positions, normals, radii, &surface.waves, surface.z};
+  }
+};
+
+Image draw(const SplatScene& scene, const RenderOptions& options = plain_options()) {
+  const HeadlessContext& context = Studio::shared().context;
+  SplatRenderer renderer;
+  renderer.upload(scene);
+  Image image = renderer.draw(options);
+  context.check_errors("drawing the test picture");
+  return image;
+}
+
+/// The mean difference of the red levels, of 255, over pixels that both cover; and how many do.
+std::pair<double, int> difference(const Image& a, const Image& b) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    if (a.pixels[i].alpha < 255 || b.pixels[i].alpha < 255) continue;
+    sum += std::abs(a.pixels[i].red - b.pixels[i].red);
+    ++count;
+  }
+  return {sum / count, count};
+}
+
+struct Splats : testing::Test {
+  void SetUp() override {
+    try {
+      Studio::shared().context.check_errors("");
+    } catch (const Error&) {  // what tests of broken shaders left
+    }
+  }
+};
+
+TEST_F(Splats, LookLikeTheSurfaceOfTheirPoints) {
+  const Points points(plane_wave(square(40), Vec3(0.8f, 0.6f, 0), 6));
+  const Image mesh = Studio::shared().draw(points.surface.scene(), plain_options());
+  const auto [mean, count] = difference(draw(points.scene()), mesh);
+  EXPECT_GT(count, 160 * 120 / 3);
+  EXPECT_LT(mean, 4);
+}
+
+TEST_F(Splats, LeaveNoHolesInAClosedSurface) {
+  const Points points(plane_wave(square(30), Vec3::UnitX(), 6));
+  const Image mesh = Studio::shared().draw(points.surface.scene(), plain_options());
+  const Image image = draw(points.scene());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    EXPECT_TRUE(mesh.pixels[i].alpha < 255 || image.pixels[i].alpha > 0) << i;
+  }
+}
+
+TEST_F(Splats, DoNotChangeWithTheSignsOfDirectionsAndNormals) {
+  Points points(plane_wave(square(20), Vec3(0.8f, 0.6f, 0), 6));
+  const Image before = draw(points.scene());
+  points.surface = with_flips(points.surface);
+  std::mt19937 random(1);
+  for (Vec3& normal : points.normals) {
+    if (random() % 2) normal = -normal;
+  }
+  EXPECT_LT(difference(draw(points.scene()), before).first, 0.5);
+}
+
+TEST_F(Splats, HideWhatLiesBehind) {
+  WavySurface front = plane_wave(square(20), Vec3::UnitX(), 6);
+  // The same points again, further away and half a period on.
+  const std::size_t count = front.z.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    front.mesh.positions.push_back(front.mesh.positions[i] - Vec3(0, 0, 0.4f));
+    front.waves.directions.push_back(front.waves.directions[i]);
+    front.waves.frequencies.push_back(front.waves.frequencies[i]);
+    front.z.push_back(-front.z[i]);
+  }
+  for (std::size_t t = front.mesh.triangle_count(); t-- > 0;) {
+    Triangle behind = front.mesh.triangles[t];
+    for (Index& vertex : behind) vertex += static_cast<Index>(count);
+    front.mesh.triangles.push_back(behind);
+  }
+  front.waves.positions = front.mesh.positions;
+  const Image mesh = Studio::shared().draw(front.scene(), plain_options());
+  EXPECT_LT(difference(draw(Points(front).scene()), mesh).first, 8);
+}
+
+TEST_F(Splats, AreTheSameInTilesAndAtOnce) {
+  const Points points(plane_wave(square(20), Vec3(0.8f, 0.6f, 0), 6));
+  RenderOptions options = plain_options(200, 150);
+  const Image whole = draw(points.scene(), options);
+  options.tile_side = 64;
+  EXPECT_LT(difference(draw(points.scene(), options), whole).first, 0.2);
+}
+
+TEST_F(Splats, WithoutAWaveArePlainAndWithoutANormalAreNot) {
+  Points points(plane_wave(square(20), Vec3::UnitX(), 6));
+  for (Vec3& direction : points.surface.waves.directions) direction.setZero();
+  const Image plain = draw(points.scene());
+  int covered = 0;
+  for (const Pixel& pixel : plain.pixels) {
+    if (pixel.alpha < 255) continue;
+    EXPECT_LE(pixel.red, 1);
+    ++covered;
+  }
+  EXPECT_GT(covered, 160 * 120 / 3);
+  for (Vec3& normal : points.normals) normal.setZero();
+  for (const Pixel& pixel : draw(points.scene()).pixels) EXPECT_EQ(pixel.alpha, 0);
+}
+
+TEST_F(Splats, RefuseSizesThatDoNotMatch) {
+  Points points(plane_wave(square(4), Vec3::UnitX(), 6));
+  SplatRenderer renderer;
+  points.radii.pop_back();
+  EXPECT_THROW(renderer.upload(points.scene()), Error);
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "brindle/base/error.h"
+#include "brindle/render/renderer.h"
+#include "render/test_scenes.h"
+
+namespace brindle {
+namespace {
+
+using namespace test;
+
+/// A surface with plane waves along x and y.
+struct TexturedScene {
+  WavySurface surface;
+  TextureWaves waves;
+  TextureTile tile;
+
+  StripeScene scene() const {
+    StripeScene scene = surface.scene();
+    scene.texture_waves = &waves;
+    scene.texture_tile = &tile;
+    return scene;
+  }
+  Image draw(const RenderOptions& options) const { return Studio::shared().draw(scene(), options); }
+};
+
+TextureWaves waves_of(const WavySurface& u, const WavySurface& v) {
+  return texture_waves(u.mesh.triangles, u.waves, u.z, v.waves, v.z);
+}
+
+TexturedScene plane_texture(Mesh mesh, float frequency, TextureTile tile) {
+  WavySurface u = plane_wave(mesh, Vec3::UnitX(), frequency);
+  TextureWaves waves = waves_of(u, plane_wave(mesh, Vec3::UnitY(), frequency));
+  return {std::move(u), std::move(waves), std::move(tile)};
+}
+
+/// Red grows along U and green along V; both wrap.
+Image ramps(int side) {
+  Image image(side, side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const auto level = [&](int i) { return static_cast<std::uint8_t>(255 * (i + 0.5) / side); };
+      image.at(x, y) = {level(x), level(side - 1 - y), 0, 255};
+    }
+  }
+  return image;
+}
+
+float apart_on_circle(float a, float b) { return std::abs(a - b - std::round(a - b)); }
+
+TEST(Texture, EveryPixelShowsTheTileAtItsPhases) {
+  TexturedScene scene = plane_texture(saddle(5), 6, ramps(256));
+  scene.surface = with_flips(std::move(scene.surface));
+  const RenderOptions options = plain_options(320, 240);
+  const Image image = scene.draw(options);
+  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
+  int compared = 0;
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+    if (fragments.triangle[p] == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255)
+      continue;
+    const auto [u, v] =
+        texture_fragment(scene.waves.u[fragments.triangle[p]], scene.waves.v[fragments.triangle[p]],
+                         fragments.barycentric[p]);
+    const float red = texture_coordinate(u.z), green = texture_coordinate(v.z);
+    // Filters mix both ends of a ramp where it starts again.
+    const auto near_end = [](float x) { return apart_on_circle(x, 0) < 0.12f; };
+    if (near_end(red) || near_end(green)) continue;
+    ++compared;
+    ASSERT_LT(apart_on_circle(red, static_cast<float>(image.pixels[p].red) / 255), 0.03f);
+    ASSERT_LT(apart_on_circle(green, static_cast<float>(image.pixels[p].green) / 255), 0.03f);
+  }
+  EXPECT_GT(compared, 10000);
+}
+
+TEST(Texture, WherePhasesWrapNoSeamShows) {
+  // One colour but for a dot in the middle: the lines where U and V start again are plain.
+  const TexturedScene scene = plane_texture(saddle(12), 5, BuiltInTile::dots);
+  const RenderOptions options = plain_options(320, 240);
+  const Image image = scene.draw(options);
+  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
+  int plain = 0;
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+    if (fragments.triangle[p] == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255)
+      continue;
+    const auto [u, v] =
+        texture_fragment(scene.waves.u[fragments.triangle[p]], scene.waves.v[fragments.triangle[p]],
+                         fragments.barycentric[p]);
+    const float distance =
+        tile_distance(BuiltInTile::dots, texture_coordinate(u.z), texture_coordinate(v.z));
+    if (distance < 0.06f) continue;
+    ++plain;
+    ASSERT_LE(image.pixels[p].red, 3) << p % 320 << ' ' << p / 320;
+  }
+  EXPECT_GT(plain, 10000);
+}
+
+/// Mean and range of the light of red in the middle of a picture.
+struct Light {
+  double mean = 0, lowest = 1, highest = 0;
+};
+
+Light light_in_the_middle(const Image& image) {
+  Light light;
+  int count = 0;
+  for (int y = image.height / 4; y < image.height * 3 / 4; ++y) {
+    for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
+      const double value = linear_light({static_cast<float>(image.at(x, y).red) / 255, 0, 0})[0];
+      light.mean += value;
+      light.lowest = std::min(light.lowest, value);
+      light.highest = std::max(light.highest, value);
+      ++count;
+    }
+  }
+  light.mean /= count;
+  return light;
+}
+
+TEST(Texture, TilesSmallerThanPixelsBecomeTheirMeanWithoutMoire) {
+  Image black_and_white(64, 64);
+  for (int i = 0; i < 64 * 64; ++i) {
+    if ((i / 64 / 8 + i / 8) % 2)
+      black_and_white.pixels[static_cast<std::size_t>(i)] = {255, 255, 255, 255};
+  }
+  for (const TextureTile& tile :
+       {TextureTile(BuiltInTile::checker), TextureTile(black_and_white)}) {
+    for (const float frequency : {150.0f, 400.0f, 3000.0f}) {
+      const Light light = light_in_the_middle(
+          plane_texture(square(4), frequency, tile).draw(plain_options(128, 128)));
+      EXPECT_NEAR(light.mean, 0.5, 0.03) << frequency;
+      EXPECT_LT(light.highest - light.lowest, 0.12) << frequency;
+    }
+  }
+}
+
+TEST(Texture, AtASlantTilesStaySharpAcrossAndSmoothAlong) {
+  const TexturedScene scene = plane_texture(square(20), 40, BuiltInTile::stripes);
+  RenderOptions options = plain_options(400, 300);
+  options.camera = {.azimuth_deg = 0, .elevation_deg = 86};
+  const Image image = scene.draw(options);
+  // Seen almost edge on: the stripes still have most of their contrast.
+  double sum = 0, squares = 0;
+  int count = 0;
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+    if (image.pixels[p].alpha < 255) continue;
+    const double value = image.pixels[p].red / 255.0;
+    sum += value;
+    squares += value * value;
+    ++count;
+  }
+  ASSERT_GT(count, 1000);
+  const double mean = sum / count;
+  EXPECT_GT(std::sqrt(squares / count - mean * mean), 0.3);
+}
+
+TEST(Texture, EdgesOfAFigureStaySharpAtAnyMagnification) {
+  for (const float frequency : {1.0f, 0.05f, 0.01f}) {
+    TexturedScene scene = plane_texture(square(1), frequency, BuiltInTile::stripes);
+    // The border of the stripe, a quarter of a period from its crest, in the middle of the picture.
+    for (CornerWaves& corners : scene.waves.u) {
+      for (CornerWave& corner : corners) {
+        const float x = corner.wave.position.x() - 0.5f;
+        corner.z = std::polar(1.0f, kTurn * frequency * x);
+      }
+    }
+    const Image image = scene.draw(plain_options(200, 200));
+    int between = 0;
+    for (int x = 20; x < 180; ++x)
+      between += image.at(x, 100).red > 20 && image.at(x, 100).red < 235;
+    EXPECT_GE(between, frequency < 1 ? 0 : 1);
+    EXPECT_LE(between, 5) << frequency;
+  }
+}
+
+TEST(Texture, OnePixelColoursAllAndTransparencyShowsTheSurface) {
+  Image one(1, 1);
+  one.at(0, 0) = {0, 255, 0, 255};
+  const Image green = plane_texture(square(3), 4, one).draw(plain_options());
+  EXPECT_EQ(green.at(80, 60), (Pixel{0, 255, 0, 255}));
+  one.at(0, 0) = {0, 255, 0, 0};
+  RenderOptions options = plain_options();
+  options.base_color = {1, 0, 0};
+  const Image through = plane_texture(square(3), 4, one).draw(options);
+  EXPECT_EQ(through.at(80, 60), (Pixel{255, 0, 0, 255}));
+}
+
+TEST(Texture, PicturesBeyondTheDriversTexturesAreReduced) {
+  Image wide(20000, 1);
+  for (int x = 0; x < 20000; ++x)
+    wide.at(x, 0) = {static_cast<std::uint8_t>(x < 10000 ? 0 : 255), 0, 0, 255};
+  const Light light =
+      light_in_the_middle(plane_texture(square(3), 4, wide).draw(plain_options(256, 256)));
+  EXPECT_NEAR(light.mean, 0.5, 0.05);
+  EXPECT_GT(light.highest - light.lowest, 0.9);
+}
+
+TEST(Texture, TrianglesWithoutWavesShowTheSurface) {
+  TexturedScene scene = plane_texture(square(2), 4, BuiltInTile::checker);
+  for (CornerWaves& corners : scene.waves.v) corners[1].wave.direction.setZero();
+  EXPECT_EQ(light_in_the_middle(scene.draw(plain_options())).highest, 0);
+}
+
+TEST(Texture, SplitTrianglesFitTheirNeighbours) {
+  // Random directions: many triangles cannot be oriented.
+  const WavySurface u = random_waves(square(6), 3);
+  WavySurface v = u;
+  for (Vec3& d : v.waves.directions) d = Vec3(-d.y(), d.x(), 0);
+  TexturedScene scene{u, waves_of(u, v), BuiltInTile::checker};
+  orient_corners(scene.waves);
+  const RenderOptions options = plain_options(480, 480);
+  const Image image = scene.draw(options);
+  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
+  int compared = 0, wrong = 0;
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+    const Index t = fragments.triangle[p];
+    if (t == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255) continue;
+    const auto [a, b] =
+        texture_fragment(scene.waves.u[t], scene.waves.v[t], fragments.barycentric[p]);
+    const float distance =
+        tile_distance(BuiltInTile::checker, texture_coordinate(a.z), texture_coordinate(b.z));
+    if (std::abs(distance) < 0.15f) continue;
+    ++compared;
+    wrong += (image.pixels[p].red > 127) != (distance < 0);
+  }
+  EXPECT_GT(compared, 20000);
+  EXPECT_LT(wrong, compared / 50);  // around singular points, where the phase turns within pixels
+}
+
+TEST(Texture, RefusesWavesForAnotherNumberOfTriangles) {
+  TexturedScene scene = plane_texture(square(2), 4, BuiltInTile::dots);
+  scene.waves.v.pop_back();
+  EXPECT_THROW(Studio::shared().renderer.upload(scene.scene()), Error);
+}
+
+}  // namespace
+}  // namespace brindle
