@@ -10,6 +10,10 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& /*app*/) {
   return std::make_shared<PictureOptions>();
 }
 
+std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
+  return add_picture_options(app);
+}
+
 void stand_on_z(PictureOptions& /*options*/) {}
 
 void check_pictures_available() {
