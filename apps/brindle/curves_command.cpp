@@ -8,6 +8,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/pattern/curve_spacing.h"
+#include "brindle/surface/append_mesh.h"
 #include "brindle/surface/point_tree.h"
 #include "brindle/surface/polyline_io.h"
 #include "brindle/surface/tubes.h"
@@ -277,14 +278,7 @@ std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Result& r
 
 void write_tubes(const std::string& path, const std::vector<Ornament>& ornaments) {
   Mesh all;
-  for (const Ornament& ornament : ornaments) {
-    const auto first = static_cast<Index>(all.positions.size());
-    const Mesh& mesh = ornament.mesh;
-    all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
-    for (const Triangle& t : mesh.triangles) {
-      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    }
-  }
+  for (const Ornament& ornament : ornaments) append(ornament.mesh, all);
   if (all.triangles.empty()) throw Error("cannot write '" + path + "': there are no curves");
   write_mesh(path, all);
 }
@@ -374,7 +368,7 @@ Command add_curves_command(CLI::App& app) {
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
   add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
-  arguments->picture = add_picture_options(*command);
+  arguments->picture = add_camera_options(*command);
   return {command, [arguments] { run(*arguments); }};
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "brindle/render/line_drawing.h"
+#include "brindle/surface/append_mesh.h"
 #include "brindle/surface/normals.h"
 #include "picture_options.h"
 
@@ -24,12 +25,8 @@ struct Assembly {
   std::vector<TriangleColor> colors;
 
   void add(const Mesh& part, std::span<const Vec3> part_normals, const TriangleColor& color) {
-    const auto first = static_cast<Index>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    append(part, mesh);
     normals.insert(normals.end(), part_normals.begin(), part_normals.end());
-    for (const Triangle& t : part.triangles) {
-      mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    }
     colors.resize(mesh.triangles.size(), color);
   }
 };

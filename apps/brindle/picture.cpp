@@ -91,12 +91,9 @@ CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOpt
 
 }  // namespace
 
-std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
+std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   auto options = std::make_shared<PictureOptions>();
   RenderOptions& render = options->render;
-  add_named_option(app, "--view", options->view, view_of, "stripes|branches|angle_error",
-                   "picture of the stripes (default), of branches, or of angle errors up to 30 "
-                   "degrees");
   add_render_option(app, "--camera", render, set_camera,
                     "picture: where from, in degrees (default 30,20)")
       ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
@@ -106,6 +103,15 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
       ->type_name("WIDTHxHEIGHT");
   add_render_option(app, "--colors", render, set_colors, "picture: colours like #1c325a")
       ->type_name("STRIPE,SURFACE[,BACKGROUND]");
+  return options;
+}
+
+std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
+  auto options = add_camera_options(app);
+  RenderOptions& render = options->render;
+  add_named_option(app, "--view", options->view, view_of, "stripes|branches|angle_error",
+                   "picture of the stripes (default), of branches, or of angle errors up to 30 "
+                   "degrees");
   add_parsed_option(app, "--stripe-width", render.stripe_width, share_of,
                     "picture: share of the period (default 0.5)")
       ->type_name("W");

@@ -19,6 +19,9 @@ struct PictureOptions;
 /// The options live as long as the pointer, which must outlive `app.parse`.
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
 
+/// The same without what only stripes have: --view and --stripe-width.
+std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app);
+
 /// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
 void stand_on_z(PictureOptions& options);
 

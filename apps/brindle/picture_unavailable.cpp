@@ -11,6 +11,10 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& /*app*/) {
   return std::make_shared<PictureOptions>();
 }
 
+std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
+  return add_picture_options(app);
+}
+
 void stand_on_z(PictureOptions& /*options*/) {}
 
 bool shows_stripes(const PictureOptions& /*options*/) { return true; }

@@ -236,7 +236,7 @@ Command add_sample_command(CLI::App& app) {
   add_solver_option(*command, arguments->solving);
   add_solving_options(*command, arguments->solving);
   add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
-  arguments->picture = add_picture_options(*command);
+  arguments->picture = add_camera_options(*command);
   return {command, [arguments] { run(*arguments); }};
 }
 

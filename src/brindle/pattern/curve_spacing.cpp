@@ -74,12 +74,9 @@ void add_frequencies(const WavePattern& pattern, Marks& marks) {
 
 float distance_to_curve(const Marks& marks, const Vec3& p, Index mark) {
   float least = std::numeric_limits<float>::infinity();
-  const Vec3& a = marks.lines.points[mark];
   for (const Index other : marks.adjacent[mark]) {
-    const Vec3 along = marks.lines.points[other] - a;
-    const float square = along.squaredNorm();
-    const float t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0f, 1.0f) : 0.0f;
-    least = std::min(least, (p - a - t * along).norm());
+    least = std::min(least,
+                     distance_to_segment(p, marks.lines.points[mark], marks.lines.points[other]));
   }
   return least;
 }

@@ -19,13 +19,6 @@ void end_line(Polylines& lines, bool closed) {
   lines.closed.push_back(closed);
 }
 
-float distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const float square = along.squaredNorm();
-  const float t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0f, 1.0f) : 0.0f;
-  return (p - a - t * along).norm();
-}
-
 /// Marks the points to keep between `first` and `last`, which are kept. `last` may be the number of
 /// points, for the first one of a closed line.
 void keep_farthest(std::span<const Vec3> points, std::size_t first, std::size_t last,
@@ -63,6 +56,13 @@ std::size_t steps_along(double length, float spacing, bool closed) {
 }
 
 }  // namespace
+
+float distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const float square = along.squaredNorm();
+  const float t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0f, 1.0f) : 0.0f;
+  return (p - a - t * along).norm();
+}
 
 double length_of(const Polylines& lines, std::size_t line) {
   const auto points = lines.points_of(line);

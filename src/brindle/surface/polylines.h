@@ -27,6 +27,9 @@ struct Polylines {
   }
 };
 
+/// How far `p` is from the segment between `a` and `b`.
+float distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b);
+
 /// The length of a line, with the way back if it is closed.
 double length_of(const Polylines& lines, std::size_t line);
 
