@@ -1,6 +1,7 @@
 #include "brindle/pipeline/short_seam.h"
 
 #include <algorithm>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,93 @@ TEST(ShortSeam, EndsStayAndTheWayBetweenThemIsShort) {
   turn(edges, shortening_turns(edges, mesh.vertex_count(), mesh.triangle_count()));
   EXPECT_EQ(length(edges), 1u);
   EXPECT_TRUE(edges[100].in_seam);
+}
+
+using Neighbors = std::vector<std::vector<Index>>;  ///< numbers of edges at every node
+
+Neighbors edges_at_nodes(const std::vector<SeamEdge>& edges, std::size_t nodes) {
+  Neighbors at(nodes);
+  for (Index e = 0; e < edges.size(); ++e) {
+    for (const Index node : edges[e].nodes) at[node].push_back(e);
+  }
+  return at;
+}
+
+Index other_end(const SeamEdge& edge, Index node) {
+  return edge.nodes[0] == node ? edge.nodes[1] : edge.nodes[0];
+}
+
+/// Steps from one node to all others.
+std::vector<int> distances_from(Index start, const std::vector<SeamEdge>& edges,
+                                const Neighbors& at) {
+  std::vector<int> distance(at.size(), -1);
+  std::vector<Index> queue{start};
+  distance[start] = 0;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    for (const Index e : at[queue[next]]) {
+      const Index to = other_end(edges[e], queue[next]);
+      if (distance[to] >= 0) continue;
+      distance[to] = distance[queue[next]] + 1;
+      queue.push_back(to);
+    }
+  }
+  return distance;
+}
+
+/// Adds a path to the seam, or takes it out where it is in already.
+void add_path(Index from, Index to, std::vector<SeamEdge>& edges, const Neighbors& at) {
+  const std::vector<int> distance = distances_from(from, edges, at);
+  while (to != from) {
+    for (const Index e : at[to]) {
+      const Index next = other_end(edges[e], to);
+      if (distance[next] >= distance[to]) continue;
+      edges[e].in_seam = !edges[e].in_seam;
+      to = next;
+      break;
+    }
+  }
+}
+
+/// The least sum of distances over all ways to pair the ends.
+int least_length(const std::vector<Index>& ends, const std::vector<SeamEdge>& edges,
+                 const Neighbors& at) {
+  constexpr int kFar = 1 << 20;
+  std::vector<int> least(std::size_t{1} << ends.size(), kFar);  // of every set of ends
+  least[0] = 0;
+  std::vector<std::vector<int>> distance;
+  for (const Index end : ends) distance.push_back(distances_from(end, edges, at));
+  for (std::size_t set = 0; set < least.size(); ++set) {
+    if (least[set] == kFar) continue;
+    std::size_t i = 0;
+    while (i < ends.size() && (set >> i & 1)) ++i;
+    for (std::size_t j = i + 1; j < ends.size(); ++j) {
+      if (set >> j & 1) continue;
+      int& sum = least[set | std::size_t{1} << i | std::size_t{1} << j];
+      sum = std::min(sum, least[set] + distance[i][ends[j]]);
+    }
+  }
+  return least.back();
+}
+
+TEST(ShortSeam, IsCloseToTheShortestOfAll) {
+  const Mesh mesh = make_shape("sphere,resolution=16");
+  const std::vector<SeamEdge> plain = edges_of(mesh);
+  const Neighbors at = edges_at_nodes(plain, mesh.vertex_count());
+  std::mt19937 random(5);
+  double sum = 0, least = 0;
+  for (int round = 0; round < 10; ++round) {
+    std::vector<SeamEdge> edges = plain;
+    std::vector<Index> ends;
+    for (int i = 0; i < 14; ++i) ends.push_back(static_cast<Index>(random() % mesh.vertex_count()));
+    for (std::size_t i = 0; i < ends.size(); i += 2) add_path(ends[i], ends[i + 1], edges, at);
+    turn(edges, shortening_turns(edges, mesh.vertex_count(), mesh.triangle_count()));
+    const int exact = least_length(ends, edges, at);
+    EXPECT_GE(length(edges), static_cast<std::size_t>(exact));
+    sum += static_cast<double>(length(edges));
+    least += exact;
+  }
+  EXPECT_GT(least, 500);
+  EXPECT_LT(sum, 1.03 * least) << least;
 }
 
 TEST(ShortSeam, OneThatRunsAroundAHandleStaysThere) {

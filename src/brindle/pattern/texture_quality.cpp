@@ -18,8 +18,8 @@ namespace {
 constexpr float kLargestAreaRatio = 100;
 
 struct Distortion {
-  float angle_deg = -1;  ///< negative: not to be measured
-  float area = 0;
+  float angle_deg;
+  float area;
 };
 
 float mean_frequency(const CornerWaves& corners) {

@@ -264,23 +264,37 @@ std::optional<std::vector<std::uint8_t>> one_side(std::span<const SeamEdge> edge
   return side;
 }
 
+using Parts = std::span<const std::vector<Index>>;
+
+/// Turns the triangles that the parts surround: all parts at once, or else in halves down to single
+/// parts, of which some surround nothing.
+void turn_inside(std::span<const SeamEdge> edges, const Incidence& at_triangle, Parts parts,
+                 std::vector<std::uint8_t>& turned) {
+  if (parts.empty()) return;
+  std::vector<std::uint8_t> border(edges.size());
+  for (const std::vector<Index>& part : parts) {
+    for (const Index e : part) border[e] = 1;
+  }
+  if (const auto side = one_side(edges, at_triangle, border)) {
+    for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= (*side)[t];
+  } else if (parts.size() > 1) {
+    turn_inside(edges, at_triangle, parts.first(parts.size() / 2), turned);
+    turn_inside(edges, at_triangle, parts.subspan(parts.size() / 2), turned);
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> shortening_turns(std::span<const SeamEdge> edges, std::size_t node_count,
                                            std::size_t triangle_count) {
+  std::vector<std::vector<Index>> parts =
+      connected_parts(edges, node_count, difference_to_paths(edges, node_count));
+  std::erase_if(parts, [&](const std::vector<Index>& part) {
+    const auto in_seam = std::ranges::count_if(part, [&](Index e) { return edges[e].in_seam; });
+    return 2 * static_cast<std::size_t>(in_seam) <= part.size();
+  });
   std::vector<std::uint8_t> turned(triangle_count);
-  const std::vector<std::uint8_t> difference = difference_to_paths(edges, node_count);
-  const Incidence at_triangle = incidence(edges, triangle_count, triangles_of);
-  for (const std::vector<Index>& part : connected_parts(edges, node_count, difference)) {
-    const auto old_ones = static_cast<std::size_t>(
-        std::ranges::count_if(part, [&](Index e) { return edges[e].in_seam; }));
-    if (2 * old_ones <= part.size()) continue;
-    std::vector<std::uint8_t> border(edges.size());
-    for (const Index e : part) border[e] = 1;
-    const auto side = one_side(edges, at_triangle, border);
-    if (!side) continue;
-    for (std::size_t t = 0; t < triangle_count; ++t) turned[t] ^= (*side)[t];
-  }
+  turn_inside(edges, incidence(edges, triangle_count, triangles_of), parts, turned);
   return turned;
 }
 
