@@ -112,9 +112,13 @@ void check_points(const StripeArguments& arguments, const std::vector<Output>& o
   }
 }
 
-void check_cross(const StripeArguments& arguments) {
+void check_cross(const StripeArguments& arguments, const std::vector<Output>& outputs) {
   if (!shows_stripes(*arguments.picture)) {
     throw Error("of a cross field, branches and angle errors are not drawn; take --view stripes");
+  }
+  // The tile goes along with every mesh.
+  for (const Output& output : outputs) {
+    if (output.kind == OutputKind::mesh) check_pictures_available();
   }
 }
 
@@ -133,7 +137,7 @@ void run(const StripeArguments& arguments) {
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
   std::vector<Output> outputs =
       plan_outputs(arguments.outputs, tile.has_value() || arguments.waves.cross);
-  if (arguments.waves.cross) check_cross(arguments);
+  if (arguments.waves.cross) check_cross(arguments, outputs);
   if (is_points(arguments.surface)) check_points(arguments, outputs);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));
