@@ -71,14 +71,13 @@ std::unique_ptr<Workload> make_workload(int subdivisions) {
   load_waves(layout, work->waves.positions, work->waves.directions, work->waves.frequencies,
              work->sliced_waves);
   work->degree.resize(layout.slot_count());
-  work->gauged.resize(layout.entry_count() + 1);
+  work->gauged.resize(work->fine().aggregation().sources.places);
   work->momentum.resize(layout.slot_count());
   work->marked.resize(work->coarse().layout().slice_count());
   const Aggregation& aggregation = work->fine().aggregation();
-  work->summed_entries = count_below(aggregation.sources.entry, layout.entry_count());
-  for (const GaugeRank& rank : aggregation.gauge_ranks) {
-    work->inner_entries += count_below(rank.entry, layout.entry_count());
-  }
+  work->summed_entries = static_cast<std::size_t>(
+      std::ranges::count_if(aggregation.sources.entry, [](Index place) { return place != 0; }));
+  work->inner_entries = count_below(aggregation.gauges.entry, layout.entry_count());
   return work;
 }
 
@@ -135,23 +134,34 @@ void relax(Workload& work, const Kernels& kernels) {
 
 void members(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
-  for (const GaugeRank& rank : level.aggregation().gauge_ranks) {
-    kernels.members(level.layout(), level.couplings, rank.member.data(), rank.round_begin.data(),
-                    rank.entry.data(), level.gauge.data(),
-                    {0, static_cast<Index>(rank.member.size() / kLanes)});
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  for (const SliceRange& groups : rounds.ranges) {
+    kernels.members(level.layout(), level.couplings, rounds.member.data(),
+                    rounds.round_begin.data(), rounds.entry.data(), level.gauge.data(), groups);
   }
 }
 
+// Gauges and sums take turns, coarse block by coarse block, so that sums find gauged couplings in
+// the second cache. Timed alone, each kernel meets what the other left there.
 void gauge(Workload& work, const Kernels& kernels) {
-  kernels.gauge(work.fine().layout(), work.fine().couplings, work.fine().gauge.data(),
-                work.gauged.data(), work.all_slices());
+  const SlicedLayout& layout = work.fine().layout();
+  const SourceRounds& sources = work.fine().aggregation().sources;
+  for (Index block = 0; block < work.coarse().layout().block_count(); ++block) {
+    Complex* gauged = work.gauged.data() + kLanes;
+    for (const SliceRange& run : sources.runs_of(block)) {
+      kernels.gauge(layout, work.fine().couplings, work.fine().gauge.data(), gauged, run);
+      gauged += std::size_t{layout.column_begin[run.end] - layout.column_begin[run.begin]} * kLanes;
+    }
+  }
 }
 
 void sum(Workload& work, const Kernels& kernels) {
   const SlicedLayout& coarse = work.coarse().layout();
   const SourceRounds& sources = work.fine().aggregation().sources;
-  kernels.sum(coarse, sources.round_begin.data(), sources.entry.data(), work.gauged.data(),
-              work.coarse().couplings.direct.get(), work.marked.data(), {0, coarse.slice_count()});
+  for (Index block = 0; block < coarse.block_count(); ++block) {
+    kernels.sum(coarse, sources.round_begin.data(), sources.entry.data(), work.gauged.data(),
+                work.coarse().couplings.direct.get(), work.marked.data(), coarse.block(block));
+  }
 }
 
 void prolong(Workload& work, const Kernels& kernels) {

@@ -51,7 +51,7 @@ Device::Device(DeviceKind kind) {
 
 Device::~Device() = default;
 
-SolvePhases Device::solver() const { return gpu_ ? gpu_->solver() : solve_phases; }
+SolvePhases Device::solver() const { return gpu_ ? gpu_->solver() : SolvePhases(); }
 
 std::unique_ptr<Animator> Device::animator(std::shared_ptr<const Adjacency> neighborhood,
                                            const AnimatorOptions& options) const {

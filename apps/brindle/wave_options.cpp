@@ -6,6 +6,7 @@
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/surface/curvature.h"
 #include "brindle/waves/frequency_field.h"
+#include "brindle/waves/orientation.h"
 #include "option_values.h"
 
 namespace brindle::tool {
@@ -36,7 +37,10 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
   if (options.field == "curvature") {
     const auto curvatures =
         principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
-    return {curvature_direction_field(curvatures, options.curvature_direction), {}};
+    DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
+    // The solvers are faster where few neighbours run against each other.
+    orient_alike(*surface.neighborhood, directions);
+    return {std::move(directions), {}};
   }
   FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
   return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies)};

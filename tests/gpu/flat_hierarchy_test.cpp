@@ -13,10 +13,17 @@ namespace {
 
 using testing_support::wavy_surface;
 
+/// The slot whose row has an entry.
+Index row_of(const SlicedLayout& layout, std::size_t entry) {
+  const auto column = static_cast<Index>(entry / kLanes);
+  const auto slice = std::ranges::upper_bound(layout.column_begin, column) - 1;
+  return static_cast<Index>((slice - layout.column_begin.begin()) * kLanes + entry % kLanes);
+}
+
 struct FlatHierarchyTest : testing::Test {
   Hierarchy hierarchy =
       build_hierarchy(wavy_surface("torus,resolution=100", Vec3(0.31f, 0.9f, 0.27f), 25).graph());
-  std::vector<std::shared_ptr<const LevelTopology>> topologies;
+  std::vector<LevelTopology> topologies;
   FlatHierarchy flat;
 
   void SetUp() override {
@@ -30,7 +37,7 @@ struct FlatHierarchyTest : testing::Test {
 TEST_F(FlatHierarchyTest, LevelsFollowEachOtherWithoutGaps) {
   std::uint32_t slots = 0, columns = 0;
   for (std::size_t l = 0; l < flat.levels.size(); ++l) {
-    const SlicedLayout& layout = topologies[l]->layout;
+    const SlicedLayout& layout = *topologies[l].layout;
     EXPECT_EQ(flat.levels[l].first_slot, slots);
     EXPECT_EQ(flat.levels[l].first_column, columns);
     slots += layout.slot_count();
@@ -43,7 +50,7 @@ TEST_F(FlatHierarchyTest, LevelsFollowEachOtherWithoutGaps) {
 TEST_F(FlatHierarchyTest, EveryRowHasItsNeighbours) {
   for (std::size_t l = 0; l < flat.levels.size(); ++l) {
     const FlatLevel& level = flat.levels[l];
-    const SlicedLayout& layout = topologies[l]->layout;
+    const SlicedLayout& layout = *topologies[l].layout;
     for (Index slot = 0; slot < layout.slot_count(); ++slot) {
       const std::uint32_t first = word(level.columns + slot / kLanes) * kLanes + slot % kLanes;
       ASSERT_EQ(word(level.columns + slot / kLanes + 1) * kLanes + slot % kLanes,
@@ -69,7 +76,7 @@ TEST_F(FlatHierarchyTest, ColorsHoldEverySliceOnce) {
 
 TEST_F(FlatHierarchyTest, MembersAndTheirGaugeEntriesAreThoseOfTheAggregation) {
   const FlatLevel& fine = flat.levels[0];
-  const Aggregation& aggregation = topologies[0]->aggregation;
+  const Aggregation& aggregation = *topologies[0].aggregation;
   for (std::uint32_t a = 0; a + 1 < aggregation.member_begin.size(); ++a) {
     std::set<std::uint32_t> before;
     for (std::uint32_t m = word(fine.member_begin + a); m < word(fine.member_begin + a + 1);
@@ -88,25 +95,39 @@ TEST_F(FlatHierarchyTest, MembersAndTheirGaugeEntriesAreThoseOfTheAggregation) {
   }
 }
 
-TEST_F(FlatHierarchyTest, SourcesAreThoseOfTheAggregation) {
-  const SourceRounds& sources = topologies[0]->aggregation.sources;
-  const auto none = static_cast<Index>(topologies[0]->layout.entry_count());
-  for (std::uint32_t c = 0; c + 1 < sources.round_begin.size(); ++c) {
-    std::uint32_t place = word(flat.levels[0].source_begin + c);
-    for (Index r = sources.round_begin[c] * kLanes; r < sources.round_begin[c + 1] * kLanes; ++r) {
-      ASSERT_EQ(word(place++), sources.entry[r] == none ? kNone : sources.entry[r]);
+TEST_F(FlatHierarchyTest, EveryCouplingBetweenAggregatesAddsToTheirsOnce) {
+  const SlicedLayout& fine = *topologies[0].layout;
+  const SlicedLayout& coarse = *topologies[1].layout;
+  const std::vector<Index>& coarse_slot = topologies[0].aggregation->coarse_slot;
+  std::set<std::uint32_t> seen;
+  for (Index slot = 0; slot < coarse.slot_count(); ++slot) {
+    for (Index k = 0; k < coarse.width(slot); ++k) {
+      const auto entry = static_cast<Index>(coarse.first_entry(slot) + k * kLanes);
+      const std::uint32_t rounds = flat.levels[0].source_begin + entry / kLanes;
+      for (std::uint32_t r = word(rounds); r < word(rounds + 1); r += kLanes) {
+        const std::uint32_t source = word(r + entry % kLanes);
+        if (source == kNone) continue;
+        ASSERT_TRUE(seen.insert(source).second);
+        ASSERT_EQ(coarse_slot[row_of(fine, source)], slot);
+        ASSERT_EQ(coarse_slot[fine.neighbor[source]], coarse.neighbor[entry]);
+      }
     }
-    ASSERT_EQ(place, word(flat.levels[0].source_begin + c + 1));
   }
+  std::size_t between = 0;
+  for (std::size_t entry = 0; entry < fine.entry_count(); ++entry) {
+    const Index i = coarse_slot[row_of(fine, entry)], j = coarse_slot[fine.neighbor[entry]];
+    between += i != j && i != coarse.slot_count() && j != coarse.slot_count();
+  }
+  EXPECT_EQ(seen.size(), between);
 }
 
 TEST_F(FlatHierarchyTest, NodesAndSweepsAreThoseOfTheProcessor) {
-  const SlicedLayout& finest = topologies[0]->layout;
+  const SlicedLayout& finest = *topologies[0].layout;
   for (Index slot = 0; slot < finest.slot_count(); ++slot) {
     ASSERT_EQ(word(flat.node_at + slot), finest.node_at[slot]);
   }
   for (const FlatLevel& level : flat.levels) {
-    EXPECT_EQ(level.sweeps, level.slot_count < kSmallLevel ? 8u : 2u);
+    EXPECT_EQ(level.sweeps, static_cast<std::uint32_t>(sweeps_on_level(level.slot_count, 2)));
   }
 }
 

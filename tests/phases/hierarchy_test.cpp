@@ -85,7 +85,7 @@ TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
   const Hierarchy hierarchy = build_hierarchy(surface.graph());
   std::size_t survivors = 0;
   for (const Level& level : hierarchy.levels) {
-    if (level.aggregation().coarse_slot.empty()) survivors += level.layout().slot_of.size();
+    if (!level.topology.aggregation) survivors += level.layout().slot_of.size();
   }
   EXPECT_LE(survivors, 5u);
   EXPECT_GE(survivors, 1u);
@@ -97,8 +97,7 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
     randomize(hierarchy.levels[2], 1);
     return agreement(hierarchy.levels[2]);
   }();
-  std::vector<Complex> gauged(hierarchy.levels[0].layout().entry_count() + 1);
-  renew(hierarchy, gauged);
+  renew(hierarchy);
   EXPECT_EQ(agreement(hierarchy.levels[2]), before);
 }
 

@@ -76,6 +76,44 @@ TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
   expect_near(a, b, 1e-3f);
 }
 
+/// The rows that add to a coarse block, in their gauges, where its rounds look for them.
+std::vector<Complex> gauged_rows(const Level& fine, Index block) {
+  const SourceRounds& sources = fine.aggregation().sources;
+  std::vector<Complex> gauged(sources.places);
+  Complex* row = gauged.data() + kLanes;
+  for (const SliceRange& run : sources.runs_of(block)) {
+    portable::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), row, run);
+    row += (fine.layout().column_begin[run.end] - fine.layout().column_begin[run.begin]) * kLanes;
+  }
+  return gauged;
+}
+
+void expect_equal_sums(const Level& fine, const Level& coarse, Index block) {
+  const SourceRounds& sources = fine.aggregation().sources;
+  const std::vector<Complex> gauged = gauged_rows(fine, block);
+  const std::size_t floats = 2 * coarse.layout().entry_count();
+  std::vector<float> sums_a(floats), sums_b(floats);
+  std::vector<std::uint8_t> marked_a(coarse.layout().slice_count()), marked_b = marked_a;
+  const SliceRange slices = coarse.layout().block(block);
+  portable::sum_slices(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
+                       gauged.data(), sums_a.data(), marked_a.data(), slices);
+  simd::sum_slices(coarse.layout(), sources.round_begin.data(), sources.entry.data(), gauged.data(),
+                   sums_b.data(), marked_b.data(), slices);
+  EXPECT_EQ(sums_a, sums_b);
+  EXPECT_EQ(marked_a, marked_b);
+  for (Index slice = slices.begin; slice < slices.end; ++slice) {
+    if (!marked_a[slice]) continue;
+    std::vector<Complex> b_a(std::size_t{coarse.layout().width(slice * kLanes)} * kLanes);
+    std::vector<Complex> b_b = b_a;
+    portable::sum_marked_slice(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
+                               gauged.data(), b_a.data(), slice);
+    simd::sum_marked_slice(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
+                           gauged.data(), b_b.data(), slice);
+    EXPECT_EQ(b_a, b_b);
+    EXPECT_TRUE(std::ranges::any_of(b_a, [](Complex b) { return b != Complex(0); }));
+  }
+}
+
 TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
   Hierarchy hierarchy = reflecting_hierarchy();
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
@@ -84,12 +122,13 @@ TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
     const SliceRange slices{0, fine.layout().slice_count()};
 
     std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
-    for (const GaugeRank& rank : fine.aggregation().gauge_ranks) {
-      const SliceRange groups{0, static_cast<Index>(rank.member.size() / kLanes)};
-      portable::gauge_members(fine.layout(), fine.couplings, rank.member.data(),
-                              rank.round_begin.data(), rank.entry.data(), gauge_a.data(), groups);
-      simd::gauge_members(fine.layout(), fine.couplings, rank.member.data(),
-                          rank.round_begin.data(), rank.entry.data(), gauge_b.data(), groups);
+    const GaugeRounds& rounds = fine.aggregation().gauges;
+    for (const SliceRange& groups : rounds.ranges) {
+      portable::gauge_members(fine.layout(), fine.couplings, rounds.member.data(),
+                              rounds.round_begin.data(), rounds.entry.data(), gauge_a.data(),
+                              groups);
+      simd::gauge_members(fine.layout(), fine.couplings, rounds.member.data(),
+                          rounds.round_begin.data(), rounds.entry.data(), gauge_b.data(), groups);
     }
     expect_near(gauge_a, gauge_b, 1e-4f);
 
@@ -102,17 +141,9 @@ TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
       ASSERT_EQ(conjugate_bit(gauged_a[e]), conjugate_bit(gauged_b[e]));
     }
 
-    const std::size_t floats = 2 * coarse.layout().entry_count();
-    std::vector<float> sums_a(floats), sums_b(floats);
-    std::vector<std::uint8_t> marked_a(coarse.layout().slice_count()), marked_b = marked_a;
-    const SliceRange coarse_slices{0, coarse.layout().slice_count()};
-    const SourceRounds& sources = fine.aggregation().sources;
-    portable::sum_slices(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
-                         gauged_a.data(), sums_a.data(), marked_a.data(), coarse_slices);
-    simd::sum_slices(coarse.layout(), sources.round_begin.data(), sources.entry.data(),
-                     gauged_a.data(), sums_b.data(), marked_b.data(), coarse_slices);
-    EXPECT_EQ(sums_a, sums_b);
-    EXPECT_EQ(marked_a, marked_b);
+    for (Index block = 0; block < coarse.layout().block_count(); ++block) {
+      expect_equal_sums(fine, coarse, block);
+    }
 
     std::vector<Complex> z_a(fine.layout().slot_count()), z_b = z_a;
     portable::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(),

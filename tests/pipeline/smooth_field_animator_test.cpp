@@ -17,8 +17,8 @@ TEST(SmoothFieldAnimator, FollowsItsAnchors) {
     const Vec3 wanted(std::cos(angle), std::sin(angle), 0);
     const std::vector<FieldAnchor> anchors{{100, wanted, 20}, {900, wanted, 20}};
     std::span<const Vec3> field;
-    // Drawn towards the last frame too, it takes a few frames.
-    for (int n = 0; n < 40; ++n) {
+    // Drawn towards the last frame too, it takes some tens of frames.
+    for (int n = 0; n < 80; ++n) {
       const std::vector<FieldAnchor> wobbling{{100, wanted, 20.0f + static_cast<float>(n % 2)},
                                               anchors[1]};
       field = animator.frame(wobbling);

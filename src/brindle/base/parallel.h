@@ -42,6 +42,11 @@ Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kPar
       std::plus<Value>());
 }
 
+/// The most threads that can work at the same time, and the number, from 0, of the one that asks.
+/// A thread keeps its number during a body of `parallel_for`.
+std::size_t thread_capacity();
+std::size_t thread_number();
+
 /// Limits the number of threads while it lives; 0 means all that the machine has.
 class ThreadLimit {
  public:

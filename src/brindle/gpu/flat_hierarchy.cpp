@@ -53,15 +53,14 @@ void append_colors(Words& words, const SlicedLayout& layout, FlatLevel& level) {
 
 /// For every slot the entries that its gauge hangs on, as the ranks deal them out.
 std::vector<std::vector<Index>> gauge_entries(const LevelTopology& topology) {
-  std::vector<std::vector<Index>> entries(topology.layout.slot_count());
-  for (const GaugeRank& rank : topology.aggregation.gauge_ranks) {
-    for (std::size_t m = 0; m < rank.member.size(); ++m) {
-      if (rank.member[m] == kNone) continue;
-      for (Index round = rank.round_begin[m / kLanes]; round < rank.round_begin[m / kLanes + 1];
-           ++round) {
-        const Index entry = rank.entry[round * kLanes + m % kLanes];
-        if (entry != kNone) entries[rank.member[m]].push_back(entry);
-      }
+  std::vector<std::vector<Index>> entries(topology.layout->slot_count());
+  const GaugeRounds& rounds = topology.aggregation->gauges;
+  for (std::size_t m = 0; m < rounds.member.size(); ++m) {
+    if (rounds.member[m] == kNone) continue;
+    for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
+         ++round) {
+      const Index entry = rounds.entry[std::size_t{round} * kLanes + m % kLanes];
+      if (entry != kNone) entries[rounds.member[m]].push_back(entry);
     }
   }
   return entries;
@@ -70,7 +69,7 @@ std::vector<std::vector<Index>> gauge_entries(const LevelTopology& topology) {
 /// Members of all aggregates, two words each: the slot, and where the list of entries that its
 /// gauge hangs on begins. The next member's begin is its end.
 void append_members(Words& words, const LevelTopology& topology, FlatLevel& level) {
-  const Aggregation& aggregation = topology.aggregation;
+  const Aggregation& aggregation = *topology.aggregation;
   const std::uint32_t members =
       words.next() + static_cast<std::uint32_t>(aggregation.member_begin.size());
   level.member_begin =
@@ -89,25 +88,34 @@ void append_members(Words& words, const LevelTopology& topology, FlatLevel& leve
   level.gauge_entry_count = words.next() - (end + 2);
 }
 
-void append_sources(Words& words, const LevelTopology& topology, FlatLevel& level) {
-  const SourceRounds& sources = topology.aggregation.sources;
-  const auto none = static_cast<Index>(topology.layout.entry_count());
-  const std::uint32_t rounds =
-      words.append(sources.entry, [&](Index entry) { return entry == none ? kNone : entry; });
+/// The rounds name fine entries here: all couplings are brought into their gauges before sums
+/// begin.
+void append_sources(Words& words, const LevelTopology& topology, const SlicedLayout& coarse,
+                    FlatLevel& level) {
+  const SourceRounds& sources = topology.aggregation->sources;
+  const std::uint32_t rounds = words.next();
+  for (Index block = 0; block < coarse.block_count(); ++block) {
+    const std::vector<Index> entry_at = entries_of_places(sources, *topology.layout, block);
+    const SliceRange slices = coarse.block(block);
+    const auto first = std::size_t{sources.round_begin[coarse.column_begin[slices.begin]]};
+    const auto end = std::size_t{sources.round_begin[coarse.column_begin[slices.end]]};
+    words.append(std::span(sources.entry).subspan(first * kLanes, (end - first) * kLanes),
+                 [&](Index place) { return entry_at[place]; });
+  }
   level.source_count = words.next() - rounds;
   level.source_begin =
       words.append(sources.round_begin, [&](Index round) { return rounds + round * kLanes; });
 }
 
 /// `nowhere` is the slot that stands for no aggregate.
-void append_aggregation(Words& words, const LevelTopology& topology, Index coarse_slot_count,
+void append_aggregation(Words& words, const LevelTopology& topology, const SlicedLayout& coarse,
                         std::uint32_t nowhere, FlatLevel& level) {
   const std::uint32_t next_slot = level.first_slot + level.slot_count;
-  level.coarse_slots = words.append(topology.aggregation.coarse_slot, [&](Index slot) {
-    return slot == coarse_slot_count ? nowhere : next_slot + slot;
+  level.coarse_slots = words.append(topology.aggregation->coarse_slot, [&](Index slot) {
+    return slot == coarse.slot_count() ? nowhere : next_slot + slot;
   });
   append_members(words, topology, level);
-  append_sources(words, topology, level);
+  append_sources(words, topology, coarse, level);
 }
 
 /// Words grow beyond what they can number only with more memory than any device has, but wrong
@@ -124,13 +132,13 @@ void check_counts(std::size_t topology_words, std::size_t entries, std::size_t l
 
 }  // namespace
 
-FlatHierarchy flatten(std::span<const std::shared_ptr<const LevelTopology>> levels, int sweeps) {
+FlatHierarchy flatten(std::span<const LevelTopology> levels, int sweeps) {
   FlatHierarchy flat;
   Words words(flat.topology);
-  for (const auto& level : levels) flat.slot_count += level->layout.slot_count();
+  for (const LevelTopology& level : levels) flat.slot_count += level.layout->slot_count();
   FlatLevel level;
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    const SlicedLayout& layout = levels[l]->layout;
+    const SlicedLayout& layout = *levels[l].layout;
     level.slot_count = layout.slot_count();
     level.gauge_entry_count = level.source_count = 0;
     level.sweeps = static_cast<std::uint32_t>(sweeps_on_level(layout.slot_count(), sweeps));
@@ -139,14 +147,13 @@ FlatHierarchy flatten(std::span<const std::shared_ptr<const LevelTopology>> leve
     for (const Index slot : layout.neighbor) flat.neighbors.push_back(level.first_slot + slot);
     append_colors(words, layout, level);
     if (l + 1 < levels.size()) {
-      append_aggregation(words, *levels[l], levels[l + 1]->layout.slot_count(), flat.slot_count,
-                         level);
+      append_aggregation(words, levels[l], *levels[l + 1].layout, flat.slot_count, level);
     }
     flat.levels.push_back(level);
     level.first_slot += level.slot_count;
     level.first_column += static_cast<std::uint32_t>(layout.entry_count() / kLanes);
   }
-  const SlicedLayout& finest = levels[0]->layout;
+  const SlicedLayout& finest = *levels[0].layout;
   flat.node_at = words.append(finest.node_at, [](Index node) { return node; });
   flat.node_count = finest.slot_of.size();
   flat.finest_entries = static_cast<std::uint32_t>(finest.entry_count());

@@ -11,6 +11,7 @@
 #include "brindle/gpu/gpu_relaxation.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/waves/phase_graph.h"
 
 namespace brindle {
 namespace {
@@ -91,6 +92,29 @@ struct GpuAnimator::State {
   void finish();
   void take_measure();
 };
+
+namespace {
+
+/// The hierarchy of the first frame, on which all later ones are solved: that of StripeAnimator.
+Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
+                          PhaseShiftKind kind) {
+  if (kind == PhaseShiftKind::common_source) {
+    const WaveSet waves{{input.positions.begin(), input.positions.end()},
+                        {input.directions.begin(), input.directions.end()},
+                        {input.frequencies.begin(), input.frequencies.end()}};
+    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind));
+  }
+  Hierarchy hierarchy = finest_level(*neighborhood);
+  Level& finest = hierarchy.levels[0];
+  std::vector<SlicedWave> waves;
+  brindle::load_waves(finest.layout(), input.positions, input.directions, input.frequencies, waves);
+  std::vector<float> degree(finest.layout().slot_count());
+  brindle::couple(finest.layout(), waves, kind, {}, finest.couplings, degree);
+  coarsen(hierarchy);
+  return hierarchy;
+}
+
+}  // namespace
 
 void GpuAnimator::State::build(const FrameInput& first) {
   if (hierarchy) return;

@@ -126,15 +126,15 @@ PhaseSolution relax_on_gpu(std::shared_ptr<const GpuKernels> kernels, const Phas
                            const Progress& progress) {
   PhaseSolution solution;
   Stopwatch watch;
-  const auto level = std::make_shared<LevelTopology>();
-  level->layout = relaxation_layout(*graph.adjacency, options.seed);
-  const std::array<std::shared_ptr<const LevelTopology>, 1> levels{level};
+  const auto layout =
+      std::make_shared<const SlicedLayout>(relaxation_layout(*graph.adjacency, options.seed));
+  const std::array<LevelTopology, 1> levels{{{layout, nullptr}}};
   GpuHierarchy hierarchy(std::move(kernels),
                          std::make_shared<const GpuTopology>(flatten(levels, options.sweeps)));
-  SlicedCouplings couplings(level->layout);
-  load_couplings(graph, level->layout, couplings);
-  hierarchy.upload(level->layout, couplings);
-  hierarchy.upload_phases(start_phases(level->layout, start, options.seed));
+  SlicedCouplings couplings(*layout);
+  load_couplings(graph, *layout, couplings);
+  hierarchy.upload(*layout, couplings);
+  hierarchy.upload_phases(start_phases(*layout, start, options.seed));
   glFinish();
   solution.topology_milliseconds = watch.lap();
 
@@ -144,7 +144,7 @@ PhaseSolution relax_on_gpu(std::shared_ptr<const GpuKernels> kernels, const Phas
   GpuRelaxation relaxation(hierarchy, options.momentum);
   relaxation.begin(before.energy, before.weight, options.max_iterations);
   if (before.weight > 0) relax_to_convergence(hierarchy, relaxation, options, progress);
-  solution.z = to_nodes(level->layout, hierarchy.read_phases());
+  solution.z = to_nodes(*layout, hierarchy.read_phases());
   const std::vector<float> energies = relaxation.energies();
   check_gl("relaxing on the GPU");
   solution.solve_milliseconds = watch.lap();

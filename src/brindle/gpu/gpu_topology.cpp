@@ -57,7 +57,7 @@ void GpuTopology::bind() const {
 }
 
 std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, int sweeps) {
-  std::vector<std::shared_ptr<const LevelTopology>> levels;
+  std::vector<LevelTopology> levels;
   for (const Level& level : hierarchy.levels) levels.push_back(level.topology);
   return std::make_shared<const GpuTopology>(flatten(levels, sweeps));
 }

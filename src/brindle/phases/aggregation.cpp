@@ -1,215 +1,12 @@
 #include "brindle/phases/aggregation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
-#include "brindle/base/parallel.h"
 
 namespace brindle {
 namespace {
 
-float strength(const SlicedLayout& layout, const SlicedCouplings& couplings, Index slot,
-               std::size_t entry) {
-  const float direct = std::norm(couplings.direct_at(entry));
-  const float reflecting = std::norm(couplings.reflecting_at(layout, slot / kLanes, entry));
-  return std::sqrt(std::max(direct, reflecting));
-}
-
-/// 1 / sqrt(deg_i), deg_i = sum_j |A_ij| + |B_ij|; zero for nodes without any coupling.
-std::vector<float> inverse_root_degrees(const SlicedLayout& layout,
-                                        const SlicedCouplings& couplings) {
-  std::vector<float> result(layout.slot_count());
-  parallel_for(result.size(), [&](std::size_t begin, std::size_t end) {
-    for (Index slot = static_cast<Index>(begin); slot < end; ++slot) {
-      float degree = 0;
-      std::size_t entry = layout.first_entry(slot);
-      for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
-        degree += std::sqrt(std::norm(couplings.direct_at(entry))) +
-                  std::sqrt(std::norm(couplings.reflecting_at(layout, slot / kLanes, entry)));
-      }
-      result[slot] = degree > std::numeric_limits<float>::min() ? 1 / std::sqrt(degree) : 0;
-    }
-  });
-  return result;
-}
-
-/// Grows the aggregates of a level one by one.
-class Grower {
- public:
-  Grower(const SlicedLayout& layout, const SlicedCouplings& couplings)
-      : layout_(layout),
-        couplings_(couplings),
-        inverse_root_degree_(inverse_root_degrees(layout, couplings)) {
-    matching_.aggregate.assign(layout.slot_count(), kNone);
-    matching_.member.reserve(layout.slot_of.size());
-  }
-
-  Matching grow() {
-    for (Index slot = 0; slot < layout_.slot_count(); ++slot) {
-      if (matching_.aggregate[slot] == kNone && inverse_root_degree_[slot] > 0) grow_from(slot);
-    }
-    join_left_over();
-    return std::move(matching_);
-  }
-
- private:
-  struct Candidate {
-    Index slot;
-    float strength;
-  };
-
-  void grow_from(Index seed) {
-    candidates_.clear();
-    Index next = seed;
-    const Index aggregate = matching_.count();
-    for (Index size = 0; size < kAggregateSize && next != kNone; ++size) {
-      matching_.aggregate[next] = aggregate;
-      matching_.member.push_back(next);
-      add_candidates(next);
-      next = take_strongest();
-    }
-    if (matching_.member.size() - matching_.begin.back() > 1) {
-      matching_.begin.push_back(static_cast<Index>(matching_.member.size()));
-      return;
-    }
-    matching_.member.pop_back();
-    matching_.aggregate[seed] = kNone;
-    left_over_.push_back(seed);
-  }
-
-  /// Adds what the free neighbours of a new member are coupled to it.
-  void add_candidates(Index slot) {
-    std::size_t entry = layout_.first_entry(slot);
-    for (Index k = 0; k < layout_.width(slot); ++k, entry += kLanes) {
-      const Index neighbor = layout_.neighbor[entry];
-      if (matching_.aggregate[neighbor] != kNone) continue;
-      const float s = strength(layout_, couplings_, slot, entry) * inverse_root_degree_[neighbor];
-      if (!(s > 0)) continue;
-      const auto known = std::ranges::find(candidates_, neighbor, &Candidate::slot);
-      if (known == candidates_.end()) {
-        candidates_.push_back({neighbor, s});
-      } else {
-        known->strength += s;
-      }
-    }
-  }
-
-  Index take_strongest() {
-    const auto best = std::ranges::max_element(candidates_, {}, &Candidate::strength);
-    if (best == candidates_.end()) return kNone;
-    const Index slot = best->slot;
-    candidates_.erase(best);
-    return slot;
-  }
-
-  /// All neighbours of a node left over are in aggregates, or it would have grown with one.
-  void join_left_over() {
-    std::vector<std::pair<Index, Index>> joins;  // aggregate, slot
-    for (const Index slot : left_over_) joins.emplace_back(strongest_aggregate(slot), slot);
-    std::ranges::stable_sort(joins, {}, &std::pair<Index, Index>::first);
-    Matching joined;
-    joined.aggregate = std::move(matching_.aggregate);
-    joined.member.reserve(matching_.member.size() + joins.size());
-    auto join = joins.begin();
-    for (Index a = 0; a < matching_.count(); ++a) {
-      joined.member.insert(joined.member.end(), matching_.member.begin() + matching_.begin[a],
-                           matching_.member.begin() + matching_.begin[a + 1]);
-      for (; join != joins.end() && join->first == a; ++join) {
-        joined.aggregate[join->second] = a;
-        joined.member.push_back(join->second);
-      }
-      joined.begin.push_back(static_cast<Index>(joined.member.size()));
-    }
-    matching_ = std::move(joined);
-  }
-
-  Index strongest_aggregate(Index slot) const {
-    Index best = kNone;
-    float best_strength = 0;
-    std::size_t entry = layout_.first_entry(slot);
-    for (Index k = 0; k < layout_.width(slot); ++k, entry += kLanes) {
-      const Index neighbor = layout_.neighbor[entry];
-      const float s = strength(layout_, couplings_, slot, entry) * inverse_root_degree_[neighbor];
-      if (matching_.aggregate[neighbor] == kNone || !(s > best_strength)) continue;
-      best_strength = s;
-      best = matching_.aggregate[neighbor];
-    }
-    return best;
-  }
-
-  const SlicedLayout& layout_;
-  const SlicedCouplings& couplings_;
-  std::vector<float> inverse_root_degree_;
-  Matching matching_;
-  std::vector<Candidate> candidates_;
-  std::vector<Index> left_over_;
-};
-
-/// Neighbouring aggregates of one, ascending, into `row`.
-void collect_row(const SlicedLayout& layout, const Matching& matching, Index aggregate,
-                 std::vector<Index>& row) {
-  row.clear();
-  for (Index m = matching.begin[aggregate]; m < matching.begin[aggregate + 1]; ++m) {
-    const Index slot = matching.member[m];
-    std::size_t entry = layout.first_entry(slot);
-    for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
-      const Index other = matching.aggregate[layout.neighbor[entry]];
-      if (other != kNone && other != aggregate) row.push_back(other);
-    }
-  }
-  std::sort(row.begin(), row.end());
-  row.erase(std::unique(row.begin(), row.end()), row.end());
-}
-
-/// For every fine entry the coarse entry that it adds to; kNone inside aggregates and in filling.
-std::vector<Index> coarse_entries(const SlicedLayout& fine, const Matching& matching,
-                                  const Adjacency& adjacency, const SlicedLayout& coarse) {
-  std::vector<Index> result(fine.entry_count(), kNone);
-  parallel_for(fine.slot_count(), [&](std::size_t begin, std::size_t end) {
-    for (Index slot = static_cast<Index>(begin); slot < end; ++slot) {
-      const Index aggregate = matching.aggregate[slot];
-      if (aggregate == kNone) continue;
-      const auto row = adjacency.of(aggregate);
-      const std::size_t row_begin = coarse.first_entry(coarse.slot_of[aggregate]);
-      std::size_t entry = fine.first_entry(slot);
-      for (Index k = 0; k < fine.width(slot); ++k, entry += kLanes) {
-        const Index other = matching.aggregate[fine.neighbor[entry]];
-        if (other == kNone || other == aggregate) continue;
-        const auto position = std::ranges::lower_bound(row, other) - row.begin();
-        result[entry] = static_cast<Index>(row_begin + position * kLanes);
-      }
-    }
-  });
-  return result;
-}
-
-/// Sorts fine entries by the coarse entry that they add to, and deals them out in rounds.
-SourceRounds source_rounds(const std::vector<Index>& coarse_entry, const SlicedLayout& coarse) {
-  std::vector<std::uint16_t> dealt(coarse.entry_count(), 0);
-  for (const Index target : coarse_entry) {
-    if (target != kNone) ++dealt[target];
-  }
-  SourceRounds rounds;
-  const std::size_t columns = coarse.entry_count() / kLanes;
-  rounds.round_begin.assign(columns + 1, 0);
-  for (std::size_t column = 0; column < columns; ++column) {
-    const auto first = dealt.begin() + static_cast<std::ptrdiff_t>(column * kLanes);
-    rounds.round_begin[column + 1] =
-        rounds.round_begin[column] + *std::max_element(first, first + kLanes);
-  }
-  rounds.entry.assign(std::size_t{rounds.round_begin.back()} * kLanes,
-                      static_cast<Index>(coarse_entry.size()));
-  std::ranges::fill(dealt, std::uint16_t{0});
-  for (Index entry = 0; entry < coarse_entry.size(); ++entry) {
-    const Index target = coarse_entry[entry];
-    if (target == kNone) continue;
-    const std::size_t round = rounds.round_begin[target / kLanes] + dealt[target]++;
-    rounds.entry[round * kLanes + target % kLanes] = entry;
-  }
-  return rounds;
-}
+/// Aggregates of a coarse block, at least: their share of the finer level fits the second cache.
+constexpr Index kCoarseBlock = 1536;
 
 /// Members in the order of coarse slots.
 void arrange_members(Aggregation& aggregation, const Matching& matching,
@@ -227,97 +24,30 @@ void arrange_members(Aggregation& aggregation, const Matching& matching,
   }
 }
 
-/// The slots that come `rank`-th in their aggregates, ascending: couplings are read as they stand.
-std::vector<Index> members_of_rank(const Aggregation& aggregation, Index rank) {
-  std::vector<Index> members;
-  for (std::size_t a = 0; a + 1 < aggregation.member_begin.size(); ++a) {
-    const Index m = aggregation.member_begin[a] + rank;
-    if (m < aggregation.member_begin[a + 1]) members.push_back(aggregation.member[m]);
-  }
-  std::ranges::sort(members);
-  while (members.size() % kLanes != 0) members.push_back(kNone);
-  return members;
-}
-
-/// Entries in the row of a member that lead to members of its aggregate with a lower rank.
-void collect_gauge_entries(const SlicedLayout& layout, const Aggregation& aggregation,
-                           const std::vector<Index>& rank_of, Index slot,
-                           std::vector<Index>& entries) {
-  entries.clear();
-  std::size_t entry = layout.first_entry(slot);
-  for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
-    const Index j = layout.neighbor[entry];
-    if (aggregation.coarse_slot[j] == aggregation.coarse_slot[slot] && rank_of[j] < rank_of[slot]) {
-      entries.push_back(static_cast<Index>(entry));
-    }
-  }
-}
-
-GaugeRank gauge_rank(const SlicedLayout& layout, const Aggregation& aggregation,
-                     const std::vector<Index>& rank_of, std::vector<Index> members) {
-  GaugeRank rank;
-  rank.member = std::move(members);
-  rank.round_begin.assign(1, 0);
-  std::vector<Index> entries;
-  for (std::size_t group = 0; group < rank.member.size(); group += kLanes) {
-    const std::size_t first = rank.entry.size();
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (rank.member[group + lane] == kNone) continue;
-      collect_gauge_entries(layout, aggregation, rank_of, rank.member[group + lane], entries);
-      if (rank.entry.size() < first + entries.size() * kLanes) {
-        rank.entry.resize(first + entries.size() * kLanes, kNone);
-      }
-      for (std::size_t e = 0; e < entries.size(); ++e) {
-        rank.entry[first + e * kLanes + lane] = entries[e];
-      }
-    }
-    rank.round_begin.push_back(static_cast<Index>(rank.entry.size() / kLanes));
-  }
-  return rank;
-}
-
-void arrange_gauges(Aggregation& aggregation, const SlicedLayout& layout) {
-  std::vector<Index> rank_of(layout.slot_count(), kNone);
-  for (std::size_t a = 0; a + 1 < aggregation.member_begin.size(); ++a) {
-    for (Index m = aggregation.member_begin[a]; m < aggregation.member_begin[a + 1]; ++m) {
-      rank_of[aggregation.member[m]] = m - aggregation.member_begin[a];
-    }
-  }
-  for (Index rank = 1;; ++rank) {
-    std::vector<Index> members = members_of_rank(aggregation, rank);
-    if (members.empty()) break;
-    aggregation.gauge_ranks.push_back(gauge_rank(layout, aggregation, rank_of, std::move(members)));
-  }
-}
-
 }  // namespace
 
-Matching grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings) {
-  return Grower(layout, couplings).grow();
-}
-
-Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching) {
-  Adjacency adjacency;
-  adjacency.offsets.reserve(matching.begin.size());
-  std::vector<Index> row;
-  for (Index aggregate = 0; aggregate < matching.count(); ++aggregate) {
-    collect_row(layout, matching, aggregate, row);
-    adjacency.neighbors.insert(adjacency.neighbors.end(), row.begin(), row.end());
-    adjacency.offsets.push_back(static_cast<Index>(adjacency.neighbors.size()));
+SlicedLayout coarse_layout(const Matching& matching, const Adjacency& adjacency) {
+  std::vector<Index> block_ends;
+  Index begin = 0;
+  for (const Index end : std::span(matching.block_begin).subspan(1)) {
+    if (end - begin < kCoarseBlock && end < matching.count()) continue;
+    block_ends.push_back(end);
+    begin = end;
+    if (end == matching.count()) break;
   }
-  return adjacency;
+  return sliced_layout(adjacency, greedy_coloring(adjacency), {}, block_ends);
 }
 
 Aggregation arrange(const SlicedLayout& fine, const Matching& matching, const Adjacency& adjacency,
                     const SlicedLayout& coarse) {
   Aggregation aggregation;
-  aggregation.sources = source_rounds(coarse_entries(fine, matching, adjacency, coarse), coarse);
   arrange_members(aggregation, matching, coarse);
   aggregation.coarse_slot = matching.aggregate;
   for (Index& slot : aggregation.coarse_slot) {
     slot = slot == kNone ? coarse.slot_count() : coarse.slot_of[slot];
   }
-  arrange_gauges(aggregation, fine);
+  aggregation.gauges = gauge_rounds(fine, matching);
+  aggregation.sources = source_rounds(fine, matching, adjacency, coarse);
   return aggregation;
 }
 

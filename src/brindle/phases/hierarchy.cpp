@@ -1,8 +1,8 @@
 #include "brindle/phases/hierarchy.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <functional>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
@@ -15,23 +15,26 @@ namespace {
 /// Slices that one task works on at least.
 constexpr std::size_t kSliceGrain = 64;
 
-Level make_level(std::shared_ptr<const LevelTopology> topology) {
-  const SlicedLayout& layout = topology->layout;
+Level make_level(LevelTopology topology) {
+  const SlicedLayout& layout = *topology.layout;
   SlicedCouplings couplings(layout);
   std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
   std::vector<Complex> z(layout.slot_count() + 1, kPeak);
-  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z), {}};
+  std::vector<std::uint8_t> receives(layout.slot_count());
+  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z),
+          std::move(receives)};
 }
 
-/// The gauge of member m of a rank, its reflecting couplings included: the phase that the earlier
-/// members of its aggregate, each in its own gauge, draw it to. The stronger of the two sums
-/// decides whether it takes Z or conj(Z).
-void gauge_reflecting_member(Level& level, const GaugeRank& rank, std::size_t m) {
-  const Index slot = rank.member[m];
+/// The gauge of the m-th of all members, its reflecting couplings included: the phase that the
+/// earlier members of its aggregate, each in its own gauge, draw it to. The stronger of the two
+/// sums decides whether it takes Z or conj(Z).
+void gauge_reflecting_member(Level& level, std::size_t m) {
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  const Index slot = rounds.member[m];
   Complex plain = 0, conjugated = 0;
-  for (Index round = rank.round_begin[m / kLanes]; round < rank.round_begin[m / kLanes + 1];
+  for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
        ++round) {
-    const Index entry = rank.entry[round * kLanes + m % kLanes];
+    const Index entry = rounds.entry[std::size_t{round} * kLanes + m % kLanes];
     if (entry == kNone) continue;
     const Complex from = level.gauge[level.layout().neighbor[entry]];
     const Complex a = level.couplings.direct_at(entry) * from;
@@ -55,72 +58,58 @@ bool reflects(const Level& level, Index slot) {
   });
 }
 
-void renew_rank(Level& level, const GaugeRank& rank, SliceRange groups) {
-  kernels::gauge_members(level.layout(), level.couplings, rank.member.data(),
-                         rank.round_begin.data(), rank.entry.data(), level.gauge.data(), groups);
-  for (std::size_t m = groups.begin * kLanes; m < groups.end * kLanes; ++m) {
-    const Index slot = rank.member[m];
-    if (slot != kNone && reflects(level, slot)) {
-      gauge_reflecting_member(level, rank, m);
-    }
+/// The gauges of the members of one rank in one chunk.
+void renew_range(Level& level, SliceRange groups) {
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  kernels::gauge_members(level.layout(), level.couplings, rounds.member.data(),
+                         rounds.round_begin.data(), rounds.entry.data(), level.gauge.data(),
+                         groups);
+  for (std::size_t m = std::size_t{groups.begin} * kLanes; m < std::size_t{groups.end} * kLanes;
+       ++m) {
+    const Index slot = rounds.member[m];
+    if (slot != kNone && reflects(level, slot)) gauge_reflecting_member(level, m);
   }
 }
 
-/// The sums of one coarse slice while it is renewed. Few slices reflect: B is only cleared for
-/// those.
-class SliceSums {
+/// The reflecting sums of one coarse slice while it is renewed.
+class ReflectingSums {
  public:
-  SliceSums(Level& coarse, Index slice)
+  ReflectingSums(Level& coarse, Index slice, std::vector<Complex>& buffer)
       : coarse_(coarse),
         slice_(slice),
         first_(std::size_t{coarse.layout().column_begin[slice]} * kLanes),
-        end_(std::size_t{coarse.layout().column_begin[slice + 1]} * kLanes) {}
-
-  std::size_t first_entry() const { return first_; }
-  std::size_t end_entry() const { return end_; }
-
-  void add_reflecting(std::size_t entry, Complex b) {
-    if (!reflects_) buffer().assign(end_ - first_, Complex(0));
-    reflects_ = true;
-    buffer()[entry - first_] += b;
+        end_(std::size_t{coarse.layout().column_begin[slice + 1]} * kLanes),
+        buffer_(buffer) {
+    buffer_.assign(end_ - first_, Complex(0));
   }
+
+  /// The direct couplings of the finer level that a gauge has made reflecting.
+  void set_marked(const SourceRounds& sources, std::span<const Complex> gauged) {
+    kernels::sum_marked_slice(coarse_.layout(), sources.round_begin.data(), sources.entry.data(),
+                              gauged.data(), buffer_.data(), slice_);
+  }
+
+  void add(std::size_t entry, Complex b) { buffer_[entry - first_] += b; }
 
   void finish() {
     coarse_.couplings.reflecting_count[slice_] = 0;
-    if (!reflects_) return;
     for (std::size_t entry = first_; entry < end_; ++entry) {
-      const Complex b = buffer()[entry - first_];
+      const Complex b = buffer_[entry - first_];
       if (b == Complex(0)) continue;
       coarse_.couplings.append_reflecting(coarse_.layout(), slice_, {static_cast<Index>(entry), b});
     }
   }
 
  private:
-  static std::vector<Complex>& buffer() {
-    thread_local std::vector<Complex> b;
-    return b;
-  }
-
   Level& coarse_;
   Index slice_;
   std::size_t first_, end_;
-  bool reflects_ = false;
+  std::vector<Complex>& buffer_;
 };
-
-/// The direct couplings of the finer level that a gauge has made reflecting.
-void sum_marked(const SourceRounds& sources, std::span<const Complex> gauged, SliceSums& sums) {
-  for (std::size_t entry = sums.first_entry(); entry < sums.end_entry(); ++entry) {
-    const std::size_t column = entry / kLanes;
-    for (Index r = sources.round_begin[column]; r < sources.round_begin[column + 1]; ++r) {
-      const Complex c = gauged[sources.entry[std::size_t{r} * kLanes + entry % kLanes]];
-      if (conjugate_bit(c)) sums.add_reflecting(entry, c);
-    }
-  }
-}
 
 /// Adds the reflecting couplings of one member of the aggregate in `coarse_slot`.
 void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_slot,
-                    SliceSums& sums) {
+                    ReflectingSums& sums) {
   const Complex g_i = fine.gauge[slot];
   for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), slot / kLanes)) {
     if (entry % kLanes != slot % kLanes) continue;
@@ -133,7 +122,7 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
     Complex c = std::conj(g_i) * b * std::conj(g_j);
     if (conjugate_bit(g_i)) c = std::conj(c);
     if (conjugate_bit(g_i) == conjugate_bit(g_j)) {
-      sums.add_reflecting(target, c);
+      sums.add(target, c);
     } else {
       coarse.couplings.set_direct(target, coarse.couplings.direct_at(target) + c);
     }
@@ -141,41 +130,55 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
 }
 
 /// Adds what the kernel leaves out: all that has to do with reflecting couplings.
-void finish_slice(const Level& fine, std::span<const Complex> gauged, bool marked, Level& coarse,
-                  Index slice) {
+void finish_slice(const Level& fine, SumScratch::OfThread& scratch, Level& coarse, Index slice) {
   const Aggregation& aggregation = fine.aggregation();
-  SliceSums sums(coarse, slice);
-  if (marked) sum_marked(aggregation.sources, gauged, sums);
+  ReflectingSums sums(coarse, slice, scratch.reflecting);
+  if (scratch.marked[slice]) sums.set_marked(aggregation.sources, scratch.gauged);
   for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
+    if (!coarse.receives_reflecting[slot]) continue;
     for (Index m = aggregation.member_begin[slot]; m < aggregation.member_begin[slot + 1]; ++m) {
-      if (fine.couplings.reflecting_count[aggregation.member[m] / kLanes] == 0) continue;
       sum_reflecting(fine, aggregation.member[m], coarse, slot, sums);
     }
   }
   sums.finish();
 }
 
-/// Marks the coarse slices that reflecting couplings of a range of fine slices add to.
-void mark_reflecting(const Level& fine, SliceRange range, std::span<std::uint8_t> reflects) {
-  for (Index slice = range.begin; slice < range.end; ++slice) {
-    for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), slice)) {
-      const Index coarse_slot = fine.aggregation().coarse_slot[slice * kLanes + entry % kLanes];
-      // Several tasks may set the same mark; the last place is for slots without an aggregate.
-      std::atomic_ref(reflects[coarse_slot / kLanes]).store(1, std::memory_order_relaxed);
+/// Marks the slots of a coarse block that reflecting couplings of a fine slice add to.
+void mark_reflecting(const Level& fine, Index fine_slice, SliceRange block, Level& coarse) {
+  for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), fine_slice)) {
+    const Index coarse_slot = fine.aggregation().coarse_slot[fine_slice * kLanes + entry % kLanes];
+    if (coarse_slot / kLanes < block.begin || coarse_slot / kLanes >= block.end) continue;
+    coarse.receives_reflecting[coarse_slot] = 1;
+  }
+}
+
+/// Brings the rows that add to a coarse block into their gauges.
+void gauge_block(const Level& fine, Level& coarse, Index block, SumScratch::OfThread& scratch) {
+  const SliceRange slices = coarse.layout().block(block);
+  std::fill(coarse.receives_reflecting.begin() + slices.begin * kLanes,
+            coarse.receives_reflecting.begin() + slices.end * kLanes, std::uint8_t{0});
+  Complex* gauged = scratch.gauged.data() + kLanes;
+  for (const SliceRange& run : fine.aggregation().sources.runs_of(block)) {
+    kernels::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged, run);
+    gauged +=
+        std::size_t{fine.layout().column_begin[run.end] - fine.layout().column_begin[run.begin]} *
+        kLanes;
+    for (Index slice = run.begin; slice < run.end; ++slice) {
+      mark_reflecting(fine, slice, slices, coarse);
     }
   }
 }
 
-void sum_slices(const Level& fine, std::span<const Complex> gauged,
-                std::span<const std::uint8_t> reflects, Level& coarse, SliceRange range) {
-  thread_local std::vector<std::uint8_t> marked;
-  marked.resize(coarse.layout().slice_count());
+void sum_block(const Level& fine, Level& coarse, Index block, SumScratch::OfThread& scratch) {
+  const SliceRange slices = coarse.layout().block(block);
+  gauge_block(fine, coarse, block, scratch);
   kernels::sum_slices(coarse.layout(), fine.aggregation().sources.round_begin.data(),
-                      fine.aggregation().sources.entry.data(), gauged.data(),
-                      coarse.couplings.direct.get(), marked.data(), range);
-  for (Index slice = range.begin; slice < range.end; ++slice) {
-    if (marked[slice] || reflects[slice]) {
-      finish_slice(fine, gauged, marked[slice] != 0, coarse, slice);
+                      fine.aggregation().sources.entry.data(), scratch.gauged.data(),
+                      coarse.couplings.direct.get(), scratch.marked.data(), slices);
+  for (Index slice = slices.begin; slice < slices.end; ++slice) {
+    const auto receives = coarse.receives_reflecting.begin() + slice * kLanes;
+    if (scratch.marked[slice] || std::any_of(receives, receives + kLanes, std::identity())) {
+      finish_slice(fine, scratch, coarse, slice);
     } else {
       coarse.couplings.reflecting_count[slice] = 0;
     }
@@ -197,85 +200,112 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
 
 }  // namespace
 
-Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
+void SumScratch::reserve(std::span<const Level> levels) {
+  threads.resize(std::max(threads.size(), thread_capacity()));
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
+    const SlicedLayout& coarse = levels[l + 1].layout();
+    std::size_t widest = 0;
+    for (Index slice = 0; slice < coarse.slice_count(); ++slice) {
+      widest = std::max<std::size_t>(widest, coarse.width(slice * kLanes));
+    }
+    const std::size_t places = levels[l].aggregation().sources.places;
+    for (OfThread& own : threads) {
+      own.gauged.resize(std::max(own.gauged.size(), places));
+      own.marked.resize(std::max<std::size_t>(own.marked.size(), coarse.slice_count()));
+      own.reflecting.reserve(widest * kLanes);
+    }
+  }
+}
+
+Hierarchy finest_level(const Adjacency& adjacency) {
   Hierarchy hierarchy;
   Stopwatch watch;
-  auto topology = std::make_shared<LevelTopology>();
-  topology->layout = sliced_layout(*graph.adjacency, greedy_coloring(*graph.adjacency),
-                                   breadth_first_order(*graph.adjacency));
-  hierarchy.levels.push_back(make_level(topology));
-  std::vector<Complex> gauged(topology->layout.entry_count() + 1);
-  hierarchy.topology_milliseconds += watch.lap();
-  load_couplings(graph, topology->layout, hierarchy.levels[0].couplings);
-  hierarchy.numeric_milliseconds += watch.lap();
-  while (topology->layout.entry_count() > 0) {
+  hierarchy.levels.push_back(
+      make_level({std::make_shared<SlicedLayout>(sliced_layout(
+                      adjacency, greedy_coloring(adjacency), breadth_first_order(adjacency))),
+                  nullptr}));
+  hierarchy.topology_milliseconds = watch.lap();
+  return hierarchy;
+}
+
+void coarsen(Hierarchy& hierarchy, const Progress& progress) {
+  Stopwatch watch;
+  while (hierarchy.levels.back().layout().entry_count() > 0) {
     Level& fine = hierarchy.levels.back();
     progress.report("hierarchy", 1 - static_cast<double>(fine.z.size()) /
                                          static_cast<double>(hierarchy.levels[0].z.size()));
-    const Matching matching = grow_aggregates(topology->layout, fine.couplings);
+    const Matching matching = grow_aggregates(fine.layout(), fine.couplings);
     if (matching.count() == 0) break;
-    const Adjacency adjacency = coarse_adjacency(topology->layout, matching);
-    auto coarse = std::make_shared<LevelTopology>();
-    coarse->layout = sliced_layout(adjacency, greedy_coloring(adjacency));
-    topology->aggregation = arrange(topology->layout, matching, adjacency, coarse->layout);
-    Level coarse_level = make_level(coarse);
+    const Adjacency adjacency = coarse_adjacency(fine.layout(), matching);
+    Level coarse =
+        make_level({std::make_shared<SlicedLayout>(coarse_layout(matching, adjacency)), nullptr});
+    fine.topology.aggregation =
+        std::make_shared<Aggregation>(arrange(fine.layout(), matching, adjacency, coarse.layout()));
+    hierarchy.levels.push_back(std::move(coarse));
+    hierarchy.scratch.reserve(hierarchy.levels);
     hierarchy.topology_milliseconds += watch.lap();
-    renew_gauges(fine);
-    renew_sums(fine, coarse_level, gauged);
-    hierarchy.levels.push_back(std::move(coarse_level));
-    topology = std::move(coarse);
+    const std::size_t finer = hierarchy.levels.size() - 2;
+    renew_gauges(hierarchy.levels[finer]);
+    renew_sums(hierarchy.levels[finer], hierarchy.levels[finer + 1], hierarchy.scratch);
     hierarchy.numeric_milliseconds += watch.lap();
   }
+}
+
+Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
+  Hierarchy hierarchy = finest_level(*graph.adjacency);
+  Stopwatch watch;
+  load_couplings(graph, hierarchy.levels[0].layout(), hierarchy.levels[0].couplings);
+  hierarchy.numeric_milliseconds += watch.lap();
+  coarsen(hierarchy, progress);
   return hierarchy;
 }
 
 Hierarchy sibling(const Hierarchy& hierarchy) {
   Hierarchy result;
-  for (const Level& level : hierarchy.levels) result.levels.push_back(make_level(level.topology));
+  for (const Level& level : hierarchy.levels) {
+    result.levels.push_back(make_level(level.topology));
+  }
+  result.scratch.reserve(result.levels);
   return result;
 }
 
 void renew_gauges(Level& level) {
-  for (const GaugeRank& rank : level.aggregation().gauge_ranks) {
-    parallel_for(
-        rank.member.size() / kLanes,
-        [&](std::size_t begin, std::size_t end) {
-          renew_rank(level, rank, {static_cast<Index>(begin), static_cast<Index>(end)});
-        },
-        kSliceGrain);
-  }
-}
-
-void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged) {
-  gauged[fine.layout().entry_count()] = 0;  // what empty places in rounds add
-  coarse.receives_reflecting.assign(coarse.layout().slice_count() + 1, 0);
+  const GaugeRounds& rounds = level.aggregation().gauges;
   parallel_for(
-      fine.layout().slice_count(),
+      rounds.chunk_count(),
       [&](std::size_t begin, std::size_t end) {
-        const SliceRange range{static_cast<Index>(begin), static_cast<Index>(end)};
-        kernels::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged.data(),
-                              range);
-        mark_reflecting(fine, range, coarse.receives_reflecting);
-      },
-      kSliceGrain);
-  coarse.couplings.anchor.resize(fine.couplings.anchor.empty() ? 0 : coarse.layout().slot_count());
-  parallel_for(
-      coarse.layout().slice_count(),
-      [&](std::size_t begin, std::size_t end) {
-        sum_slices(fine, gauged, coarse.receives_reflecting, coarse,
-                   {static_cast<Index>(begin), static_cast<Index>(end)});
-        if (fine.couplings.anchor.empty()) return;
-        for (std::size_t slice = begin; slice < end; ++slice) {
-          sum_anchors(fine, coarse, static_cast<Index>(slice));
+        for (std::size_t chunk = begin; chunk < end; ++chunk) {
+          for (const SliceRange& groups : rounds.ranges_of(static_cast<Index>(chunk))) {
+            renew_range(level, groups);
+          }
         }
       },
-      kSliceGrain);
+      1);
 }
 
-void renew(Hierarchy& hierarchy, std::span<Complex> gauged) {
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
+  const bool anchored = !fine.couplings.anchor.empty();
+  coarse.couplings.anchor.resize(anchored ? coarse.layout().slot_count() : 0);
+  parallel_for(
+      coarse.layout().block_count(),
+      [&](std::size_t begin, std::size_t end) {
+        SumScratch::OfThread& own = scratch.threads.at(thread_number());
+        for (std::size_t b = begin; b < end; ++b) {
+          const auto block = static_cast<Index>(b);
+          sum_block(fine, coarse, block, own);
+          const SliceRange slices = coarse.layout().block(block);
+          for (Index slice = slices.begin; anchored && slice < slices.end; ++slice) {
+            sum_anchors(fine, coarse, slice);
+          }
+        }
+      },
+      1);
+}
+
+void renew(Hierarchy& hierarchy) {
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     renew_gauges(hierarchy.levels[l]);
-    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], gauged);
+    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);
   }
 }
 

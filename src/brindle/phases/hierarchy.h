@@ -13,27 +13,41 @@
 
 namespace brindle {
 
-/// What a level keeps as long as its graph's connectivity stays.
+/// What a level keeps as long as its graph's connectivity stays. Levels of several fields share it.
 struct LevelTopology {
-  SlicedLayout layout;
-  Aggregation aggregation;  ///< empty on the coarsest level
+  std::shared_ptr<const SlicedLayout> layout;
+  std::shared_ptr<const Aggregation> aggregation;  ///< none on the coarsest level
 };
 
 struct Level {
-  std::shared_ptr<const LevelTopology> topology;
+  LevelTopology topology;
   SlicedCouplings couplings;
   std::vector<Complex> gauge;  ///< by slot: z_i = g_i Z, or g_i conj(Z) where its conjugate bit
                                ///< (sliced_kernels.h) is set; empty on the coarsest level
   std::vector<Complex> z;      ///< phases by slot; one more, always kPeak, for finer slots without
                                ///< an aggregate
-  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slice, and one more
+  std::vector<std::uint8_t> receives_reflecting;  ///< scratch of the sums: by slot
 
-  const SlicedLayout& layout() const { return topology->layout; }
-  const Aggregation& aggregation() const { return topology->aggregation; }
+  const SlicedLayout& layout() const { return *topology.layout; }
+  const Aggregation& aggregation() const { return *topology.aggregation; }
+};
+
+/// What sums are computed in, for every thread its own.
+struct SumScratch {
+  struct OfThread {
+    std::vector<Complex> gauged;       ///< SourceRounds::places, the first kLanes zero
+    std::vector<std::uint8_t> marked;  ///< by coarse slice
+    std::vector<Complex> reflecting;   ///< by entry of one coarse slice
+  };
+  std::vector<OfThread> threads;
+
+  /// Makes room for the sums of all levels.
+  void reserve(std::span<const Level> levels);
 };
 
 struct Hierarchy {
   std::vector<Level> levels;  ///< finest first
+  SumScratch scratch;
 
   double topology_milliseconds = 0;  ///< colours, aggregates, layouts
   double numeric_milliseconds = 0;   ///< gauges and sums of the first build
@@ -44,10 +58,14 @@ struct Hierarchy {
 /// depend on how directions are signed.
 inline constexpr Complex kPeak(0, 1);
 
-/// Builds all levels for a graph, until no coupling is left. Aggregates grow one by one, in the
-/// order of node numbers: the free neighbour that is most strongly coupled to the aggregate, by sum
-/// max(|A|, |B|) / sqrt(deg), joins it until it has `kAggregateSize` members. Nodes left alone join
-/// the neighbour's aggregate that they are most strongly coupled to.
+/// The finest level alone, laid out for these neighbour lists; its couplings are still to be set.
+Hierarchy finest_level(const Adjacency& adjacency);
+
+/// Adds the coarser levels, until no coupling is left. Aggregates follow the couplings of the
+/// finest level (`grow_aggregates`); gauges and sums are those that `renew` would give.
+void coarsen(Hierarchy& hierarchy, const Progress& progress = {});
+
+/// All levels for a graph.
 Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress = {});
 
 /// Levels of the same topology with couplings, gauges and phases of their own, not yet set: for a
@@ -57,13 +75,11 @@ Hierarchy sibling(const Hierarchy& hierarchy);
 /// Renews the gauges of a level from its couplings.
 void renew_gauges(Level& level);
 
-/// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`. `gauged` is
-/// scratch space with room for the entries of `fine` and one more.
-void renew_sums(const Level& fine, Level& coarse, std::span<Complex> gauged);
+/// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`.
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch);
 
-/// Renews the gauges and sums of all levels from the couplings of the finest. `gauged` is scratch
-/// space with room for its entries and one more.
-void renew(Hierarchy& hierarchy, std::span<Complex> gauged);
+/// Renews the gauges and sums of all levels from the couplings of the finest.
+void renew(Hierarchy& hierarchy);
 
 /// Sets the phases of `fine` from those of `coarse`.
 void prolong(const Level& coarse, Level& fine);

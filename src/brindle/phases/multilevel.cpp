@@ -8,8 +8,6 @@
 namespace brindle {
 namespace {
 
-constexpr int kSmallLevelFactor = 4;
-
 void sweep_level(Level& level, int sweeps) {
   for (int s = sweeps_on_level(level.layout().slot_count(), sweeps); s > 0; --s) {
     sweep(level.layout(), level.couplings, level.z);
@@ -28,12 +26,13 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
 }  // namespace
 
 int sweeps_on_level(Index slot_count, int sweeps) {
-  return slot_count < kSmallLevel ? kSmallLevelFactor * sweeps : sweeps;
+  if (slot_count < kSmallLevel) return 8 * sweeps;
+  return slot_count < 4 * kSmallLevel ? 2 * sweeps : sweeps;
 }
 
 void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
 
-void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged) {
+void correct(Hierarchy& hierarchy, int sweeps) {
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     Level& level = hierarchy.levels[l];
     parallel_for(level.gauge.size(), [&](std::size_t begin, std::size_t end) {
@@ -42,7 +41,7 @@ void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged) {
         level.gauge[slot] = with_conjugate_bit(now, conjugate_bit(level.gauge[slot]));
       }
     });
-    renew_sums(level, hierarchy.levels[l + 1], gauged);
+    renew_sums(level, hierarchy.levels[l + 1], hierarchy.scratch);
   }
   descend_from(hierarchy, Complex(1), sweeps);
 }

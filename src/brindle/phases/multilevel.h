@@ -5,11 +5,11 @@
 
 namespace brindle {
 
-/// Levels of fewer slots are small: they cost next to nothing, and what they leave undone no finer
-/// level can mend, so they get more sweeps.
+/// Levels of fewer slots are small: they cost next to nothing.
 inline constexpr Index kSmallLevel = 4096;
 
-/// The sweeps that a descent makes on a level of so many slots where `sweeps` are asked for.
+/// The sweeps that a descent makes on a level of so many slots where `sweeps` are asked for. What a
+/// small level leaves undone no finer level can mend: sweeps grow in number as levels shrink.
 int sweeps_on_level(Index slot_count, int sweeps);
 
 /// From the coarsest level down: prolong the phases, then `sweeps` coloured sweeps, more on small
@@ -20,7 +20,7 @@ void descend(Hierarchy& hierarchy, int sweeps);
 /// Another descent from the phases that the finest level has: they become its gauges, so that a
 /// coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is where every level
 /// starts. The energy cannot rise. Overwrites gauges and coarse couplings; the next `renew`
-/// restores them. `gauged` is scratch space as for `renew`.
-void correct(Hierarchy& hierarchy, int sweeps, std::span<Complex> gauged);
+/// restores them.
+void correct(Hierarchy& hierarchy, int sweeps);
 
 }  // namespace brindle

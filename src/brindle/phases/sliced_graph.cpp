@@ -1,6 +1,9 @@
 #include "brindle/phases/sliced_graph.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -10,7 +13,7 @@
 namespace brindle {
 namespace {
 
-/// Nodes of a block: what their neighbours' phases take fits the first cache.
+/// Nodes of a block unless they are given.
 constexpr std::size_t kBlock = 2048;
 
 /// Ranges (a colour in a block) that one task updates at least.
@@ -40,17 +43,28 @@ void assign_block(SlicedLayout& layout, const Adjacency& adjacency, const Colori
   }
 }
 
+std::vector<Index> equal_blocks(std::size_t nodes) {
+  std::vector<Index> ends;
+  for (std::size_t end = kBlock; end < nodes; end += kBlock) {
+    ends.push_back(static_cast<Index>(end));
+  }
+  ends.push_back(static_cast<Index>(nodes));
+  return ends;
+}
+
 void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
-                  std::span<const Index> order) {
+                  std::span<const Index> order, std::span<const Index> block_ends) {
   std::vector<Index> nodes(order.begin(), order.end());
   if (nodes.empty()) {
     nodes.resize(adjacency.node_count());
     std::iota(nodes.begin(), nodes.end(), Index{0});
   }
   std::vector<std::vector<SliceRange>> ranges(coloring.color_count);
-  for (std::size_t begin = 0; begin < nodes.size(); begin += kBlock) {
-    const std::size_t size = std::min(kBlock, nodes.size() - begin);
-    assign_block(layout, adjacency, coloring, std::span(nodes).subspan(begin, size), ranges);
+  Index begin = 0;
+  for (const Index end : block_ends) {
+    assign_block(layout, adjacency, coloring, std::span(nodes).subspan(begin, end - begin), ranges);
+    layout.block_begin.push_back(layout.slice_count());
+    begin = end;
   }
   layout.color_begin.push_back(0);
   for (const auto& of_color : ranges) {
@@ -91,18 +105,22 @@ void fill_columns(SlicedLayout& layout, const Adjacency& adjacency) {
 }  // namespace
 
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
-                           std::span<const Index> order) {
+                           std::span<const Index> order, std::span<const Index> block_ends) {
   SlicedLayout layout;
   layout.slot_of.resize(adjacency.node_count());
   layout.node_at.reserve(adjacency.node_count() + coloring.color_count * kLanes);
-  assign_slots(layout, adjacency, coloring, order);
+  assign_slots(layout, adjacency, coloring, order,
+               block_ends.empty() ? equal_blocks(adjacency.node_count())
+                                  : std::vector<Index>(block_ends.begin(), block_ends.end()));
   fill_columns(layout, adjacency);
   return layout;
 }
 
 SlicedCouplings::SlicedCouplings(const SlicedLayout& layout)
     : direct(std::make_unique<float[]>(2 * layout.entry_count())),
-      reflecting(std::make_unique_for_overwrite<ReflectingCoupling[]>(layout.entry_count())),
+      // No constructor runs: a complex number's would touch every page.
+      reflecting(static_cast<ReflectingCoupling*>(
+          ::operator new(layout.entry_count() * sizeof(ReflectingCoupling)))),
       reflecting_count(layout.slice_count()) {}
 
 Complex SlicedCouplings::reflecting_at(const SlicedLayout& layout, Index slice,
@@ -193,6 +211,52 @@ void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::sp
         },
         kRangeGrain);
   }
+}
+
+namespace {
+
+struct EnergySums {
+  double energy = 0, weight = 0;
+  EnergySums operator+(const EnergySums& other) const {
+    return {energy + other.energy, weight + other.weight};
+  }
+  void add(std::complex<double> z_i, std::complex<double> coupling, std::complex<double> z_j) {
+    const double w = std::sqrt(std::norm(coupling));
+    weight += w;
+    energy += 0.5 * (w - (std::conj(z_i) * coupling * z_j).real());
+  }
+};
+
+EnergySums energy_of_slice(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                           std::span<const Complex> z, Index slice) {
+  EnergySums sums;
+  for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
+       entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
+    sums.add(z[slice * kLanes + entry % kLanes], couplings.direct_at(entry),
+             z[layout.neighbor[entry]]);
+  }
+  for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
+    sums.add(z[slice * kLanes + entry % kLanes], b, std::conj(z[layout.neighbor[entry]]));
+  }
+  return sums;
+}
+
+}  // namespace
+
+double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
+              std::span<const Complex> z) {
+  const auto sums = parallel_sum<EnergySums>(
+      layout.slice_count(),
+      [&](std::size_t begin, std::size_t end) {
+        EnergySums part;
+        for (Index slice = static_cast<Index>(begin); slice < end; ++slice) {
+          part = part + energy_of_slice(layout, couplings, z, slice);
+        }
+        return part;
+      },
+      kSliceGrain);
+  // Rounding may take a perfect pattern below zero.
+  return sums.weight > 0 ? std::max(0.0, sums.energy / sums.weight) : 0;
 }
 
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,

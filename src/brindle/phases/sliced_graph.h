@@ -28,9 +28,10 @@ struct SliceRange {
 /// of a slice's rows stand in columns of `kLanes` entries, one entry a row; rows shorter than the
 /// slice is wide are filled up with entries that point to their own slot.
 struct SlicedLayout {
-  std::vector<Index> slot_of;      ///< node -> slot
-  std::vector<Index> node_at;      ///< slot -> node, kNone for filling
-  std::vector<SliceRange> ranges;  ///< slices of one colour in one block, colour by colour
+  std::vector<Index> slot_of;         ///< node -> slot
+  std::vector<Index> node_at;         ///< slot -> node, kNone for filling
+  std::vector<SliceRange> ranges;     ///< slices of one colour in one block, colour by colour
+  std::vector<Index> block_begin{0};  ///< block b owns slices block_begin[b] .. [b+1] - 1
   std::vector<Index> color_begin;  ///< colour c owns ranges color_begin[c] .. color_begin[c+1] - 1
   std::vector<Index>
       column_begin;             ///< slice s owns columns column_begin[s] .. column_begin[s+1] - 1
@@ -38,6 +39,8 @@ struct SlicedLayout {
 
   Index slot_count() const { return static_cast<Index>(node_at.size()); }
   Index slice_count() const { return slot_count() / kLanes; }
+  Index block_count() const { return static_cast<Index>(block_begin.size()) - 1; }
+  SliceRange block(Index b) const { return {block_begin[b], block_begin[b + 1]}; }
   Index color_count() const { return static_cast<Index>(color_begin.size()) - 1; }
   std::size_t entry_count() const { return neighbor.size(); }
   std::span<const SliceRange> ranges_of(Index color) const {
@@ -55,9 +58,11 @@ struct SlicedLayout {
 };
 
 /// `order` is a permutation of the nodes in which neighbours are close together; empty: as
-/// numbered.
+/// numbered. `block_ends` tells where blocks of the order end, ascending, the last at its end;
+/// empty: every 2048 nodes, so that what their neighbours' phases take fits the first cache.
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
-                           std::span<const Index> order = {});
+                           std::span<const Index> order = {},
+                           std::span<const Index> block_ends = {});
 
 /// A reflecting coupling B of one entry.
 struct ReflectingCoupling {
@@ -74,8 +79,12 @@ struct ReflectingCoupling {
 struct SlicedCouplings {
   explicit SlicedCouplings(const SlicedLayout& layout);
 
+  struct FreeStorage {
+    void operator()(ReflectingCoupling* storage) const { ::operator delete(storage); }
+  };
+
   std::unique_ptr<float[]> direct;
-  std::unique_ptr<ReflectingCoupling[]> reflecting;
+  std::unique_ptr<ReflectingCoupling[], FreeStorage> reflecting;
   std::vector<Index> reflecting_count;  ///< by slice
   std::vector<Complex> anchor;          ///< T_i by slot; empty for none
 
@@ -113,6 +122,10 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
 /// One coloured sweep of z_i = t_i / |t_i| over all slots; nodes without a target keep their phase.
 /// Each update can only lower the energy.
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z);
+
+/// The energy of phases by slot, as `energy` of phase_graph.h defines it.
+double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
+              std::span<const Complex> z);
 
 /// What the paper's relaxation carries from one iteration to the next.
 struct Momentum {

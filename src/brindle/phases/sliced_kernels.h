@@ -39,14 +39,15 @@ using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex*
                            Complex* momentum, SliceRange);
 
 /// Turns the direct couplings of all entries of a range into the gauges at their ends:
-/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z); entry by entry into `gauged`. The conjugate
-/// bit of a result says that it adds to B of the coarser level, not to A.
+/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z); entry by entry into `gauged`, from the
+/// first of the range on. The conjugate bit of a result says that it adds to B of the coarser
+/// level, not to A.
 using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Complex* gauge,
                          Complex* gauged, SliceRange);
 
-/// Gauges of one rank (GaugeRank of hierarchy.h) from the direct couplings to earlier members: with
-/// S = sum A g over members without and C over members with the conjugate bit, the longer of the
-/// two over its length, its own conjugate bit set if that is C. Without either, 1.
+/// Gauges of groups of one rank (GaugeRounds of aggregation.h) from the direct couplings to earlier
+/// members: with S = sum A g over members without and C over members with the conjugate bit, the
+/// longer of the two over its length, its own conjugate bit set if that is C. Without either, 1.
 using GaugeMembers = void(const SlicedLayout&, const SlicedCouplings&, const Index* member,
                           const Index* round_begin, const Index* round_entry, Complex* gauge,
                           SliceRange groups);
@@ -56,6 +57,12 @@ using GaugeMembers = void(const SlicedLayout&, const SlicedCouplings&, const Ind
 using SumSlices = void(const SlicedLayout& coarse, const Index* round_begin,
                        const Index* round_entry, const Complex* gauged, float* direct,
                        std::uint8_t* marked, SliceRange);
+
+/// Reflecting couplings of all entries of one coarse slice: sums of the gauged entries with
+/// conjugate bit that the rounds name, entry by entry into `reflecting`.
+using SumMarkedSlice = void(const SlicedLayout& coarse, const Index* round_begin,
+                            const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                            Index slice);
 
 /// z_i = g_i Z or g_i conj(Z) with Z = coarse[coarse_slot[i]], for all slots of a range.
 using ProlongSlices = void(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
@@ -68,6 +75,7 @@ RelaxSlices relax_slices;
 GaugeSlices gauge_slices;
 GaugeMembers gauge_members;
 SumSlices sum_slices;
+SumMarkedSlice sum_marked_slice;
 ProlongSlices prolong_slices;
 }  // namespace portable
 
@@ -79,6 +87,7 @@ RelaxSlices relax_slices;
 GaugeSlices gauge_slices;
 GaugeMembers gauge_members;
 SumSlices sum_slices;
+SumMarkedSlice sum_marked_slice;
 ProlongSlices prolong_slices;
 
 /// The instruction set in use, such as "AVX3" or "NEON".

@@ -139,14 +139,15 @@ double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings
 
 void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
                   const Complex* gauge, Complex* gauged, SliceRange range) {
+  const std::size_t first = std::size_t{layout.column_begin[range.begin]} * kLanes;
   for (Index slice = range.begin; slice < range.end; ++slice) {
     for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
          entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
       const Complex g_i = gauge[slice * kLanes + entry % kLanes];
       const Complex g_j = gauge[layout.neighbor[entry]];
       const Complex c = std::conj(g_i) * (couplings.direct_at(entry) * g_j);
-      gauged[entry] = with_conjugate_bit(conjugate_bit(g_i) ? std::conj(c) : c,
-                                         conjugate_bit(g_i) != conjugate_bit(g_j));
+      gauged[entry - first] = with_conjugate_bit(conjugate_bit(g_i) ? std::conj(c) : c,
+                                                 conjugate_bit(g_i) != conjugate_bit(g_j));
     }
   }
 }
@@ -189,6 +190,21 @@ void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Inde
       }
       std::copy_n(sum.re, kLanes, direct + std::size_t{column} * 2 * kLanes);
       std::copy_n(sum.im, kLanes, direct + std::size_t{column} * 2 * kLanes + kLanes);
+    }
+  }
+}
+
+void sum_marked_slice(const SlicedLayout& coarse, const Index* round_begin,
+                      const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                      Index slice) {
+  for (Index column = coarse.column_begin[slice]; column < coarse.column_begin[slice + 1];
+       ++column, reflecting += kLanes) {
+    std::fill_n(reflecting, kLanes, Complex(0));
+    for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
+      for (Index lane = 0; lane < kLanes; ++lane) {
+        const Complex c = gauged[round_entry[std::size_t{round} * kLanes + lane]];
+        if (conjugate_bit(c)) reflecting[lane] += c;
+      }
     }
   }
 }

@@ -27,22 +27,36 @@ struct Z {
 
 HWY_INLINE Index lanes() { return static_cast<Index>(hn::Lanes(D())); }
 
-HWY_INLINE Z gather(const Complex* z, Indices index) {
-#if HWY_TARGET == HWY_SCALAR
-  const Complex value = z[hn::GetLane(index)];
-  return {hn::Set(D(), value.real()), hn::Set(D(), value.imag())};
-#else
-  const hn::Repartition<std::uint64_t, D> wide;
-  const hn::RebindToSigned<decltype(wide)> offset;
-  const hn::Half<U> half;
-  const auto* pairs = reinterpret_cast<const std::uint64_t*>(z);
-  const auto low = hn::BitCast(offset, hn::PromoteTo(wide, hn::LowerHalf(half, index)));
-  const auto high = hn::BitCast(offset, hn::PromoteTo(wide, hn::UpperHalf(half, index)));
-  const V first = hn::BitCast(D(), hn::GatherIndex(wide, pairs, low));
-  const V second = hn::BitCast(D(), hn::GatherIndex(wide, pairs, high));
-  return {hn::ConcatEven(D(), second, first), hn::ConcatOdd(D(), second, first)};
-#endif
+#if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
+HWY_INLINE Z gather(const Complex* z, const Index* index) {
+  const D d;
+  const hn::RebindToSigned<D> offset;
+  const auto twice = hn::ShiftLeft<1>(hn::BitCast(offset, hn::LoadU(U(), index)));
+  const auto* parts = reinterpret_cast<const float*>(z);
+  return {hn::GatherIndex(d, parts, twice), hn::GatherIndex(d, parts + 1, twice)};
 }
+#else
+/// Pairs of floats, as 64-bit numbers, loaded one by one: gather instructions are slower on most
+/// processors, and far slower on those that mitigate CVE-2022-40982.
+template <class P>
+HWY_INLINE hn::Vec<P> gather_pairs(P pairs, const std::uint64_t* z, const Index* index) {
+  if constexpr (hn::MaxLanes(P()) == 1) {
+    return hn::Load(pairs, z + *index);
+  } else {
+    const hn::Half<P> half;
+    constexpr std::size_t kHalf = hn::MaxLanes(P()) / 2;
+    return hn::Combine(pairs, gather_pairs(half, z, index + kHalf), gather_pairs(half, z, index));
+  }
+}
+
+HWY_INLINE Z gather(const Complex* z, const Index* index) {
+  const hn::Repartition<std::uint64_t, D> wide;
+  const auto* pairs = reinterpret_cast<const std::uint64_t*>(z);
+  const V first = hn::BitCast(D(), gather_pairs(wide, pairs, index));
+  const V second = hn::BitCast(D(), gather_pairs(wide, pairs, index + hn::MaxLanes(D()) / 2));
+  return {hn::ConcatEven(D(), second, first), hn::ConcatOdd(D(), second, first)};
+}
+#endif
 
 HWY_INLINE Z load(const Complex* z) {
   Z result;
@@ -85,15 +99,20 @@ struct Waves {
   V x, y, z, root_frequency, dx, dy, dz;
 };
 
-HWY_INLINE Waves gather_waves(const SlicedWave* waves, Indices slot) {
+HWY_INLINE Waves gather_waves(const SlicedWave* waves, const Index* slot) {
   // A wave is four pairs of floats.
   const auto* pairs = reinterpret_cast<const Complex*>(waves);
-  const Indices first = hn::ShiftLeft<2>(slot);
-  const U bits;
-  const Z xy = gather(pairs, first), zf = gather(pairs, hn::Add(first, hn::Set(bits, 1u)));
-  const Z d = gather(pairs, hn::Add(first, hn::Set(bits, 2u)));
-  const Z d3 = gather(pairs, hn::Add(first, hn::Set(bits, 3u)));
+  alignas(64) Index first[kLanes];
+  hn::Store(hn::ShiftLeft<2>(hn::LoadU(U(), slot)), U(), first);
+  const Z xy = gather(pairs, first), zf = gather(pairs + 1, first);
+  const Z d = gather(pairs + 2, first), d3 = gather(pairs + 3, first);
   return {xy.re, xy.im, zf.re, zf.im, d.re, d.im, d3.re};
+}
+
+HWY_INLINE Waves load_waves(const SlicedWave* waves) {
+  alignas(64) Index slot[kLanes];
+  hn::Store(hn::Iota(U(), 0), U(), slot);
+  return gather_waves(waves, slot);
 }
 
 /// What couple_slices does to Lanes entries; returns their weights.
@@ -106,7 +125,7 @@ HWY_INLINE V couple_entries(const SlicedLayout& layout, const Waves& i, const Sl
   const Indices slot_j = hn::LoadU(bits, layout.neighbor.data() + entry);
   const auto own = static_cast<Index>(slice * kLanes + entry % kLanes);
   const auto filling = hn::RebindMask(d, hn::Eq(slot_j, hn::Iota(bits, own)));
-  const Waves j = gather_waves(waves, slot_j);
+  const Waves j = gather_waves(waves, layout.neighbor.data() + entry);
   const V ex = hn::Sub(i.x, j.x), ey = hn::Sub(i.y, j.y), ez = hn::Sub(i.z, j.z);
   const auto dot = [](V ax, V ay, V az, V bx, V by, V bz) {
     return hn::MulAdd(az, bz, hn::MulAdd(ay, by, hn::Mul(ax, bx)));
@@ -150,7 +169,7 @@ void couple_slices(const SlicedLayout& layout, const SlicedWave* waves, PhaseShi
     for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
          ++column) {
       for (Index lane = 0; lane < kLanes; lane += lanes()) {
-        const Waves i = gather_waves(waves, hn::Iota(U(), slice * kLanes + lane));
+        const Waves i = load_waves(waves + slice * kLanes + lane);
         const V weight = couple_entries(layout, i, waves, kind == PhaseShiftKind::trapezoid,
                                         entry_weights, slice, column * kLanes + lane, couplings);
         hn::StoreU(hn::Add(hn::LoadU(d, sum + lane), weight), d, sum + lane);
@@ -182,7 +201,7 @@ HWY_INLINE Z targets(const SlicedLayout& layout, const SlicedCouplings& coupling
   if (!couplings.anchor.empty()) t = load(couplings.anchor.data() + slice * kLanes + lane);
   for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
        ++column) {
-    const Z z_j = gather(z, hn::LoadU(U(), layout.neighbor.data() + column * kLanes + lane));
+    const Z z_j = gather(z, layout.neighbor.data() + column * kLanes + lane);
     const Z a = load_column(couplings.direct.get() + column * 2 * kLanes + lane);
     t.re = hn::NegMulAdd(a.im, z_j.im, hn::MulAdd(a.re, z_j.re, t.re));
     t.im = hn::MulAdd(a.im, z_j.re, hn::MulAdd(a.re, z_j.im, t.im));
@@ -256,15 +275,16 @@ HWY_INLINE Z gauged_coupling(Z a, Z g_i, Z g_j) {
 
 void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
                   const Complex* gauge, Complex* gauged, SliceRange range) {
+  const std::size_t first = std::size_t{layout.column_begin[range.begin]} * kLanes;
   for (Index slice = range.begin; slice < range.end; ++slice) {
     for (Index lane = 0; lane < kLanes; lane += lanes()) {
       const Z g_i = load(gauge + slice * kLanes + lane);
       for (std::size_t column = layout.column_begin[slice]; column < layout.column_begin[slice + 1];
            ++column) {
         const std::size_t entry = column * kLanes + lane;
-        const Z g_j = gather(gauge, hn::LoadU(U(), layout.neighbor.data() + entry));
+        const Z g_j = gather(gauge, layout.neighbor.data() + entry);
         const Z a = load_column(couplings.direct.get() + column * 2 * kLanes + lane);
-        store(gauged_coupling(a, g_i, g_j), gauged + entry);
+        store(gauged_coupling(a, g_i, g_j), gauged + (entry - first));
       }
     }
   }
@@ -301,7 +321,9 @@ HWY_INLINE void gauge_group(const SlicedLayout& layout, const SlicedCouplings& c
     const Indices from = hn::BitCast(
         bits, hn::GatherIndex(offset, reinterpret_cast<const std::int32_t*>(layout.neighbor.data()),
                               hn::BitCast(offset, entry)));
-    const Z g = gather(gauge, from), a = gather_couplings(couplings.direct.get(), entry);
+    alignas(64) Index slot[kLanes];
+    hn::Store(from, bits, slot);
+    const Z g = gather(gauge, slot), a = gather_couplings(couplings.direct.get(), entry);
     const auto empty = hn::RebindMask(D(), none);
     const V re = hn::IfThenZeroElse(empty, hn::NegMulAdd(a.im, g.im, hn::Mul(a.re, g.re)));
     const V im = hn::IfThenZeroElse(empty, hn::MulAdd(a.im, g.re, hn::Mul(a.re, g.im)));
@@ -315,14 +337,13 @@ HWY_INLINE void gauge_group(const SlicedLayout& layout, const SlicedCouplings& c
   const Z sum{hn::IfThenElse(conjugate, conjugated.re, plain.re),
               hn::IfThenElse(conjugate, conjugated.im, plain.im)};
   const Z unit = normalized_or(sum, {hn::Set(D(), 1.0f), zero}, has_direction(sum));
-  alignas(64) float re[kLanes], im[kLanes], flag[kLanes];
-  hn::Store(unit.re, D(), re);
-  hn::Store(unit.im, D(), im);
-  hn::Store(hn::IfThenElseZero(conjugate, hn::Set(D(), 1.0f)), D(), flag);
+  const Indices one = hn::Set(bits, 1u);
+  const Indices cleared = hn::AndNot(one, hn::BitCast(bits, unit.re));
+  const Indices flag = hn::IfThenElseZero(hn::RebindMask(bits, conjugate), one);
+  alignas(64) Complex gauges[kLanes];
+  store({hn::BitCast(D(), hn::Or(cleared, flag)), unit.im}, gauges);
   for (Index l = 0; l < lanes(); ++l) {
-    if (member[l] != kNone) {
-      gauge[member[l]] = with_conjugate_bit(Complex(re[l], im[l]), flag[l] != 0);
-    }
+    if (member[l] != kNone) gauge[member[l]] = gauges[l];
   }
 }
 
@@ -348,8 +369,7 @@ void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Inde
       for (Index lane = 0; lane < kLanes; lane += lanes()) {
         Z sum{zero, zero};
         for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
-          const Z c =
-              gather(gauged, hn::LoadU(bits, round_entry + std::size_t{round} * kLanes + lane));
+          const Z c = gather(gauged, round_entry + std::size_t{round} * kLanes + lane);
           const auto conjugate = conjugate_mask(c);
           seen = hn::Or(seen, hn::BitCast(bits, c.re));
           sum = {hn::Add(sum.re, hn::IfThenZeroElse(conjugate, c.re)),
@@ -365,12 +385,31 @@ void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Inde
   }
 }
 
+void sum_marked_slice(const SlicedLayout& coarse, const Index* round_begin,
+                      const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                      Index slice) {
+  const V zero = hn::Zero(D());
+  for (Index column = coarse.column_begin[slice]; column < coarse.column_begin[slice + 1];
+       ++column, reflecting += kLanes) {
+    for (Index lane = 0; lane < kLanes; lane += lanes()) {
+      Z sum{zero, zero};
+      for (Index round = round_begin[column]; round < round_begin[column + 1]; ++round) {
+        const Z c = gather(gauged, round_entry + std::size_t{round} * kLanes + lane);
+        const auto conjugate = conjugate_mask(c);
+        sum = {hn::Add(sum.re, hn::IfThenElseZero(conjugate, c.re)),
+               hn::Add(sum.im, hn::IfThenElseZero(conjugate, c.im))};
+      }
+      store(sum, reflecting + lane);
+    }
+  }
+}
+
 void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,
                     Complex* z, SliceRange range) {
   const U bits;
   for (Index slot = range.begin * kLanes; slot < range.end * kLanes; slot += lanes()) {
     const Z g = load(gauge + slot);
-    Z z_coarse = gather(coarse, hn::LoadU(bits, coarse_slot + slot));
+    Z z_coarse = gather(coarse, coarse_slot + slot);
     const Indices conjugated = hn::ShiftLeft<31>(hn::BitCast(bits, g.re));
     z_coarse.im = hn::BitCast(D(), hn::Xor(hn::BitCast(bits, z_coarse.im), conjugated));
     store({hn::NegMulAdd(g.im, z_coarse.im, hn::Mul(g.re, z_coarse.re)),
@@ -393,6 +432,7 @@ HWY_EXPORT(relax_slices);
 HWY_EXPORT(gauge_slices);
 HWY_EXPORT(gauge_members);
 HWY_EXPORT(sum_slices);
+HWY_EXPORT(sum_marked_slice);
 HWY_EXPORT(prolong_slices);
 HWY_EXPORT(target_name);
 
@@ -427,6 +467,13 @@ void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
 void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Index* round_entry,
                 const Complex* gauged, float* direct, std::uint8_t* marked, SliceRange range) {
   HWY_DYNAMIC_DISPATCH(sum_slices)(coarse, round_begin, round_entry, gauged, direct, marked, range);
+}
+
+void sum_marked_slice(const SlicedLayout& coarse, const Index* round_begin,
+                      const Index* round_entry, const Complex* gauged, Complex* reflecting,
+                      Index slice) {
+  HWY_DYNAMIC_DISPATCH(sum_marked_slice)
+  (coarse, round_begin, round_entry, gauged, reflecting, slice);
 }
 
 void prolong_slices(const Complex* gauge, const Index* coarse_slot, const Complex* coarse,

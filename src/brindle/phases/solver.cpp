@@ -31,11 +31,9 @@ PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& opt
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
   Stopwatch watch;
   descend(hierarchy, options.sweeps);
-  std::vector<Complex> gauged(options.cycles > 0 ? hierarchy.levels[0].layout().entry_count() + 1
-                                                 : 0);
   for (int cycle = 0; cycle < options.cycles; ++cycle) {
     progress.report("cycles", static_cast<double>(cycle) / options.cycles);
-    correct(hierarchy, options.sweeps, gauged);
+    correct(hierarchy, options.sweeps);
   }
   solution.z = to_nodes(hierarchy.levels[0].layout(), hierarchy.levels[0].z);
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();

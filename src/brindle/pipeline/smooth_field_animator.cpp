@@ -19,7 +19,6 @@ struct SmoothFieldAnimator::State {
   std::shared_ptr<const Adjacency> neighborhood;
   std::vector<Vec3> normals;
   Hierarchy hierarchy;
-  std::vector<Complex> gauged;  ///< scratch of the sums
   std::vector<Complex> last_u;  ///< by slot; empty before the first frame
   std::vector<Complex> u_by_vertex;
   std::vector<FieldAnchor> last_anchors;
@@ -53,7 +52,6 @@ SmoothFieldAnimator::SmoothFieldAnimator(const Surface& surface,
   s.normals = surface.normals;
   s.hierarchy = build_hierarchy(
       build_direction_graph(surface.neighborhood, surface.normals, options.symmetry));
-  s.gauged.resize(s.finest().layout().entry_count() + 1);
 }
 
 SmoothFieldAnimator::~SmoothFieldAnimator() = default;
@@ -65,7 +63,7 @@ std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> an
   const bool first = s.last_u.empty();
   if (!first && std::ranges::equal(anchors, s.last_anchors, same)) return s.field;
   set_anchors(anchors);
-  renew(s.hierarchy, s.gauged);
+  renew(s.hierarchy);
   descend(s.hierarchy, s.options.sweeps);
 
   const SlicedLayout& layout = s.finest().layout();

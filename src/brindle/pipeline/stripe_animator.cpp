@@ -22,8 +22,8 @@ struct StripeAnimator::State {
 
   Hierarchy hierarchy;            ///< empty before the first frame
   std::vector<SlicedWave> waves;  ///< of the last frame
+  std::vector<float> weights;     ///< options.edge_weights by entry
   std::vector<float> degree;      ///< sum of weights by slot
-  std::vector<Complex> gauged;    ///< scratch of the sums
   std::vector<Complex> last_z;    ///< by slot; empty: none
   std::vector<Complex> z_by_vertex;
   Momentum momentum;
@@ -71,6 +71,7 @@ void check(const AnimatorOptions& options) {
   };
   require(std::isfinite(options.lambda) && options.lambda >= 0, "lambda must be 0 or above");
   require(options.sweeps >= 0, "sweeps must be 0 or above");
+  require(options.cycles >= 0, "cycles must be 0 or above");
   require(options.iterations > 0, "iterations must be above 0");
 }
 
@@ -83,20 +84,16 @@ void check(const FrameInput& input, std::size_t vertices) {
               std::to_string(vertices) + " vertices");
 }
 
-Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
-                          PhaseShiftKind kind) {
-  const WaveSet waves{{input.positions.begin(), input.positions.end()},
-                      {input.directions.begin(), input.directions.end()},
-                      {input.frequencies.begin(), input.frequencies.end()}};
-  return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind));
-}
-
 StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
   check(options);
   if (options.phase_shift == PhaseShiftKind::common_source) {
     throw Error("animator options: the phase shift must be aligned or trapezoid");
+  }
+  if (!options.edge_weights.empty() &&
+      options.edge_weights.size() != neighborhood->neighbors.size()) {
+    throw Error("animator options: there must be one edge weight per directed edge");
   }
   state_->neighborhood = std::move(neighborhood);
   state_->options = options;
@@ -108,14 +105,15 @@ StripeAnimator::~StripeAnimator() = default;
 StripeAnimator::StripeAnimator(StripeAnimator&&) noexcept = default;
 StripeAnimator& StripeAnimator::operator=(StripeAnimator&&) noexcept = default;
 
-FrameResult StripeAnimator::frame(const FrameInput& input) {
+FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check(input, s.neighborhood->node_count());
   Stopwatch watch;
   if (s.hierarchy.levels.empty()) {
-    s.hierarchy = first_hierarchy(s.neighborhood, input, s.options.phase_shift);
+    s.hierarchy = finest_level(*s.neighborhood);
     s.topology_milliseconds = watch.lap();
   }
+  if (s.degree.empty()) start();
   const bool has_last = !s.last_z.empty();
   const bool changed = load_waves(s.finest().layout(), input.positions, input.directions,
                                   input.frequencies, s.waves, s.last_z);
@@ -127,9 +125,18 @@ FrameResult StripeAnimator::frame(const FrameInput& input) {
   }
   couple_frame(has_last);
   result.milliseconds.couple = watch.lap();
-  if (s.options.solver == FrameSolver::multilevel) renew(s.hierarchy, s.gauged);
+  if (s.hierarchy.levels.size() == 1) {
+    coarsen(s.hierarchy, progress);
+    s.topology_milliseconds += watch.lap();
+  }
+  if (!has_last && s.options.lambda > 0) {
+    for (Level& level : s.hierarchy.levels) {
+      level.couplings.anchor.reserve(level.layout().slot_count());
+    }
+  }
+  if (s.options.solver == FrameSolver::multilevel || !has_last) renew(s.hierarchy);
   result.milliseconds.sum = watch.lap();
-  solve_frame(has_last);
+  solve_frame(has_last, progress);
   const SlicedLayout& layout = s.finest().layout();
   if (has_last) result.phase_step = mean_step(s.finest().z, s.last_z, s.degree);
   s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
@@ -139,18 +146,23 @@ FrameResult StripeAnimator::frame(const FrameInput& input) {
   return result;
 }
 
+/// Everything that frames write to, so that they allocate nothing.
+void StripeAnimator::start() {
+  State& s = *state_;
+  const SlicedLayout& layout = s.finest().layout();
+  s.waves.resize(layout.slot_count());
+  s.degree.resize(layout.slot_count());
+  s.last_z.reserve(layout.slot_count());
+  s.z_by_vertex.resize(layout.slot_of.size());
+  if (!s.options.edge_weights.empty()) {
+    s.weights = sliced_weights(layout, *s.neighborhood, s.options.edge_weights);
+  }
+}
+
 void StripeAnimator::couple_frame(bool has_last) {
   State& s = *state_;
   Level& finest = s.finest();
-  const SlicedLayout& layout = finest.layout();
-  if (s.degree.empty()) {
-    s.degree.resize(layout.slot_count());
-    s.gauged.resize(layout.entry_count() + 1);
-    for (Level& level : s.hierarchy.levels) {
-      level.couplings.anchor.reserve(level.layout().slot_count());
-    }
-  }
-  couple(layout, s.waves, s.options.phase_shift, {}, finest.couplings, s.degree);
+  couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
   const bool anchored =
       has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
   if (anchored) {
@@ -160,21 +172,29 @@ void StripeAnimator::couple_frame(bool has_last) {
   }
 }
 
-void StripeAnimator::solve_frame(bool has_last) {
+void StripeAnimator::solve_frame(bool has_last, const Progress& progress) {
   State& s = *state_;
   if (s.options.solver == FrameSolver::multilevel || !has_last) {
-    if (s.options.solver == FrameSolver::relaxation) renew(s.hierarchy, s.gauged);
     descend(s.hierarchy, s.options.sweeps);
-    s.momentum.m.assign(s.finest().layout().slot_count(), Complex(0));
+    for (int cycle = 0; cycle < s.options.cycles; ++cycle) {
+      progress.report("cycles", static_cast<double>(cycle) / s.options.cycles);
+      correct(s.hierarchy, s.options.sweeps);
+    }
     return;
   }
   Level& finest = s.finest();
+  s.momentum.m.resize(finest.layout().slot_count());
   std::ranges::copy(s.last_z, finest.z.begin());
   for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
     for (Index color = 0; color < finest.layout().color_count(); ++color) {
       relax_color(finest.layout(), finest.couplings, finest.z, s.momentum, color);
     }
   }
+}
+
+double StripeAnimator::energy() const {
+  const Level& finest = state_->finest();
+  return brindle::energy(finest.layout(), finest.couplings, finest.z);
 }
 
 StripeAnimator StripeAnimator::sibling() const {
@@ -186,7 +206,10 @@ StripeAnimator StripeAnimator::sibling() const {
   return StripeAnimator(std::move(state));
 }
 
-void StripeAnimator::restart() { state_->last_z.clear(); }
+void StripeAnimator::restart() {
+  state_->last_z.clear();
+  std::ranges::fill(state_->momentum.m, Complex(0));
+}
 
 double StripeAnimator::topology_milliseconds() const { return state_->topology_milliseconds; }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "brindle/base/adjacency.h"
+#include "brindle/base/progress.h"
 #include "brindle/base/types.h"
-#include "brindle/phases/hierarchy.h"
 #include "brindle/waves/phase_shift.h"
 
 namespace brindle {
@@ -20,11 +20,14 @@ enum class FrameSolver {
 
 struct AnimatorOptions {
   FrameSolver solver = FrameSolver::multilevel;
-  float lambda = 0.02f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
+  float lambda = 0.025f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
                          ///< from scratch
   int sweeps = 2;        ///< coloured sweeps per level, multilevel
+  int cycles = 0;        ///< further descents, each from the phases of the one before
   int iterations = 3;    ///< per frame, relaxation
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
+  std::vector<float> edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies
+                                    ///< the paper's weight; empty: 1
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -34,18 +37,15 @@ struct FrameInput {
   std::span<const float> frequencies;
 };
 
-/// What StripeAnimator and GpuAnimator stand on: throws Error for options out of range, for input
-/// without one entry for each of so many vertices, and makes the hierarchy of the first frame, on
-/// which all later ones are solved.
+/// What StripeAnimator and GpuAnimator stand on: throw Error for options out of range, and for
+/// input without one entry for each of so many vertices.
 void check(const AnimatorOptions& options);
 void check(const FrameInput& input, std::size_t vertices);
-Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
-                          PhaseShiftKind kind);
 
 struct FrameMilliseconds {
   double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
   double sum = 0;     ///< gauges and coarse sums
-  double solve = 0;   ///< descent or iterations, phases back into vertex order
+  double solve = 0;   ///< descents or iterations, phases back into vertex order
 };
 
 struct FrameResult {
@@ -70,8 +70,12 @@ class StripeAnimator {
   StripeAnimator& operator=(StripeAnimator&&) noexcept;
 
   /// Solves for the next frame. The first frame has no last one and is solved from scratch.
-  /// Throws Error if the input has not one entry per vertex.
-  FrameResult frame(const FrameInput& input);
+  /// `progress` hears of the first frame's topology, and of cycles. Throws Error if the input has
+  /// not one entry per vertex; Cancelled if `progress` asks for it.
+  FrameResult frame(const FrameInput& input, const Progress& progress = {});
+
+  /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it.
+  double energy() const;
 
   /// An animator for another field on the same surface that shares this one's topology. Call it
   /// after the first frame.
@@ -80,14 +84,16 @@ class StripeAnimator {
   /// Forgets the last frame's phases: the next frame is solved from scratch.
   void restart();
 
-  /// Milliseconds that building the topology took, in the first frame.
+  /// Milliseconds that building the topology took, in the first frame. Aggregates follow the first
+  /// couplings, so that their sums belong to it.
   double topology_milliseconds() const;
 
  private:
   struct State;
   explicit StripeAnimator(std::unique_ptr<State> state);
+  void start();
   void couple_frame(bool has_last);
-  void solve_frame(bool has_last);
+  void solve_frame(bool has_last, const Progress& progress);
   std::unique_ptr<State> state_;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/pipeline/stripe_animator.h"
 #include "brindle/surface/areas.h"
 #include "brindle/surface/cotangent_weights.h"
 #include "brindle/waves/averaged_levels.h"
@@ -22,32 +23,66 @@ std::vector<float> positive_areas(const Mesh& mesh) {
   return areas;
 }
 
-}  // namespace
+std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights) {
+  if (weights == EdgeWeights::paper) return {};
+  return cotangent_weights(surface.mesh, *surface.neighborhood);
+}
 
-StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const StripeOptions& options,
-                             const Progress& progress) {
-  StripePattern result;
+/// One frame of an animator, which couples straight into the solver's order.
+void solve_as_frame(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
+                    const Progress& progress, StripePattern& result) {
   Stopwatch watch;
-  progress.report("couple", 0);
-  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift,
-                                       options.weights == EdgeWeights::cotangent
-                                           ? cotangent_weights(surface.mesh, *surface.neighborhood)
-                                           : std::vector<float>());
+  AnimatorOptions animator_options;
+  animator_options.lambda = 0;
+  animator_options.sweeps = options.solver.sweeps;
+  animator_options.cycles = options.solver.cycles;
+  animator_options.phase_shift = options.phase_shift;
+  animator_options.edge_weights = edge_weights(surface, options.weights);
   result.milliseconds.couple = watch.lap();
+  StripeAnimator animator(surface.neighborhood, animator_options);
+  const FrameResult frame =
+      animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
+  result.milliseconds.topology = animator.topology_milliseconds();
+  result.milliseconds.couple += frame.milliseconds.couple;
+  result.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
+  result.solution.z.assign(frame.z.begin(), frame.z.end());
+  result.solution.energy = animator.energy();
+  result.solution.iterations = options.solver.sweeps * (1 + options.solver.cycles);
+}
 
+void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
+                    const Progress& progress, StripePattern& result) {
+  Stopwatch watch;
+  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift,
+                                       edge_weights(surface, options.weights));
+  result.milliseconds.couple = watch.lap();
   if (options.solver.solver == Solver::global) graph.mass = positive_areas(surface.mesh);
   if (options.solver.solver == Solver::averaged) {
     attach_averaged_levels(graph, waves, {surface.normals, positive_areas(surface.mesh)},
                            options.phase_shift);
   }
   result.milliseconds.topology = watch.lap();
-
-  result.solution = options.solve(graph, options.solver, progress);
+  result.solution = options.solve ? options.solve(graph, options.solver, progress)
+                                  : solve_phases(graph, options.solver, progress);
   result.milliseconds.topology += result.solution.topology_milliseconds;
   result.milliseconds.solve = result.solution.solve_milliseconds;
-  graph = {};
+}
 
-  watch.lap();
+}  // namespace
+
+StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const StripeOptions& options,
+                             const Progress& progress) {
+  StripePattern result;
+  progress.report("couple", 0);
+  const bool as_frame = !options.solve && options.solver.solver == Solver::multilevel &&
+                        options.phase_shift != PhaseShiftKind::common_source;
+  if (as_frame) {
+    solve_as_frame(surface, waves, options, progress, result);
+  } else {
+    solve_as_graph(surface, waves, options, progress, result);
+  }
+
+  Stopwatch watch;
   progress.report("pattern", 0);
   result.corners =
       corner_phases(surface.mesh.triangles, waves, result.solution.z, options.phase_shift);

@@ -16,7 +16,7 @@ enum class EdgeWeights {
   cotangent  ///< `cotangent_weights`: lower angle errors for a longer coupling stage
 };
 
-/// Turns a phase graph into phases: `solve_phases`, or `GpuSolver::solve` of brindle/gpu.
+/// Turns a phase graph into phases, as `solve_phases` and `GpuSolver::solve` of brindle/gpu do.
 using SolvePhases =
     std::function<PhaseSolution(const PhaseGraph&, const SolverOptions&, const Progress&)>;
 
@@ -24,7 +24,7 @@ struct StripeOptions {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   EdgeWeights weights = EdgeWeights::paper;
   SolverOptions solver;
-  SolvePhases solve = solve_phases;
+  SolvePhases solve;  ///< empty: on the processor
 };
 
 /// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.

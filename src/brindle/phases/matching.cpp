@@ -1,0 +1,332 @@
+#include "brindle/phases/matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+float strength(const SlicedLayout& layout, const SlicedCouplings& couplings, Index slot,
+               std::size_t entry) {
+  const float direct = std::norm(couplings.direct_at(entry));
+  const float reflecting = std::norm(couplings.reflecting_at(layout, slot / kLanes, entry));
+  return std::sqrt(std::max(direct, reflecting));
+}
+
+/// 1 / sqrt(deg_i), deg_i = sum_j |A_ij| + |B_ij|; zero for nodes without any coupling.
+std::vector<float> inverse_root_degrees(const SlicedLayout& layout,
+                                        const SlicedCouplings& couplings) {
+  std::vector<float> result(layout.slot_count());
+  parallel_for(result.size(), [&](std::size_t begin, std::size_t end) {
+    for (Index slot = static_cast<Index>(begin); slot < end; ++slot) {
+      float degree = 0;
+      std::size_t entry = layout.first_entry(slot);
+      for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
+        degree += std::sqrt(std::norm(couplings.direct_at(entry))) +
+                  std::sqrt(std::norm(couplings.reflecting_at(layout, slot / kLanes, entry)));
+      }
+      result[slot] = degree > std::numeric_limits<float>::min() ? 1 / std::sqrt(degree) : 0;
+    }
+  });
+  return result;
+}
+
+/// What growing aggregates looks at.
+struct Ground {
+  const SlicedLayout& layout;
+  const SlicedCouplings& couplings;
+  std::vector<float> inverse_root_degree;
+
+  /// Calls `visit(neighbor, strength)` for all neighbours that a slot is coupled to.
+  template <class Visit>
+  void for_each_neighbor(Index slot, const Visit& visit) const {
+    std::size_t entry = layout.first_entry(slot);
+    for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
+      const Index neighbor = layout.neighbor[entry];
+      const float s = strength(layout, couplings, slot, entry) * inverse_root_degree[neighbor];
+      if (s > 0) visit(neighbor, s);
+    }
+  }
+};
+
+/// A slot joins an aggregate after the aggregate has grown.
+struct Join {
+  Index aggregate;
+  Index slot;
+};
+
+/// Members of aggregates in compressed rows.
+struct Members {
+  std::vector<Index> begin{0};
+  std::vector<Index> slots;
+
+  Index count() const { return static_cast<Index>(begin.size()) - 1; }
+};
+
+/// Appends those who join to the members of their aggregates.
+Members with_joins(const Members& members, std::vector<Join> joins) {
+  if (joins.empty()) return members;
+  std::ranges::stable_sort(joins, {}, &Join::aggregate);
+  Members result;
+  result.slots.reserve(members.slots.size() + joins.size());
+  auto join = joins.begin();
+  for (Index a = 0; a < members.count(); ++a) {
+    result.slots.insert(result.slots.end(), members.slots.begin() + members.begin[a],
+                        members.slots.begin() + members.begin[a + 1]);
+    for (; join != joins.end() && join->aggregate == a; ++join) result.slots.push_back(join->slot);
+    result.begin.push_back(static_cast<Index>(result.slots.size()));
+  }
+  return result;
+}
+
+/// Grows the aggregates of one block one by one. Aggregates are numbered from 0 in each block.
+class BlockGrower {
+ public:
+  BlockGrower(const Ground& ground, SliceRange block, std::vector<Index>& aggregate)
+      : ground_(ground),
+        begin_(block.begin * kLanes),
+        end_(block.end * kLanes),
+        aggregate_(aggregate) {}
+
+  void grow() {
+    for (Index slot = begin_; slot < end_; ++slot) {
+      if (is_free(slot)) grow_from(slot);
+    }
+    std::vector<Join> joins;
+    for (const Index slot : left_over_) {
+      const Index strongest = strongest_aggregate(slot);
+      if (strongest == kNone) {
+        stranded_.push_back(slot);
+      } else {
+        joins.push_back({strongest, slot});
+      }
+    }
+    for (const Join& join : joins) aggregate_[join.slot] = join.aggregate;
+    members_ = with_joins(members_, std::move(joins));
+  }
+
+  const Members& members() const { return members_; }
+  /// Slots with couplings, but to none of this block's aggregates.
+  const std::vector<Index>& stranded() const { return stranded_; }
+
+ private:
+  struct Candidate {
+    Index slot;
+    float strength;
+  };
+
+  bool in_block(Index slot) const { return slot >= begin_ && slot < end_; }
+  bool is_free(Index slot) const {
+    return in_block(slot) && aggregate_[slot] == kNone && ground_.inverse_root_degree[slot] > 0;
+  }
+
+  void grow_from(Index seed) {
+    candidates_.clear();
+    Index next = seed;
+    const Index aggregate = members_.count();
+    for (Index size = 0; size < kAggregateSize && next != kNone; ++size) {
+      aggregate_[next] = aggregate;
+      members_.slots.push_back(next);
+      add_candidates(next);
+      next = take_strongest();
+    }
+    if (members_.slots.size() - members_.begin.back() > 1) {
+      members_.begin.push_back(static_cast<Index>(members_.slots.size()));
+      return;
+    }
+    members_.slots.pop_back();
+    aggregate_[seed] = kNone;
+    left_over_.push_back(seed);
+  }
+
+  /// Adds what the free neighbours of a new member are coupled to it.
+  void add_candidates(Index slot) {
+    ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
+      if (!is_free(neighbor)) return;
+      const auto known = std::ranges::find(candidates_, neighbor, &Candidate::slot);
+      if (known == candidates_.end()) {
+        candidates_.push_back({neighbor, s});
+      } else {
+        known->strength += s;
+      }
+    });
+  }
+
+  Index take_strongest() {
+    const auto best = std::ranges::max_element(candidates_, {}, &Candidate::strength);
+    if (best == candidates_.end()) return kNone;
+    const Index slot = best->slot;
+    candidates_.erase(best);
+    return slot;
+  }
+
+  Index strongest_aggregate(Index slot) const {
+    Candidate best{kNone, 0};
+    ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
+      if (!in_block(neighbor) || aggregate_[neighbor] == kNone || !(s > best.strength)) return;
+      best = {aggregate_[neighbor], s};
+    });
+    return best.slot;
+  }
+
+  const Ground& ground_;
+  Index begin_, end_;
+  std::vector<Index>& aggregate_;
+  Members members_;
+  std::vector<Candidate> candidates_;
+  std::vector<Index> left_over_;
+  std::vector<Index> stranded_;
+};
+
+/// Puts the aggregates of all blocks together, numbered one after the other.
+Matching put_together(const SlicedLayout& layout, const std::vector<BlockGrower>& growers,
+                      std::vector<Index> aggregate) {
+  Matching matching;
+  for (const BlockGrower& grower : growers) {
+    const auto first = static_cast<Index>(matching.member.size());
+    const auto& [begin, slots] = grower.members();
+    matching.member.insert(matching.member.end(), slots.begin(), slots.end());
+    for (std::size_t a = 1; a < begin.size(); ++a) matching.begin.push_back(first + begin[a]);
+    matching.block_begin.push_back(matching.count());
+  }
+  parallel_for(
+      growers.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+          const SliceRange block = layout.block(static_cast<Index>(b));
+          for (Index slot = block.begin * kLanes; slot < block.end * kLanes; ++slot) {
+            if (aggregate[slot] != kNone) aggregate[slot] += matching.block_begin[b];
+          }
+        }
+      },
+      1);
+  matching.aggregate = std::move(aggregate);
+  return matching;
+}
+
+/// Joins a stranded slot to a neighbour's aggregate in another block, or makes one of it and a
+/// neighbour that is stranded like itself.
+class StrandedJoiner {
+ public:
+  StrandedJoiner(const Ground& ground, Matching& matching)
+      : ground_(ground), matching_(matching), members_{matching.begin, matching.member} {}
+
+  void join(Index slot) {
+    if (matching_.aggregate[slot] != kNone) return;
+    Index strongest = kNone;
+    float greatest = 0;
+    ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
+      const bool joined = matching_.aggregate[neighbor] != kNone;
+      const bool better = strongest == kNone || matching_.aggregate[strongest] == kNone;
+      if (joined ? (better || s > greatest) : (strongest == kNone)) {
+        strongest = neighbor;
+        greatest = s;
+      }
+    });
+    if (strongest == kNone) return;
+    if (matching_.aggregate[strongest] == kNone) {
+      matching_.aggregate[strongest] = members_.count();
+      members_.slots.push_back(strongest);
+      members_.begin.push_back(static_cast<Index>(members_.slots.size()));
+    }
+    matching_.aggregate[slot] = matching_.aggregate[strongest];
+    joins_.push_back({matching_.aggregate[slot], slot});
+  }
+
+  void finish() {
+    Members joined = with_joins(members_, std::move(joins_));
+    matching_.begin = std::move(joined.begin);
+    matching_.member = std::move(joined.slots);
+    matching_.block_begin.back() = matching_.count();
+  }
+
+ private:
+  const Ground& ground_;
+  Matching& matching_;
+  Members members_;
+  std::vector<Join> joins_;
+};
+
+void join_stranded(const Ground& ground, const std::vector<BlockGrower>& growers,
+                   Matching& matching) {
+  if (std::ranges::all_of(growers, [](const auto& grower) { return grower.stranded().empty(); })) {
+    return;
+  }
+  StrandedJoiner joiner(ground, matching);
+  for (const BlockGrower& grower : growers) {
+    for (const Index slot : grower.stranded()) joiner.join(slot);
+  }
+  joiner.finish();
+}
+
+/// Neighbouring aggregates of one, ascending, into `row`.
+void collect_row(const SlicedLayout& layout, const Matching& matching, Index aggregate,
+                 std::vector<Index>& row) {
+  row.clear();
+  for (Index m = matching.begin[aggregate]; m < matching.begin[aggregate + 1]; ++m) {
+    const Index slot = matching.member[m];
+    std::size_t entry = layout.first_entry(slot);
+    for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
+      const Index other = matching.aggregate[layout.neighbor[entry]];
+      if (other != kNone && other != aggregate) row.push_back(other);
+    }
+  }
+  std::sort(row.begin(), row.end());
+  row.erase(std::unique(row.begin(), row.end()), row.end());
+}
+
+}  // namespace
+
+Matching grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings) {
+  const Ground ground{layout, couplings, inverse_root_degrees(layout, couplings)};
+  std::vector<Index> aggregate(layout.slot_count(), kNone);
+  std::vector<BlockGrower> growers;
+  for (Index block = 0; block < layout.block_count(); ++block) {
+    growers.emplace_back(ground, layout.block(block), aggregate);
+  }
+  parallel_for(
+      growers.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) growers[block].grow();
+      },
+      1);
+  Matching matching = put_together(layout, growers, std::move(aggregate));
+  join_stranded(ground, growers, matching);
+  return matching;
+}
+
+Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching) {
+  const std::size_t blocks = matching.block_begin.size() - 1;
+  std::vector<Adjacency> parts(blocks);
+  parallel_for(
+      blocks,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> row;
+        for (std::size_t block = begin; block < end; ++block) {
+          Adjacency& part = parts[block];
+          for (Index a = matching.block_begin[block]; a < matching.block_begin[block + 1]; ++a) {
+            collect_row(layout, matching, a, row);
+            part.neighbors.insert(part.neighbors.end(), row.begin(), row.end());
+            part.offsets.push_back(static_cast<Index>(part.neighbors.size()));
+          }
+        }
+      },
+      1);
+  Adjacency adjacency;
+  adjacency.offsets.reserve(matching.begin.size());
+  for (const Adjacency& part : parts) {
+    const auto first = static_cast<Index>(adjacency.neighbors.size());
+    adjacency.neighbors.insert(adjacency.neighbors.end(), part.neighbors.begin(),
+                               part.neighbors.end());
+    for (std::size_t a = 1; a < part.offsets.size(); ++a) {
+      adjacency.offsets.push_back(first + part.offsets[a]);
+    }
+  }
+  return adjacency;
+}
+
+}  // namespace brindle

@@ -1,0 +1,150 @@
+#include "brindle/phases/source_rounds.h"
+
+#include <algorithm>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+/// Arranges the sums of one coarse block.
+class BlockArranger {
+ public:
+  BlockArranger(const SlicedLayout& fine, const Matching& matching, const Adjacency& adjacency,
+                const SlicedLayout& coarse)
+      : fine_(fine),
+        matching_(matching),
+        adjacency_(adjacency),
+        coarse_(coarse),
+        place_of_(fine.slice_count()) {}
+
+  SourceRounds arrange(SliceRange block) {
+    rounds_ = {};
+    block_ = block;
+    collect_runs();
+    std::vector<Index> dealt(entry_count(), 0);
+    for_each_source([&](std::size_t target, Index) { ++dealt[target]; });
+    for (std::size_t column = 0; column < entry_count(); column += kLanes) {
+      const Index most =
+          *std::max_element(dealt.begin() + static_cast<std::ptrdiff_t>(column),
+                            dealt.begin() + static_cast<std::ptrdiff_t>(column) + kLanes);
+      rounds_.round_begin.push_back(rounds_.round_begin.back() + most);
+    }
+    rounds_.entry.assign(std::size_t{rounds_.round_begin.back()} * kLanes, 0);
+    std::ranges::fill(dealt, Index{0});
+    for_each_source([&](std::size_t target, Index place) {
+      const std::size_t round = rounds_.round_begin[target / kLanes] + dealt[target]++;
+      rounds_.entry[round * kLanes + target % kLanes] = place;
+    });
+    return std::move(rounds_);
+  }
+
+ private:
+  std::size_t first_entry() const {
+    return std::size_t{coarse_.column_begin[block_.begin]} * kLanes;
+  }
+  std::size_t entry_count() const {
+    return std::size_t{coarse_.column_begin[block_.end]} * kLanes - first_entry();
+  }
+
+  template <class Visit>
+  void for_each_member(const Visit& visit) const {
+    for (Index coarse_slot = block_.begin * kLanes; coarse_slot < block_.end * kLanes;
+         ++coarse_slot) {
+      const Index a = coarse_.node_at[coarse_slot];
+      if (a == kNone) continue;
+      for (Index m = matching_.begin[a]; m < matching_.begin[a + 1]; ++m) {
+        visit(coarse_slot, matching_.member[m]);
+      }
+    }
+  }
+
+  void collect_runs() {
+    std::vector<Index> slices;
+    for_each_member([&](Index, Index slot) { slices.push_back(slot / kLanes); });
+    std::sort(slices.begin(), slices.end());
+    slices.erase(std::unique(slices.begin(), slices.end()), slices.end());
+    for (const Index slice : slices) {
+      place_of_[slice] = static_cast<Index>(rounds_.places);
+      rounds_.places +=
+          std::size_t{fine_.column_begin[slice + 1] - fine_.column_begin[slice]} * kLanes;
+      if (rounds_.runs.empty() || rounds_.runs.back().end != slice) {
+        rounds_.runs.push_back({slice, slice});
+      }
+      rounds_.runs.back().end = slice + 1;
+    }
+  }
+
+  /// Calls `visit(coarse entry, counted from the block's first; place)` for every entry between
+  /// two aggregates.
+  template <class Visit>
+  void for_each_source(const Visit& visit) const {
+    for_each_member([&](Index coarse_slot, Index slot) {
+      const Index aggregate = matching_.aggregate[slot];
+      const auto row = adjacency_.of(aggregate);
+      const std::size_t row_begin = coarse_.first_entry(coarse_slot) - first_entry();
+      const Index slice = slot / kLanes;
+      std::size_t entry = fine_.first_entry(slot);
+      for (Index k = 0; k < fine_.width(slot); ++k, entry += kLanes) {
+        const Index other = matching_.aggregate[fine_.neighbor[entry]];
+        if (other == kNone || other == aggregate) continue;
+        const auto position = std::ranges::lower_bound(row, other) - row.begin();
+        visit(row_begin + static_cast<std::size_t>(position) * kLanes,
+              static_cast<Index>(place_of_[slice] + entry -
+                                 std::size_t{fine_.column_begin[slice]} * kLanes));
+      }
+    });
+  }
+
+  const SlicedLayout& fine_;
+  const Matching& matching_;
+  const Adjacency& adjacency_;
+  const SlicedLayout& coarse_;
+  std::vector<Index> place_of_;  // of a slice's first entry; set for those of this block's runs
+  SliceRange block_{};
+  SourceRounds rounds_;
+};
+
+void append(SourceRounds& all, const SourceRounds& block) {
+  const auto first_round = static_cast<Index>(all.entry.size() / kLanes);
+  all.runs.insert(all.runs.end(), block.runs.begin(), block.runs.end());
+  all.run_begin.push_back(static_cast<Index>(all.runs.size()));
+  for (std::size_t c = 1; c < block.round_begin.size(); ++c) {
+    all.round_begin.push_back(first_round + block.round_begin[c]);
+  }
+  all.entry.insert(all.entry.end(), block.entry.begin(), block.entry.end());
+  all.places = std::max(all.places, block.places);
+}
+
+}  // namespace
+
+SourceRounds source_rounds(const SlicedLayout& fine, const Matching& matching,
+                           const Adjacency& adjacency, const SlicedLayout& coarse) {
+  std::vector<SourceRounds> blocks(coarse.block_count());
+  parallel_for(
+      blocks.size(),
+      [&](std::size_t begin, std::size_t end) {
+        BlockArranger arranger(fine, matching, adjacency, coarse);
+        for (std::size_t b = begin; b < end; ++b) {
+          blocks[b] = arranger.arrange(coarse.block(static_cast<Index>(b)));
+        }
+      },
+      1);
+  SourceRounds all;
+  for (const SourceRounds& block : blocks) append(all, block);
+  return all;
+}
+
+std::vector<Index> entries_of_places(const SourceRounds& sources, const SlicedLayout& fine,
+                                     Index block) {
+  std::vector<Index> entries(kLanes, kNone);
+  for (const SliceRange& run : sources.runs_of(block)) {
+    for (Index entry = fine.column_begin[run.begin] * kLanes;
+         entry < fine.column_begin[run.end] * kLanes; ++entry) {
+      entries.push_back(entry);
+    }
+  }
+  return entries;
+}
+
+}  // namespace brindle
