@@ -19,11 +19,12 @@ struct GpuMeasureTest : test::GpuTest {
 
   /// A hierarchy of one level with the couplings of the surface.
   GpuHierarchy hierarchy(const PhaseGraph& graph, SlicedLayout& layout) {
-    const auto level = std::make_shared<LevelTopology>();
-    level->layout = layout = sliced_layout(*graph.adjacency, greedy_coloring(*graph.adjacency));
+    const auto shared = std::make_shared<const SlicedLayout>(
+        sliced_layout(*graph.adjacency, greedy_coloring(*graph.adjacency)));
+    layout = *shared;
     SlicedCouplings couplings(layout);
     load_couplings(graph, layout, couplings);
-    const std::array<std::shared_ptr<const LevelTopology>, 1> levels{level};
+    const std::array<LevelTopology, 1> levels{{{shared, nullptr}}};
     GpuHierarchy result(device.solver.kernels(),
                         std::make_shared<const GpuTopology>(flatten(levels, 0)));
     result.upload(layout, couplings);
