@@ -17,7 +17,7 @@ std::optional<DeviceKind> device_kind_of(std::string_view name) {
   return std::nullopt;
 }
 
-class OnProcessor : public FrameSolverDevice {
+class OnProcessor : public Animator {
  public:
   explicit OnProcessor(StripeAnimator animator) : animator_(std::move(animator)) {}
 
@@ -53,8 +53,8 @@ Device::~Device() = default;
 
 SolvePhases Device::solver() const { return gpu_ ? gpu_->solver() : SolvePhases(); }
 
-std::unique_ptr<FrameSolverDevice> Device::animator(std::shared_ptr<const Adjacency> neighborhood,
-                                                    const AnimatorOptions& options) const {
+std::unique_ptr<Animator> Device::animator(std::shared_ptr<const Adjacency> neighborhood,
+                                           const AnimatorOptions& options) const {
   if (gpu_) return gpu_->animator(std::move(neighborhood), options);
   return std::make_unique<OnProcessor>(StripeAnimator(std::move(neighborhood), options));
 }

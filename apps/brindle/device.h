@@ -24,9 +24,9 @@ bool has_solver(DeviceKind device, Solver solver);
 void check_solver(DeviceKind device, Solver solver);
 
 /// Follows changing input, wherever that is done.
-class FrameSolverDevice {
+class Animator {
  public:
-  virtual ~FrameSolverDevice() = default;
+  virtual ~Animator() = default;
 
   /// As StripeAnimator's.
   virtual FrameResult frame(const FrameInput& input) = 0;
@@ -45,8 +45,8 @@ class Device {
   ~Device();
 
   SolvePhases solver() const;
-  std::unique_ptr<FrameSolverDevice> animator(std::shared_ptr<const Adjacency> neighborhood,
-                                              const AnimatorOptions& options) const;
+  std::unique_ptr<Animator> animator(std::shared_ptr<const Adjacency> neighborhood,
+                                     const AnimatorOptions& options) const;
 
   /// Whether an OpenGL context of its own is current.
   bool has_context() const { return gpu_ != nullptr; }

@@ -11,7 +11,7 @@ namespace brindle::tool {
 namespace {
 
 /// Phases come back after every frame, to be measured as those of the processor are.
-class OnGpu : public FrameSolverDevice {
+class OnGpu : public Animator {
  public:
   explicit OnGpu(GpuAnimator animator) : animator_(std::move(animator)) {
     animator_.measure_frames(true);
@@ -66,8 +66,8 @@ SolvePhases Device::Gpu::solver() const {
   };
 }
 
-std::unique_ptr<FrameSolverDevice> Device::Gpu::animator(
-    std::shared_ptr<const Adjacency> neighborhood, const AnimatorOptions& options) const {
+std::unique_ptr<Animator> Device::Gpu::animator(std::shared_ptr<const Adjacency> neighborhood,
+                                                const AnimatorOptions& options) const {
   return std::make_unique<OnGpu>(
       GpuAnimator(state_->solver.kernels(), std::move(neighborhood), options));
 }

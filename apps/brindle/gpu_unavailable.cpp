@@ -16,8 +16,8 @@ Device::Gpu::~Gpu() = default;
 
 SolvePhases Device::Gpu::solver() const { return {}; }
 
-std::unique_ptr<FrameSolverDevice> Device::Gpu::animator(
-    std::shared_ptr<const Adjacency> /*neighborhood*/, const AnimatorOptions& /*options*/) const {
+std::unique_ptr<Animator> Device::Gpu::animator(std::shared_ptr<const Adjacency> /*neighborhood*/,
+                                                const AnimatorOptions& /*options*/) const {
   return nullptr;
 }
 

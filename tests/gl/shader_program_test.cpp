@@ -1,5 +1,7 @@
 #include "brindle/gl/shader_program.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "brindle/base/error.h"
@@ -9,8 +11,11 @@ namespace brindle {
 namespace {
 
 TEST(ShaderProgram, LogsNameFileAndLine) {
-  EXPECT_EQ(with_file_names("1:12(3): error: x\n0(7) : error C1: y\nnote", {"a.glsl", "b.frag"}),
-            "b.frag:12: error: x\na.glsl:7 : error C1: y\nnote");
+  const std::array<ShaderFile, 2> files{{{"a.glsl", 10}, {"b.frag", 20}}};
+  EXPECT_EQ(with_file_names("0:12(3): error: x\n0(11) : error C1: y\nERROR: 0:2: z\nnote", files),
+            "b.frag:1: error: x\na.glsl:10 : error C1: y\na.glsl:1: z\nnote");
+  EXPECT_EQ(with_file_names("0:1(1): in #version", files), "0:1(1): in #version");
+  EXPECT_EQ(with_file_names("0:99(1): beyond", files), "0:99(1): beyond");
 }
 
 TEST(ShaderProgram, ShaderThatDoesNotCompileIsNamed) {
@@ -28,10 +33,11 @@ TEST(ShaderProgram, ShaderThatDoesNotCompileIsNamed) {
 TEST(ShaderProgram, ComputeShaderThatDoesNotCompileIsNamed) {
   const HeadlessContext context;
   try {
-    const ShaderProgram program = ShaderProgram::compute({"mark.frag"});  // none at all
+    // Without invocation.glsl nobody knows which invocation this is.
+    const ShaderProgram program = ShaderProgram::compute({"complex.glsl", "sweep.comp"});
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("mark.frag:"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("sweep.comp:2"), std::string::npos) << error.what();
   }
 }
 

@@ -90,6 +90,12 @@ TEST_F(GpuAnimatorTest, EverySceneRunsAsOnTheProcessorFromScratch) {
   }
 }
 
+TEST_F(GpuAnimatorTest, FurtherDescentsRunAsOnTheProcessor) {
+  AnimatorOptions options = options_with(0.02f);
+  options.cycles = 2;
+  expect_same_scene(device.solver, SceneKind::vortices, options);
+}
+
 TEST_F(GpuAnimatorTest, ThePapersModeRunsAsOnTheProcessor) {
   AnimatorOptions options;
   options.solver = FrameSolver::relaxation;

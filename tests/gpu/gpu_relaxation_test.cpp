@@ -27,7 +27,7 @@ void expect_same_course(const PhaseSolution& gpu, const PhaseSolution& cpu) {
   ASSERT_EQ(gpu.iterations, cpu.iterations);
   ASSERT_EQ(gpu.energy_per_iteration.size(), cpu.energy_per_iteration.size());
   for (std::size_t i = 0; i < cpu.energy_per_iteration.size(); ++i) {
-    ASSERT_NEAR(gpu.energy_per_iteration[i], cpu.energy_per_iteration[i], 1e-4) << i;
+    ASSERT_NEAR(gpu.energy_per_iteration[i], cpu.energy_per_iteration[i], 1e-5) << i;
   }
   EXPECT_NEAR(gpu.energy_per_iteration.back(), gpu.energy, 1e-5);
 }

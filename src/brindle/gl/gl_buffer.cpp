@@ -26,9 +26,9 @@ GlBuffer make_buffer(std::size_t bytes, const void* data, std::string_view what,
   GLint64 largest = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
   if (bytes > static_cast<std::size_t>(largest)) {
-    throw Error("this mesh is too large for OpenGL here: its " + std::string(what) + " take " +
-                std::to_string(bytes) + " bytes and this driver's buffers hold " +
-                std::to_string(largest) + "; take a smaller mesh");
+    throw Error("this mesh is too large for OpenGL here: " + std::to_string(bytes) + " bytes of " +
+                std::string(what) + ", and this driver's buffers hold " + std::to_string(largest) +
+                "; take a smaller mesh");
   }
   GLuint name = 0;
   glCreateBuffers(1, &name);

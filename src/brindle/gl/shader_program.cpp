@@ -1,5 +1,6 @@
 #include "brindle/gl/shader_program.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <sstream>
@@ -23,18 +24,18 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
 
 /// Where a driver's message says that the fault is, and how many letters it takes to say so.
 struct Place {
-  std::size_t file;
+  std::size_t source;
   std::size_t line;
   std::size_t length;
 };
 
-/// Reads "ERROR: 1:12", "1:12(3)" or "1(12)" at the start of a message.
+/// Reads "ERROR: 0:12", "0:12(3)" or "0(12)" at the start of a message.
 std::optional<Place> place_of(std::string_view message) {
   constexpr std::string_view kError = "ERROR: ";
   Place place{};
   const char* const end = message.data() + message.size();
   const char* next = message.data() + (message.starts_with(kError) ? kError.size() : 0);
-  const auto file = std::from_chars(next, end, place.file);
+  const auto file = std::from_chars(next, end, place.source);
   if (file.ec != std::errc() || file.ptr == end || (*file.ptr != ':' && *file.ptr != '('))
     return {};
   const auto line = std::from_chars(file.ptr + 1, end, place.line);
@@ -49,11 +50,12 @@ std::optional<Place> place_of(std::string_view message) {
 
 GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> files) {
   std::string text = "#version 450 core\n";
-  int number = 0;
+  std::vector<ShaderFile> parts;
   for (const std::string_view file : files) {
     const std::string_view body = shader_text(file);
     if (body.empty()) throw Error("there is no shader file '" + std::string(file) + "'");
-    text += "#line 1 " + std::to_string(number++) + "\n" + std::string(body);
+    parts.push_back({file, static_cast<std::size_t>(std::ranges::count(body, '\n'))});
+    text += body;
   }
   const GLuint shader = glCreateShader(stage);
   const char* source = text.c_str();
@@ -64,7 +66,7 @@ GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> fil
   if (compiled) return shader;
   const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
   glDeleteShader(shader);
-  throw Error("a shader does not compile on this driver:\n" + with_file_names(log, files));
+  throw Error("a shader does not compile on this driver:\n" + with_file_names(log, parts));
 }
 
 GLuint linked(std::initializer_list<GLuint> shaders, std::string_view main_file) {
@@ -85,16 +87,20 @@ GLuint linked(std::initializer_list<GLuint> shaders, std::string_view main_file)
 
 }  // namespace
 
-std::string with_file_names(std::string_view log, std::initializer_list<std::string_view> files) {
-  const std::vector<std::string_view> names(files);
-  std::istringstream lines{std::string(log)};
+std::string with_file_names(std::string_view log, std::span<const ShaderFile> files) {
+  std::istringstream messages{std::string(log)};
   std::string result;
-  for (std::string line; std::getline(lines, line);) {
-    if (const auto place = place_of(line); place && place->file < names.size()) {
-      line = std::string(names[place->file]) + ":" + std::to_string(place->line) +
-             line.substr(place->length);
+  for (std::string message; std::getline(messages, message);) {
+    if (const auto place = place_of(message)) {
+      std::size_t line = place->line - 1;
+      auto file = files.begin();
+      while (file != files.end() && line > file->line_count) line -= (file++)->line_count;
+      if (file != files.end() && place->line > 1) {
+        message =
+            std::string(file->name) + ":" + std::to_string(line) + message.substr(place->length);
+      }
     }
-    result += (result.empty() ? "" : "\n") + line;
+    result += (result.empty() ? "" : "\n") + message;
   }
   return result;
 }

@@ -1,7 +1,9 @@
 /// OpenGL programs from the shader files embedded in the library.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -44,8 +46,16 @@ class ShaderProgram {
   unsigned name_;
 };
 
-/// Puts file names into a driver's log, which names them by their number in `files`:
-/// "1:12(3): error" (Mesa) and "1(12) : error" (NVIDIA) begin with "waves.glsl:12".
-std::string with_file_names(std::string_view log, std::initializer_list<std::string_view> files);
+/// A file of a shader and how many lines it has.
+struct ShaderFile {
+  std::string_view name;
+  std::size_t line_count;
+};
+
+/// Puts file names into a driver's log, which counts lines through all files after the first line
+/// of all, #version: "0:12(3): error" (Mesa) and "0(12) : error" (NVIDIA) begin with
+/// "waves.glsl:11" if that is the first file. (#line would number files, but Mesa forgets that
+/// number once a line has been parsed.)
+std::string with_file_names(std::string_view log, std::span<const ShaderFile> files);
 
 }  // namespace brindle

@@ -167,6 +167,8 @@ void GpuAnimator::State::couple() {
 void GpuAnimator::State::solve() {
   if (options.solver == FrameSolver::multilevel || !has_last) {
     hierarchy->solve(&timer);
+    for (int cycle = 0; cycle < options.cycles; ++cycle) hierarchy->correct();
+    if (options.cycles > 0) timer.stage("cycles");
     if (relaxation) relaxation->clear();
     return;
   }

@@ -1,6 +1,7 @@
 #include "brindle/gpu/gpu_measure.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "brindle/base/error.h"

@@ -1,7 +1,6 @@
 /// What phases are worth, measured where they are.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 

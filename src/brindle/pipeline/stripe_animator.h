@@ -20,11 +20,11 @@ enum class FrameSolver {
 
 struct AnimatorOptions {
   FrameSolver solver = FrameSolver::multilevel;
-  float lambda = 0.025f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each frame
-                         ///< from scratch
-  int sweeps = 2;        ///< coloured sweeps per level, multilevel
-  int cycles = 0;        ///< further descents, each from the phases of the one before
-  int iterations = 3;    ///< per frame, relaxation
+  float lambda = 0.025f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each
+                          ///< frame from scratch
+  int sweeps = 2;         ///< coloured sweeps per level, multilevel
+  int cycles = 0;         ///< further descents, each from the phases of the one before
+  int iterations = 3;     ///< per frame, relaxation
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
   std::vector<float> edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies
                                     ///< the paper's weight; empty: 1
