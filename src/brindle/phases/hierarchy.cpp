@@ -269,12 +269,28 @@ Hierarchy sibling(const Hierarchy& hierarchy) {
   return result;
 }
 
+/// Asks for the rows of a block in the order of memory, before gauges read them here and there.
+void fetch_rows(const Level& level, SliceRange block) {
+#if defined(__GNUC__)
+  constexpr std::size_t kLine = 64;
+  const SlicedLayout& layout = level.layout();
+  const std::size_t first = std::size_t{layout.column_begin[block.begin]} * kLanes;
+  const std::size_t end = std::size_t{layout.column_begin[block.end]} * kLanes;
+  for (std::size_t entry = first; entry < end; entry += kLine / sizeof(Index)) {
+    __builtin_prefetch(layout.neighbor.data() + entry);
+    __builtin_prefetch(level.couplings.direct.get() + 2 * entry);
+    __builtin_prefetch(level.couplings.direct.get() + 2 * entry + kLine / sizeof(float));
+  }
+#endif
+}
+
 void renew_gauges(Level& level) {
   const GaugeRounds& rounds = level.aggregation().gauges;
   parallel_for(
       rounds.chunk_count(),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t chunk = begin; chunk < end; ++chunk) {
+          fetch_rows(level, level.layout().block(static_cast<Index>(chunk)));
           for (const SliceRange& groups : rounds.ranges_of(static_cast<Index>(chunk))) {
             renew_range(level, groups);
           }

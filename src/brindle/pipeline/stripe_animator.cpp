@@ -152,7 +152,8 @@ void StripeAnimator::start() {
   const SlicedLayout& layout = s.finest().layout();
   s.waves.resize(layout.slot_count());
   s.degree.resize(layout.slot_count());
-  s.last_z.reserve(layout.slot_count());
+  s.last_z.resize(layout.slot_count());  // so that no page is new when phases are kept
+  s.last_z.clear();
   s.z_by_vertex.resize(layout.slot_of.size());
   if (!s.options.edge_weights.empty()) {
     s.weights = sliced_weights(layout, *s.neighborhood, s.options.edge_weights);
