@@ -25,7 +25,7 @@ struct WrittenVtp {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, block, sizeof bytes);
     std::vector<Number> numbers(bytes / sizeof(Number));
-    std::memcpy(numbers.data(), block + sizeof bytes, bytes);
+    if (bytes > 0) std::memcpy(numbers.data(), block + sizeof bytes, bytes);
     return numbers;
   }
 };
