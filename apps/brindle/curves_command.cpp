@@ -17,6 +17,7 @@
 #include "option_values.h"
 #include "outputs.h"
 #include "picture.h"
+#include "planned_files.h"
 #include "preparation.h"
 #include "report.h"
 #include "second_waves.h"
@@ -307,25 +308,17 @@ void write(CurveOutput kind, const std::string& path, const CurvesArguments& arg
 }
 
 void run(const CurvesArguments& arguments) {
-  std::vector<std::pair<CurveOutput, std::string>> outputs;
-  for (const std::string& path : arguments.outputs) {
-    outputs.emplace_back(planned(path, arguments.tube_radius.has_value()), path);
-  }
-  if (!arguments.report.empty()) {
-    check_output_path(arguments.report);
-    outputs.emplace_back(CurveOutput::report, arguments.report);
-  }
+  const auto files = plan_files<CurveOutput>(
+      arguments.outputs, arguments.report,
+      [&](const std::string& path) { return planned(path, arguments.tube_radius.has_value()); });
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
-  Result result;
-  {
-    ProgressDisplay display(arguments.quiet);
-    result = make_result(arguments, display);
-    for (const auto& [kind, path] : outputs) {
-      display.stage("writing " + path);
-      write(kind, path, arguments, result);
-    }
-  }
+  const Result result = make_and_write(
+      files, arguments.quiet,
+      [&](ProgressDisplay& display) { return make_result(arguments, display); },
+      [&](CurveOutput kind, const std::string& path, const Result& made) {
+        write(kind, path, arguments, made);
+      });
   if (!arguments.quiet) print(std::cout, result);
 }
 

@@ -18,6 +18,7 @@
 #include "option_values.h"
 #include "outputs.h"
 #include "picture.h"
+#include "planned_files.h"
 #include "preparation.h"
 #include "report.h"
 #include "second_waves.h"
@@ -194,13 +195,8 @@ void write(SampleOutput kind, const std::string& path, const SampleArguments& ar
 }
 
 void run(const SampleArguments& arguments) {
-  std::vector<std::pair<SampleOutput, std::string>> outputs;
-  for (const std::string& path : arguments.outputs) outputs.emplace_back(planned(path), path);
-  if (!arguments.report.empty()) {
-    check_output_path(arguments.report);
-    outputs.emplace_back(SampleOutput::report, arguments.report);
-  }
-  for (const auto& [kind, path] : outputs) {
+  const auto files = plan_files<SampleOutput>(arguments.outputs, arguments.report, planned);
+  for (const auto& [kind, path] : files) {
     if (kind == SampleOutput::picture && is_points(arguments.surface)) {
       throw Error("cannot draw '" + path +
                   "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
@@ -208,15 +204,12 @@ void run(const SampleArguments& arguments) {
   }
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
-  Result result;
-  {
-    ProgressDisplay display(arguments.quiet);
-    result = make_result(arguments, display);
-    for (const auto& [kind, path] : outputs) {
-      display.stage("writing " + path);
-      write(kind, path, arguments, result);
-    }
-  }
+  const Result result = make_and_write(
+      files, arguments.quiet,
+      [&](ProgressDisplay& display) { return make_result(arguments, display); },
+      [&](SampleOutput kind, const std::string& path, const Result& made) {
+        write(kind, path, arguments, made);
+      });
   if (!arguments.quiet) print(std::cout, result);
 }
 
