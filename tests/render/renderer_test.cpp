@@ -102,29 +102,6 @@ TEST(Renderer, FlippedWavesGiveTheSamePicture) {
   }
 }
 
-/// Mean light of the middle of a picture of white stripes on black, and the range of its pixels.
-struct Light {
-  double mean = 0;
-  double lowest = 1;
-  double highest = 0;
-};
-
-Light light_in_the_middle(const Image& image) {
-  Light light;
-  int count = 0;
-  for (int y = image.height / 4; y < image.height * 3 / 4; ++y) {
-    for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
-      const double value = linear_light({static_cast<float>(image.at(x, y).red) / 255, 0, 0})[0];
-      light.mean += value;
-      light.lowest = std::min(light.lowest, value);
-      light.highest = std::max(light.highest, value);
-      ++count;
-    }
-  }
-  light.mean /= count;
-  return light;
-}
-
 TEST(Renderer, StripeWidthIsTheShareOfLight) {
   const WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 16);
   RenderOptions options = plain_options(256, 256);

@@ -115,4 +115,25 @@ inline RenderOptions plain_options(int width = 160, int height = 120) {
   return options;
 }
 
+/// Mean and range of the red light in the middle of a picture.
+struct Light {
+  double mean = 0, lowest = 1, highest = 0;
+};
+
+inline Light light_in_the_middle(const Image& image) {
+  Light light;
+  int count = 0;
+  for (int y = image.height / 4; y < image.height * 3 / 4; ++y) {
+    for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
+      const double value = linear_light({static_cast<float>(image.at(x, y).red) / 255, 0, 0})[0];
+      light.mean += value;
+      light.lowest = std::min(light.lowest, value);
+      light.highest = std::max(light.highest, value);
+      ++count;
+    }
+  }
+  light.mean /= count;
+  return light;
+}
+
 }  // namespace brindle::test

@@ -51,27 +51,34 @@ Image ramps(int side) {
 
 float apart_on_circle(float a, float b) { return std::abs(a - b - std::round(a - b)); }
 
+/// Calls `check` with every pixel that the texture covers whole, and U and V in it.
+template <typename Check>
+void for_each_texel(const TexturedScene& scene, const RenderOptions& options, const Image& image,
+                    Check check) {
+  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+    const Index t = fragments.triangle[p];
+    if (t == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255) continue;
+    const auto [u, v] =
+        texture_fragment(scene.waves.u[t], scene.waves.v[t], fragments.barycentric[p]);
+    check(image.pixels[p], texture_coordinate(u.z), texture_coordinate(v.z));
+  }
+}
+
 TEST(Texture, EveryPixelShowsTheTileAtItsPhases) {
   TexturedScene scene = plane_texture(saddle(5), 6, ramps(256));
   scene.surface = with_flips(std::move(scene.surface));
   const RenderOptions options = plain_options(320, 240);
   const Image image = scene.draw(options);
-  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
   int compared = 0;
-  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
-    if (fragments.triangle[p] == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255)
-      continue;
-    const auto [u, v] =
-        texture_fragment(scene.waves.u[fragments.triangle[p]], scene.waves.v[fragments.triangle[p]],
-                         fragments.barycentric[p]);
-    const float red = texture_coordinate(u.z), green = texture_coordinate(v.z);
+  for_each_texel(scene, options, image, [&](const Pixel& pixel, float u, float v) {
     // Filters mix both ends of a ramp where it starts again.
     const auto near_end = [](float x) { return apart_on_circle(x, 0) < 0.12f; };
-    if (near_end(red) || near_end(green)) continue;
+    if (near_end(u) || near_end(v)) return;
     ++compared;
-    ASSERT_LT(apart_on_circle(red, static_cast<float>(image.pixels[p].red) / 255), 0.03f);
-    ASSERT_LT(apart_on_circle(green, static_cast<float>(image.pixels[p].green) / 255), 0.03f);
-  }
+    ASSERT_LT(apart_on_circle(u, static_cast<float>(pixel.red) / 255), 0.03f);
+    ASSERT_LT(apart_on_circle(v, static_cast<float>(pixel.green) / 255), 0.03f);
+  });
   EXPECT_GT(compared, 10000);
 }
 
@@ -80,42 +87,13 @@ TEST(Texture, WherePhasesWrapNoSeamShows) {
   const TexturedScene scene = plane_texture(saddle(12), 5, BuiltInTile::dots);
   const RenderOptions options = plain_options(320, 240);
   const Image image = scene.draw(options);
-  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
   int plain = 0;
-  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
-    if (fragments.triangle[p] == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255)
-      continue;
-    const auto [u, v] =
-        texture_fragment(scene.waves.u[fragments.triangle[p]], scene.waves.v[fragments.triangle[p]],
-                         fragments.barycentric[p]);
-    const float distance =
-        tile_distance(BuiltInTile::dots, texture_coordinate(u.z), texture_coordinate(v.z));
-    if (distance < 0.06f) continue;
+  for_each_texel(scene, options, image, [&](const Pixel& pixel, float u, float v) {
+    if (tile_distance(BuiltInTile::dots, u, v) < 0.06f) return;
     ++plain;
-    ASSERT_LE(image.pixels[p].red, 3) << p % 320 << ' ' << p / 320;
-  }
+    ASSERT_LE(pixel.red, 3) << u << ' ' << v;
+  });
   EXPECT_GT(plain, 10000);
-}
-
-/// Mean and range of the light of red in the middle of a picture.
-struct Light {
-  double mean = 0, lowest = 1, highest = 0;
-};
-
-Light light_in_the_middle(const Image& image) {
-  Light light;
-  int count = 0;
-  for (int y = image.height / 4; y < image.height * 3 / 4; ++y) {
-    for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
-      const double value = linear_light({static_cast<float>(image.at(x, y).red) / 255, 0, 0})[0];
-      light.mean += value;
-      light.lowest = std::min(light.lowest, value);
-      light.highest = std::max(light.highest, value);
-      ++count;
-    }
-  }
-  light.mean /= count;
-  return light;
 }
 
 TEST(Texture, TilesSmallerThanPixelsBecomeTheirMeanWithoutMoire) {

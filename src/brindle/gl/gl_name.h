@@ -37,4 +37,11 @@ using GlTexture = GlName<delete_texture>;
 using GlFramebuffer = GlName<delete_framebuffer>;
 using GlVertexArray = GlName<delete_vertex_array>;
 
+/// A vertex array without attributes: what to bind where shaders fetch all they need from buffers.
+inline GlVertexArray no_vertex_attributes() {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  return GlVertexArray(name);
+}
+
 }  // namespace brindle

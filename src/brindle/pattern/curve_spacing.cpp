@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
 #include "brindle/surface/point_tree.h"
 
@@ -94,15 +95,12 @@ float bending(const Vec3& way, const Vec3& normal, const Vec3& other) {
 }
 
 struct Sums {
-  double count = 0, ratio = 0, square = 0, within = 0;
+  Moments ratio;
+  double within = 0;
 
-  Sums operator+(const Sums& o) const {
-    return {count + o.count, ratio + o.ratio, square + o.square, within + o.within};
-  }
+  Sums operator+(const Sums& other) const { return {ratio + other.ratio, within + other.within}; }
   void add(double r) {
-    count += 1;
-    ratio += r;
-    square += r * r;
+    ratio.add(r);
     within += r >= 0.9 && r <= 1.1;
   }
 };
@@ -155,12 +153,11 @@ CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurve
         return part;
       });
   CurveSpacing spacing;
-  spacing.measured = static_cast<std::size_t>(sums.count);
-  if (sums.count == 0) return spacing;
-  spacing.mean = sums.ratio / sums.count;
-  spacing.deviation =
-      std::sqrt(std::max(0.0, sums.square / sums.count - spacing.mean * spacing.mean));
-  spacing.share_within_10_percent = sums.within / sums.count;
+  spacing.measured = static_cast<std::size_t>(sums.ratio.count);
+  if (spacing.measured == 0) return spacing;
+  spacing.mean = sums.ratio.mean();
+  spacing.deviation = sums.ratio.deviation();
+  spacing.share_within_10_percent = sums.within / sums.ratio.count;
   return spacing;
 }
 

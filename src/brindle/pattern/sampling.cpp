@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/error.h"
+#include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
 #include "brindle/surface/point_tree.h"
 
@@ -188,10 +189,11 @@ std::optional<Index> nearest_other(std::span<const Sample> samples, const PointT
 }
 
 struct SpacingSums {
-  double count = 0, ratio = 0, square = 0, doubles = 0;
+  Moments ratio;
+  double doubles = 0;
 
-  SpacingSums operator+(const SpacingSums& o) const {
-    return {count + o.count, ratio + o.ratio, square + o.square, doubles + o.doubles};
+  SpacingSums operator+(const SpacingSums& other) const {
+    return {ratio + other.ratio, doubles + other.doubles};
   }
 };
 
@@ -275,17 +277,17 @@ SampleSpacing measure_sample_spacing(std::span<const Sample> samples) {
           const auto other = nearest_other(samples, tree, static_cast<Index>(i), 2 * ideal, found);
           if (!other) continue;
           const double ratio = (positions[*other] - positions[i]).norm() / ideal;
-          part = part + SpacingSums{1, ratio, ratio * ratio, ratio < 0.1 ? 1.0 : 0.0};
+          part.ratio.add(ratio);
+          part.doubles += ratio < 0.1;
         }
         return part;
       });
   SampleSpacing spacing;
-  spacing.samples = static_cast<std::size_t>(sums.count);
-  if (sums.count == 0) return spacing;
-  spacing.mean = sums.ratio / sums.count;
-  spacing.deviation =
-      std::sqrt(std::max(0.0, sums.square / sums.count - spacing.mean * spacing.mean));
-  spacing.double_share = sums.doubles / sums.count;
+  spacing.samples = static_cast<std::size_t>(sums.ratio.count);
+  if (spacing.samples == 0) return spacing;
+  spacing.mean = sums.ratio.mean();
+  spacing.deviation = sums.ratio.deviation();
+  spacing.double_share = sums.doubles / sums.ratio.count;
   return spacing;
 }
 

@@ -134,7 +134,7 @@ struct Renderer::State {
                        "fragment_probe.frag"}};
   ShaderProgram mark{{"mark.vert"}, {"mark.frag"}};
   TiledPicture picture;
-  GlVertexArray no_attributes;
+  GlVertexArray no_attributes = no_vertex_attributes();
 
   std::vector<Vec3> points;  ///< what a camera has to frame
   std::size_t vertex_count = 0;
@@ -199,10 +199,7 @@ void Renderer::State::draw_light(const Camera& camera, const Tile& tile,
   glEnable(GL_DEPTH_TEST);
   surface.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
                                              tile.height * options.supersampling));
-  surface.set("shading", options.shading);
-  surface.set("base_color", linear_light(options.base_color));
-  surface.set("stripe_color", linear_light(options.stripe_color));
-  surface.set("stripe_width", options.stripe_width);
+  set_looks(surface, options);
   texture_tile.bind(surface);
   surface.set("up", up_seen_by(camera, options.camera.up));
   const Eigen::Vector4f transform = tile_transform(tile, options);
@@ -217,11 +214,7 @@ RenderOptions with_faint_stripes(RenderOptions options) {
   return options;
 }
 
-Renderer::Renderer() : state_(std::make_unique<State>()) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  state_->no_attributes = GlVertexArray(name);
-}
+Renderer::Renderer() : state_(std::make_unique<State>()) {}
 
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;

@@ -81,7 +81,7 @@ struct SplatRenderer::State {
   ShaderProgram surface{{"full_screen.vert"},
                         {"stripe_coverage.glsl", "light.glsl", "splat_surface.frag"}};
   TiledPicture picture;
-  GlVertexArray no_attributes;
+  GlVertexArray no_attributes = no_vertex_attributes();
 
   std::vector<Vec3> points;  ///< what a camera has to frame
   GlBuffer splats;
@@ -146,10 +146,7 @@ void SplatRenderer::State::draw_surface(const Target& target, const Target& sums
   surface.set("view_scale",
               Eigen::Vector2f(camera.clip_from_view(0, 0), camera.clip_from_view(1, 1)));
   surface.set("up", up_seen_by(camera, options.camera.up));
-  surface.set("shading", options.shading);
-  surface.set("base_color", linear_light(options.base_color));
-  surface.set("stripe_color", linear_light(options.stripe_color));
-  surface.set("stripe_width", options.stripe_width);
+  set_looks(surface, options);
   glBindTextureUnit(0, sums.textures[0]);
   glBindTextureUnit(1, sums.textures[1]);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
@@ -157,11 +154,7 @@ void SplatRenderer::State::draw_surface(const Target& target, const Target& sums
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-SplatRenderer::SplatRenderer() : state_(std::make_unique<State>()) {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  state_->no_attributes = GlVertexArray(name);
-}
+SplatRenderer::SplatRenderer() : state_(std::make_unique<State>()) {}
 
 SplatRenderer::~SplatRenderer() = default;
 SplatRenderer::SplatRenderer(SplatRenderer&&) noexcept = default;

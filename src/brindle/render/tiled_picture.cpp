@@ -23,10 +23,11 @@ Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
   return camera.view_from_world.block<3, 1>(0, up == UpAxis::y ? 1 : 2);
 }
 
-TiledPicture::TiledPicture() {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  no_attributes_ = GlVertexArray(name);
+void set_looks(const ShaderProgram& surface, const RenderOptions& options) {
+  surface.set("shading", options.shading);
+  surface.set("base_color", linear_light(options.base_color));
+  surface.set("stripe_color", linear_light(options.stripe_color));
+  surface.set("stripe_width", options.stripe_width);
 }
 
 void TiledPicture::develop(const Target& light, const Target& finished, const Tile& tile,

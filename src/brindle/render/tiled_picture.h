@@ -23,6 +23,9 @@ Eigen::Vector4f tile_transform(const Tile& tile, const RenderOptions& options);
 /// The world's direction upwards, seen from the camera.
 Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up);
 
+/// Sets the uniforms `shading`, `base_color`, `stripe_color` and `stripe_width`.
+void set_looks(const ShaderProgram& surface, const RenderOptions& options);
+
 /// Rows from the bottom, as OpenGL counts them, become rows from the top.
 template <class Item>
 void flip_rows(std::vector<Item>& items, int width, int height) {
@@ -36,8 +39,6 @@ void flip_rows(std::vector<Item>& items, int width, int height) {
 /// Averages the samples of a pixel, lays the background underneath and encodes as sRGB.
 class TiledPicture {
  public:
-  TiledPicture();
-
   /// Draws a tile into a target of premultiplied linear light, already empty, bound and with its
   /// viewport set; it is `options.supersampling` times as wide and high as the tile.
   using DrawLight = std::function<void(const Target& target, const Tile& tile)>;
@@ -50,7 +51,7 @@ class TiledPicture {
                const RenderOptions& options) const;
 
   ShaderProgram develop_{{"full_screen.vert"}, {"develop.frag"}};
-  GlVertexArray no_attributes_;
+  GlVertexArray no_attributes_ = no_vertex_attributes();
 };
 
 /// Throws Error for options out of range.
