@@ -17,6 +17,9 @@
 
 namespace brindle::testing_support {
 
+/// Along no symmetry of any shape.
+inline const Vec3 kAxis(0.31f, 0.9f, 0.27f);
+
 struct WavySurface {
   Mesh mesh;
   std::vector<Vec3> normals;

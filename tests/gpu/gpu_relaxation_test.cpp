@@ -10,9 +10,8 @@ namespace brindle {
 namespace {
 
 using testing_support::flip_half;
+using testing_support::kAxis;
 using testing_support::wavy_surface;
-
-const Vec3 kAxis(0.31f, 0.9f, 0.27f);
 
 using GpuRelaxationTest = test::GpuTest;
 

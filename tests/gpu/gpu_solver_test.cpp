@@ -15,10 +15,9 @@ namespace brindle {
 namespace {
 
 using testing_support::flip_half;
+using testing_support::kAxis;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
-
-const Vec3 kAxis(0.31f, 0.9f, 0.27f);
 
 using GpuSolverTest = test::GpuTest;
 
@@ -40,7 +39,7 @@ void expect_agreement(const WavySurface& surface, const PhaseSolution& gpu,
 }
 
 TEST_F(GpuSolverTest, AgreesWithTheProcessorOnEveryShape) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const auto& [name, mesh] : every_shape()) {
     SCOPED_TRACE(name);
     const auto surface = wavy_surface(name, kAxis, 25);
     const PhaseGraph graph = surface.graph();

@@ -11,10 +11,9 @@
 namespace brindle {
 namespace {
 
+using testing_support::kAxis;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
-
-const Vec3 kAxis(0.31f, 0.9f, 0.27f);
 
 using GpuRenderingTest = test::GpuTest;
 

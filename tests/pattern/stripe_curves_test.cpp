@@ -162,7 +162,7 @@ TEST(StripeCurves, AreNeverLostWhereVerticesLieOnPeaks) {
 }
 
 TEST(StripeCurves, EndsBalanceOnEveryShapeAndFrequency) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const auto& [name, mesh] : every_shape()) {
     for (const float stripes : {7.0f, 60.0f}) {
       SCOPED_TRACE(name + " " + std::to_string(stripes));
       expect_balance(Solved(with_axis(mesh, Vec3(0.31f, 0.9f, 0.27f), stripes)));

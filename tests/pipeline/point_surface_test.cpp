@@ -16,13 +16,14 @@
 #include "brindle/surface/mesh_io.h"
 #include "brindle/surface/shapes.h"
 #include "brindle/waves/frequency_field.h"
+#include "phase_graphs.h"
 
 #ifdef BRINDLE_TESTS_NANOFLANN
 
 namespace brindle {
 namespace {
 
-const Vec3 kAxis(0.31f, 0.9f, 0.27f);
+using testing_support::kAxis;
 
 Surface points_of(const Mesh& mesh) {
   return make_point_surface(make_point_cloud(mesh.positions).cloud);

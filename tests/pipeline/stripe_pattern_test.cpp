@@ -12,11 +12,12 @@
 #include "brindle/surface/shapes.h"
 #include "brindle/waves/direction_field.h"
 #include "brindle/waves/frequency_field.h"
+#include "phase_graphs.h"
 
 namespace brindle {
 namespace {
 
-const Vec3 kAxis(0.31f, 0.9f, 0.27f);
+using testing_support::kAxis;
 
 WaveSet waves_along(const Surface& surface, const Vec3& axis, float stripes) {
   const float diagonal = bounding_box(surface.mesh).diagonal();

@@ -11,7 +11,7 @@ namespace brindle {
 namespace {
 
 TEST(MeshEdges, NumberEveryEdgeOnce) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const auto& [name, mesh] : every_shape()) {
     SCOPED_TRACE(name);
     const Adjacency neighborhood = vertex_neighborhood(mesh);
     const MeshEdges edges = mesh_edges(mesh, neighborhood);

@@ -17,7 +17,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const std::vector<Vec3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 TEST(MeshRepair, LeavesGoodMeshesAlone) {
-  for (const auto& [name, good] : default_shapes()) {
+  for (const auto& [name, good] : every_shape()) {
     Mesh mesh = good;
     EXPECT_EQ(repair_mesh(mesh), MeshRepair{}) << name;
     EXPECT_EQ(mesh.triangles, good.triangles) << name;

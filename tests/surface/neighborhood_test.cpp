@@ -43,7 +43,7 @@ TEST(Neighborhood, CountsAnEdgeOfManyTrianglesOnce) {
 TEST(Neighborhood, OfAnEmptyMeshIsEmpty) { EXPECT_EQ(vertex_neighborhood({}).node_count(), 0u); }
 
 TEST(Neighborhood, IsSymmetricSortedAndMatchesTheEdgesOfEveryShape) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const auto& [name, mesh] : every_shape()) {
     using Edges = std::vector<std::pair<Index, Index>>;
     Edges edges;
     for (const Triangle& t : mesh.triangles) {

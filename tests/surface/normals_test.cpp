@@ -74,7 +74,7 @@ TEST(Normals, DoNotCancelWhereTrianglesAreWoundAtRandom) {
 }
 
 TEST(Normals, AreUnitVectorsOnEveryShape) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const auto& [name, mesh] : every_shape()) {
     for (const Vec3& normal : vertex_normals(mesh)) {
       ASSERT_NEAR(normal.norm(), 1, 1e-5f) << name;
     }

@@ -9,17 +9,12 @@
 
 #include "brindle/base/error.h"
 #include "brindle/base/parallel.h"
+#include "test_points.h"
 
 namespace brindle {
 namespace {
 
-std::vector<Vec3> random_points(std::size_t count) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<float> number(-1, 1);
-  std::vector<Vec3> points(count);
-  for (Vec3& p : points) p = Vec3(number(random), number(random), number(random));
-  return points;
-}
+using testing_support::random_points;
 
 std::vector<Index> all_of(const std::vector<Vec3>& points) {
   std::vector<Index> used(points.size());

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "brindle/base/error.h"
+#include "test_points.h"
 
 namespace brindle {
 namespace {
 
-std::vector<Vec3> random_points(std::size_t count) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<float> number(-1, 1);
-  std::vector<Vec3> points(count);
-  for (Vec3& p : points) p = Vec3(number(random), number(random), number(random));
-  return points;
-}
+using testing_support::random_points;
 
 /// The numbers of all points, the nearest to `point` first.
 std::vector<Index> by_distance(const std::vector<Vec3>& points, const Vec3& point) {

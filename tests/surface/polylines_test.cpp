@@ -6,18 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/error.h"
+#include "test_points.h"
 
 namespace brindle {
 namespace {
 
-Polylines line_of(std::vector<Vec3> points, bool closed) {
-  Polylines lines;
-  lines.points = std::move(points);
-  lines.normals.assign(lines.points.size(), Vec3(0, 0, 1));
-  lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-  lines.closed.push_back(closed);
-  return lines;
-}
+using testing_support::line_of;
 
 Polylines circle(int count) {
   std::vector<Vec3> points;

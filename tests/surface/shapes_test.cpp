@@ -58,7 +58,8 @@ long euler_characteristic(const Mesh& mesh) {
 }
 
 TEST(Shapes, HaveSensibleSizeByDefault) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const std::string& name : shape_names()) {
+    const Mesh mesh = make_shape(name);
     EXPECT_GE(mesh.vertex_count(), 15000u) << name;
     EXPECT_LE(mesh.vertex_count(), 60000u) << name;
     const BoundingBox box = bounding_box(mesh);
@@ -70,7 +71,7 @@ TEST(Shapes, HaveSensibleSizeByDefault) {
 }
 
 TEST(Shapes, UseAllTheirVertices) {
-  for (const auto& [name, mesh] : default_shapes()) {
+  for (const auto& [name, mesh] : every_shape()) {
     std::vector<char> used(mesh.vertex_count(), 0);
     for (const Triangle& t : mesh.triangles) {
       for (const Index v : t) used[v] = 1;
@@ -83,7 +84,7 @@ TEST(Shapes, ClosedOnesAreManifoldWoundOutwardsAndOfTheRightGenus) {
   const std::map<std::string, long> characteristic = {
       {"sphere", 2}, {"torus", 0}, {"trefoil", 0}, {"vessels", 2}, {"molecule", 2}, {"box", 0}};
   for (const auto& [name, expected] : characteristic) {
-    const Mesh& mesh = default_shapes().at(name);
+    const Mesh& mesh = every_shape().at(name);
     EXPECT_TRUE(half_edges(mesh).has_value()) << name;
     EXPECT_GT(volume(mesh), 0) << name;
     EXPECT_EQ(euler_characteristic(mesh), expected) << name;
@@ -92,7 +93,7 @@ TEST(Shapes, ClosedOnesAreManifoldWoundOutwardsAndOfTheRightGenus) {
 
 TEST(Shapes, OpenOnesHaveBordersAndNothingWorse) {
   for (const std::string name : {"plane", "cylinder", "hemisphere", "mobius"}) {
-    const std::map<int, int> valences = edge_valences(default_shapes().at(name));
+    const std::map<int, int> valences = edge_valences(every_shape().at(name));
     EXPECT_GT(valences.at(1), 0) << name;
     EXPECT_EQ(valences.rbegin()->first, 2) << name;
   }

@@ -23,7 +23,7 @@ TEST(SharedEdges, OfThreeTrianglesAreTwo) {
 
 TEST(SharedEdges, AreAllEdgesOfAClosedSurface) {
   for (const char* name : {"torus", "sphere"}) {
-    const Mesh& mesh = default_shapes().at(name);
+    const Mesh& mesh = every_shape().at(name);
     const std::vector<SharedEdge> edges = shared_edges(mesh.triangles);
     EXPECT_EQ(edges.size(), vertex_neighborhood(mesh).edge_count());
     const auto vertex = [&](Index corner) { return mesh.triangles[corner / 3][corner % 3]; };
