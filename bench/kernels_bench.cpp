@@ -136,8 +136,7 @@ void members(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
   const GaugeRounds& rounds = level.aggregation().gauges;
   for (const SliceRange& groups : rounds.ranges) {
-    kernels.members(level.layout(), level.couplings, rounds.member.data(),
-                    rounds.round_begin.data(), rounds.entry.data(), level.gauge.data(), groups);
+    kernels.members(level.couplings, rounds, level.gauge.data(), groups);
   }
 }
 

@@ -124,11 +124,8 @@ TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
     std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
     const GaugeRounds& rounds = fine.aggregation().gauges;
     for (const SliceRange& groups : rounds.ranges) {
-      portable::gauge_members(fine.layout(), fine.couplings, rounds.member.data(),
-                              rounds.round_begin.data(), rounds.entry.data(), gauge_a.data(),
-                              groups);
-      simd::gauge_members(fine.layout(), fine.couplings, rounds.member.data(),
-                          rounds.round_begin.data(), rounds.entry.data(), gauge_b.data(), groups);
+      portable::gauge_members(fine.couplings, rounds, gauge_a.data(), groups);
+      simd::gauge_members(fine.couplings, rounds, gauge_b.data(), groups);
     }
     expect_near(gauge_a, gauge_b, 1e-4f);
 

@@ -59,9 +59,11 @@ class ChunkArranger {
       collect_entries(group[lane]);
       if (rounds_.entry.size() < first + entries_.size() * kLanes) {
         rounds_.entry.resize(first + entries_.size() * kLanes, kNone);
+        rounds_.from.resize(rounds_.entry.size());
       }
       for (std::size_t e = 0; e < entries_.size(); ++e) {
         rounds_.entry[first + e * kLanes + lane] = entries_[e];
+        rounds_.from[first + e * kLanes + lane] = layout_.neighbor[entries_[e]];
       }
     }
     rounds_.member.insert(rounds_.member.end(), group.begin(), group.end());
@@ -99,6 +101,7 @@ void append(GaugeRounds& all, const GaugeRounds& chunk) {
     all.round_begin.push_back(first_round + chunk.round_begin[g]);
   }
   all.entry.insert(all.entry.end(), chunk.entry.begin(), chunk.entry.end());
+  all.from.insert(all.from.end(), chunk.from.begin(), chunk.from.end());
   all.chunk_begin.push_back(static_cast<Index>(all.ranges.size()));
 }
 

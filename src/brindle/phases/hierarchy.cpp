@@ -34,9 +34,10 @@ void gauge_reflecting_member(Level& level, std::size_t m) {
   Complex plain = 0, conjugated = 0;
   for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
        ++round) {
-    const Index entry = rounds.entry[std::size_t{round} * kLanes + m % kLanes];
+    const std::size_t place = std::size_t{round} * kLanes + m % kLanes;
+    const Index entry = rounds.entry[place];
     if (entry == kNone) continue;
-    const Complex from = level.gauge[level.layout().neighbor[entry]];
+    const Complex from = level.gauge[rounds.from[place]];
     const Complex a = level.couplings.direct_at(entry) * from;
     const Complex b =
         level.couplings.reflecting_at(level.layout(), slot / kLanes, entry) * std::conj(from);
@@ -58,12 +59,17 @@ bool reflects(const Level& level, Index slot) {
   });
 }
 
-/// The gauges of the members of one rank in one chunk.
-void renew_range(Level& level, SliceRange groups) {
+/// Whether any row of a block has.
+bool reflects(const Level& level, SliceRange block) {
+  const auto counts = level.couplings.reflecting_count.begin();
+  return std::any_of(counts + block.begin, counts + block.end, std::identity());
+}
+
+/// The gauges of some members of one rank.
+void renew_groups(Level& level, SliceRange groups, bool reflecting) {
   const GaugeRounds& rounds = level.aggregation().gauges;
-  kernels::gauge_members(level.layout(), level.couplings, rounds.member.data(),
-                         rounds.round_begin.data(), rounds.entry.data(), level.gauge.data(),
-                         groups);
+  kernels::gauge_members(level.couplings, rounds, level.gauge.data(), groups);
+  if (!reflecting) return;
   for (std::size_t m = std::size_t{groups.begin} * kLanes; m < std::size_t{groups.end} * kLanes;
        ++m) {
     const Index slot = rounds.member[m];
@@ -269,31 +275,60 @@ Hierarchy sibling(const Hierarchy& hierarchy) {
   return result;
 }
 
-/// Asks for the rows of a block in the order of memory, before gauges read them here and there.
-void fetch_rows(const Level& level, SliceRange block) {
+/// Asks for the couplings of a block in the order of memory, before gauges read them here and
+/// there.
+class CouplingFetcher {
+ public:
+  CouplingFetcher(const Level& level, SliceRange block)
+      : next_(at(level, block.begin)), end_(at(level, block.end)) {}
+
+  void fetch(std::ptrdiff_t lines) {
 #if defined(__GNUC__)
-  constexpr std::size_t kLine = 64;
-  const SlicedLayout& layout = level.layout();
-  const std::size_t first = std::size_t{layout.column_begin[block.begin]} * kLanes;
-  const std::size_t end = std::size_t{layout.column_begin[block.end]} * kLanes;
-  for (std::size_t entry = first; entry < end; entry += kLine / sizeof(Index)) {
-    __builtin_prefetch(layout.neighbor.data() + entry);
-    __builtin_prefetch(level.couplings.direct.get() + 2 * entry);
-    __builtin_prefetch(level.couplings.direct.get() + 2 * entry + kLine / sizeof(float));
-  }
+    constexpr std::ptrdiff_t kLine = 64 / sizeof(float);
+    for (const float* const stop = next_ + std::min(lines * kLine, end_ - next_); next_ < stop;
+         next_ += kLine) {
+      __builtin_prefetch(next_);
+    }
 #endif
+  }
+  void fetch_rest() { fetch(end_ - next_); }
+
+ private:
+  static const float* at(const Level& level, Index slice) {
+    return level.couplings.direct.get() +
+           std::size_t{level.layout().column_begin[slice]} * 2 * kLanes;
+  }
+
+  const float* next_;
+  const float* end_;
+};
+
+/// The gauges of one chunk, while the couplings of the next are on their way.
+void renew_chunk(Level& level, Index chunk, CouplingFetcher next) {
+  // A block is fetched in about as many steps as its gauges take.
+  constexpr Index kGroups = 8;
+  constexpr std::ptrdiff_t kLines = 160;
+  const GaugeRounds& rounds = level.aggregation().gauges;
+  const bool reflecting = reflects(level, level.layout().block(chunk));
+  for (const SliceRange& range : rounds.ranges_of(chunk)) {
+    for (Index group = range.begin; group < range.end; group += kGroups) {
+      renew_groups(level, {group, std::min(group + kGroups, range.end)}, reflecting);
+      next.fetch(kLines);
+    }
+  }
+  next.fetch_rest();
 }
 
 void renew_gauges(Level& level) {
-  const GaugeRounds& rounds = level.aggregation().gauges;
   parallel_for(
-      rounds.chunk_count(),
+      level.aggregation().gauges.chunk_count(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t chunk = begin; chunk < end; ++chunk) {
-          fetch_rows(level, level.layout().block(static_cast<Index>(chunk)));
-          for (const SliceRange& groups : rounds.ranges_of(static_cast<Index>(chunk))) {
-            renew_range(level, groups);
-          }
+        const SlicedLayout& layout = level.layout();
+        CouplingFetcher(level, layout.block(static_cast<Index>(begin))).fetch_rest();
+        for (Index chunk = static_cast<Index>(begin); chunk < end; ++chunk) {
+          const Index after = layout.block_begin[chunk + 1];
+          const Index stop = chunk + 1 < end ? layout.block_begin[chunk + 2] : after;
+          renew_chunk(level, chunk, CouplingFetcher(level, {after, stop}));
         }
       },
       1);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "brindle/base/types.h"
+#include "brindle/phases/gauge_rounds.h"
 #include "brindle/phases/sliced_graph.h"
 #include "brindle/waves/phase_shift.h"
 
@@ -45,11 +46,10 @@ using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex*
 using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Complex* gauge,
                          Complex* gauged, SliceRange);
 
-/// Gauges of groups of one rank (GaugeRounds of aggregation.h) from the direct couplings to earlier
+/// Gauges of groups of one rank from the direct couplings to earlier
 /// members: with S = sum A g over members without and C over members with the conjugate bit, the
 /// longer of the two over its length, its own conjugate bit set if that is C. Without either, 1.
-using GaugeMembers = void(const SlicedLayout&, const SlicedCouplings&, const Index* member,
-                          const Index* round_begin, const Index* round_entry, Complex* gauge,
+using GaugeMembers = void(const SlicedCouplings&, const GaugeRounds&, Complex* gauge,
                           SliceRange groups);
 
 /// Direct couplings of the coarse slices of a range: sums of the gauged entries without conjugate

@@ -152,21 +152,21 @@ void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
   }
 }
 
-void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                   const Index* member, const Index* round_begin, const Index* round_entry,
-                   Complex* gauge, SliceRange groups) {
+void gauge_members(const SlicedCouplings& couplings, const GaugeRounds& rounds, Complex* gauge,
+                   SliceRange groups) {
   for (Index m = groups.begin * kLanes; m < groups.end * kLanes; ++m) {
-    if (member[m] == kNone) continue;
+    if (rounds.member[m] == kNone) continue;
     Complex sums[2] = {0, 0};
-    for (Index round = round_begin[m / kLanes]; round < round_begin[m / kLanes + 1]; ++round) {
-      const Index entry = round_entry[round * kLanes + m % kLanes];
-      if (entry == kNone) continue;
-      const Complex from = gauge[layout.neighbor[entry]];
-      sums[conjugate_bit(from)] += couplings.direct_at(entry) * from;
+    for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
+         ++round) {
+      const std::size_t place = std::size_t{round} * kLanes + m % kLanes;
+      if (rounds.entry[place] == kNone) continue;
+      const Complex from = gauge[rounds.from[place]];
+      sums[conjugate_bit(from)] += couplings.direct_at(rounds.entry[place]) * from;
     }
     const bool conjugate = std::norm(sums[1]) > std::norm(sums[0]);
     const Complex sum = sums[conjugate];
-    gauge[member[m]] = with_conjugate_bit(
+    gauge[rounds.member[m]] = with_conjugate_bit(
         has_direction(sum.real(), sum.imag()) ? normalized(sum.real(), sum.imag()) : Complex(1),
         conjugate);
   }

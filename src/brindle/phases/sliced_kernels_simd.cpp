@@ -307,23 +307,18 @@ HWY_INLINE Z gather_couplings(const float* direct, Indices entry) {
 }
 
 /// kLanes / Lanes parts of one group of gauge_members.
-HWY_INLINE void gauge_group(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                            const Index* member, Index first_round, Index end_round,
-                            const Index* round_entry, Index lane, Complex* gauge) {
+HWY_INLINE void gauge_group(const SlicedCouplings& couplings, const GaugeRounds& rounds,
+                            Index group, Index lane, Complex* gauge) {
   const U bits;
-  const hn::RebindToSigned<D> offset;
   const V zero = hn::Zero(D());
   Z plain{zero, zero}, conjugated{zero, zero};
-  for (Index round = first_round; round < end_round; ++round) {
-    const Indices stored = hn::LoadU(bits, round_entry + std::size_t{round} * kLanes + lane);
+  for (Index round = rounds.round_begin[group]; round < rounds.round_begin[group + 1]; ++round) {
+    const std::size_t place = std::size_t{round} * kLanes + lane;
+    const Indices stored = hn::LoadU(bits, rounds.entry.data() + place);
     const auto none = hn::Eq(stored, hn::Set(bits, kNone));
     const Indices entry = hn::IfThenZeroElse(none, stored);
-    const Indices from = hn::BitCast(
-        bits, hn::GatherIndex(offset, reinterpret_cast<const std::int32_t*>(layout.neighbor.data()),
-                              hn::BitCast(offset, entry)));
-    alignas(64) Index slot[kLanes];
-    hn::Store(from, bits, slot);
-    const Z g = gather(gauge, slot), a = gather_couplings(couplings.direct.get(), entry);
+    const Z g = gather(gauge, rounds.from.data() + place);
+    const Z a = gather_couplings(couplings.direct.get(), entry);
     const auto empty = hn::RebindMask(D(), none);
     const V re = hn::IfThenZeroElse(empty, hn::NegMulAdd(a.im, g.im, hn::Mul(a.re, g.re)));
     const V im = hn::IfThenZeroElse(empty, hn::MulAdd(a.im, g.re, hn::Mul(a.re, g.im)));
@@ -342,18 +337,17 @@ HWY_INLINE void gauge_group(const SlicedLayout& layout, const SlicedCouplings& c
   const Indices flag = hn::IfThenElseZero(hn::RebindMask(bits, conjugate), one);
   alignas(64) Complex gauges[kLanes];
   store({hn::BitCast(D(), hn::Or(cleared, flag)), unit.im}, gauges);
+  const Index* member = rounds.member.data() + group * kLanes + lane;
   for (Index l = 0; l < lanes(); ++l) {
     if (member[l] != kNone) gauge[member[l]] = gauges[l];
   }
 }
 
-void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                   const Index* member, const Index* round_begin, const Index* round_entry,
-                   Complex* gauge, SliceRange groups) {
+void gauge_members(const SlicedCouplings& couplings, const GaugeRounds& rounds, Complex* gauge,
+                   SliceRange groups) {
   for (Index group = groups.begin; group < groups.end; ++group) {
     for (Index lane = 0; lane < kLanes; lane += lanes()) {
-      gauge_group(layout, couplings, member + group * kLanes + lane, round_begin[group],
-                  round_begin[group + 1], round_entry, lane, gauge);
+      gauge_group(couplings, rounds, group, lane, gauge);
     }
   }
 }
@@ -457,11 +451,9 @@ void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
   HWY_DYNAMIC_DISPATCH(gauge_slices)(layout, couplings, gauge, gauged, range);
 }
 
-void gauge_members(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                   const Index* member, const Index* round_begin, const Index* round_entry,
-                   Complex* gauge, SliceRange groups) {
-  HWY_DYNAMIC_DISPATCH(gauge_members)
-  (layout, couplings, member, round_begin, round_entry, gauge, groups);
+void gauge_members(const SlicedCouplings& couplings, const GaugeRounds& rounds, Complex* gauge,
+                   SliceRange groups) {
+  HWY_DYNAMIC_DISPATCH(gauge_members)(couplings, rounds, gauge, groups);
 }
 
 void sum_slices(const SlicedLayout& coarse, const Index* round_begin, const Index* round_entry,
