@@ -120,7 +120,7 @@ void couple(Workload& work, const Kernels& kernels) {
 void sweep(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
   for_each_range(level.layout(), [&](SliceRange range) {
-    kernels.sweep(level.layout(), level.couplings, level.z.data(), range);
+    kernels.sweep(level.layout(), level.couplings, level.z.data(), 1, range);
   });
 }
 

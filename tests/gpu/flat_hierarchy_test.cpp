@@ -127,7 +127,9 @@ TEST_F(FlatHierarchyTest, NodesAndSweepsAreThoseOfTheProcessor) {
     ASSERT_EQ(word(flat.node_at + slot), finest.node_at[slot]);
   }
   for (const FlatLevel& level : flat.levels) {
-    EXPECT_EQ(level.sweeps, static_cast<std::uint32_t>(sweeps_on_level(level.slot_count, 2)));
+    const LevelSweeps planned = sweeps_on_level(level.slot_count, 2);
+    EXPECT_EQ(level.planned_sweeps().count, planned.count);
+    EXPECT_EQ(level.planned_sweeps().over_relaxation, planned.over_relaxation);
   }
 }
 

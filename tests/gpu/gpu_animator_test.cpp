@@ -45,8 +45,8 @@ Judged judge(const SceneFrame& frame, const PhaseGraph& graph, std::span<const C
 }
 
 /// Plays 60 frames on both devices. Two descents that round differently part ways where two phases
-/// are as good, and anchors carry that on: single frames are compared as loosely as single branches
-/// count, their sums as the issue asks.
+/// are as good, and anchors carry that on from frame to frame: single frames are compared loosely,
+/// those that hang on the last ones more so, and their sums as the issue asks.
 void expect_same_scene(const GpuSolver& solver, SceneKind scene_kind,
                        const AnimatorOptions& options) {
   const Surface surface = make_surface(make_shape("torus,resolution=100"));
@@ -54,6 +54,7 @@ void expect_same_scene(const GpuSolver& solver, SceneKind scene_kind,
   Scene scene(surface, {.kind = scene_kind, .frequency = frequency});
   StripeAnimator cpu(surface.neighborhood, options);
   GpuAnimator gpu(solver.kernels(), surface.neighborhood, options);
+  const double alike = options.lambda > 0 ? 0.1 : 0.05;
   Judged cpu_sum{}, gpu_sum{};
   for (int number = 0; number < 60; ++number) {
     const SceneFrame& frame = scene.frame(number);
@@ -63,8 +64,8 @@ void expect_same_scene(const GpuSolver& solver, SceneKind scene_kind,
         judge(frame, graph, cpu.frame(input_of(frame.waves)).z, options.phase_shift);
     gpu.frame(input_of(frame.waves));
     const Judged on_gpu = judge(frame, graph, gpu.read_phases(), options.phase_shift);
-    EXPECT_NEAR(on_gpu.energy, on_cpu.energy, 0.05 * on_cpu.energy + 1e-7) << number;
-    EXPECT_NEAR(on_gpu.branches, on_cpu.branches, std::max(3.0, 0.06 * on_cpu.branches)) << number;
+    EXPECT_NEAR(on_gpu.energy, on_cpu.energy, alike * on_cpu.energy + 1e-7) << number;
+    EXPECT_NEAR(on_gpu.branches, on_cpu.branches, std::max(3.0, alike * on_cpu.branches)) << number;
     cpu_sum = {cpu_sum.energy + on_cpu.energy, cpu_sum.branches + on_cpu.branches};
     gpu_sum = {gpu_sum.energy + on_gpu.energy, gpu_sum.branches + on_gpu.branches};
   }

@@ -71,6 +71,21 @@ TEST(Hierarchy, CoarseEnergyIsThatOfTheProlongedPhasesUpToAConstant) {
   for (const double d : differences) EXPECT_NEAR(d, differences[0], 1e-5 * scale);
 }
 
+TEST(Hierarchy, SweepsNeverRaiseTheEnergyHoweverFarTheyReach) {
+  for (Level& level : build_hierarchy(graph_with_reflections_and_anchors()).levels) {
+    for (const float over_relaxation : {1.0f, 1.5f, 1.9f}) {
+      randomize(level, 7);
+      double last = agreement(level);
+      for (int sweeps = 0; sweeps < 6; ++sweeps) {
+        sweep(level.layout(), level.couplings, level.z, over_relaxation);
+        const double now = agreement(level);
+        EXPECT_GE(now, last - 1e-5 * std::abs(last));
+        last = now;
+      }
+    }
+  }
+}
+
 TEST(Hierarchy, EveryLevelHasAtMostAboutHalfTheNodesOfTheOneBefore) {
   const Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
   for (std::size_t l = 1; l < hierarchy.levels.size(); ++l) {

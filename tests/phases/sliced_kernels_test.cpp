@@ -46,14 +46,16 @@ void expect_near(const std::vector<Complex>& a, const std::vector<Complex>& b, f
 TEST(SlicedKernels, VectorsSweepLikePortableCode) {
   Hierarchy hierarchy = reflecting_hierarchy();
   for (Level& level : hierarchy.levels) {
-    std::vector<Complex> a = level.z, b = level.z;
-    for (Index c = 0; c < level.layout().color_count(); ++c) {
-      for (const SliceRange& color : level.layout().ranges_of(c)) {
-        portable::sweep_slices(level.layout(), level.couplings, a.data(), color);
-        simd::sweep_slices(level.layout(), level.couplings, b.data(), color);
+    for (const float over_relaxation : {1.0f, 1.5f}) {
+      std::vector<Complex> a = level.z, b = level.z;
+      for (Index c = 0; c < level.layout().color_count(); ++c) {
+        for (const SliceRange& color : level.layout().ranges_of(c)) {
+          portable::sweep_slices(level.layout(), level.couplings, a.data(), over_relaxation, color);
+          simd::sweep_slices(level.layout(), level.couplings, b.data(), over_relaxation, color);
+        }
       }
+      expect_near(a, b, 1e-4f);
     }
-    expect_near(a, b, 1e-4f);
   }
 }
 

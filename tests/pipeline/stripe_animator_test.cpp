@@ -82,15 +82,18 @@ TEST(StripeAnimator, AnchorsKeepFramesTogetherAtLittleEnergy) {
   auto surface = wavy_surface("sphere,resolution=40", kAxis, 30);
   StripeAnimator anchored(surface.neighborhood);
   StripeAnimator scratch(surface.neighborhood, with_lambda(0));
+  double anchored_energy = 0, scratch_energy = 0;
   double anchored_steps = 0, scratch_steps = 0;
   for (int n = 0; n < 30; ++n) {
     surface.waves.directions = rotated(surface.waves.directions, surface.normals, 0.02f);
     const FrameResult a = anchored.frame(input_of(surface));
     const FrameResult b = scratch.frame(input_of(surface));
-    EXPECT_LE(energy(surface.graph(), a.z), 1.35 * energy(surface.graph(), b.z) + 5e-4) << n;
+    anchored_energy += energy(surface.graph(), a.z);
+    scratch_energy += energy(surface.graph(), b.z);
     anchored_steps += a.phase_step;
     scratch_steps += b.phase_step;
   }
+  EXPECT_LE(anchored_energy, 1.25 * scratch_energy);
   EXPECT_LT(anchored_steps, 0.5 * scratch_steps);
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "brindle/base/error.h"
-#include "brindle/phases/multilevel.h"
 
 namespace brindle {
 namespace {
@@ -141,7 +140,9 @@ FlatHierarchy flatten(std::span<const LevelTopology> levels, int sweeps) {
     const SlicedLayout& layout = *levels[l].layout;
     level.slot_count = layout.slot_count();
     level.gauge_entry_count = level.source_count = 0;
-    level.sweeps = static_cast<std::uint32_t>(sweeps_on_level(layout.slot_count(), sweeps));
+    const LevelSweeps planned = sweeps_on_level(layout.slot_count(), sweeps);
+    level.sweeps = static_cast<std::uint32_t>(planned.count);
+    level.over_relaxation = planned.over_relaxation;
     level.columns = words.append(layout.column_begin,
                                  [&](Index column) { return level.first_column + column; });
     for (const Index slot : layout.neighbor) flat.neighbors.push_back(level.first_slot + slot);

@@ -1,12 +1,13 @@
 /// The topology of a hierarchy in plain words, as the shaders read it (shaders/levels.glsl).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "brindle/phases/hierarchy.h"
+#include "brindle/phases/multilevel.h"
 
 namespace brindle {
 
@@ -23,8 +24,12 @@ struct FlatLevel {
   std::uint32_t color_begin = 0;
   std::uint32_t color_count = 0;
   std::uint32_t sweeps = 0;
+  float over_relaxation = 1;  ///< of all sweeps but the last
   std::uint32_t gauge_entry_count = 0;  ///< in the lists that gauges hang on
   std::uint32_t source_count = 0;       ///< places in all rounds
+  std::array<std::uint32_t, 3> filling{};  ///< to whole vectors, as shaders count
+
+  LevelSweeps planned_sweeps() const { return {static_cast<int>(sweeps), over_relaxation}; }
 };
 
 struct FlatHierarchy {

@@ -11,7 +11,7 @@ namespace brindle {
 namespace {
 
 /// Uniform locations of the shaders.
-enum Location : GLint { kLevel = 0, kSlices = 1, kWorkCount = 2 };
+enum Location : GLint { kLevel = 0, kSlices = 1, kWorkCount = 2, kOverRelaxation = 3 };
 enum SmallLocation : GLint { kFirstLevel = 0, kStart = 1, kRenews = 2 };
 
 /// `Row` of shaders/couplings.glsl.
@@ -166,7 +166,10 @@ void GpuHierarchy::descend_large(Complex start) const {
     } else {
       dispatch_on_level(kernels_->prolong, l, level.slot_count);
     }
-    for (std::uint32_t sweep = 0; sweep < level.sweeps; ++sweep) {
+    const LevelSweeps planned = level.planned_sweeps();
+    for (int number = 0; number < planned.count; ++number) {
+      glProgramUniform1f(kernels_->sweep.name(), kOverRelaxation,
+                         planned.over_relaxation_of(number));
       for (const GpuTopology::Color& color : topology_->colors(l)) {
         set_color(kernels_->sweep, color);
         dispatch_on_level(kernels_->sweep, l, color.slot_count);

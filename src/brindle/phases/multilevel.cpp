@@ -9,8 +9,9 @@ namespace brindle {
 namespace {
 
 void sweep_level(Level& level, int sweeps) {
-  for (int s = sweeps_on_level(level.layout().slot_count(), sweeps); s > 0; --s) {
-    sweep(level.layout(), level.couplings, level.z);
+  const LevelSweeps planned = sweeps_on_level(level.layout().slot_count(), sweeps);
+  for (int number = 0; number < planned.count; ++number) {
+    sweep(level.layout(), level.couplings, level.z, planned.over_relaxation_of(number));
   }
 }
 
@@ -25,9 +26,11 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
 
 }  // namespace
 
-int sweeps_on_level(Index slot_count, int sweeps) {
-  if (slot_count < kSmallLevel) return 8 * sweeps;
-  return slot_count < 4 * kSmallLevel ? 2 * sweeps : sweeps;
+LevelSweeps sweeps_on_level(Index slot_count, int sweeps) {
+  constexpr float kOverRelaxation = 1.5f;
+  if (slot_count < kSmallLevel) return {4 * sweeps, kOverRelaxation};
+  if (slot_count < 4 * kSmallLevel) return {2 * sweeps, kOverRelaxation};
+  return {sweeps, 1};
 }
 
 void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }

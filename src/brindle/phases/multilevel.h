@@ -8,9 +8,17 @@ namespace brindle {
 /// Levels of fewer slots are small: they cost next to nothing.
 inline constexpr Index kSmallLevel = 4096;
 
-/// The sweeps that a descent makes on a level of so many slots where `sweeps` are asked for. What a
-/// small level leaves undone no finer level can mend: sweeps grow in number as levels shrink.
-int sweeps_on_level(Index slot_count, int sweeps);
+/// The sweeps that a descent makes on one level.
+struct LevelSweeps {
+  int count;
+  float over_relaxation;  ///< of all but the last, which leaves no overshoot behind
+
+  float over_relaxation_of(int number) const { return number + 1 < count ? over_relaxation : 1; }
+};
+
+/// Those on a level of so many slots where `sweeps` are asked for. What a small level leaves undone
+/// no finer level can mend: sweeps grow in number and reach as levels shrink.
+LevelSweeps sweeps_on_level(Index slot_count, int sweeps);
 
 /// From the coarsest level down: prolong the phases, then `sweeps` coloured sweeps, more on small
 /// levels. Phases end in `hierarchy.levels[0].z`. No random start and nothing to tune; each sweep

@@ -199,14 +199,15 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
   }
 }
 
-void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z) {
+void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
+           float over_relaxation) {
   for (Index color = 0; color < layout.color_count(); ++color) {
     const auto ranges = layout.ranges_of(color);
     parallel_for(
         ranges.size(),
         [&](std::size_t begin, std::size_t end) {
           for (const SliceRange& range : ranges.subspan(begin, end - begin)) {
-            kernels::sweep_slices(layout, couplings, z.data(), range);
+            kernels::sweep_slices(layout, couplings, z.data(), over_relaxation, range);
           }
         },
         kRangeGrain);

@@ -120,8 +120,10 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
                     SlicedCouplings& couplings);
 
 /// One coloured sweep of z_i = t_i / |t_i| over all slots; nodes without a target keep their phase.
-/// Each update can only lower the energy.
-void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z);
+/// `over_relaxation` w, from 1 to below 2, goes beyond: z_i + w (t_i / |t_i| - z_i), scaled to
+/// length 1. Each update can only lower the energy.
+void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
+           float over_relaxation = 1);
 
 /// The energy of phases by slot, as `energy` of phase_graph.h defines it.
 double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,

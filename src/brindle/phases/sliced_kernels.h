@@ -31,9 +31,10 @@ struct SlicedWave;
 using CoupleSlices = void(const SlicedLayout&, const SlicedWave* waves, PhaseShiftKind kind,
                           const float* entry_weights, SlicedCouplings&, float* degree, SliceRange);
 
-/// z_i = t_i / |t_i| for all rows; rows without a target keep their phase. The rows of a range must
-/// have one colour.
-using SweepSlices = void(const SlicedLayout&, const SlicedCouplings&, Complex* z, SliceRange);
+/// z_i = t_i / |t_i| for all rows, or beyond that by over-relaxation (`sweep` of sliced_graph.h);
+/// rows without a target keep their phase. The rows of a range must have one colour.
+using SweepSlices = void(const SlicedLayout&, const SlicedCouplings&, Complex* z,
+                         float over_relaxation, SliceRange);
 
 /// Eq. 10 and 11 for all rows; returns by how much it lowers the energy.
 using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex* z, float strength,

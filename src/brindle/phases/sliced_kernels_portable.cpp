@@ -104,12 +104,15 @@ void couple_slices(const SlicedLayout& layout, const SlicedWave* waves, PhaseShi
 }
 
 void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
-                  SliceRange range) {
+                  float over_relaxation, SliceRange range) {
   for (Index slice = range.begin; slice < range.end; ++slice) {
     const Lanes t = targets(layout, couplings, z, slice);
     for (Index lane = 0; lane < kLanes; ++lane) {
       if (!has_direction(t.re[lane], t.im[lane])) continue;
-      z[slice * kLanes + lane] = normalized(t.re[lane], t.im[lane]);
+      Complex& z_i = z[slice * kLanes + lane];
+      const Complex peak = normalized(t.re[lane], t.im[lane]);
+      const Complex beyond = z_i + over_relaxation * (peak - z_i);
+      z_i = over_relaxation == 1 ? peak : normalized(beyond.real(), beyond.imag());
     }
   }
 }

@@ -224,12 +224,21 @@ HWY_INLINE Z normalized_or(Z z, Z otherwise, hn::Mask<D> directed) {
 }
 
 void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
-                  SliceRange range) {
+                  float over_relaxation, SliceRange range) {
+  const V reach = hn::Set(D(), over_relaxation);
   for (Index slice = range.begin; slice < range.end; ++slice) {
     for (Index lane = 0; lane < kLanes; lane += lanes()) {
       const Z t = targets(layout, couplings, z, slice, lane);
       Complex* const z_i = z + slice * kLanes + lane;
-      store(normalized_or(t, load(z_i), has_direction(t)), z_i);
+      const Z before = load(z_i);
+      const auto directed = has_direction(t);
+      Z after = normalized_or(t, before, directed);
+      if (over_relaxation != 1) {
+        const Z beyond{hn::MulAdd(reach, hn::Sub(after.re, before.re), before.re),
+                       hn::MulAdd(reach, hn::Sub(after.im, before.im), before.im)};
+        after = normalized_or(beyond, before, directed);
+      }
+      store(after, z_i);
     }
   }
 }
@@ -437,8 +446,8 @@ void couple_slices(const SlicedLayout& layout, const SlicedWave* waves, PhaseShi
 }
 
 void sweep_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,
-                  SliceRange range) {
-  HWY_DYNAMIC_DISPATCH(sweep_slices)(layout, couplings, z, range);
+                  float over_relaxation, SliceRange range) {
+  HWY_DYNAMIC_DISPATCH(sweep_slices)(layout, couplings, z, over_relaxation, range);
 }
 
 double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings, Complex* z,

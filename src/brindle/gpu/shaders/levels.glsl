@@ -18,7 +18,9 @@ struct Level {
   uint color_begin;   // one word a colour and one more: its first slice in a list
   uint color_count;
   uint sweeps;
+  float over_relaxation;  // of all sweeps but the last
   uint gauge_entry_count, source_count;  // for measurements alone
+  uint filling_0, filling_1, filling_2;
 };
 
 layout(std140, binding = 0) uniform Levels {

@@ -40,11 +40,12 @@ void descend_to(Level level, bool coarsest) {
   }
   await_group();
   for (uint sweep = 0u; sweep < level.sweeps; ++sweep) {
+    const float over_relaxation = sweep + 1u < level.sweeps ? level.over_relaxation : 1.0;
     for (uint color = 0u; color < level.color_count; ++color) {
       const uint begin = topology[level.color_begin + color];
       const uint count = (topology[level.color_begin + color + 1u] - begin) * kLanes;
       for (uint n = gl_LocalInvocationID.x; n < count; n += step_size) {
-        sweep_slot(level, slot_of_work(begin, n));
+        sweep_slot(level, slot_of_work(begin, n), over_relaxation);
       }
       memoryBarrierShared();
       barrier();

@@ -20,9 +20,15 @@ vec2 target(Level level, uint slot) {
   return row.anchor + pull(level, slot, row.reflects != 0u);
 }
 
-void sweep_slot(Level level, uint slot) {
+void sweep_slot(Level level, uint slot, float over_relaxation) {
   const vec2 t = target(level, slot);
-  if (has_direction(t)) set_phase(level, slot, normalized(t));
+  if (!has_direction(t)) return;
+  vec2 after = normalized(t);
+  if (over_relaxation != 1.0) {
+    const vec2 before = phase_at(level, level.first_slot + slot);
+    after = normalized(before + over_relaxation * (after - before));
+  }
+  set_phase(level, slot, after);
 }
 
 // The slot that the n-th invocation of a colour works on; `slices` is the colour's list.
