@@ -7,6 +7,7 @@
 #include "animation.h"
 #include "brindle/base/parallel.h"
 #include "commands.h"
+#include "formatted.h"
 #include "frame_output.h"
 #include "moving_picture.h"
 #include "option_values.h"
@@ -74,7 +75,7 @@ void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
   add_parsed_option(app, "--lambda", animator.lambda, not_negative_number_of,
                     "multilevel: how strongly a frame holds on to the last one; 0: not at all "
                     "(default " +
-                        std::to_string(animator.lambda).substr(0, 4) + ")")
+                        formatted("%g", animator.lambda) + ")")
       ->type_name("L");
   app.add_option("--sweeps", animator.sweeps, "multilevel: sweeps on each level")
       ->type_name("N")

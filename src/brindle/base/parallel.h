@@ -9,6 +9,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include "brindle/base/task_order.h"
+
 namespace tbb::detail::d1 {
 class global_control;
 }
@@ -26,20 +28,33 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
     if (count > 0) body(std::size_t{0}, count);
     return;
   }
+  const TaskOrder order;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                    [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
+                    [&](const tbb::blocked_range<std::size_t>& r) {
+                      TaskOrder::begin_task();
+                      body(r.begin(), r.end());
+                      TaskOrder::end_task();
+                    });
+  TaskOrder::join();
 }
 
 /// The sum of `body(begin, end)` over ranges that cover [0, count). Ranges and the order of the
 /// additions depend on `count` and `grain` alone, so the sum is the same for any thread count.
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
-  return tbb::parallel_deterministic_reduce(
+  const TaskOrder order;
+  const Value total = tbb::parallel_deterministic_reduce(
       tbb::blocked_range<std::size_t>(0, count, grain), Value{},
       [&](const tbb::blocked_range<std::size_t>& r, Value sum) {
-        return r.empty() ? sum : sum + body(r.begin(), r.end());
+        if (r.empty()) return sum;
+        TaskOrder::begin_task();
+        sum = sum + body(r.begin(), r.end());
+        TaskOrder::end_task();
+        return sum;
       },
       std::plus<Value>());
+  TaskOrder::join();
+  return total;
 }
 
 /// The most threads that can work at the same time, and the number, from 0, of the one that asks.
