@@ -28,7 +28,7 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
     if (count > 0) body(std::size_t{0}, count);
     return;
   }
-  const TaskOrder order;
+  TaskOrder::call();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& r) {
                       TaskOrder::begin_task();
@@ -42,7 +42,7 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
 /// additions depend on `count` and `grain` alone, so the sum is the same for any thread count.
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
-  const TaskOrder order;
+  TaskOrder::call();
   const Value total = tbb::parallel_deterministic_reduce(
       tbb::blocked_range<std::size_t>(0, count, grain), Value{},
       [&](const tbb::blocked_range<std::size_t>& r, Value sum) {

@@ -15,13 +15,13 @@
 
 namespace brindle {
 
-/// Stands where tasks are called: all that came before happens before every task, and every task
-/// before all that follows `join`. Tasks know no order among each other. Costs nothing without
+/// All that came before `call` happens before every task, and every task before all that follows
+/// `join`. Tasks know no order among each other. Costs nothing without
 /// ThreadSanitizer.
 class TaskOrder {
  public:
 #ifdef BRINDLE_THREAD_SANITIZER
-  TaskOrder() { called_.fetch_add(1, std::memory_order_release); }
+  static void call() { called_.fetch_add(1, std::memory_order_release); }
   static void begin_task() { called_.load(std::memory_order_acquire); }
   static void end_task() { done_.fetch_add(1, std::memory_order_release); }
   static void join() { done_.load(std::memory_order_acquire); }
@@ -31,6 +31,7 @@ class TaskOrder {
   // what that call wrote.
   inline static std::atomic<unsigned> called_ = 0, done_ = 0;
 #else
+  static void call() {}
   static void begin_task() {}
   static void end_task() {}
   static void join() {}
