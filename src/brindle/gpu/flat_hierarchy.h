@@ -24,9 +24,9 @@ struct FlatLevel {
   std::uint32_t color_begin = 0;
   std::uint32_t color_count = 0;
   std::uint32_t sweeps = 0;
-  float over_relaxation = 1;  ///< of all sweeps but the last
-  std::uint32_t gauge_entry_count = 0;  ///< in the lists that gauges hang on
-  std::uint32_t source_count = 0;       ///< places in all rounds
+  float over_relaxation = 1;               ///< of all sweeps but the last
+  std::uint32_t gauge_entry_count = 0;     ///< in the lists that gauges hang on
+  std::uint32_t source_count = 0;          ///< places in all rounds
   std::array<std::uint32_t, 3> filling{};  ///< to whole vectors, as shaders count
 
   LevelSweeps planned_sweeps() const { return {static_cast<int>(sweeps), over_relaxation}; }
