@@ -20,7 +20,7 @@ FrameInput input_of(const WaveSet& waves) {
 
 /// A frame's phases, lifted and measured.
 struct Measured {
-  FrameFigures figures;
+  FrameQuality figures;
   std::vector<CornerPhases> corners;
 };
 
@@ -47,7 +47,7 @@ double mean(const std::vector<FrameReport>& frames, Value value) {
 
 double ratio(double value, double other) { return other > 0 ? value / other : 0; }
 
-nlohmann::ordered_json to_json(const FrameFigures& figures) {
+nlohmann::ordered_json to_json(const FrameQuality& figures) {
   return {{"energy", figures.energy},
           {"branches", figures.quality.branches},
           {"angle_error_mean_deg", figures.quality.angle_error_mean_deg},
@@ -68,7 +68,7 @@ nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
 }
 
 /// The figures of `figures` against those of `scratch`.
-nlohmann::ordered_json comparison(const FrameFigures& figures, const FrameFigures& scratch) {
+nlohmann::ordered_json comparison(const FrameQuality& figures, const FrameQuality& scratch) {
   return {{"energy_ratio", ratio(figures.energy, scratch.energy)},
           {"phase_step_ratio", ratio(figures.phase_step, scratch.phase_step)},
           {"angle_error_above_deg",
@@ -90,13 +90,13 @@ nlohmann::ordered_json means(const std::vector<FrameReport>& frames) {
 }
 
 std::string row(std::size_t number, const FrameReport& report) {
-  const FrameFigures& figures = report.figures;
+  const FrameQuality& figures = report.figures;
   std::string text =
       formatted("%5zu %9.6f %9zu %9.2f %9.4f %7.2f %7.2f %7.2f", number, figures.energy,
                 figures.quality.branches, figures.quality.angle_error_mean_deg, figures.phase_step,
                 report.milliseconds.couple, report.milliseconds.sum, report.milliseconds.solve);
   if (report.from_scratch) {
-    const FrameFigures& scratch = *report.from_scratch;
+    const FrameQuality& scratch = *report.from_scratch;
     text += formatted("  | %9.6f %9zu %9.2f %9.4f", scratch.energy, scratch.quality.branches,
                       scratch.quality.angle_error_mean_deg, scratch.phase_step);
   }
@@ -104,8 +104,8 @@ std::string row(std::size_t number, const FrameReport& report) {
 }
 
 void print_comparison(std::ostream& out, std::size_t number, const FrameReport& report) {
-  const FrameFigures& figures = report.figures;
-  const FrameFigures& scratch = *report.from_scratch;
+  const FrameQuality& figures = report.figures;
+  const FrameQuality& scratch = *report.from_scratch;
   out << formatted("frame %zu against from scratch\n", number)
       << formatted("  energy       %.6f / %.6f = %.3f\n", figures.energy, scratch.energy,
                    ratio(figures.energy, scratch.energy))

@@ -17,19 +17,19 @@
 namespace brindle::tool {
 
 /// What a frame's phases are worth.
-struct FrameFigures {
+struct FrameQuality {
   double energy = 0;
   PatternQuality quality;
   double phase_step = 0;  ///< mean over vertices with a wave, radians; 0 in the first frame
 };
 
 struct FrameReport {
-  FrameFigures figures;
+  FrameQuality figures;
   bool unchanged = false;  ///< the input was that of the last frame
   double scene_milliseconds = 0;
   FrameMilliseconds milliseconds;
   double render_milliseconds = 0;            ///< drawing and writing
-  std::optional<FrameFigures> from_scratch;  ///< the same input, solved without the last frame
+  std::optional<FrameQuality> from_scratch;  ///< the same input, solved without the last frame
 };
 
 struct AnimationReport {

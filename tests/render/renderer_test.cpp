@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-CornerWave corner_of(const WavySurface& s, Index v) {
+CornerWave corner_of(const StripedSurface& s, Index v) {
   return {{s.mesh.positions[v], s.waves.directions[v], s.waves.frequencies[v]}, s.z[v]};
 }
 
@@ -25,7 +25,7 @@ struct TwinError {
   int left_out = 0;
 };
 
-TwinError twin_error(const WavySurface& s, const RenderOptions& options) {
+TwinError twin_error(const StripedSurface& s, const RenderOptions& options) {
   Studio::shared().renderer.upload(s.scene());
   const FragmentImage image = Studio::shared().renderer.draw_fragments(options);
   TwinError error;
@@ -71,7 +71,7 @@ TEST(Renderer, ShaderAgreesWithItsTwinOnManyStripesPerTriangle) {
 }
 
 TEST(Renderer, ShaderAgreesWithItsTwinFarFromTheOrigin) {
-  WavySurface surface = plane_wave(square(4), Vec3::UnitY(), 8);
+  StripedSurface surface = plane_wave(square(4), Vec3::UnitY(), 8);
   for (Vec3& p : surface.mesh.positions) p += Vec3(1000, -2000, 500);
   surface.waves.positions = surface.mesh.positions;
   const TwinError error = twin_error(surface, plain_options());
@@ -94,7 +94,7 @@ TEST(Renderer, FragmentsCoverThePictureAndHaveWeights) {
 }
 
 TEST(Renderer, FlippedWavesGiveTheSamePicture) {
-  const WavySurface surface = plane_wave(saddle(6), Vec3::UnitX(), 9);
+  const StripedSurface surface = plane_wave(saddle(6), Vec3::UnitX(), 9);
   const Image one = Studio::shared().draw(surface.scene(), plain_options());
   const Image other = Studio::shared().draw(with_flips(surface).scene(), plain_options());
   for (std::size_t p = 0; p < one.pixels.size(); ++p) {
@@ -103,7 +103,7 @@ TEST(Renderer, FlippedWavesGiveTheSamePicture) {
 }
 
 TEST(Renderer, StripeWidthIsTheShareOfLight) {
-  const WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 16);
+  const StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 16);
   RenderOptions options = plain_options(256, 256);
   for (const float width : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
     options.stripe_width = width;
@@ -116,7 +116,7 @@ TEST(Renderer, StripesFinerThanPixelsBecomeTheirMeanWithoutMoire) {
   RenderOptions options = plain_options(128, 128);
   options.stripe_width = 0.3f;
   for (const float frequency : {150.0f, 244.0f, 400.0f, 1000.0f, 30000.0f}) {
-    const WavySurface surface = plane_wave(square(4), Vec3(3, 4, 0) / 5, frequency);
+    const StripedSurface surface = plane_wave(square(4), Vec3(3, 4, 0) / 5, frequency);
     const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), options));
     EXPECT_NEAR(light.mean, 0.3, 0.02) << frequency;
     EXPECT_LT(light.highest - light.lowest, 0.08) << frequency;
@@ -124,14 +124,14 @@ TEST(Renderer, StripesFinerThanPixelsBecomeTheirMeanWithoutMoire) {
 }
 
 TEST(Renderer, WideStripesHaveFullContrast) {
-  const WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
+  const StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
   const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), plain_options()));
   EXPECT_LT(light.lowest, 0.01);
   EXPECT_GT(light.highest, 0.99);
 }
 
 TEST(Renderer, TilesDoNotShow) {
-  const WavySurface surface = random_waves(saddle(5), 20);
+  const StripedSurface surface = random_waves(saddle(5), 20);
   const std::vector<Mark> marks{{Vec3(0.4f, 0.6f, 0.1f), {1, 0, 0}}};
   StripeScene scene = surface.scene();
   scene.marks = marks;
@@ -170,7 +170,7 @@ TEST(Renderer, PictureOfTheSameStripesIsTheSameOnAFinerMesh) {
 }
 
 TEST(Renderer, SurfaceWithoutWavesIsPlain) {
-  WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
+  StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
   for (Vec3& d : surface.waves.directions) d.setZero();
   const Light none = light_in_the_middle(Studio::shared().draw(surface.scene(), plain_options()));
   EXPECT_EQ(none.highest, 0);
@@ -180,7 +180,7 @@ TEST(Renderer, SurfaceWithoutWavesIsPlain) {
 }
 
 TEST(Renderer, BothSidesAreLitAlike) {
-  WavySurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
+  StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
   RenderOptions options = plain_options();
   options.shading = true;
   const Image front = Studio::shared().draw(surface.scene(), options);
@@ -230,7 +230,7 @@ TEST(Renderer, EmptyMeshGivesTheBackground) {
 }
 
 TEST(Renderer, WrongSizesAreErrors) {
-  const WavySurface surface = plane_wave(square(2), Vec3::UnitX(), 3);
+  const StripedSurface surface = plane_wave(square(2), Vec3::UnitX(), 3);
   StripeScene scene = surface.scene();
   scene.z = scene.z.first(3);
   EXPECT_THROW(Studio::shared().renderer.upload(scene), Error);
@@ -256,8 +256,8 @@ TEST(HeadlessContext, SeveralLiveSideBySide) {
 }
 
 TEST(Renderer, AChangedSceneLooksLikeAnUploadedOne) {
-  const WavySurface before = plane_wave(saddle(6), Vec3::UnitX(), 8);
-  const WavySurface after = random_waves(saddle(6), 6);
+  const StripedSurface before = plane_wave(saddle(6), Vec3::UnitX(), 8);
+  const StripedSurface after = random_waves(saddle(6), 6);
   Renderer& renderer = Studio::shared().renderer;
   renderer.upload(before.scene());
   renderer.update({.waves = &after.waves, .z = after.z});
@@ -267,7 +267,7 @@ TEST(Renderer, AChangedSceneLooksLikeAnUploadedOne) {
 }
 
 TEST(Renderer, MovingVerticesDoNotMoveTheCamera) {
-  const WavySurface surface = plane_wave(saddle(6), Vec3::UnitX(), 8);
+  const StripedSurface surface = plane_wave(saddle(6), Vec3::UnitX(), 8);
   std::vector<Vec3> half = surface.mesh.positions;
   for (Vec3& p : half) p *= 0.5f;
   const auto covered = [](const Image& image) {
@@ -282,7 +282,7 @@ TEST(Renderer, MovingVerticesDoNotMoveTheCamera) {
 }
 
 TEST(Renderer, RefusesChangesOfAnotherSize) {
-  const WavySurface surface = plane_wave(square(2), Vec3::UnitX(), 8);
+  const StripedSurface surface = plane_wave(square(2), Vec3::UnitX(), 8);
   Studio::shared().renderer.upload(surface.scene());
   const std::vector<Vec3> three(3);
   EXPECT_THROW(Studio::shared().renderer.update({.positions = three}), Error);

@@ -15,15 +15,15 @@ namespace {
 using test::plain_options;
 using test::plane_wave;
 using test::square;
+using test::StripedSurface;
 using test::Studio;
-using test::WavySurface;
 
 struct Points {
-  WavySurface surface;
+  StripedSurface surface;
   std::vector<Vec3> normals;
   std::vector<float> radii;
 
-  explicit Points(WavySurface of)
+  explicit Points(StripedSurface of)
       : surface(std::move(of)),
         normals(surface.mesh.vertex_count(), Vec3::UnitZ()),
         radii(splat_radii(surface.mesh.positions, vertex_neighborhood(surface.mesh))) {}
@@ -92,7 +92,7 @@ TEST_F(Splats, DoNotChangeWithTheSignsOfDirectionsAndNormals) {
 }
 
 TEST_F(Splats, HideWhatLiesBehind) {
-  WavySurface front = plane_wave(square(20), Vec3::UnitX(), 6);
+  StripedSurface front = plane_wave(square(20), Vec3::UnitX(), 6);
   // The same points again, further away and half a period on.
   const std::size_t count = front.z.size();
   for (std::size_t i = 0; i < count; ++i) {

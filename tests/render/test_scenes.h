@@ -13,7 +13,7 @@ namespace brindle::test {
 
 inline constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 
-struct WavySurface {
+struct StripedSurface {
   Mesh mesh;
   WaveSet waves;
   std::vector<Complex> z;
@@ -48,8 +48,8 @@ inline Mesh saddle(int n) {
 }
 
 /// A plane wave with `frequency` stripes per unit length along `direction`.
-inline WavySurface plane_wave(Mesh mesh, const Vec3& direction, float frequency) {
-  WavySurface surface{std::move(mesh), {}, {}};
+inline StripedSurface plane_wave(Mesh mesh, const Vec3& direction, float frequency) {
+  StripedSurface surface{std::move(mesh), {}, {}};
   surface.waves.positions = surface.mesh.positions;
   for (const Vec3& p : surface.mesh.positions) {
     surface.waves.directions.push_back(direction);
@@ -61,10 +61,10 @@ inline WavySurface plane_wave(Mesh mesh, const Vec3& direction, float frequency)
 
 /// Random directions, frequencies up to `frequency` and phases: branches and singularities all
 /// over.
-inline WavySurface random_waves(Mesh mesh, float frequency) {
+inline StripedSurface random_waves(Mesh mesh, float frequency) {
   std::mt19937 engine(3);
   std::uniform_real_distribution<float> number(-1, 1);
-  WavySurface surface = plane_wave(std::move(mesh), Vec3::UnitX(), frequency);
+  StripedSurface surface = plane_wave(std::move(mesh), Vec3::UnitX(), frequency);
   for (std::size_t v = 0; v < surface.z.size(); ++v) {
     surface.waves.directions[v] = Vec3(number(engine), number(engine), 0).normalized();
     surface.waves.frequencies[v] = frequency * (0.75f + 0.25f * number(engine));
@@ -74,7 +74,7 @@ inline WavySurface random_waves(Mesh mesh, float frequency) {
 }
 
 /// Turns every other wave round, which must not change the picture.
-inline WavySurface with_flips(WavySurface surface) {
+inline StripedSurface with_flips(StripedSurface surface) {
   std::mt19937 engine(5);
   for (std::size_t v = 0; v < surface.z.size(); ++v) {
     if (engine() % 2 == 0) continue;

@@ -14,7 +14,7 @@ using namespace test;
 
 /// A surface with plane waves along x and y.
 struct TexturedScene {
-  WavySurface surface;
+  StripedSurface surface;
   TextureWaves waves;
   TextureTile tile;
 
@@ -27,12 +27,12 @@ struct TexturedScene {
   Image draw(const RenderOptions& options) const { return Studio::shared().draw(scene(), options); }
 };
 
-TextureWaves waves_of(const WavySurface& u, const WavySurface& v) {
+TextureWaves waves_of(const StripedSurface& u, const StripedSurface& v) {
   return texture_waves(u.mesh.triangles, u.waves, u.z, v.waves, v.z);
 }
 
 TexturedScene plane_texture(Mesh mesh, float frequency, TextureTile tile) {
-  WavySurface u = plane_wave(mesh, Vec3::UnitX(), frequency);
+  StripedSurface u = plane_wave(mesh, Vec3::UnitX(), frequency);
   TextureWaves waves = waves_of(u, plane_wave(mesh, Vec3::UnitY(), frequency));
   return {std::move(u), std::move(waves), std::move(tile)};
 }
@@ -182,8 +182,8 @@ TEST(Texture, TrianglesWithoutWavesShowTheSurface) {
 
 TEST(Texture, SplitTrianglesFitTheirNeighbours) {
   // Random directions: many triangles cannot be oriented.
-  const WavySurface u = random_waves(square(6), 3);
-  WavySurface v = u;
+  const StripedSurface u = random_waves(square(6), 3);
+  StripedSurface v = u;
   for (Vec3& d : v.waves.directions) d = Vec3(-d.y(), d.x(), 0);
   TexturedScene scene{u, waves_of(u, v), BuiltInTile::checker};
   orient_corners(scene.waves);
