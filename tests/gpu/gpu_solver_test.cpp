@@ -100,6 +100,9 @@ TEST_F(GpuSolverTest, OtherSolversAndBadOptionsAreErrors) {
   SolverOptions options;
   options.solver = Solver::averaged;
   EXPECT_THROW(device.solver.solve(graph, options), Error);
+  options.solver = Solver::relaxation;
+  options.cycles = 1;
+  EXPECT_THROW(device.solver.solve(graph, options), Error);
   options = {};
   options.sweeps = -1;
   EXPECT_THROW(device.solver.solve(graph, options), Error);

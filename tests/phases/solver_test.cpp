@@ -57,6 +57,19 @@ TEST_P(EverySolver, ReportsTheEnergyOfItsPhases) {
   EXPECT_GT(solution.iterations, 0);
 }
 
+TEST_P(EverySolver, CyclesNeverRaiseTheEnergy) {
+  auto surface = wavy_surface("torus,resolution=60", kAxis, 18);
+  flip_half(surface.waves, 6);
+  double last = solve(surface, options).energy;
+  for (const int cycles : {1, 2, 6}) {
+    options.cycles = cycles;
+    const PhaseSolution solution = solve(surface, options);
+    EXPECT_LE(solution.energy, last + 1e-9);
+    EXPECT_DOUBLE_EQ(solution.energy, energy(surface.graph(), solution.z));
+    last = solution.energy;
+  }
+}
+
 TEST_P(EverySolver, IsTheSameForEveryNumberOfThreadsAndEveryRun) {
   const auto surface = wavy_surface("sphere,resolution=30", kAxis, 20);
   const ThreadLimit two(2);
@@ -85,7 +98,8 @@ TEST_P(EverySolver, SolvesASingleTriangleAndNothing) {
 
   PhaseGraph nothing;
   nothing.adjacency = std::make_shared<const Adjacency>();
-  if (options.solver != Solver::averaged) {
+  for (options.cycles = 0; options.cycles < 2; ++options.cycles) {
+    if (options.solver == Solver::averaged) continue;
     EXPECT_TRUE(solve_phases(nothing, options).z.empty());
   }
 }

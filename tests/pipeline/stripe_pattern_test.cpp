@@ -56,6 +56,18 @@ TEST(StripePattern, OfAFlatPlaneHasNoEnergyAndNoBranch) {
   }
 }
 
+TEST(StripePattern, CyclesFromTheGlobalPhasesAreNoWorseThanEitherSolver) {
+  if (!is_available(Solver::global)) GTEST_SKIP() << "this build has no CHOLMOD";
+  const Surface trefoil = make_surface(make_shape("trefoil,resolution=40"));
+  StripeOptions options = with_solver(Solver::global);
+  const StripePattern global = pattern_of(trefoil, 20, options);
+  options.solver.cycles = 20;
+  const StripePattern improved = pattern_of(trefoil, 20, options);
+  EXPECT_LE(improved.quality.branches, global.quality.branches);
+  EXPECT_LT(improved.solution.energy, 0.8 * global.solution.energy);
+  EXPECT_LE(improved.solution.energy, pattern_of(trefoil, 20).solution.energy);
+}
+
 TEST(StripePattern, OfACylinderAlongItsAxisHasNoEnergyAndNoBranch) {
   const Surface cylinder = make_surface(make_shape("cylinder,resolution=80"));
   const StripePattern pattern = stripe_pattern(cylinder, waves_along(cylinder, Vec3(0, 0, 1), 30));

@@ -42,6 +42,9 @@ PhaseSolution GpuSolver::solve(const PhaseGraph& graph, const SolverOptions& opt
                 "'; take multilevel or relaxation, or solve on the processor");
   }
   if (options.solver == Solver::relaxation) {
+    if (options.cycles > 0) {
+      throw Error("the GPU has cycles for multilevel alone; solve on the processor");
+    }
     return relax_on_gpu(kernels_, graph, options, {}, progress);
   }
   return solve_multilevel(kernels_, graph, options, progress);

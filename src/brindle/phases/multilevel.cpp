@@ -49,4 +49,11 @@ void correct(Hierarchy& hierarchy, int sweeps) {
   descend_from(hierarchy, Complex(1), sweeps);
 }
 
+void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress) {
+  for (int cycle = 0; cycle < cycles; ++cycle) {
+    progress.report("cycles", static_cast<double>(cycle) / cycles);
+    correct(hierarchy, sweeps);
+  }
+}
+
 }  // namespace brindle

@@ -31,4 +31,7 @@ void descend(Hierarchy& hierarchy, int sweeps);
 /// restores them.
 void correct(Hierarchy& hierarchy, int sweeps);
 
+/// So many calls of `correct`. Throws Cancelled if `progress` asks for it.
+void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress);
+
 }  // namespace brindle

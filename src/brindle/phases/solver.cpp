@@ -31,15 +31,36 @@ PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& opt
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
   Stopwatch watch;
   descend(hierarchy, options.sweeps);
-  for (int cycle = 0; cycle < options.cycles; ++cycle) {
-    progress.report("cycles", static_cast<double>(cycle) / options.cycles);
-    correct(hierarchy, options.sweeps);
-  }
+  run_cycles(hierarchy, options.sweeps, options.cycles, progress);
   solution.z = to_nodes(hierarchy.levels[0].layout(), hierarchy.levels[0].z);
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
   solution.iterations = options.sweeps * (1 + options.cycles);
   solution.energy = energy(graph, solution.z);
   return solution;
+}
+
+/// Cycles from the phases of another solver.
+void improve(const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
+             PhaseSolution& solution) {
+  Stopwatch watch;
+  Hierarchy hierarchy = build_hierarchy(graph, progress);
+  Level& finest = hierarchy.levels[0];
+  for (std::size_t node = 0; node < solution.z.size(); ++node) {
+    finest.z[finest.layout().slot_of[node]] = solution.z[node];
+  }
+  run_cycles(hierarchy, options.sweeps, options.cycles, progress);
+  solution.z = to_nodes(finest.layout(), finest.z);
+  solution.topology_milliseconds += hierarchy.topology_milliseconds;
+  solution.solve_milliseconds += watch.lap() - hierarchy.topology_milliseconds;
+  solution.iterations += options.sweeps * options.cycles;
+  solution.energy = energy(graph, solution.z);
+}
+
+PhaseSolution solve_without_cycles(const PhaseGraph& graph, const SolverOptions& options,
+                                   const Progress& progress) {
+  if (options.solver == Solver::relaxation) return relax(graph, options, {}, progress);
+  if (options.solver == Solver::averaged) return solve_averaged(graph, options, progress);
+  return solve_global(graph, options, progress);
 }
 
 }  // namespace
@@ -74,17 +95,10 @@ void check(const SolverOptions& options) {
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,
                            const Progress& progress) {
   check(options);
-  switch (options.solver) {
-    case Solver::relaxation:
-      return relax(graph, options, {}, progress);
-    case Solver::averaged:
-      return solve_averaged(graph, options, progress);
-    case Solver::global:
-      return solve_global(graph, options, progress);
-    case Solver::multilevel:
-      break;
-  }
-  return solve_multilevel(graph, options, progress);
+  if (options.solver == Solver::multilevel) return solve_multilevel(graph, options, progress);
+  PhaseSolution solution = solve_without_cycles(graph, options, progress);
+  if (options.cycles > 0) improve(graph, options, progress, solution);
+  return solution;
 }
 
 }  // namespace brindle

@@ -34,9 +34,9 @@ struct SolverOptions {
   int max_iterations = 10000;
   std::uint32_t seed = 0;  ///< added to the node number before hashing
 
-  // multilevel
+  // multilevel, and the cycles of all
   int sweeps = 2;  ///< coloured sweeps per level
-  int cycles = 0;  ///< further descents, each from the phases of the one before
+  int cycles = 0;  ///< descents from the solver's phases, each from those of the one before
 
   // global
   int global_iterations = 20;  ///< inverse iterations
@@ -49,8 +49,9 @@ struct PhaseSolution {
   std::vector<Complex> z;  ///< one unit number per node
   double energy = 0;       ///< of `z`, as `energy()` of phase_graph.h defines it
   int iterations = 0;      ///< sweeps over the finest level, or inverse iterations
-  std::vector<double> energy_per_iteration;  ///< before the first iteration and after each one;
-                                             ///< empty for multilevel, which does not need it
+  std::vector<double> energy_per_iteration;  ///< before the first iteration and after each one, but
+                                             ///< for those of cycles; empty for multilevel and
+                                             ///< global, which do not need it
   double topology_milliseconds =
       0;  ///< what depends on the graph alone: colours, aggregates, order
   double solve_milliseconds = 0;

@@ -177,10 +177,7 @@ void StripeAnimator::solve_frame(bool has_last, const Progress& progress) {
   State& s = *state_;
   if (s.options.solver == FrameSolver::multilevel || !has_last) {
     descend(s.hierarchy, s.options.sweeps);
-    for (int cycle = 0; cycle < s.options.cycles; ++cycle) {
-      progress.report("cycles", static_cast<double>(cycle) / s.options.cycles);
-      correct(s.hierarchy, s.options.sweeps);
-    }
+    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress);
     return;
   }
   Level& finest = s.finest();
