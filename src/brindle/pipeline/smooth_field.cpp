@@ -71,10 +71,11 @@ void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
   if (options.symmetry % 2 != 0) {
     throw Error("smooth field: edges have no sign; feature anchors need an even symmetry");
   }
+  const int half_symmetry = options.symmetry / 2;
+  const auto turns = static_cast<float>(half_symmetry);
   const std::vector<Complex> lines = feature_lines(surface, options.feature_angle_deg);
   for (Index i = 0; i < graph.node_count(); ++i) {
     const auto degree = static_cast<float>(graph.adjacency->of(i).size());
-    const float turns = static_cast<float>(options.symmetry / 2);
     graph.anchor[i] += std::polar(options.feature_anchor * degree * std::abs(lines[i]),
                                   turns * std::arg(lines[i]));
   }
