@@ -43,8 +43,8 @@ void add_solving_options(CLI::App& app, SolvingOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(0, 10000));
   app.add_option("--cycles", solver.cycles,
-                 "further descents of the multilevel solver from the phases that a solver, any of "
-                 "them, has found")
+                 "descents of the multilevel solver from the phases that the solver, whichever it "
+                 "is, has found")
       ->type_name("N")
       ->check(CLI::Range(0, 10000));
   app.add_option("--global-iterations", solver.global_iterations, "global: inverse iterations")

@@ -31,7 +31,7 @@ class GpuHierarchy {
   /// (`renew`, then `descend`). Stages: "sums", "small levels", "sweeps".
   void solve(StageTimer* timer = nullptr) const;
 
-  /// Another descent from the phases that the finest level has (`correct`).
+  /// Another descent from the phases that the finest level has (a cycle: `run_cycles`).
   void correct() const;
 
   /// Binds all buffers of the levels.

@@ -24,17 +24,7 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
   }
 }
 
-}  // namespace
-
-LevelSweeps sweeps_on_level(Index slot_count, int sweeps) {
-  constexpr float kOverRelaxation = 1.5f;
-  if (slot_count < kSmallLevel) return {4 * sweeps, kOverRelaxation};
-  if (slot_count < 4 * kSmallLevel) return {2 * sweeps, kOverRelaxation};
-  return {sweeps, 1};
-}
-
-void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
-
+/// One cycle.
 void correct(Hierarchy& hierarchy, int sweeps) {
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     Level& level = hierarchy.levels[l];
@@ -48,6 +38,17 @@ void correct(Hierarchy& hierarchy, int sweeps) {
   }
   descend_from(hierarchy, Complex(1), sweeps);
 }
+
+}  // namespace
+
+LevelSweeps sweeps_on_level(Index slot_count, int sweeps) {
+  constexpr float kOverRelaxation = 1.5f;
+  if (slot_count < kSmallLevel) return {4 * sweeps, kOverRelaxation};
+  if (slot_count < 4 * kSmallLevel) return {2 * sweeps, kOverRelaxation};
+  return {sweeps, 1};
+}
+
+void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
 
 void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress) {
   for (int cycle = 0; cycle < cycles; ++cycle) {

@@ -25,13 +25,10 @@ LevelSweeps sweeps_on_level(Index slot_count, int sweeps);
 /// can only lower the energy.
 void descend(Hierarchy& hierarchy, int sweeps);
 
-/// Another descent from the phases that the finest level has: they become its gauges, so that a
-/// coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is where every level
-/// starts. The energy cannot rise. Overwrites gauges and coarse couplings; the next `renew`
-/// restores them.
-void correct(Hierarchy& hierarchy, int sweeps);
-
-/// So many calls of `correct`. Throws Cancelled if `progress` asks for it.
+/// So many further descents, each from the phases that the finest level has: they become its
+/// gauges, so that a coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is
+/// where every level starts. The energy cannot rise. Overwrites gauges and coarse couplings; the
+/// next `renew` restores them. Throws Cancelled if `progress` asks for it.
 void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress);
 
 }  // namespace brindle

@@ -36,8 +36,10 @@ SlicedLayout relaxation_layout(const Adjacency& adjacency, std::uint32_t seed) {
 std::vector<Complex> start_phases(const SlicedLayout& layout, std::span<const Complex> start,
                                   std::uint32_t seed) {
   std::vector<Complex> z(layout.slot_count(), Complex(1));
+  to_slots(layout, start, z);
+  if (!start.empty()) return z;
   for (Index node = 0; node < layout.slot_of.size(); ++node) {
-    z[layout.slot_of[node]] = start.empty() ? random_phase(node, seed) : start[node];
+    z[layout.slot_of[node]] = random_phase(node, seed);
   }
   return z;
 }

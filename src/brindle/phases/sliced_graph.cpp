@@ -292,4 +292,11 @@ std::vector<Complex> to_nodes(const SlicedLayout& layout, std::span<const Comple
   return by_node;
 }
 
+void to_slots(const SlicedLayout& layout, std::span<const Complex> by_node,
+              std::span<Complex> by_slot) {
+  for (std::size_t node = 0; node < by_node.size(); ++node) {
+    by_slot[layout.slot_of[node]] = by_node[node];
+  }
+}
+
 }  // namespace brindle

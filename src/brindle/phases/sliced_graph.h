@@ -146,4 +146,8 @@ void to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot,
               std::vector<Complex>& by_node);
 std::vector<Complex> to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot);
 
+/// Node order -> slot order. Slots without a node keep what `by_slot` has there.
+void to_slots(const SlicedLayout& layout, std::span<const Complex> by_node,
+              std::span<Complex> by_slot);
+
 }  // namespace brindle

@@ -24,43 +24,24 @@ void require(bool holds, const char* message) {
   if (!holds) throw Error(std::string("solver options: ") + message);
 }
 
-PhaseSolution solve_multilevel(const PhaseGraph& graph, const SolverOptions& options,
-                               const Progress& progress) {
-  PhaseSolution solution;
-  Hierarchy hierarchy = build_hierarchy(graph, progress);
-  solution.topology_milliseconds = hierarchy.topology_milliseconds;
-  Stopwatch watch;
-  descend(hierarchy, options.sweeps);
-  run_cycles(hierarchy, options.sweeps, options.cycles, progress);
-  solution.z = to_nodes(hierarchy.levels[0].layout(), hierarchy.levels[0].z);
-  solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
-  solution.iterations = options.sweeps * (1 + options.cycles);
-  solution.energy = energy(graph, solution.z);
-  return solution;
-}
-
-/// Cycles from the phases of another solver.
-void improve(const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
-             PhaseSolution& solution) {
-  Stopwatch watch;
+/// The multilevel solver, or its cycles from the phases that another solver has found.
+void run_multilevel(const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
+                    PhaseSolution& solution) {
   Hierarchy hierarchy = build_hierarchy(graph, progress);
   Level& finest = hierarchy.levels[0];
-  for (std::size_t node = 0; node < solution.z.size(); ++node) {
-    finest.z[finest.layout().slot_of[node]] = solution.z[node];
+  Stopwatch watch;
+  if (options.solver == Solver::multilevel) {
+    descend(hierarchy, options.sweeps);
+    solution.iterations = options.sweeps;
+  } else {
+    to_slots(finest.layout(), solution.z, finest.z);
   }
   run_cycles(hierarchy, options.sweeps, options.cycles, progress);
   solution.z = to_nodes(finest.layout(), finest.z);
   solution.topology_milliseconds += hierarchy.topology_milliseconds;
-  solution.solve_milliseconds += watch.lap() - hierarchy.topology_milliseconds;
+  solution.solve_milliseconds += hierarchy.numeric_milliseconds + watch.lap();
   solution.iterations += options.sweeps * options.cycles;
   solution.energy = energy(graph, solution.z);
-}
-
-PhaseSolution solve_without_cycles(const PhaseGraph& graph, const SolverOptions& options,
-                                   const Progress& progress) {
-  if (options.solver == Solver::relaxation) return relax(graph, options, {}, progress);
-  if (options.solver == Solver::averaged) return solve_averaged(graph, options, progress);
-  return solve_global(graph, options, progress);
 }
 
 }  // namespace
@@ -95,9 +76,23 @@ void check(const SolverOptions& options) {
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,
                            const Progress& progress) {
   check(options);
-  if (options.solver == Solver::multilevel) return solve_multilevel(graph, options, progress);
-  PhaseSolution solution = solve_without_cycles(graph, options, progress);
-  if (options.cycles > 0) improve(graph, options, progress, solution);
+  PhaseSolution solution;
+  switch (options.solver) {
+    case Solver::relaxation:
+      solution = relax(graph, options, {}, progress);
+      break;
+    case Solver::averaged:
+      solution = solve_averaged(graph, options, progress);
+      break;
+    case Solver::global:
+      solution = solve_global(graph, options, progress);
+      break;
+    case Solver::multilevel:
+      break;
+  }
+  if (options.solver == Solver::multilevel || options.cycles > 0) {
+    run_multilevel(graph, options, progress, solution);
+  }
   return solution;
 }
 
