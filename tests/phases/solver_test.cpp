@@ -98,8 +98,9 @@ TEST_P(EverySolver, SolvesASingleTriangleAndNothing) {
 
   PhaseGraph nothing;
   nothing.adjacency = std::make_shared<const Adjacency>();
-  for (options.cycles = 0; options.cycles < 2; ++options.cycles) {
-    if (options.solver == Solver::averaged) continue;
+  if (options.solver == Solver::averaged) return;  // needs levels, which no surface gives here
+  for (const int cycles : {0, 1}) {
+    options.cycles = cycles;
     EXPECT_TRUE(solve_phases(nothing, options).z.empty());
   }
 }
