@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 
 namespace brindle::bench {
 

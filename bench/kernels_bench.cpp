@@ -13,13 +13,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include "brindle/geometry/subdivide.h"
+#include "brindle/geometry/surface.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/pipeline/surface.h"
-#include "brindle/surface/shapes.h"
-#include "brindle/surface/subdivide.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/direction_field.h"
 #include "brindle/waves/frequency_field.h"
 #include "gather.h"

@@ -1,10 +1,11 @@
-# Installs the library so that find_package(brindle) finds brindle::brindle.
+# Installs the library so that find_package(brindle) finds brindle::brindle, wherever the prefix is
+# moved to.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brindle)
 install(TARGETS brindle EXPORT brindle-targets)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/brindle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brindle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN *.h)
 install(EXPORT brindle-targets NAMESPACE brindle:: DESTINATION ${package_dir})
 
@@ -15,4 +16,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/brindle-config-version.cm
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/brindle-config.cmake
               ${PROJECT_BINARY_DIR}/brindle-config-version.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake
         DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

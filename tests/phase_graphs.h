@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/surface/mesh.h"
-#include "brindle/surface/neighborhood.h"
-#include "brindle/surface/normals.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/geometry/mesh.h"
+#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/normals.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/direction_field.h"
 #include "brindle/waves/frequency_field.h"
 #include "brindle/waves/phase_graph.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 
 namespace brindle {
 

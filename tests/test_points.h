@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/surface/polylines.h"
+#include "brindle/geometry/polylines.h"
 
 namespace brindle::testing_support {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "brindle/pipeline/texture_pattern.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/direction_field.h"
 
 namespace brindle::testing_support {

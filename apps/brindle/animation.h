@@ -8,11 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/base/progress.h"
+#include "brindle/progress.h"
 #include "brindle/pattern/quality.h"
-#include "brindle/pipeline/scene.h"
 #include "brindle/pipeline/stripe_animator.h"
 #include "device.h"
+#include "scenes/scene.h"
 
 namespace brindle::tool {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "bench/measurements.h"
 #include "brindle/pattern/quality.h"
 #include "brindle/pipeline/stripe_animator.h"
-#include "measurements.h"
 
 namespace brindle::tool {
 

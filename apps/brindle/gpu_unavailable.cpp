@@ -1,6 +1,6 @@
-#include "brindle/base/error.h"
+#include "bench/gpu_measurements.h"
+#include "brindle/error.h"
 #include "gpu.h"
-#include "gpu_measurements.h"
 
 namespace brindle::tool {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/error.h"
-#include "brindle/base/progress.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/error.h"
+#include "brindle/progress.h"
+#include "brindle/shapes/shapes.h"
 #include "commands.h"
 
 namespace brindle::tool {

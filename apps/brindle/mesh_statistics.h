@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "brindle/surface/mesh.h"
+#include "brindle/geometry/mesh.h"
 
 namespace brindle::tool {
 

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 
 namespace brindle::tool {
 

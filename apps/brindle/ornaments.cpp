@@ -1,9 +1,9 @@
 // Pictures of curves and samples, for builds with OpenGL.
 #include <algorithm>
 
+#include "brindle/geometry/append_mesh.h"
+#include "brindle/geometry/normals.h"
 #include "brindle/render/line_drawing.h"
-#include "brindle/surface/append_mesh.h"
-#include "brindle/surface/normals.h"
 #include "picture_options.h"
 
 namespace brindle::tool {

@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/files/mesh_io.h"
 #include "brindle/pattern/texture_coordinates.h"
-#include "brindle/surface/mesh_io.h"
 
 namespace brindle::tool {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/render/splats.h"
 #include "option_values.h"
 #include "picture_options.h"

@@ -8,8 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/pipeline/surface.h"
-#include "brindle/surface/polylines.h"
+#include "brindle/geometry/polylines.h"
+#include "brindle/geometry/surface.h"
 #include "stripe_result.h"
 
 namespace brindle::tool {

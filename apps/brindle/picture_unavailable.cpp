@@ -1,4 +1,4 @@
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "moving_picture.h"
 #include "picture.h"
 #include "texture_options.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <thread>
 
-#include "brindle/base/progress.h"
+#include "brindle/progress.h"
 
 namespace brindle::tool {
 

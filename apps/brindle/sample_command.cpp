@@ -5,14 +5,14 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/files/sample_io.h"
 #include "brindle/pattern/point_sampling.h"
-#include "brindle/pattern/sample_io.h"
-#include "brindle/surface/point_tree.h"
+#include "brindle/points/point_tree.h"
 #include "commands.h"
 #include "formatted.h"
 #include "option_values.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/pipeline/cross_texture.h"
 #include "commands.h"

@@ -3,9 +3,9 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/base/error.h"
-#include "brindle/surface/shapes.h"
-#include "brindle/surface/subdivide.h"
+#include "brindle/error.h"
+#include "brindle/geometry/subdivide.h"
+#include "brindle/shapes/shapes.h"
 
 namespace brindle::tool {
 namespace {

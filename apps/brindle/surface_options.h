@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/surface/mesh_io.h"
-#include "brindle/surface/point_io.h"
+#include "brindle/files/mesh_io.h"
+#include "brindle/files/point_io.h"
 
 namespace brindle::tool {
 

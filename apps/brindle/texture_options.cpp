@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle::tool {
 namespace {

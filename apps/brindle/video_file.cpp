@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 extern char** environ;
 

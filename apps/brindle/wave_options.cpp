@@ -3,8 +3,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "brindle/geometry/curvature.h"
 #include "brindle/pipeline/smooth_field.h"
-#include "brindle/surface/curvature.h"
 #include "brindle/waves/frequency_field.h"
 #include "brindle/waves/orientation.h"
 #include "option_values.h"

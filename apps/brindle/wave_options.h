@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/pipeline/surface.h"
+#include "brindle/geometry/surface.h"
 #include "brindle/waves/direction_field.h"
 #include "brindle/waves/frequency_field.h"
 #include "brindle/waves/phase_graph.h"

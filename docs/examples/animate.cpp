@@ -1,19 +1,24 @@
-// Stripes that follow a changing field. Built and run by the tests.
+// Stripes that follow a turning field. Built and run by the tests.
+#include <cmath>
 #include <cstdio>
+#include <vector>
 
-#include "brindle/pipeline/scene.h"
+#include "brindle/geometry/surface.h"
 #include "brindle/pipeline/stripe_animator.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
+#include "brindle/waves/direction_field.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));
-  const float frequency = 20 / bounding_box(surface.mesh).diagonal();
-  brindle::Scene scene(surface, {.kind = brindle::SceneKind::vortices, .frequency = frequency});
+  const std::size_t vertices = surface.mesh.vertex_count();
+  const std::vector<float> frequencies(vertices, 20 / bounding_box(surface.mesh).diagonal());
   brindle::StripeAnimator animator(surface.neighborhood);
   for (int number = 0; number < 10; ++number) {
-    const brindle::WaveSet& waves = scene.frame(number).waves;  // your own input, in your program
+    const float angle = 0.02f * static_cast<float>(number);  // your own input, in your program
+    const auto directions = brindle::projected_direction_field(
+        {std::cos(angle), std::sin(angle), 0.3f}, surface.normals);
     const brindle::FrameResult frame =
-        animator.frame({waves.positions, waves.directions, waves.frequencies});
+        animator.frame({surface.mesh.positions, directions, frequencies});
     std::printf("frame %d: phases moved by %.3f radians on average\n", number, frame.phase_step);
   }
 }

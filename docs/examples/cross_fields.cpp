@@ -3,7 +3,7 @@
 
 #include "brindle/pipeline/cross_texture.h"
 #include "brindle/pipeline/smooth_field.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("box"));

@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <vector>
 
+#include "brindle/files/polyline_io.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/surface/polyline_io.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/frequency_field.h"
 
 int main() {

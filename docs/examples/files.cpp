@@ -1,11 +1,11 @@
 // A textured mesh for other programs. Built and run by the tests.
 #include <filesystem>
 
+#include "brindle/files/mesh_io.h"
 #include "brindle/pattern/texture_coordinates.h"
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/pipeline/texture_pattern.h"
-#include "brindle/surface/mesh_io.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));

@@ -1,13 +1,16 @@
 // Stripes on the GPU inside an OpenGL application: buffers in, a buffer out. Built and run by the
 // tests.
+#include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include <epoxy/gl.h>
 
+#include "brindle/geometry/surface.h"
 #include "brindle/gl/headless_context.h"
 #include "brindle/gpu/gpu_animator.h"
-#include "brindle/pipeline/scene.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
+#include "brindle/waves/direction_field.h"
 
 template <class Item>
 void copy(const std::vector<Item>& items, GLuint buffer) {
@@ -18,8 +21,8 @@ void copy(const std::vector<Item>& items, GLuint buffer) {
 int main() {
   const brindle::HeadlessContext context;  // your window's context, in your program
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));
-  const float frequency = 20 / bounding_box(surface.mesh).diagonal();
-  brindle::Scene scene(surface, {.kind = brindle::SceneKind::vortices, .frequency = frequency});
+  const std::vector<float> frequencies(surface.mesh.vertex_count(),
+                                       20 / bounding_box(surface.mesh).diagonal());
   GLuint buffers[3];  // that your program has anyway
   glCreateBuffers(3, buffers);
 
@@ -27,10 +30,12 @@ int main() {
   brindle::GpuAnimator animator(kernels, surface.neighborhood);
   animator.measure_frames(true);
   for (int number = 0; number < 5; ++number) {
-    const brindle::WaveSet& waves = scene.frame(number).waves;  // or a shader of yours writes them
-    copy(waves.positions, buffers[0]);
-    copy(waves.directions, buffers[1]);
-    copy(waves.frequencies, buffers[2]);
+    const float angle = 0.02f * static_cast<float>(number);  // or a shader of yours writes them
+    copy(surface.mesh.positions, buffers[0]);
+    copy(brindle::projected_direction_field({std::cos(angle), std::sin(angle), 0.3f},
+                                            surface.normals),
+         buffers[1]);
+    copy(frequencies, buffers[2]);
     animator.frame(brindle::WaveBuffers{buffers[0], buffers[1], buffers[2]});
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, animator.phases());  // and draw
     if (const auto& measured = animator.measured()) {

@@ -1,10 +1,10 @@
 // Stripes on points without triangles. Built and run by the tests.
 #include <cstdio>
 
-#include "brindle/pipeline/point_surface.h"
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/points/point_surface.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/frequency_field.h"
 
 int main() {

@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "brindle/pattern/sample_io.h"
+#include "brindle/files/sample_io.h"
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/pipeline/texture_pattern.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/frequency_field.h"
 
 int main() {

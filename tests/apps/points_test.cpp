@@ -22,7 +22,7 @@ struct PointsTool : ToolTest {
   }
 };
 
-#ifdef BRINDLE_TESTS_NANOFLANN
+#ifdef BRINDLE_HAS_NANOFLANN
 
 TEST_F(PointsTool, AreTheVerticesOfAMeshIfAskedFor) {
   const Json report = this->report(kPoints, {"--points"});

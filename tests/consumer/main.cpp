@@ -2,7 +2,7 @@
 
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/frequency_field.h"
 
 int main() {

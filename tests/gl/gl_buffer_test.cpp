@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_device.h"
 #include "brindle/gl/headless_context.h"
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/pattern/quality.h"
-#include "brindle/pipeline/scene.h"
 #include "device.h"
 #include "phase_graphs.h"
+#include "scenes/scene.h"
 
 namespace brindle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "device.h"
 
 namespace brindle {

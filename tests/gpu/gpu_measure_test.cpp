@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "device.h"
 #include "phase_graphs.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
+#include "brindle/files/mesh_io.h"
 #include "brindle/pattern/quality.h"
-#include "brindle/surface/mesh_io.h"
 #include "device.h"
 #include "phase_graphs.h"
 #include "test_meshes.h"

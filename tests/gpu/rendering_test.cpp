@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_animator.h"
 #include "brindle/render/renderer.h"

@@ -7,7 +7,7 @@
 
 #include "phase_graphs.h"
 
-#ifdef BRINDLE_TESTS_NANOFLANN
+#ifdef BRINDLE_HAS_NANOFLANN
 
 namespace brindle {
 namespace {

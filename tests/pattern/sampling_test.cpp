@@ -13,11 +13,11 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/sample_io.h"
+#include "brindle/files/mesh_io.h"
+#include "brindle/files/sample_io.h"
 #include "brindle/phases/solver.h"
-#include "brindle/surface/mesh_io.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -7,9 +7,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
+#include "brindle/geometry/normals.h"
 #include "brindle/pattern/fragment_phase.h"
-#include "brindle/surface/normals.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "phase_graphs.h"
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/areas.h"
 #include "brindle/phases/relaxation.h"
-#include "brindle/surface/areas.h"
 #include "brindle/waves/averaged_levels.h"
 #include "phase_graphs.h"
 

@@ -7,11 +7,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/files/mesh_io.h"
 #include "brindle/pipeline/smooth_field.h"
-#include "brindle/surface/mesh_io.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/frequency_field.h"
 
 namespace brindle {

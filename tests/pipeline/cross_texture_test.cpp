@@ -9,10 +9,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/geometry/normals.h"
 #include "brindle/pattern/fragment_phase.h"
 #include "brindle/pipeline/smooth_field.h"
-#include "brindle/surface/normals.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/frequency_field.h"
 
 namespace brindle {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/surface/shapes.h"
-#include "brindle/surface/shared_edges.h"
+#include "brindle/geometry/shared_edges.h"
+#include "brindle/shapes/shapes.h"
 
 namespace brindle {
 namespace {

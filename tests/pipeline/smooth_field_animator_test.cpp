@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/error.h"
+#include "brindle/shapes/shapes.h"
 
 namespace brindle {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/surface/shapes.h"
-#include "brindle/surface/subdivide.h"
+#include "brindle/geometry/subdivide.h"
+#include "brindle/shapes/shapes.h"
 
 namespace brindle {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/phases/solver.h"
 #include "phase_graphs.h"

@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/surface/mesh_io.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/files/mesh_io.h"
+#include "brindle/shapes/shapes.h"
 #include "brindle/waves/direction_field.h"
 #include "brindle/waves/frequency_field.h"
 #include "phase_graphs.h"

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
+#include "brindle/files/mesh_io.h"
 #include "brindle/pipeline/smooth_field.h"
-#include "brindle/surface/mesh_io.h"
 #include "textures.h"
 
 namespace brindle {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
-#include "brindle/surface/normals.h"
-#include "brindle/surface/shapes.h"
+#include "brindle/error.h"
+#include "brindle/geometry/normals.h"
+#include "brindle/shapes/shapes.h"
 
 namespace brindle {
 namespace {

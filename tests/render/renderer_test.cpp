@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/pattern/fragment_phase.h"
 #include "render/test_scenes.h"
 

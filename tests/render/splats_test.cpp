@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
-#include "brindle/surface/neighborhood.h"
+#include "brindle/error.h"
+#include "brindle/geometry/neighborhood.h"
 #include "render/test_scenes.h"
 
 namespace brindle {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/render/renderer.h"
 #include "render/test_scenes.h"
 

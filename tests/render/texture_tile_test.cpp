@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/surface/areas.h"
+#include "brindle/geometry/areas.h"
 #include "phase_graphs.h"
 
 namespace brindle {

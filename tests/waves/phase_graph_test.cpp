@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

@@ -1,8 +1,9 @@
 #include "brindle/base/parallel.h"
 
+#ifdef BRINDLE_HAS_TBB
+
 #include <algorithm>
 
-#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
@@ -17,16 +18,15 @@ std::size_t thread_number() {
   return static_cast<std::size_t>(std::max(0, tbb::this_task_arena::current_thread_index()));
 }
 
-ThreadLimit::ThreadLimit(int threads)
-    : control_(threads > 0 ? std::make_unique<tbb::global_control>(
-                                 tbb::global_control::max_allowed_parallelism, threads)
-                           : nullptr) {}
+}  // namespace brindle
 
-ThreadLimit::~ThreadLimit() = default;
+#else
 
-int ThreadLimit::current() {
-  return static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-}
+namespace brindle {
+
+std::size_t thread_capacity() { return 1; }
+std::size_t thread_number() { return 0; }
 
 }  // namespace brindle
+
+#endif

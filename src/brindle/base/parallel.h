@@ -1,19 +1,19 @@
-/// Threads behind two functions. Both give bit-identical results for every number of threads.
+/// Threads behind two functions. Both give bit-identical results for every number of threads, and
+/// without oneTBB.
 #pragma once
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 
+#ifdef BRINDLE_HAS_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include "brindle/base/task_order.h"
+#endif
 
-namespace tbb::detail::d1 {
-class global_control;
-}
+#include "brindle/threads.h"
 
 namespace brindle {
 
@@ -24,24 +24,41 @@ inline constexpr std::size_t kParallelGrain = 2048;
 /// how the range is cut.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
-  if (count <= grain) {
-    if (count > 0) body(std::size_t{0}, count);
+#ifdef BRINDLE_HAS_TBB
+  if (count > grain) {
+    TaskOrder::call();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [&](const tbb::blocked_range<std::size_t>& r) {
+                        TaskOrder::begin_task();
+                        body(r.begin(), r.end());
+                        TaskOrder::end_task();
+                      });
+    TaskOrder::join();
     return;
   }
-  TaskOrder::call();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                    [&](const tbb::blocked_range<std::size_t>& r) {
-                      TaskOrder::begin_task();
-                      body(r.begin(), r.end());
-                      TaskOrder::end_task();
-                    });
-  TaskOrder::join();
+#else
+  static_cast<void>(grain);
+#endif
+  if (count > 0) body(std::size_t{0}, count);
+}
+
+/// The sum of `body(begin, end)` over the halves of [begin, end), halved until no piece is longer
+/// than `grain`: the order in which oneTBB's deterministic reduction adds.
+template <class Value, class Body>
+Value halving_sum(std::size_t begin, std::size_t end, const Body& body, std::size_t grain) {
+  if (begin == end) return Value{};
+  if (end - begin <= grain) return Value{} + body(begin, end);
+  const std::size_t middle = begin + (end - begin) / 2;
+  const Value first = halving_sum<Value>(begin, middle, body, grain);
+  return first + halving_sum<Value>(middle, end, body, grain);
 }
 
 /// The sum of `body(begin, end)` over ranges that cover [0, count). Ranges and the order of the
-/// additions depend on `count` and `grain` alone, so the sum is the same for any thread count.
+/// additions depend on `count` and `grain` alone (`halving_sum`), so the sum is the same for any
+/// number of threads.
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
+#ifdef BRINDLE_HAS_TBB
   TaskOrder::call();
   const Value total = tbb::parallel_deterministic_reduce(
       tbb::blocked_range<std::size_t>(0, count, grain), Value{},
@@ -55,26 +72,14 @@ Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kPar
       std::plus<Value>());
   TaskOrder::join();
   return total;
+#else
+  return halving_sum<Value>(0, count, body, grain);
+#endif
 }
 
 /// The most threads that can work at the same time, and the number, from 0, of the one that asks.
 /// A thread keeps its number during a body of `parallel_for`.
 std::size_t thread_capacity();
 std::size_t thread_number();
-
-/// Limits the number of threads while it lives; 0 means all that the machine has.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
-
-  /// The number of threads now in force.
-  static int current();
-
- private:
-  std::unique_ptr<tbb::detail::d1::global_control> control_;
-};
 
 }  // namespace brindle

@@ -1,6 +1,6 @@
 #include "brindle/gl/gl_buffer.h"
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 

@@ -10,7 +10,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_device.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 
 #include <epoxy/gl.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

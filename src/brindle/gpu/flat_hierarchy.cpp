@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

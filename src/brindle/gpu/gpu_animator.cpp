@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_hierarchy.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 #include "brindle/pattern/corner_waves.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 
 #include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
-#include "brindle/surface/point_tree.h"
+#include "brindle/points/point_tree.h"
 
 namespace brindle {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 #include "brindle/pattern/corner_waves.h"
 
 namespace brindle {

@@ -1,6 +1,6 @@
 #include "brindle/pattern/lifted_waves.h"
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {

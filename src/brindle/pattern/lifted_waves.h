@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "brindle/geometry/mesh_edges.h"
 #include "brindle/pattern/stripe_pieces.h"
-#include "brindle/surface/mesh_edges.h"
 
 namespace brindle {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
+#include "brindle/adjacency.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/waves/phase_graph.h"
 

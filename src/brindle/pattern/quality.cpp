@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/surface/normals.h"
+#include "brindle/geometry/normals.h"
 
 namespace brindle {
 namespace {

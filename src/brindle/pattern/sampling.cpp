@@ -7,10 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
-#include "brindle/surface/point_tree.h"
+#include "brindle/points/point_tree.h"
 
 namespace brindle {
 namespace {

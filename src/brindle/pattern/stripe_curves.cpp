@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/waves/orientation.h"
 

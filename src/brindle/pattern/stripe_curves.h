@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "brindle/geometry/polylines.h"
 #include "brindle/pattern/lifted_waves.h"
-#include "brindle/surface/polylines.h"
 
 namespace brindle {
 

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 #include "brindle/pattern/corner_phases.h"
 
 namespace brindle {

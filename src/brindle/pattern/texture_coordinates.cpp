@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/shared_edges.h"
 #include "brindle/pattern/corner_phases.h"
 #include "brindle/pattern/fragment_phase.h"
-#include "brindle/surface/shared_edges.h"
 
 namespace brindle {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
+#include "brindle/adjacency.h"
 
 namespace brindle {
 

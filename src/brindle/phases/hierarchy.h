@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/progress.h"
+#include "brindle/progress.h"
 #include "brindle/phases/aggregation.h"
 #include "brindle/phases/sliced_graph.h"
 

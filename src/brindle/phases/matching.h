@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "brindle/base/adjacency.h"
+#include "brindle/adjacency.h"
 #include "brindle/phases/sliced_graph.h"
 
 namespace brindle {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

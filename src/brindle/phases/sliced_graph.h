@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
-#include "brindle/base/types.h"
+#include "brindle/adjacency.h"
+#include "brindle/types.h"
 #include "brindle/phases/coloring.h"
 #include "brindle/waves/phase_graph.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 #include "brindle/phases/gauge_rounds.h"
 #include "brindle/phases/sliced_graph.h"
 #include "brindle/waves/phase_shift.h"

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/phases/sliced_kernels.h"
 

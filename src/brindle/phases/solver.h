@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/progress.h"
+#include "brindle/progress.h"
 #include "brindle/waves/phase_graph.h"
 
 namespace brindle {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/stopwatch.h"
 
 namespace brindle {

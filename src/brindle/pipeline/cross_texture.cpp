@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/surface/normals.h"
+#include "brindle/geometry/normals.h"
 
 namespace brindle {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -5,11 +5,11 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/curvature.h"
+#include "brindle/geometry/feature_edges.h"
 #include "brindle/phases/solver.h"
-#include "brindle/surface/curvature.h"
-#include "brindle/surface/feature_edges.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 

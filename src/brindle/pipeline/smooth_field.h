@@ -1,7 +1,7 @@
 /// Smooth direction fields by the multilevel phase solver (DESIGN section 2).
 #pragma once
 
-#include "brindle/pipeline/surface.h"
+#include "brindle/geometry/surface.h"
 #include "brindle/waves/direction_field.h"
 
 namespace brindle {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "brindle/pipeline/surface.h"
+#include "brindle/geometry/surface.h"
 #include "brindle/waves/direction_field.h"
 
 namespace brindle {

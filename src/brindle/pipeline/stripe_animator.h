@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
-#include "brindle/base/progress.h"
-#include "brindle/base/types.h"
+#include "brindle/adjacency.h"
+#include "brindle/progress.h"
+#include "brindle/types.h"
 #include "brindle/waves/phase_shift.h"
 
 namespace brindle {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/geometry/areas.h"
+#include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pattern/point_quality.h"
 #include "brindle/pipeline/stripe_animator.h"
-#include "brindle/surface/areas.h"
-#include "brindle/surface/cotangent_weights.h"
 #include "brindle/waves/averaged_levels.h"
 
 namespace brindle {

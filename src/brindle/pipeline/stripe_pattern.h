@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "brindle/base/progress.h"
+#include "brindle/progress.h"
+#include "brindle/geometry/surface.h"
 #include "brindle/pattern/quality.h"
 #include "brindle/phases/solver.h"
-#include "brindle/pipeline/surface.h"
 
 namespace brindle {
 

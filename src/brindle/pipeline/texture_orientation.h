@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <span>
 
-#include "brindle/base/progress.h"
+#include "brindle/progress.h"
+#include "brindle/geometry/shared_edges.h"
 #include "brindle/pattern/texture_waves.h"
-#include "brindle/surface/shared_edges.h"
 
 namespace brindle {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "brindle/surface/mesh.h"
+#include "brindle/geometry/mesh.h"
 
 namespace brindle {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "brindle/base/types.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

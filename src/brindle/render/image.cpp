@@ -9,7 +9,7 @@
 
 #include <png.h>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/output_file.h"
 
 namespace brindle {

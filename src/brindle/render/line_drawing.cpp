@@ -9,9 +9,9 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/output_file.h"
-#include "brindle/surface/text_output.h"
+#include "brindle/base/text_output.h"
 
 namespace brindle {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "brindle/geometry/mesh.h"
+#include "brindle/geometry/polylines.h"
 #include "brindle/render/camera.h"
 #include "brindle/render/color.h"
-#include "brindle/surface/mesh.h"
-#include "brindle/surface/polylines.h"
 
 namespace brindle {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "brindle/geometry/mesh.h"
 #include "brindle/pattern/corner_phases.h"
 #include "brindle/render/color.h"
-#include "brindle/surface/mesh.h"
 
 namespace brindle {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/headless_context.h"
 #include "brindle/gl/shader_program.h"

@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "brindle/geometry/mesh.h"
 #include "brindle/pattern/texture_waves.h"
 #include "brindle/render/camera.h"
 #include "brindle/render/color.h"
 #include "brindle/render/image.h"
 #include "brindle/render/overlay.h"
 #include "brindle/render/texture_tile.h"
-#include "brindle/surface/mesh.h"
 #include "brindle/waves/phase_graph.h"
 
 namespace brindle {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/headless_context.h"

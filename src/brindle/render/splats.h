@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
+#include "brindle/adjacency.h"
 #include "brindle/render/renderer.h"
 #include "brindle/waves/phase_graph.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 
 namespace brindle {

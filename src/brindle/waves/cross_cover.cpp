@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
-#include "brindle/surface/mesh.h"
+#include "brindle/adjacency.h"
+#include "brindle/geometry/mesh.h"
 #include "brindle/waves/phase_graph.h"
 
 namespace brindle {

@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/surface/csv_file.h"
+#include "brindle/files/csv_file.h"
 
 namespace brindle {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/types.h"
-#include "brindle/surface/curvature.h"
+#include "brindle/types.h"
+#include "brindle/geometry/curvature.h"
 
 namespace brindle {
 

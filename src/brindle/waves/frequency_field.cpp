@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

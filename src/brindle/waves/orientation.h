@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "brindle/base/adjacency.h"
+#include "brindle/adjacency.h"
 #include "brindle/waves/direction_field.h"
 
 namespace brindle {

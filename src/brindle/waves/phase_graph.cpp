@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brindle/base/error.h"
+#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/base/adjacency.h"
-#include "brindle/base/types.h"
+#include "brindle/adjacency.h"
+#include "brindle/types.h"
 #include "brindle/waves/phase_shift.h"
 
 namespace brindle {

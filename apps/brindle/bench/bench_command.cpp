@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench/bench_plan.h"
+#include "bench/bench_report.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/phases/coloring.h"
+#include "commands.h"
+#include "device.h"
+#include "formatted.h"
+#include "option_values.h"
+#include "outputs.h"
+#include "preparation.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  brindle bench --json bench.json
+  brindle bench horse.ply --direction 0.31,0.9,0.27
+  brindle bench horse.ply --direction 0.31,0.9,0.27 --device gpu
+  brindle bench --figure 13)";
+
+// Along no symmetry of any built-in shape.
+const Vec3 kDirection(0.31f, 0.9f, 0.27f);
+
+struct Arguments {
+  BenchArguments bench;
+  DeviceKind device = DeviceKind::cpu;
+  WaveOptions waves;
+  std::string json;
+  bool quiet = false;
+};
+
+Subject subject_of(const Arguments& arguments, const BenchPlan& plan, const std::string& mesh,
+                   int subdivide, ProgressDisplay& display) {
+  Preparation prepared = prepare({mesh, subdivide}, arguments.waves, display);
+  Subject subject{mesh, subdivide, std::move(prepared.surface), {}, prepared.topology_milliseconds};
+  subject.fields.push_back(std::move(prepared.waves));
+  if (plan.two_fields) add_crossing_field(subject);
+  if (plan.cross) make_cross_field(subject);
+  return subject;
+}
+
+// All before the first measurement: a mistyped name shows at once.
+std::vector<Subject> subjects_of(const Arguments& arguments, const BenchPlan& plan,
+                                 ProgressDisplay& display) {
+  std::vector<Subject> subjects;
+  for (const std::string& mesh : plan.meshes) {
+    subjects.push_back(subject_of(arguments, plan, mesh, 0, display));
+    if (plan.subdivide == 0) continue;
+    subjects.push_back(subject_of(arguments, plan, mesh, plan.subdivide, display));
+  }
+  return subjects;
+}
+
+bool is_left_out(const SolverCase& solver, const Subject& subject, int global_limit) {
+  return solver.options.solver == Solver::global &&
+         subject.vertex_count() > static_cast<std::size_t>(global_limit);
+}
+
+MeshFigures empty_figures(const Subject& subject) {
+  const Adjacency& neighborhood = *subject.surface.neighborhood;
+  MeshFigures figures;
+  figures.mesh = subject.name;
+  figures.subdivided = subject.subdivided;
+  figures.vertices = subject.vertex_count();
+  figures.edges = neighborhood.edge_count();
+  figures.luby_colors = luby_coloring(neighborhood).color_count;
+  figures.greedy_colors = greedy_coloring(neighborhood).color_count;
+  figures.fields = subject.fields.size();
+  figures.neighborhood_milliseconds = subject.neighborhood_milliseconds;
+  return figures;
+}
+
+MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Device& device,
+                       int global_limit, ProgressDisplay& display) {
+  MeshFigures figures = empty_figures(subject);
+  // What is shown while solvers report stages of their own.
+  const auto progress = [&](const std::string& name) {
+    return Progress(
+        [&display, stage = formatted("%s, %zu vertices", name.c_str(), subject.vertex_count())](
+            std::string_view, double) {
+          display.stage(stage);
+          return true;
+        });
+  };
+  // First, while nothing has been freed that could be used again unseen.
+  if (plan.memory) figures.memory = measure_memory(subject);
+  if (device.gpu() != nullptr) {
+    figures.gpu_frames = measure_gpu_frames(device, subject, plan.repetitions, progress("frames"));
+  }
+  for (const int threads : device.gpu() != nullptr ? std::vector<int>() : plan.threads) {
+    const ThreadLimit limit(threads);
+    figures.frames.push_back(measure_frames(subject, plan.repetitions, progress("frames")));
+  }
+  for (const SolverCase& solver : plan.solvers) {
+    if (is_left_out(solver, subject, global_limit)) continue;
+    for (const int threads : plan.threads) {
+      // CHOLMOD's threads are not Brindle's to limit.
+      if (solver.options.solver == Solver::global && threads != plan.threads.back()) continue;
+      const ThreadLimit limit(threads);
+      figures.solvers.push_back(
+          measure_solver(subject, solver, device, plan.repetitions, progress(solver.name)));
+    }
+  }
+  return figures;
+}
+
+/// Its solvers; threads of the processor make no difference, and its memory says nothing.
+void keep_what_the_gpu_has(BenchPlan& plan) {
+  std::erase_if(plan.solvers, [](const SolverCase& solver) {
+    return !has_solver(DeviceKind::gpu, solver.options.solver);
+  });
+  plan.threads = {plan.threads.back()};
+  plan.memory = false;
+}
+
+BenchReport report_of(const Arguments& arguments) {
+  BenchReport report;
+  report.machine = this_machine();
+  report.figure = arguments.bench.figure;
+  BenchPlan plan = plan_of(arguments.bench);
+  const Device device(arguments.device);
+  report.device = device.description();
+  if (device.gpu() != nullptr) {
+    keep_what_the_gpu_has(plan);
+    report.copy_bandwidth = copy_bandwidth();
+  }
+  ProgressDisplay display(arguments.quiet);
+  const int limit = arguments.bench.global_limit;
+  for (const Subject& subject : subjects_of(arguments, plan, display)) {
+    report.meshes.push_back(figures_of(subject, plan, device, limit, display));
+    if (std::ranges::any_of(plan.solvers, [&](const SolverCase& solver) {
+          return is_left_out(solver, subject, limit);
+        })) {
+      report.notes.push_back(
+          formatted("global left out at %zu vertices; --global-limit %zu includes it",
+                    subject.vertex_count(), subject.vertex_count()));
+    }
+  }
+  return report;
+}
+
+void run(const Arguments& arguments) {
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  const BenchReport report = report_of(arguments);
+  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
+  if (!arguments.quiet) print_bench_report(std::cout, report);
+}
+
+double seconds_of(const std::string& option, const std::string& text) {
+  return static_cast<double>(positive_number_of(option, text));
+}
+
+void add_bench_options(CLI::App& app, BenchArguments& bench) {
+  app.add_option("MESH", bench.meshes,
+                 "files or built-in shapes (default: built-in shapes that suit the run)")
+      ->type_name("");
+  app.add_option("--figure", bench.figure,
+                 "repeat a figure of the paper: 13 sizes, two orthogonal fields; 14 shapes; 16 "
+                 "sizes, with the averaged hierarchy")
+      ->type_name("13|14|16")
+      ->check(CLI::IsMember({13, 14, 16}));
+  app.add_option("--subdivide", bench.subdivide,
+                 "also measure each mesh with every triangle split in four, K times (default 2; "
+                 "0: not), except for figures")
+      ->type_name("K")
+      ->check(CLI::Range(0, 5));
+  app.add_option("--threads", bench.threads,
+                 "measure with 1, 2, 4, ... up to N threads (default 0: all)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--repetitions", bench.repetitions,
+                 "of each measurement, after one to warm up (default 20)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  add_parsed_option(app, "--seconds", bench.budget_seconds, seconds_of,
+                    "begin no further repetition of a measurement after S seconds (default 2)")
+      ->type_name("S");
+  app.add_option("--global-limit", bench.global_limit,
+                 "leave the global solver out above N vertices (default 120000)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1 << 30));
+  app.add_flag("--quick", bench.quick, "small shapes and two repetitions: does it work at all?");
+}
+
+}  // namespace
+
+Command add_bench_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("bench", "Times of all solvers and of frames that follow changing input");
+  command->footer(kExamples);
+  const auto arguments = std::make_shared<Arguments>();
+  add_bench_options(*command, arguments->bench);
+  add_wave_options(*command, arguments->waves);
+  add_device_option(*command, arguments->device);
+  command->add_option("--json", arguments->json, "write all figures here")->type_name("FILE.json");
+  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
+  return {command, [command, arguments] {
+            // As in the paper's measurements (5.2).
+            WaveOptions& waves = arguments->waves;
+            if (!waves.direction && command->count("--field") == 0) waves.direction = kDirection;
+            run(*arguments);
+          }};
+}
+
+}  // namespace brindle::tool

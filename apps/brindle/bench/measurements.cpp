@@ -1,0 +1,144 @@
+#include "bench/measurements.h"
+
+#include <numbers>
+#include <utility>
+
+#include "bench/resident_memory.h"
+#include "brindle/base/parallel.h"
+#include "brindle/pattern/quality.h"
+#include "brindle/pipeline/cross_pattern.h"
+#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/waves/direction_field.h"
+#include "changing_input.h"
+
+namespace brindle::tool {
+namespace {
+
+/// An animator for every field, all with their first frame behind them.
+std::vector<StripeAnimator> started_animators(const Subject& subject,
+                                              const std::vector<ChangingInput>& inputs) {
+  std::vector<StripeAnimator> animators;
+  animators.emplace_back(subject.surface.neighborhood);
+  animators[0].frame(inputs[0].frame(0));
+  for (std::size_t field = 1; field < inputs.size(); ++field) {
+    animators.push_back(animators[0].sibling());
+    animators[field].frame(inputs[field].frame(0));
+  }
+  return animators;
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> milliseconds) {
+  std::ranges::sort(milliseconds);
+  const std::size_t count = milliseconds.size();
+  const double median = (milliseconds[(count - 1) / 2] + milliseconds[count / 2]) / 2;
+  return {milliseconds[0], median, static_cast<int>(count)};
+}
+
+void add_crossing_field(Subject& subject) {
+  WaveSet crossing = subject.fields[0];
+  crossing.directions =
+      rotated(crossing.directions, subject.surface.normals, std::numbers::pi_v<float> / 2);
+  subject.fields.push_back(std::move(crossing));
+}
+
+void make_cross_field(Subject& subject) {
+  Surface& surface = subject.surface;
+  CrossCover cover = cross_cover(*surface.neighborhood, surface.mesh.triangles,
+                                 cross_waves(subject.fields[0], surface.normals));
+  surface = cover_surface(cover, surface.normals);
+  subject.fields = {std::move(cover.waves)};
+}
+
+SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
+                             const Repetitions& repetitions, const Progress& progress) {
+  StripeOptions options;
+  options.solver = solver.options;
+  options.solve = device.solver();
+  SolverFigures figures{solver.name, ThreadLimit::current(), 0, {}, {}, {}, {}};
+  const auto samples = samples_of(repetitions, [&] {
+    StripeMilliseconds sum;
+    figures.quality = {};
+    for (const WaveSet& waves : subject.fields) {
+      const StripePattern pattern = stripe_pattern(subject.surface, waves, options, progress);
+      const StripeMilliseconds& time = pattern.milliseconds;
+      // Averages follow the field; colours and aggregates serve all fields.
+      const bool shared = solver.options.solver != Solver::averaged;
+      sum.topology = shared ? time.topology : sum.topology + time.topology;
+      sum.couple += time.couple;
+      sum.solve += time.solve;
+      figures.iterations = pattern.solution.iterations;
+      add(figures.quality, pattern.solution.energy, pattern.quality, subject.fields.size());
+    }
+    return sum;
+  });
+  figures.topology = spread_of(samples, &StripeMilliseconds::topology);
+  figures.couple = spread_of(samples, &StripeMilliseconds::couple);
+  figures.solve = spread_of(samples, &StripeMilliseconds::solve);
+  return figures;
+}
+
+FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
+                            const Progress& progress) {
+  const std::vector<ChangingInput> inputs = changing_inputs(subject);
+  FrameFigures figures;
+  figures.threads = ThreadLimit::current();
+  figures.topology = spread_of(samples_of(repetitions, [&] {
+    progress.report("topology", 0);
+    StripeAnimator animator(subject.surface.neighborhood);
+    animator.frame(inputs[0].frame(0));
+    return animator.topology_milliseconds();
+  }));
+  std::vector<StripeAnimator> animators = started_animators(subject, inputs);
+  std::vector<std::vector<Complex>> z(inputs.size());
+  int number = 0;
+  const auto samples = samples_of(repetitions, [&] {
+    progress.report("frames", 0);
+    ++number;
+    FrameMilliseconds sum;
+    for (std::size_t field = 0; field < inputs.size(); ++field) {
+      const FrameResult result = animators[field].frame(inputs[field].frame(number));
+      sum.couple += result.milliseconds.couple;
+      sum.sum += result.milliseconds.sum;
+      sum.solve += result.milliseconds.solve;
+      z[field].assign(result.z.begin(), result.z.end());
+    }
+    return sum;
+  });
+  figures.couple = spread_of(samples, &FrameMilliseconds::couple);
+  figures.sum = spread_of(samples, &FrameMilliseconds::sum);
+  figures.solve = spread_of(samples, &FrameMilliseconds::solve);
+  figures.total = spread_of(samples, [](const FrameMilliseconds& frame) {
+    return frame.couple + frame.sum + frame.solve;
+  });
+  figures.quality = quality_of(subject, inputs, number, z);
+  return figures;
+}
+
+std::optional<MemoryFigures> measure_memory(const Subject& subject) {
+  const ChangingInput input = changing_input(subject.surface, subject.fields[0]);
+  const auto resident = [] {
+    return_free_memory();
+    return resident_memory();
+  };
+  const auto growth = [](std::size_t after, std::size_t before) {
+    return after > before ? after - before : 0;
+  };
+  const auto before = resident();
+  if (!before) return std::nullopt;
+  reset_memory_peak();
+  StripeAnimator animator(subject.surface.neighborhood);
+  for (const int number : {0, 1}) animator.frame(input.frame(number));
+  const auto one = resident();
+  StripeAnimator sibling = animator.sibling();
+  for (const int number : {0, 1}) sibling.frame(input.frame(number));
+  const auto two = resident();
+  const Adjacency& neighborhood = *subject.surface.neighborhood;
+  return MemoryFigures{
+      (neighborhood.offsets.size() + neighborhood.neighbors.size()) * sizeof(Index),
+      growth(one->now, before->now), growth(one->peak, before->now), growth(two->now, one->now)};
+}
+
+}  // namespace brindle::tool

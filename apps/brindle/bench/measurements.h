@@ -1,0 +1,126 @@
+/// Times, quality and memory of every way from waves to stripes, for `brindle bench`.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/geometry/surface.h"
+#include "brindle/phases/solver.h"
+#include "device.h"
+
+namespace brindle::tool {
+
+/// How often something is measured.
+struct Repetitions {
+  int count = 20;             ///< after a first run that warms caches and does not count
+  double budget_seconds = 2;  ///< no further run once this is spent; a first run that takes
+                              ///< longer is the only one, and counts
+};
+
+/// Milliseconds of repeated runs.
+struct Spread {
+  double min = 0;
+  double median = 0;
+  int repetitions = 0;
+};
+
+Spread spread_of(std::vector<double> milliseconds);
+
+/// What `run` returned each time.
+template <class Run>
+auto samples_of(const Repetitions& wanted, const Run& run) {
+  Stopwatch watch;
+  std::vector samples{run()};
+  const double budget = 1000 * wanted.budget_seconds;
+  double spent = watch.lap();
+  if (spent > budget) return samples;
+  samples.clear();
+  for (spent = 0; samples.empty() || (std::ssize(samples) < wanted.count && spent < budget);
+       spent += watch.lap()) {
+    samples.push_back(run());
+  }
+  return samples;
+}
+
+/// One part of what each run returned.
+template <class Sample, class Part>
+Spread spread_of(const std::vector<Sample>& samples, const Part& part) {
+  std::vector<double> values(samples.size());
+  std::ranges::transform(samples, values.begin(), part);
+  return spread_of(std::move(values));
+}
+
+/// What is measured: a surface with one field, or with a second one at right angles to it.
+struct Subject {
+  std::string name;
+  int subdivided = 0;  ///< how often `name` was, to give `surface`
+  Surface surface;
+  std::vector<WaveSet> fields;
+  double neighborhood_milliseconds = 0;  ///< neighbourhood and normals
+
+  std::size_t vertex_count() const { return surface.mesh.vertex_count(); }
+};
+
+/// Adds the field that crosses the first one.
+void add_crossing_field(Subject& subject);
+
+/// Makes the field a cross field: the surface becomes its cover, with two vertices for each.
+void make_cross_field(Subject& subject);
+
+struct Quality {
+  double energy = 0;                ///< mean over fields
+  std::size_t branches = 0;         ///< sum over fields
+  double angle_error_mean_deg = 0;  ///< mean over fields
+};
+
+struct SolverCase {
+  std::string name;
+  SolverOptions options;
+};
+
+/// From waves to phases, all fields of a subject.
+struct SolverFigures {
+  std::string name;
+  int threads = 0;
+  int iterations = 0;  ///< of the last field
+  Spread topology;     ///< once per connectivity; once for all fields
+  Spread couple;       ///< from waves to couplings, sum over fields
+  Spread solve;        ///< from couplings to phases, sum over fields
+  Quality quality;
+};
+
+SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
+                             const Repetitions& repetitions, const Progress& progress);
+
+/// A frame of StripeAnimator, from changed waves to phases, all fields of a subject.
+struct FrameFigures {
+  int threads = 0;
+  Spread topology;  ///< once per connectivity; once for all fields
+  Spread couple;    ///< these three: sums over fields
+  Spread sum;
+  Spread solve;
+  Spread total;
+  Quality quality;  ///< of the last frame
+};
+
+/// Every frame has other directions and frequencies than the one before: turned by a degree about
+/// the normals and higher by 1 %, or turned back.
+FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
+                            const Progress& progress);
+
+/// Bytes that following one field takes beyond the mesh and the field itself.
+struct MemoryFigures {
+  std::size_t neighborhood = 0;   ///< neighbour lists
+  std::size_t animator = 0;       ///< growth of resident memory after two frames
+  std::size_t animator_peak = 0;  ///< highest growth on the way there, in the first frame
+  std::size_t sibling = 0;        ///< further growth by an animator for a second field
+};
+
+/// Nothing where the system does not tell.
+std::optional<MemoryFigures> measure_memory(const Subject& subject);
+
+}  // namespace brindle::tool

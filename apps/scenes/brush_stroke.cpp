@@ -1,0 +1,150 @@
+#include "scenes/brush_stroke.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+
+#include <Eigen/Geometry>
+
+#include "brindle/waves/direction_field.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kUnreached = std::numeric_limits<float>::infinity();
+
+/// Shortest ways over edges (Dijkstra 1959).
+struct ShortestWays {
+  std::vector<float> distance;   ///< to the nearest source, or kUnreached
+  std::vector<Index> before;     ///< the vertex before this one; a source has itself
+  std::vector<Index> source_of;  ///< number of the nearest source
+  Index farthest = 0;            ///< the last vertex reached
+};
+
+ShortestWays shortest_ways(const Surface& surface, std::span<const Index> sources, float limit) {
+  const std::size_t count = surface.mesh.vertex_count();
+  ShortestWays ways{std::vector<float>(count, kUnreached), std::vector<Index>(count),
+                    std::vector<Index>(count)};
+  using Entry = std::pair<float, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  for (Index s = 0; s < sources.size(); ++s) {
+    ways.distance[sources[s]] = 0;
+    ways.before[sources[s]] = sources[s];
+    ways.source_of[sources[s]] = s;
+    front.emplace(0.0f, sources[s]);
+  }
+  while (!front.empty()) {
+    const auto [distance, v] = front.top();
+    front.pop();
+    if (distance > ways.distance[v]) continue;
+    ways.farthest = v;
+    for (const Index w : surface.neighborhood->of(v)) {
+      const float there = distance + (surface.mesh.positions[w] - surface.mesh.positions[v]).norm();
+      if (there > limit || !(there < ways.distance[w])) continue;
+      ways.distance[w] = there;
+      ways.before[w] = v;
+      ways.source_of[w] = ways.source_of[v];
+      front.emplace(there, w);
+    }
+  }
+  return ways;
+}
+
+/// The used vertex with the smallest coordinate along the longest side of the bounding box.
+Index outermost_vertex(const Surface& surface) {
+  const BoundingBox box = bounding_box(surface.mesh);
+  Eigen::Index axis = 0;
+  (box.upper - box.lower).maxCoeff(&axis);
+  Index outermost = surface.mesh.triangles.front()[0];
+  for (const Triangle& triangle : surface.mesh.triangles) {
+    for (const Index v : triangle) {
+      if (surface.mesh.positions[v][axis] < surface.mesh.positions[outermost][axis]) outermost = v;
+    }
+  }
+  return outermost;
+}
+
+std::vector<Index> longest_path(const Surface& surface) {
+  const Index begin = outermost_vertex(surface);
+  const ShortestWays ways = shortest_ways(surface, {&begin, 1}, kUnreached);
+  std::vector<Index> path{ways.farthest};
+  while (path.back() != begin) path.push_back(ways.before[path.back()]);
+  std::ranges::reverse(path);
+  return path;
+}
+
+/// Ways over edges zigzag; averages over about one radius of the brush do not.
+std::vector<Vec3> smoothed(std::vector<Vec3> points, float length, float radius) {
+  const auto count = static_cast<float>(points.size());
+  const float window = length > 0 ? radius / length * count : 0;  // points in a radius
+  const auto rounds = static_cast<int>(window * window / 2);      // they spread as their root
+  std::vector<Vec3> last;
+  for (int round = 0; round < std::min(rounds, 1000); ++round) {
+    last = points;
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+      points[k] = 0.25f * last[k - 1] + 0.5f * last[k] + 0.25f * last[k + 1];
+    }
+  }
+  return points;
+}
+
+std::vector<float> arcs_of(std::span<const Vec3> points) {
+  std::vector<float> arc(points.size(), 0);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    arc[k] = arc[k - 1] + (points[k] - points[k - 1]).norm();
+  }
+  return arc;
+}
+
+void add_anchors(BrushStroke& stroke, const Surface& surface, std::span<const Index> path,
+                 float weight) {
+  const ShortestWays ways = shortest_ways(surface, path, stroke.radius);
+  for (Index v = 0; v < surface.mesh.vertex_count(); ++v) {
+    if (ways.distance[v] == kUnreached) continue;
+    const std::size_t k = ways.source_of[v];
+    const Vec3 along =
+        stroke.path[std::min(k + 1, path.size() - 1)] - stroke.path[k > 0 ? k - 1 : 0];
+    const float share = ways.distance[v] / stroke.radius;
+    const Vec3 across = tangent_direction(surface.normals[v].cross(along), surface.normals[v]);
+    stroke.anchor.push_back({v, across, weight * (1 - share * share) * (1 - share * share)});
+    stroke.anchor_arc.push_back(stroke.path_arc[k]);
+  }
+}
+
+}  // namespace
+
+BrushStroke make_brush_stroke(const Surface& surface, float radius, float weight) {
+  BrushStroke stroke;
+  stroke.radius = radius;
+  if (surface.mesh.triangles.empty()) return stroke;
+  const std::vector<Index> path = longest_path(surface);
+  for (const Index v : path) stroke.path.push_back(surface.mesh.positions[v]);
+  stroke.path = smoothed(std::move(stroke.path), arcs_of(stroke.path).back(), radius);
+  stroke.path_arc = arcs_of(stroke.path);
+  stroke.length = stroke.path_arc.back();
+  add_anchors(stroke, surface, path, weight);
+  return stroke;
+}
+
+void anchors_up_to(const BrushStroke& stroke, float arc, std::vector<FieldAnchor>& anchors) {
+  anchors.clear();
+  for (std::size_t k = 0; k < stroke.anchor.size(); ++k) {
+    const float behind = std::clamp((arc - stroke.anchor_arc[k]) / stroke.radius, 0.0f, 1.0f);
+    if (behind <= 0) continue;
+    anchors.push_back(stroke.anchor[k]);
+    anchors.back().weight *= behind;
+  }
+}
+
+Vec3 brush_tip(const BrushStroke& stroke, float arc) {
+  const auto after = std::ranges::upper_bound(stroke.path_arc, arc);
+  const auto k = static_cast<std::size_t>(after - stroke.path_arc.begin());
+  if (k == 0) return stroke.path.front();
+  if (k == stroke.path.size()) return stroke.path.back();
+  const float share =
+      (arc - stroke.path_arc[k - 1]) / (stroke.path_arc[k] - stroke.path_arc[k - 1]);
+  return stroke.path[k - 1] + share * (stroke.path[k] - stroke.path[k - 1]);
+}
+
+}  // namespace brindle

@@ -1,0 +1,212 @@
+#include "scenes/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "brindle/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/geometry/normals.h"
+#include "brindle/pipeline/smooth_field_animator.h"
+#include "brindle/waves/direction_field.h"
+#include "scenes/brush_stroke.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+constexpr float kDegree = kTurn / 360;
+
+constexpr float kZoomGrowth = 1.01f;    // of the frequency, a frame
+constexpr float kVortexRadius = 0.05f;  // calm inside of a vortex, share of the diagonal
+constexpr float kWobbleHeight = 0.01f;  // share of the diagonal
+constexpr float kWobbleLength = 0.5f;   // of the travelling wave, share of the diagonal
+constexpr float kWobbleFrames = 60;     // a period
+constexpr float kBrushRadius = 0.04f;   // share of the diagonal
+constexpr float kBrushWeight = 2;       // in the middle of the stroke
+constexpr float kBrushFrames = 120;     // a stroke
+
+constexpr std::array<std::string_view, 5> kNames{"zoom", "vortices", "rotate", "wobble", "brush"};
+
+void check(const SceneOptions& options) {
+  if (!(options.frequency > 0) || !std::isfinite(options.frequency)) {
+    throw Error("scene: the frequency must be a finite number above zero");
+  }
+  if (!options.direction.allFinite() || options.direction.isZero(0)) {
+    throw Error("scene: the direction must be finite and not zero");
+  }
+}
+
+/// Sets all directions from `vector_at(vertex)`.
+template <class VectorAt>
+void set_directions(SceneFrame& frame, const VectorAt& vector_at) {
+  parallel_for(frame.normals.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      frame.waves.directions[v] = tangent_direction(vector_at(v), frame.normals[v]);
+    }
+  });
+}
+
+/// Two cores on opposite sides of the ellipsoid in the bounding box. Their orbits are tilted
+/// against each other by 40 degrees, so that the cores never come closer than 140 degrees.
+std::array<Vec3, 2> cores_at(const BoundingBox& box, int frame) {
+  const float angle = static_cast<float>(frame % 360) * kDegree;
+  const float tilt = 40 * kDegree;
+  const Vec3 first(std::cos(angle), std::sin(angle), 0);
+  const Vec3 second(-std::cos(angle), -std::sin(angle) * std::cos(tilt),
+                    -std::sin(angle) * std::sin(tilt));
+  const Vec3 half = 0.5f * (box.upper - box.lower);
+  return {box.center() + half.cwiseProduct(first), box.center() + half.cwiseProduct(second)};
+}
+
+/// A quarter turn short of a vortex around `core`: slower and slower far outside of its calm
+/// inside.
+Vec3 arm_of_vortex(const Vec3& core, const Vec3& point, float radius) {
+  const Vec3 arm = point - core;
+  return arm / (arm.squaredNorm() + radius * radius);
+}
+
+void zoom(const SceneOptions& options, int number, SceneFrame& frame) {
+  const float frequency = options.frequency * std::pow(kZoomGrowth, static_cast<float>(number));
+  std::ranges::fill(frame.waves.frequencies, frequency);
+}
+
+void vortices(const BoundingBox& box, int number, SceneFrame& frame) {
+  const auto cores = cores_at(box, number);
+  const float radius = kVortexRadius * box.diagonal();
+  set_directions(frame, [&](std::size_t v) -> Vec3 {
+    const Vec3& p = frame.mesh.positions[v];
+    return frame.normals[v].cross(arm_of_vortex(cores[0], p, radius) -
+                                  arm_of_vortex(cores[1], p, radius));
+  });
+  frame.points = {cores[0], cores[1]};
+}
+
+void rotate(const SceneOptions& options, int number, SceneFrame& frame) {
+  const Vec3 from = options.direction.normalized();
+  const Vec3 across = from.unitOrthogonal();
+  const float angle = static_cast<float>(number % 360) * kDegree;
+  const Vec3 direction = std::cos(angle) * from + std::sin(angle) * across;
+  set_directions(frame, [&](std::size_t) { return direction; });
+}
+
+/// A wave along the longest side of the bounding box lifts vertices along the shortest one. It
+/// grows from nothing during its first period.
+void wobble(const SceneOptions& options, const BoundingBox& box, std::span<const Vec3> at_rest,
+            int number, SceneFrame& frame) {
+  const Vec3 size = box.upper - box.lower;
+  Eigen::Index longest = 0, shortest = 0;
+  size.maxCoeff(&longest);
+  size.minCoeff(&shortest);
+  const float periods = static_cast<float>(number) / kWobbleFrames;
+  const float grown = std::min(periods, 1.0f);
+  const float height =
+      kWobbleHeight * box.diagonal() * grown * grown * (3 - 2 * grown);  // smoothstep
+  const float turns_per_length = kTurn / (kWobbleLength * box.diagonal());
+  for (std::size_t v = 0; v < at_rest.size(); ++v) {
+    const float along = at_rest[v][longest] - box.lower[longest];
+    Vec3& position = frame.mesh.positions[v];
+    position = at_rest[v];
+    position[shortest] +=
+        height * std::sin(turns_per_length * along - kTurn * std::fmod(periods, 1.0f));
+  }
+  frame.waves.positions = frame.mesh.positions;
+  frame.normals = vertex_normals(frame.mesh);
+  set_directions(frame, [&](std::size_t) { return options.direction; });
+}
+
+}  // namespace
+
+std::optional<SceneKind> scene_kind(std::string_view name) {
+  const auto found = std::ranges::find(kNames, name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<SceneKind>(found - kNames.begin());
+}
+
+std::string_view name_of(SceneKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+struct Scene::State {
+  SceneOptions options;
+  BoundingBox box;
+  std::vector<Vec3> at_rest;  // positions
+  SceneFrame frame;
+
+  // brush
+  std::shared_ptr<const Adjacency> neighborhood;
+  BrushStroke stroke;
+  std::vector<FieldAnchor> anchors;
+  std::optional<SmoothFieldAnimator> field;
+  int drawn = -1;  // the last frame that `field` was solved for
+
+  void brush(int number);
+};
+
+void Scene::State::brush(int number) {
+  if (number < drawn || !field) {
+    field.emplace(Surface{frame.mesh, neighborhood, frame.normals});
+    drawn = -1;
+  }
+  const float step = (stroke.length + stroke.radius) / kBrushFrames;
+  for (; drawn < number; ++drawn) {
+    anchors_up_to(stroke, static_cast<float>(drawn + 1) * step, anchors);
+    const std::span<const Vec3> directions = field->frame(anchors);
+    frame.waves.directions.assign(directions.begin(), directions.end());
+  }
+  if (!stroke.path.empty()) {
+    frame.points = {brush_tip(stroke, static_cast<float>(number) * step)};
+  }
+}
+
+Scene::Scene(const Surface& surface, const SceneOptions& options)
+    : state_(std::make_unique<State>()) {
+  check(options);
+  State& s = *state_;
+  const std::size_t count = surface.mesh.vertex_count();
+  s.options = options;
+  s.box = bounding_box(surface.mesh);
+  s.frame.mesh = surface.mesh;
+  s.frame.normals = surface.normals;
+  s.frame.waves = {surface.mesh.positions, DirectionField(count, Vec3::Zero()),
+                   std::vector<float>(count, options.frequency)};
+  if (options.kind == SceneKind::wobble) s.at_rest = surface.mesh.positions;
+  if (options.kind == SceneKind::zoom) {
+    set_directions(s.frame, [&](std::size_t) { return options.direction; });
+  }
+  if (options.kind == SceneKind::brush) {
+    s.neighborhood = surface.neighborhood;
+    const float radius = std::max(kBrushRadius * s.box.diagonal(), 1e-30f);
+    s.stroke = make_brush_stroke(surface, radius, kBrushWeight);
+  }
+}
+
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+const SceneFrame& Scene::frame(int number) {
+  if (number < 0) throw Error("scene: frames are numbered from 0");
+  State& s = *state_;
+  switch (s.options.kind) {
+    case SceneKind::zoom:
+      zoom(s.options, number, s.frame);
+      break;
+    case SceneKind::vortices:
+      vortices(s.box, number, s.frame);
+      break;
+    case SceneKind::rotate:
+      rotate(s.options, number, s.frame);
+      break;
+    case SceneKind::wobble:
+      wobble(s.options, s.box, s.at_rest, number, s.frame);
+      break;
+    case SceneKind::brush:
+      s.brush(number);
+      break;
+  }
+  return s.frame;
+}
+
+}  // namespace brindle

@@ -1,0 +1,15 @@
+/// Which brindle this is. The build reads the number from here.
+#pragma once
+
+#define BRINDLE_VERSION_MAJOR 0
+#define BRINDLE_VERSION_MINOR 2
+#define BRINDLE_VERSION_PATCH 0
+#define BRINDLE_VERSION "0.2.0"
+
+namespace brindle {
+
+/// The version of the library that the program runs with; BRINDLE_VERSION is that of the headers it
+/// was compiled with.
+const char* version();
+
+}  // namespace brindle

@@ -1,0 +1,7 @@
+#include "brindle/version.h"
+
+namespace brindle {
+
+const char* version() { return BRINDLE_VERSION; }
+
+}  // namespace brindle

@@ -1,0 +1,16 @@
+/// Mesh files read by the Assimp library.
+#pragma once
+
+#include <filesystem>
+
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// All meshes of all nodes of the file's scene, moved to where the nodes put them, as one. Vertices
+/// are as Assimp gives them: several at one place where normals or texture coordinates differ, and
+/// for STL three per triangle.
+/// Throws Error with Assimp's reason if it cannot read the file, or was not built in.
+Mesh read_with_assimp(const std::filesystem::path& path);
+
+}  // namespace brindle

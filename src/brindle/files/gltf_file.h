@@ -1,0 +1,27 @@
+/// glTF 2.0 files, as text or binary (GLB).
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "brindle/files/vertex_attribute.h"
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// Throws Error if the file is truncated, or its nodes or accessors are not what the format asks
+/// for: circles among nodes, data beyond the end of a buffer. Assimp relies on that.
+void check_gltf(const std::filesystem::path& path);
+
+enum class GltfKind { text, binary };
+
+/// The text form holds its data too, in base64. "normal" is stored as NORMAL, "color" as COLOR_0,
+/// "uv" as TEXCOORD_0 (whose V runs down), others under their name in capitals after an underscore.
+/// `png`, a PNG file's content, becomes the mesh's material, repeated beyond its borders. Throws
+/// Error for a mesh without triangles, and for data beyond 4 GB, which the format cannot hold.
+void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+                GltfKind kind, const std::string& png = "");
+
+}  // namespace brindle

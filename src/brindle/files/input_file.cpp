@@ -1,0 +1,135 @@
+#include "brindle/files/input_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+
+std::string_view without_plus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+}  // namespace
+
+InputFile::InputFile(const fs::path& path) : path_(path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    fail("there is no such file; check the path's spelling");
+  }
+  if (error) fail("cannot be read: " + error.message());
+  if (fs::is_directory(status)) fail("is a folder; name a mesh file in it");
+  if (!fs::is_regular_file(status)) fail("is not a regular file; save the mesh to a file first");
+  stream_.open(path, std::ios::binary);
+  if (!stream_) fail("cannot be opened; check its permissions");
+  remaining_ = fs::file_size(path, error);
+  if (error) fail("cannot be read: " + error.message());
+  if (remaining_ == 0) fail("is empty; export the mesh again");
+  buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, remaining_)));
+}
+
+bool InputFile::fill() {
+  if (begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  stream_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
+  const auto read = static_cast<std::size_t>(stream_.gcount());
+  end_ += read;
+  if (stream_.bad()) fail_whole("cannot be read: input error");
+  return read > 0;
+}
+
+std::optional<std::string_view> InputFile::next_line() {
+  std::size_t searched = 0;
+  const char* line_end = nullptr;
+  while (true) {
+    const std::size_t left = end_ - begin_ - searched;
+    line_end = static_cast<const char*>(
+        left > 0 ? std::memchr(buffer_.data() + begin_ + searched, '\n', left) : nullptr);
+    if (line_end) break;
+    searched = end_ - begin_;
+    if (!fill()) break;
+  }
+  if (!line_end && begin_ == end_) return std::nullopt;
+  const char* start = buffer_.data() + begin_;
+  const std::size_t taken =
+      line_end ? static_cast<std::size_t>(line_end - start) + 1 : end_ - begin_;
+  begin_ += taken;
+  remaining_ -= std::min<std::uint64_t>(remaining_, taken);
+  ++line_;
+  std::string_view line(start, line_end ? taken - 1 : taken);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+const char* InputFile::take(std::size_t count) {
+  while (end_ - begin_ < count) {
+    if (!fill()) {
+      fail_whole("ends too early: it is truncated; copy or export it again");
+    }
+  }
+  const char* start = buffer_.data() + begin_;
+  begin_ += count;
+  remaining_ -= std::min<std::uint64_t>(remaining_, count);
+  return start;
+}
+
+void InputFile::fail(const std::string& message) const {
+  if (line_ == 0) fail_whole(message);
+  fail_at(line_, message);
+}
+
+void InputFile::fail_at(std::size_t line, const std::string& message) const {
+  throw Error(path_.string() + ":" + std::to_string(line) + ": " + message);
+}
+
+void InputFile::fail_whole(const std::string& message) const {
+  throw Error(path_.string() + ": " + message);
+}
+
+std::string_view take_word(std::string_view& line) {
+  constexpr std::string_view kSpace = " \t\r\v\f";
+  const std::size_t begin = line.find_first_not_of(kSpace);
+  if (begin == std::string_view::npos) {
+    line = {};
+    return {};
+  }
+  const std::size_t end = std::min(line.find_first_of(kSpace, begin), line.size());
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+std::optional<float> parse_float(std::string_view word) {
+  word = without_plus(word);
+  float value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
+  // Too large or too small: strtof says which.
+  if (error == std::errc::result_out_of_range)
+    return std::strtof(std::string(word).c_str(), nullptr);
+  return value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word) {
+  word = without_plus(word);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || error != std::errc()) return std::nullopt;
+  return value;
+}
+
+}  // namespace brindle

@@ -1,0 +1,189 @@
+#include "brindle/files/mesh_io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "brindle/error.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/files/assimp_file.h"
+#include "brindle/files/gltf_file.h"
+#include "brindle/files/input_file.h"
+#include "brindle/files/obj_file.h"
+#include "brindle/files/off_file.h"
+#include "brindle/files/ply_file.h"
+#include "brindle/files/stl_file.h"
+#include "brindle/files/vtp_file.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Positions and triangles as the file has them.
+Mesh read_raw(const fs::path& path) {
+  const InputFile readable(path);
+  const std::string kind = lower_extension(path);
+  if (kind == ".obj") return read_obj(path);
+  if (kind == ".ply") return read_ply(path);
+  if (kind == ".off") return read_off(path);
+  if (kind == ".stl") {
+    check_stl(path);
+    return read_with_assimp(path);
+  }
+  if (kind == ".gltf" || kind == ".glb") {
+    check_gltf(path);
+    return read_with_assimp(path);
+  }
+  readable.fail_whole("brindle cannot tell the format by the extension '" +
+                      path.extension().string() +
+                      "'; it reads .obj, .ply, .off, .stl, .gltf and .glb");
+}
+
+void check_usable(const fs::path& path, const LoadedMesh& loaded) {
+  if (!loaded.mesh.triangles.empty()) return;
+  const MeshRepair& repair = loaded.repair;
+  std::string why = "has no triangles";
+  if (repair.triangles_not_finite > 0) {
+    why = "has no usable triangle: the corners of all have coordinates that are no numbers";
+  } else if (repair.triangles_degenerate > 0) {
+    why = "has no usable triangle: none has an area";
+  }
+  throw Error(path.string() + ": " + why + "; export the mesh again, as a surface with faces");
+}
+
+void check_attribute(const fs::path& path, const Mesh& mesh, const VertexAttribute& attribute) {
+  const auto fail = [&](const std::string& what) {
+    throw Error("cannot write '" + path.string() + "': attribute '" + attribute.name + "' " + what);
+  };
+  const bool named = !attribute.name.empty() &&
+                     std::all_of(attribute.name.begin(), attribute.name.end(),
+                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!named) fail("must be named by letters, digits and underscores only");
+  const bool plain = attribute.components == 1 || attribute.components == 3;
+  if (!plain && !attribute.is_uv()) {
+    fail("must have 1 or 3 components, not " + std::to_string(attribute.components));
+  }
+  const std::size_t expected = static_cast<std::size_t>(attribute.components) * mesh.vertex_count();
+  if (attribute.values.size() != expected) {
+    fail("has " + std::to_string(attribute.values.size()) + " values, not " +
+         std::to_string(expected));
+  }
+}
+
+void check_attributes(const fs::path& path, const Mesh& mesh,
+                      std::span<const VertexAttribute> attributes) {
+  std::set<std::string> names = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
+  for (const VertexAttribute& attribute : attributes) {
+    check_attribute(path, mesh, attribute);
+    if (!names.insert(attribute.name).second) {
+      throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
+                  "' is already taken; rename it");
+    }
+    if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
+      throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
+                  attribute.name + "'; write .ply, .vtp, .gltf or .glb");
+    }
+  }
+}
+
+void check_output(const fs::path& path, const Mesh& mesh,
+                  std::span<const VertexAttribute> attributes) {
+  const std::string kind = lower_extension(path);
+  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
+    throw Error("cannot write '" + path.string() + "': the extension '" +
+                path.extension().string() +
+                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
+  }
+  check_attributes(path, mesh, attributes);
+}
+
+/// `path` with another ending.
+fs::path beside(const fs::path& path, const char* ending) {
+  return path.parent_path() / (path.stem().string() + ending);
+}
+
+fs::path picture_path(const fs::path& path) { return beside(path, "_texture.png"); }
+fs::path materials_path(const fs::path& path) { return beside(path, ".mtl"); }
+
+bool holds_picture(const std::string& kind) { return kind == ".gltf" || kind == ".glb"; }
+
+void write_whole(const fs::path& path, const std::string& content) {
+  write_file(path, [&](std::ostream& out) { out << content; });
+}
+
+/// What a mesh file says of its texture; all empty if it has none.
+struct TextureNames {
+  std::string picture;    ///< file beside the mesh
+  std::string materials;  ///< file beside an OBJ file
+  std::string png;        ///< the picture itself
+};
+
+void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
+              std::span<const VertexAttribute> attributes, const TextureNames& texture) {
+  if (kind == ".obj") {
+    write_obj(out, mesh, attributes, texture.materials);
+  } else if (kind == ".ply") {
+    write_ply(out, mesh, attributes, texture.picture);
+  } else if (kind == ".vtp") {
+    write_vtp(
+        out,
+        {.points = mesh.positions, .triangles = mesh.triangles, .point_attributes = attributes});
+  } else {
+    write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text,
+               texture.png);
+  }
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const fs::path& path) {
+  LoadedMesh loaded;
+  try {
+    loaded.mesh = read_raw(path);
+    const std::size_t joined = join_vertices(loaded.mesh);
+    if (lower_extension(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
+    loaded.repair = repair_mesh(loaded.mesh);
+    loaded.repair.vertices_joined = joined;
+  } catch (const std::bad_alloc&) {
+    throw Error(path.string() + ": there is not enough memory for this mesh");
+  }
+  check_usable(path, loaded);
+  return loaded;
+}
+
+void write_mesh(const fs::path& path, const Mesh& mesh,
+                std::span<const VertexAttribute> attributes) {
+  check_output(path, mesh, attributes);
+  write_file(
+      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, attributes, {}); });
+}
+
+void write_textured_mesh(const fs::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes, const std::string& png) {
+  check_output(path, mesh, attributes);
+  if (std::none_of(attributes.begin(), attributes.end(), std::mem_fn(&VertexAttribute::is_uv))) {
+    throw Error("cannot write '" + path.string() + "': a textured mesh needs the attribute 'uv'");
+  }
+  const fs::path picture = picture_path(path);
+  const fs::path materials = materials_path(path);
+  const std::string kind = lower_extension(path);
+  if (!holds_picture(kind)) write_whole(picture, png);
+  if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
+  const TextureNames names{picture.filename().string(), materials.filename().string(), png};
+  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, attributes, names); });
+}
+
+std::vector<fs::path> textured_mesh_files(const fs::path& path) {
+  const std::string kind = lower_extension(path);
+  std::vector<fs::path> files;
+  if (!holds_picture(kind)) files.push_back(picture_path(path));
+  if (kind == ".obj") files.push_back(materials_path(path));
+  files.push_back(path);
+  return files;
+}
+
+}  // namespace brindle

@@ -1,0 +1,211 @@
+#include "brindle/files/obj_file.h"
+
+#include <algorithm>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "brindle/base/text_output.h"
+#include "brindle/files/input_file.h"
+#include "brindle/geometry/polygon.h"
+
+namespace brindle {
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& path) : file_(path) {}
+
+  Mesh read_mesh() {
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        mesh_.positions.push_back(three_numbers("vertex", rest));
+      } else if (keyword == "f") {
+        add_face(rest);
+      }
+    }
+    check_forward_references();
+    return std::move(mesh_);
+  }
+
+  LoadedPoints read_points() {
+    std::vector<Vec3> normals;
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        mesh_.positions.push_back(three_numbers("vertex", rest));
+      } else if (keyword == "vn") {
+        normals.push_back(three_numbers("normal", rest));
+      }
+    }
+    // Only faces could say which normal belongs to which of another number of points.
+    if (normals.size() != mesh_.vertex_count()) normals.clear();
+    return make_point_cloud(std::move(mesh_.positions), std::move(normals));
+  }
+
+  bool has_faces() {
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      if (take_word(rest) == "f") return true;
+    }
+    return false;
+  }
+
+ private:
+  /// A corner that did not exist yet when its line was read.
+  struct ForwardReference {
+    std::int64_t number;
+    std::size_t line;
+  };
+
+  /// A line that ends in a backslash goes on in the next.
+  std::optional<std::string_view> next_whole_line() {
+    auto line = file_.next_line();
+    if (!line || line->empty() || line->back() != '\\') return line;
+    joined_.clear();
+    while (line && !line->empty() && line->back() == '\\') {
+      joined_.append(line->substr(0, line->size() - 1)).push_back(' ');
+      line = file_.next_line();
+    }
+    if (line) joined_.append(*line);
+    return joined_;
+  }
+
+  Vec3 three_numbers(const char* what, std::string_view rest) {
+    Vec3 numbers;
+    for (float& number : numbers) {
+      const std::string_view word = take_word(rest);
+      const auto value = parse_float(word);
+      if (!value) {
+        file_.fail(std::string("a ") + what + " needs three numbers, not '" + std::string(word) +
+                   "'");
+      }
+      number = *value;
+    }
+    return numbers;
+  }
+
+  void add_face(std::string_view rest) {
+    corners_.clear();
+    for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      if (word[0] == '#') break;
+      corners_.push_back(corner(word));
+    }
+    if (corners_.size() < 3) {
+      file_.fail("a face needs three corners or more, this has " + std::to_string(corners_.size()) +
+                 "; the file may be truncated");
+    }
+    const bool known = *std::max_element(corners_.begin(), corners_.end()) < mesh_.vertex_count();
+    if (known) {
+      triangulate_polygon(mesh_.positions, corners_, mesh_.triangles);
+      return;
+    }
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+      mesh_.triangles.push_back({corners_[0], corners_[i], corners_[i + 1]});
+    }
+  }
+
+  /// The vertex that "7", "7/1", "7//3", "7/1/3" or a negative number, counted back, stands for.
+  Index corner(std::string_view word) {
+    const auto number = parse_integer(word.substr(0, word.find('/')));
+    const auto count = static_cast<std::int64_t>(mesh_.vertex_count());
+    if (!number) file_.fail("'" + std::string(word) + "' is not a face's corner");
+    if (*number == 0 || *number < -count || *number > kMostVertices) {
+      file_.fail(missing(*number));
+    }
+    if (*number < 0) return static_cast<Index>(count + *number);
+    if (*number > count && *number > furthest_) {
+      furthest_ = *number;
+      forward_.push_back({*number, file_.line()});
+    }
+    return static_cast<Index>(*number - 1);
+  }
+
+  std::string missing(std::int64_t number) const {
+    return "vertex " + std::to_string(number) + " does not exist: there are " +
+           std::to_string(mesh_.vertex_count()) +
+           ", counted from 1; the file is damaged or truncated, export it again";
+  }
+
+  /// The first corner beyond the last vertex is the furthest one up to its line, and so is among
+  /// those that were noted.
+  void check_forward_references() const {
+    for (const auto& [number, line] : forward_) {
+      if (number > static_cast<std::int64_t>(mesh_.vertex_count())) {
+        file_.fail_at(line, missing(number));
+      }
+    }
+  }
+
+  static constexpr std::int64_t kMostVertices = 0xfffffffe;
+
+  InputFile file_;
+  Mesh mesh_;
+  std::vector<Index> corners_;
+  std::vector<ForwardReference> forward_;
+  std::int64_t furthest_ = 0;
+  std::string joined_;
+};
+
+constexpr std::string_view kMaterial = "brindle";
+
+const VertexAttribute* first_of(std::span<const VertexAttribute> attributes,
+                                bool (VertexAttribute::*is)() const) {
+  const auto found = std::find_if(attributes.begin(), attributes.end(), std::mem_fn(is));
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+/// One line a vertex; none if there is no attribute.
+void write_values(TextOutput& text, std::string_view keyword, const VertexAttribute* attribute) {
+  if (attribute == nullptr) return;
+  const auto n = static_cast<std::size_t>(attribute->components);
+  for (std::size_t i = 0; i < attribute->values.size(); ++i) {
+    if (i % n == 0) text << keyword;
+    text << ' ' << attribute->values[i];
+    if (i % n == n - 1) text << '\n';
+  }
+}
+
+}  // namespace
+
+Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read_mesh(); }
+
+LoadedPoints read_obj_points(const std::filesystem::path& path) {
+  return ObjReader(path).read_points();
+}
+
+bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
+
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& materials) {
+  const VertexAttribute* normal = first_of(attributes, &VertexAttribute::is_normal);
+  const VertexAttribute* uv = first_of(attributes, &VertexAttribute::is_uv);
+  TextOutput text(out);
+  text << "# written by brindle\n";
+  if (!materials.empty()) text << "mtllib " << materials << '\n';
+  for (const Vec3& p : mesh.positions) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  write_values(text, "vt", uv);
+  write_values(text, "vn", normal);
+  if (!materials.empty()) text << "usemtl " << kMaterial << '\n';
+  for (const Triangle& t : mesh.triangles) {
+    text << 'f';
+    for (const Index v : t) {
+      text << ' ' << v + 1;
+      if (uv != nullptr) text << '/' << v + 1;
+      if (normal != nullptr) text << (uv == nullptr ? "//" : "/") << v + 1;
+    }
+    text << '\n';
+  }
+}
+
+std::string material_library(const std::string& picture) {
+  const std::string name(kMaterial);
+  return "# written by brindle\nnewmtl " + name +
+         "\nKa 0.2 0.2 0.2\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + "\n";
+}
+
+}  // namespace brindle

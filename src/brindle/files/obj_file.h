@@ -1,0 +1,35 @@
+/// Wavefront OBJ: vertices and faces.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "brindle/files/vertex_attribute.h"
+#include "brindle/geometry/mesh.h"
+#include "brindle/points/point_cloud.h"
+
+namespace brindle {
+
+/// Vertices keep the file's order; texture coordinates, normals, groups and materials are ignored.
+/// Throws Error, naming the line, for coordinates that are no numbers and for faces with fewer than
+/// three corners or with corners that do not exist.
+Mesh read_obj(const std::filesystem::path& path);
+
+/// The vertices alone, with normals if there are as many: one each, in the same order. Throws
+/// Error, naming the line, for coordinates that are no numbers.
+LoadedPoints read_obj_points(const std::filesystem::path& path);
+
+bool obj_has_faces(const std::filesystem::path& path);
+
+/// Normals and texture coordinates are the only attributes that the format has. If `materials`
+/// names a material library, the mesh has its material.
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& materials = "");
+
+/// A library of the one material that `write_obj` names: a picture file, repeated beyond its
+/// borders.
+std::string material_library(const std::string& picture);
+
+}  // namespace brindle

@@ -1,0 +1,14 @@
+/// Object File Format: OFF, and its variants with normals, colours or texture coordinates.
+#pragma once
+
+#include <filesystem>
+
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// Vertices keep the file's order; all but positions and faces is ignored. Throws Error, naming
+/// the line, if the file is not as its header says, or is of a binary or n-dimensional variant.
+Mesh read_off(const std::filesystem::path& path);
+
+}  // namespace brindle

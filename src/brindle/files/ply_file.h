@@ -1,0 +1,33 @@
+/// Polygon File Format, or Stanford triangle format: PLY, text or binary.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "brindle/files/vertex_attribute.h"
+#include "brindle/geometry/mesh.h"
+#include "brindle/points/point_cloud.h"
+
+namespace brindle {
+
+/// Reads positions and faces; vertices keep the file's order, all else is passed over. Throws
+/// Error, naming the line where there is one, if the file is not as its header says.
+Mesh read_ply(const std::filesystem::path& path);
+
+/// The vertices alone, with their normals if each has nx, ny and nz. Throws as `read_ply` does.
+LoadedPoints read_ply_points(const std::filesystem::path& path);
+
+/// Whether the header names faces. Throws as `read_ply` does for what is wrong with the header.
+bool ply_has_faces(const std::filesystem::path& path);
+
+/// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
+/// "color" red, green, blue from 0 to 255; others with their name, and with three components
+/// name_x, name_y, name_z; "uv" texture_u, texture_v (which VTK and MeshLab read) and the same
+/// again as s, t (Blender). `picture` names the file that these refer to, in a comment that MeshLab
+/// introduced.
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+               const std::string& picture = "");
+
+}  // namespace brindle

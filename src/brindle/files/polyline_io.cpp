@@ -1,0 +1,156 @@
+#include "brindle/files/polyline_io.h"
+
+#include <ostream>
+
+#include "brindle/error.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/text_output.h"
+#include "brindle/files/binary_output.h"
+#include "brindle/files/vtp_file.h"
+
+namespace brindle {
+namespace {
+
+using Kinds = std::span<const NamedLines>;
+
+std::size_t point_count(Kinds kinds) {
+  std::size_t count = 0;
+  for (const NamedLines& kind : kinds) count += kind.lines.points.size();
+  return count;
+}
+
+/// Calls `use(kind, line, first)` for every line; `first` counts points over all kinds from 0.
+template <class Use>
+void for_each_line(Kinds kinds, const Use& use) {
+  Index before = 0;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const Polylines& lines = kinds[kind].lines;
+    for (std::size_t line = 0; line < lines.count(); ++line) {
+      use(kind, line, before + lines.offsets[line]);
+    }
+    before += static_cast<Index>(lines.points.size());
+  }
+}
+
+void write_obj_lines(std::ostream& out, Kinds kinds) {
+  TextOutput text(out);
+  text << "# written by brindle\n";
+  for (const NamedLines& kind : kinds) {
+    for (const Vec3& p : kind.lines.points) {
+      text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    }
+  }
+  std::size_t group = kinds.size();
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
+    if (group != kind) text << "g " << kinds[kind].name << '\n';
+    group = kind;
+    const std::size_t size = kinds[kind].lines.points_of(line).size();
+    text << 'l';
+    for (std::size_t i = 0; i < size; ++i) text << ' ' << first + i + 1;
+    if (kinds[kind].lines.closed[line]) text << ' ' << first + 1;
+    text << '\n';
+  });
+}
+
+void write_ply_lines(std::ostream& out, Kinds kinds) {
+  std::size_t edges = 0;
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
+    const Polylines& lines = kinds[kind].lines;
+    edges += lines.points_of(line).size() - 1 + lines.closed[line];
+  });
+  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
+      << point_count(kinds)
+      << "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+         "property float ny\nproperty float nz\nproperty uint curve\nproperty uchar kind\n"
+         "element edge "
+      << edges << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  BinaryOutput binary(out);
+  Index number = 0;
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
+    const Polylines& lines = kinds[kind].lines;
+    for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
+      binary.put(lines.points_of(line)[i].data(), 3);
+      binary.put(lines.normals_of(line)[i].data(), 3);
+      binary.put(number);
+      binary.put(static_cast<unsigned char>(kind));
+    }
+    ++number;
+  });
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
+    const auto size = static_cast<Index>(kinds[kind].lines.points_of(line).size());
+    for (Index i = 0; i + 1 < size; ++i) binary.put(std::array{first + i, first + i + 1}.data(), 2);
+    if (kinds[kind].lines.closed[line]) binary.put(std::array{first + size - 1, first}.data(), 2);
+  });
+}
+
+void write_vtp_lines(std::ostream& out, Kinds kinds) {
+  std::vector<Vec3> points;
+  VertexAttribute normals{"normal", 3, {}};
+  std::vector<Index> offsets{0}, along;
+  std::vector<VertexAttribute> cells = {{"kind", 1, {}}, {"closed", 1, {}}, {"length", 1, {}}};
+  for (const NamedLines& kind : kinds) {
+    points.insert(points.end(), kind.lines.points.begin(), kind.lines.points.end());
+    for (const Vec3& n : kind.lines.normals) {
+      normals.values.insert(normals.values.end(), n.begin(), n.end());
+    }
+  }
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
+    const Polylines& lines = kinds[kind].lines;
+    const auto size = static_cast<Index>(lines.points_of(line).size());
+    for (Index i = 0; i < size; ++i) along.push_back(first + i);
+    if (lines.closed[line]) along.push_back(first);
+    offsets.push_back(static_cast<Index>(along.size()));
+    cells[0].values.push_back(static_cast<float>(kind));
+    cells[1].values.push_back(lines.closed[line]);
+    cells[2].values.push_back(static_cast<float>(length_of(lines, line)));
+  });
+  write_vtp(out, {.points = points,
+                  .line_offsets = offsets,
+                  .line_points = along,
+                  .point_attributes = std::span(&normals, 1),
+                  .cell_attributes = cells});
+}
+
+void write_csv_lines(std::ostream& out, Kinds kinds) {
+  TextOutput text(out);
+  text << "kind,curve,closed,x,y,z,nx,ny,nz\n";
+  std::size_t number = 0;
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
+    const Polylines& lines = kinds[kind].lines;
+    for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
+      const Vec3& p = lines.points_of(line)[i];
+      const Vec3& n = lines.normals_of(line)[i];
+      text << kinds[kind].name << ',' << number << ',' << int{lines.closed[line]};
+      for (const float value : {p[0], p[1], p[2], n[0], n[1], n[2]}) text << ',' << value;
+      text << '\n';
+    }
+    ++number;
+  });
+}
+
+}  // namespace
+
+bool is_polyline_format(const std::filesystem::path& path) {
+  const std::string kind = lower_extension(path);
+  return kind == ".obj" || kind == ".ply" || kind == ".vtp" || kind == ".csv";
+}
+
+void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds) {
+  if (!is_polyline_format(path)) {
+    throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
+                "' files hold no curves; write .obj, .ply, .vtp or .csv");
+  }
+  if (point_count(kinds) > 0x7ffffff0) {
+    throw Error("cannot write '" + path.string() + "': the curves have too many points");
+  }
+  const std::string kind = lower_extension(path);
+  write_file(path, [&](std::ostream& out) {
+    if (kind == ".obj") return write_obj_lines(out, kinds);
+    if (kind == ".ply") return write_ply_lines(out, kinds);
+    if (kind == ".vtp") return write_vtp_lines(out, kinds);
+    write_csv_lines(out, kinds);
+  });
+}
+
+}  // namespace brindle

@@ -1,0 +1,120 @@
+#include "brindle/files/sample_io.h"
+
+#include <array>
+#include <numeric>
+#include <ostream>
+#include <string>
+
+#include "brindle/error.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/text_output.h"
+#include "brindle/files/binary_output.h"
+#include "brindle/files/vtp_file.h"
+
+namespace brindle {
+namespace {
+
+/// The vectors and numbers of a sample, in the order of all files; the triangle's number stands
+/// apart.
+constexpr std::array<const char*, 17> kColumns = {"x",
+                                                  "y",
+                                                  "z",
+                                                  "nx",
+                                                  "ny",
+                                                  "nz",
+                                                  "direction_u_x",
+                                                  "direction_u_y",
+                                                  "direction_u_z",
+                                                  "direction_v_x",
+                                                  "direction_v_y",
+                                                  "direction_v_z",
+                                                  "spacing_u",
+                                                  "spacing_v",
+                                                  "barycentric_x",
+                                                  "barycentric_y",
+                                                  "barycentric_z"};
+constexpr std::size_t kNumbers = kColumns.size();
+
+std::array<float, kNumbers> numbers_of(const Sample& s) {
+  return {s.position[0],    s.position[1],    s.position[2],    s.normal[0],      s.normal[1],
+          s.normal[2],      s.direction_u[0], s.direction_u[1], s.direction_u[2], s.direction_v[0],
+          s.direction_v[1], s.direction_v[2], s.spacing_u,      s.spacing_v,      s.barycentric[0],
+          s.barycentric[1], s.barycentric[2]};
+}
+
+void write_csv(std::ostream& out, std::span<const Sample> samples) {
+  TextOutput text(out);
+  for (std::size_t i = 0; i < kNumbers; ++i) text << kColumns[i] << ',';
+  text << "triangle\n";
+  for (const Sample& sample : samples) {
+    for (const float number : numbers_of(sample)) text << number << ',';
+    text << sample.triangle << '\n';
+  }
+}
+
+void write_ply(std::ostream& out, std::span<const Sample> samples) {
+  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
+      << samples.size() << '\n';
+  for (std::size_t i = 0; i < kNumbers; ++i) out << "property float " << kColumns[i] << '\n';
+  out << "property uint triangle\nend_header\n";
+  BinaryOutput binary(out);
+  for (const Sample& sample : samples) {
+    binary.put(numbers_of(sample).data(), kNumbers);
+    binary.put(sample.triangle);
+  }
+}
+
+template <class Value>
+VertexAttribute attribute(const char* name, std::span<const Sample> samples, const Value& value) {
+  VertexAttribute result{name, 1, {}};
+  for (const Sample& sample : samples) result.values.push_back(static_cast<float>(value(sample)));
+  return result;
+}
+
+VertexAttribute vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
+  VertexAttribute result{name, 3, {}};
+  for (const Sample& sample : samples) {
+    const Vec3& v = sample.*member;
+    result.values.insert(result.values.end(), v.begin(), v.end());
+  }
+  return result;
+}
+
+void write_points(std::ostream& out, std::span<const Sample> samples) {
+  std::vector<Vec3> points;
+  for (const Sample& sample : samples) points.push_back(sample.position);
+  std::vector<Index> cells(samples.size());
+  std::iota(cells.begin(), cells.end(), Index{0});
+  const std::vector<VertexAttribute> attributes = {
+      vectors("normal", samples, &Sample::normal),
+      vectors("direction_u", samples, &Sample::direction_u),
+      vectors("direction_v", samples, &Sample::direction_v),
+      attribute("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
+      attribute("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
+      vectors("barycentric", samples, &Sample::barycentric),
+      attribute("triangle", samples, [](const Sample& s) { return s.triangle; })};
+  write_vtp(out, {.points = points, .single_points = cells, .point_attributes = attributes});
+}
+
+}  // namespace
+
+bool is_sample_format(const std::filesystem::path& path) {
+  const std::string kind = lower_extension(path);
+  return kind == ".csv" || kind == ".ply" || kind == ".vtp";
+}
+
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples) {
+  const std::string kind = lower_extension(path);
+  if (!is_sample_format(path)) {
+    throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
+                "' files hold no samples; write .csv, .ply or .vtp");
+  }
+  write_file(path, [&](std::ostream& out) {
+    if (kind == ".csv") return write_csv(out, samples);
+    if (kind == ".ply") return write_ply(out, samples);
+    write_points(out, samples);
+  });
+}
+
+}  // namespace brindle

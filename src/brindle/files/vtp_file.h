@@ -1,0 +1,29 @@
+/// VTK's XML PolyData (VTP): points with cells over them, for ParaView and all that VTK reads.
+#pragma once
+
+#include <iosfwd>
+#include <span>
+
+#include "brindle/files/vertex_attribute.h"
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// What a VTP file holds. Cells are numbered from 0 in the order single points, lines, triangles.
+struct PolyData {
+  std::span<const Vec3> points = {};
+  std::span<const Index> single_points = {};  ///< cells of one point each
+  std::span<const Index> line_offsets = {};   ///< lines + 1 entries into `line_points`, or none
+  std::span<const Index> line_points = {};    ///< the points along each line
+  std::span<const Triangle> triangles = {};
+  std::span<const VertexAttribute> point_attributes = {};  ///< values per point
+  std::span<const VertexAttribute> cell_attributes = {};   ///< values per cell
+};
+
+/// Writes version 1.0 of the format with raw appended data, little endian. "normal" becomes the
+/// active normals, "uv" the texture coordinates, "color" bytes from 0 to 255; all else keeps its
+/// name. Attributes have values for every point or cell, and names of letters, digits and
+/// underscores.
+void write_vtp(std::ostream& out, const PolyData& data);
+
+}  // namespace brindle

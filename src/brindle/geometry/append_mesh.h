@@ -1,0 +1,11 @@
+/// Several meshes as one.
+#pragma once
+
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// Adds all vertices and triangles of `other` behind those of `mesh`.
+void append(const Mesh& other, Mesh& mesh);
+
+}  // namespace brindle

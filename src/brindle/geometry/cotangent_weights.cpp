@@ -1,0 +1,49 @@
+#include "brindle/geometry/cotangent_weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kLargestCotangent = 10;
+
+std::size_t directed_edge(const Adjacency& neighborhood, Index from, Index to) {
+  const auto row = neighborhood.of(to);
+  return neighborhood.offsets[to] +
+         static_cast<std::size_t>(std::lower_bound(row.begin(), row.end(), from) - row.begin());
+}
+
+/// Cotangent of the angle at `apex` between the directions to a and b; zero without an area.
+float cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
+  const Vec3 u = a - apex, v = b - apex;
+  const float sine = u.cross(v).norm();
+  return sine > 0 ? u.dot(v) / sine : 0;
+}
+
+}  // namespace
+
+std::vector<float> cotangent_weights(const Mesh& mesh, const Adjacency& neighborhood) {
+  std::vector<float> weights(neighborhood.directed_edge_count());
+  for (const Triangle& triangle : mesh.triangles) {
+    for (int m = 0; m < 3; ++m) {
+      const Index a = triangle[(m + 1) % 3], b = triangle[(m + 2) % 3];
+      const float half =
+          0.5f * cotangent(mesh.positions[triangle[m]], mesh.positions[a], mesh.positions[b]);
+      weights[directed_edge(neighborhood, a, b)] += half;
+      weights[directed_edge(neighborhood, b, a)] += half;
+    }
+  }
+  parallel_for(weights.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t edge = begin; edge < end; ++edge) {
+      weights[edge] = 0.5f + std::clamp(weights[edge], 0.0f, kLargestCotangent);
+    }
+  });
+  return weights;
+}
+
+}  // namespace brindle

@@ -1,0 +1,191 @@
+#include "brindle/geometry/mesh_repair.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <tuple>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "brindle/geometry/vertex_triangles.h"
+
+namespace brindle {
+namespace {
+
+/// Squares of greater lengths leave the range of float.
+constexpr float kLargestCoordinate = 1e18f;
+/// Twice the area over the square of the longest edge below which a triangle has no area. What
+/// rounding of float coordinates leaves of it is far larger.
+constexpr double kSmallestArea = 1e-12;
+
+bool usable(const Vec3& position) {
+  return (position.array().abs() <= kLargestCoordinate).all();  // false for NaN
+}
+
+bool has_area(const Mesh& mesh, const Triangle& t) {
+  const Eigen::Vector3d p = mesh.positions[t[0]].cast<double>();
+  const Eigen::Vector3d a = mesh.positions[t[1]].cast<double>() - p;
+  const Eigen::Vector3d b = mesh.positions[t[2]].cast<double>() - p;
+  const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm()});
+  return longest2 > 0 && a.cross(b).norm() > kSmallestArea * longest2;
+}
+
+void drop_bad_triangles(Mesh& mesh, const std::vector<char>& good, MeshRepair& repair) {
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    if (std::max({t[0], t[1], t[2]}) >= mesh.vertex_count()) {
+      ++repair.triangles_out_of_range;
+    } else if (!good[t[0]] || !good[t[1]] || !good[t[2]]) {
+      ++repair.triangles_not_finite;
+    } else if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !has_area(mesh, t)) {
+      ++repair.triangles_degenerate;
+    } else {
+      return false;
+    }
+    return true;
+  });
+}
+
+/// Triangles with the same corners, in whatever order, are looked for at their smallest corner.
+void drop_duplicates(Mesh& mesh, MeshRepair& repair) {
+  struct Entry {
+    Index middle, largest, triangle;
+  };
+  std::vector<char> duplicate(mesh.triangle_count(), 0);
+  const VertexTriangles around = vertex_triangles(mesh);
+  std::vector<Entry> entries;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    entries.clear();
+    for (const Index number : around.of(v)) {
+      Triangle t = mesh.triangles[number];
+      std::sort(t.begin(), t.end());
+      if (t[0] == v) entries.push_back({t[1], t[2], number});
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+      return std::tie(x.middle, x.largest, x.triangle) < std::tie(y.middle, y.largest, y.triangle);
+    });
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+      const Entry &x = entries[i - 1], &y = entries[i];
+      if (x.middle == y.middle && x.largest == y.largest) duplicate[y.triangle] = 1;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!duplicate[t]) mesh.triangles[kept++] = mesh.triangles[t];
+  }
+  repair.triangles_duplicate = mesh.triangle_count() - kept;
+  mesh.triangles.resize(kept);
+}
+
+std::vector<char> referenced_vertices(const Mesh& mesh) {
+  std::vector<char> referenced(mesh.vertex_count(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) referenced[v] = 1;
+  }
+  return referenced;
+}
+
+std::uint64_t hash(const Vec3& position) {
+  std::uint64_t bits = 0;
+  for (const float coordinate : position) {
+    // Adding 0 makes -0 and 0 the same.
+    bits = (bits ^ std::bit_cast<std::uint32_t>(coordinate + 0.0f)) * 0x9e3779b97f4a7c15u;
+    bits ^= bits >> 32;
+  }
+  return bits;
+}
+
+}  // namespace
+
+std::vector<char> set_positions_finite(std::vector<Vec3>& positions) {
+  std::vector<char> good(positions.size());
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  std::size_t left = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    good[v] = usable(positions[v]);
+    if (!good[v]) continue;
+    sum += positions[v].cast<double>();
+    ++left;
+  }
+  if (left == positions.size()) return good;
+  const Vec3 centroid = (sum / static_cast<double>(std::max<std::size_t>(left, 1))).cast<float>();
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (!good[v]) positions[v] = centroid;
+  }
+  return good;
+}
+
+MeshRepair repair_mesh(Mesh& mesh) {
+  MeshRepair repair;
+  const std::vector<char> good = set_positions_finite(mesh.positions);
+  repair.vertices_not_finite = static_cast<std::size_t>(std::count(good.begin(), good.end(), 0));
+  drop_bad_triangles(mesh, good, repair);
+  drop_duplicates(mesh, repair);
+  const std::vector<char> referenced = referenced_vertices(mesh);
+  repair.vertices_unreferenced =
+      static_cast<std::size_t>(std::count(referenced.begin(), referenced.end(), 0));
+  return repair;
+}
+
+std::size_t join_vertices(Mesh& mesh) {
+  constexpr Index kFree = ~Index{0};
+  // Open addressing: at most half of the places are taken.
+  std::vector<Index> table(std::bit_ceil(2 * mesh.vertex_count() + 1), kFree);
+  std::vector<Index> first(mesh.vertex_count());
+  std::size_t joined = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    std::size_t place = hash(mesh.positions[v]) & (table.size() - 1);
+    // A NaN equals nothing, so it stays apart; all of one kind would share a place.
+    if (!usable(mesh.positions[v])) {
+      first[v] = v;
+      continue;
+    }
+    while (table[place] != kFree && mesh.positions[table[place]] != mesh.positions[v]) {
+      place = (place + 1) & (table.size() - 1);
+    }
+    if (table[place] == kFree) table[place] = v;
+    first[v] = table[place];
+    joined += first[v] != v;
+  }
+  if (joined == 0) return 0;
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t) {
+      if (v < first.size()) v = first[v];
+    }
+  }
+  return joined;
+}
+
+void drop_unreferenced_vertices(Mesh& mesh) {
+  const std::vector<char> referenced = referenced_vertices(mesh);
+  std::vector<Index> number(mesh.vertex_count());
+  Index kept = 0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    number[v] = kept;
+    if (referenced[v]) mesh.positions[kept++] = mesh.positions[v];
+  }
+  mesh.positions.resize(kept);
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t) v = number[v];
+  }
+}
+
+std::string describe(const MeshRepair& repair) {
+  std::ostringstream text;
+  const auto line = [&](std::size_t count, const char* what) {
+    if (count > 0) text << count << ' ' << what << '\n';
+  };
+  line(repair.vertices_not_finite, "vertices with coordinates that are not finite: set aside");
+  line(repair.vertices_joined, "vertices at the place of another: joined");
+  line(repair.vertices_unreferenced, "vertices in no triangle: kept, without a wave");
+  line(repair.triangles_out_of_range, "triangles with corners that do not exist: dropped");
+  line(repair.triangles_not_finite, "triangles with corners that are not finite: dropped");
+  line(repair.triangles_degenerate, "triangles without area: dropped");
+  line(repair.triangles_duplicate, "triangles that stand twice: dropped");
+  return text.str();
+}
+
+}  // namespace brindle

@@ -1,0 +1,13 @@
+/// The neighbourhood N(i) of every vertex, from triangles of any topology.
+#pragma once
+
+#include "brindle/adjacency.h"
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// Two vertices are neighbours if a triangle has them both. An edge that any number of triangles
+/// share counts once; vertices without a triangle have no neighbours.
+Adjacency vertex_neighborhood(const Mesh& mesh);
+
+}  // namespace brindle

@@ -1,0 +1,76 @@
+#include "brindle/points/point_cloud.h"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "brindle/error.h"
+#include "brindle/geometry/mesh_repair.h"
+
+namespace brindle {
+namespace {
+
+/// The first of all points at one place, in ascending order.
+std::vector<Index> first_at_their_place(const std::vector<Vec3>& positions,
+                                        std::vector<Index> points) {
+  const auto place = [&](Index i) {
+    const Vec3& p = positions[i];
+    return std::tuple(p.x(), p.y(), p.z());
+  };
+  std::sort(points.begin(), points.end(),
+            [&](Index i, Index j) { return std::tuple(place(i), i) < std::tuple(place(j), j); });
+  points.erase(std::unique(points.begin(), points.end(),
+                           [&](Index i, Index j) { return place(i) == place(j); }),
+               points.end());
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// Makes all normals unit vectors; none are left if one of a point in use has no direction.
+void repair_normals(PointCloud& cloud, PointRepair& repair) {
+  if (cloud.normals.empty()) return;
+  for (Vec3& normal : cloud.normals) {
+    const float length = normal.stableNorm();
+    normal = length > 0 && std::isfinite(length) ? Vec3(normal / length) : Vec3(Vec3::Zero());
+  }
+  for (const Index i : cloud.used) repair.without_normal += cloud.normals[i].isZero(0);
+  if (repair.without_normal > 0) cloud.normals.clear();
+}
+
+}  // namespace
+
+LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> normals) {
+  if (!normals.empty() && normals.size() != positions.size()) {
+    throw Error("a point cloud must have as many normals as points, or none");
+  }
+  LoadedPoints loaded;
+  PointCloud& cloud = loaded.cloud;
+  cloud.positions = std::move(positions);
+  cloud.normals = std::move(normals);
+  const std::vector<char> finite = set_positions_finite(cloud.positions);
+  for (Index i = 0; i < cloud.positions.size(); ++i) {
+    if (finite[i]) cloud.used.push_back(i);
+  }
+  loaded.repair.not_finite = cloud.positions.size() - cloud.used.size();
+  const std::size_t count = cloud.used.size();
+  cloud.used = first_at_their_place(cloud.positions, std::move(cloud.used));
+  loaded.repair.repeated = count - cloud.used.size();
+  repair_normals(cloud, loaded.repair);
+  return loaded;
+}
+
+std::string describe(const PointRepair& repair) {
+  std::ostringstream text;
+  const auto line = [&](std::size_t count, const char* what) {
+    if (count > 0) text << count << ' ' << what << '\n';
+  };
+  line(repair.not_finite, "points with coordinates that are not finite: set aside");
+  line(repair.repeated, "points at the place of another: set aside");
+  line(repair.without_normal, "points with a normal that is zero or not finite: all are estimated");
+  return text.str();
+}
+
+}  // namespace brindle

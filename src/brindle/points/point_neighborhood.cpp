@@ -1,0 +1,86 @@
+#include "brindle/points/point_neighborhood.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "brindle/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/points/point_tree.h"
+
+namespace brindle {
+namespace {
+
+/// For each used point the numbers of its nearest others, `count` each.
+std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<const Index> used,
+                                  std::size_t count) {
+  std::vector<Vec3> points;
+  points.reserve(used.size());
+  for (const Index i : used) points.push_back(positions[i]);
+  const PointTree tree(points);
+  std::vector<Index> nearest(used.size() * count);
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> found;
+    for (std::size_t i = begin; i < end; ++i) {
+      // The point itself comes along.
+      tree.nearest(points[i], count + 1, found);
+      std::size_t taken = 0;
+      for (const Index other : found) {
+        if (other != i && taken < count) nearest[i * count + taken++] = used[other];
+      }
+    }
+  };
+  constexpr std::size_t kGrain = 256;
+  parallel_for(used.size(), find, kGrain);
+  return nearest;
+}
+
+/// Rows of i with both i's nearest and those whose nearest i is, not yet sorted and with doubles.
+Adjacency joined_both_ways(std::span<const Index> used, std::span<const Index> nearest,
+                           std::size_t count, std::size_t points) {
+  Adjacency rows;
+  rows.offsets.assign(points + 1, 0);
+  for (std::size_t k = 0; k < nearest.size(); ++k) {
+    ++rows.offsets[used[k / count] + 1];
+    ++rows.offsets[nearest[k] + 1];
+  }
+  for (std::size_t i = 0; i < points; ++i) rows.offsets[i + 1] += rows.offsets[i];
+  rows.neighbors.resize(rows.offsets[points]);
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (std::size_t k = 0; k < nearest.size(); ++k) {
+    const Index i = used[k / count], j = nearest[k];
+    rows.neighbors[next[i]++] = j;
+    rows.neighbors[next[j]++] = i;
+  }
+  return rows;
+}
+
+/// Sorts every row and takes doubles out.
+Adjacency tidied(Adjacency rows) {
+  Adjacency result;
+  result.offsets.assign(rows.node_count() + 1, 0);
+  result.neighbors.reserve(rows.neighbors.size());
+  for (std::size_t i = 0; i < rows.node_count(); ++i) {
+    const auto begin = rows.neighbors.begin() + rows.offsets[i];
+    const auto end = rows.neighbors.begin() + rows.offsets[i + 1];
+    std::sort(begin, end);
+    result.neighbors.insert(result.neighbors.end(), begin, std::unique(begin, end));
+    result.offsets[i + 1] = static_cast<Index>(result.neighbors.size());
+  }
+  return result;
+}
+
+}  // namespace
+
+Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const Index> used,
+                             int count) {
+  if (count < 1) throw Error("points need at least one neighbour each");
+  if (used.size() < 2) return {std::vector<Index>(positions.size() + 1, 0), {}};
+  const std::size_t others = std::min(static_cast<std::size_t>(count), used.size() - 1);
+  if (used.size() > 0xfffffffe / (2 * others)) {
+    throw Error("there are too many points for this number of neighbours; take fewer of either");
+  }
+  const std::vector<Index> nearest = nearest_others(positions, used, others);
+  return tidied(joined_both_ways(used, nearest, others, positions.size()));
+}
+
+}  // namespace brindle

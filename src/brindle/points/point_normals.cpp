@@ -1,0 +1,153 @@
+#include "brindle/points/point_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+
+#include <Eigen/Eigenvalues>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+/// Squares of the width over the length below which points lie on a line, and below which their
+/// plane hangs on few of them.
+constexpr double kThinnest = 1e-8;
+constexpr double kThin = 0.1;
+
+struct PlaneFit {
+  Eigen::Vector3d normal;
+  double width;  ///< square of the width over the length
+};
+
+/// The plane through the point and `others`.
+PlaneFit fitted_plane(Index point, std::span<const Vec3> positions, std::span<const Index> others) {
+  // Relative to the point: far from the origin nothing else has digits to lose.
+  const auto from_point = [&](Index j) -> Eigen::Vector3d {
+    return positions[j].cast<double>() - positions[point].cast<double>();
+  };
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Index j : others) mean += from_point(j);
+  mean /= static_cast<double>(others.size() + 1);
+  Eigen::Matrix3d covariance = mean * mean.transpose();
+  for (const Index j : others) {
+    const Eigen::Vector3d offset = from_point(j) - mean;
+    covariance += offset * offset.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d& squares = solver.eigenvalues();
+  return {solver.eigenvectors().col(0), squares[2] > 0 ? squares[1] / squares[2] : 0};
+}
+
+/// The neighbours and their neighbours.
+std::vector<Index> wider_neighbors(Index point, const Adjacency& neighborhood) {
+  std::vector<Index> wider(neighborhood.of(point).begin(), neighborhood.of(point).end());
+  for (const Index j : neighborhood.of(point)) {
+    wider.insert(wider.end(), neighborhood.of(j).begin(), neighborhood.of(j).end());
+  }
+  std::sort(wider.begin(), wider.end());
+  wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
+  std::erase(wider, point);
+  return wider;
+}
+
+Vec3 fitted_normal(Index point, std::span<const Vec3> positions, const Adjacency& neighborhood) {
+  PlaneFit fit = fitted_plane(point, positions, neighborhood.of(point));
+  if (fit.width < kThin) {
+    fit = fitted_plane(point, positions, wider_neighbors(point, neighborhood));
+  }
+  return fit.width > kThinnest ? Vec3(fit.normal.cast<float>().normalized()) : Vec3(Vec3::Zero());
+}
+
+/// The axis that agrees best with the point's normal and those of its neighbours, whatever their
+/// signs: a single point whose plane is badly fitted would stand across the surface.
+Vec3 mean_axis(Index point, std::span<const Vec3> normals, const Adjacency& neighborhood) {
+  if (normals[point].isZero(0)) return Vec3::Zero();
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  const auto add = [&](Index i) {
+    const Eigen::Vector3d normal = normals[i].cast<double>();
+    sum += normal * normal.transpose();
+  };
+  add(point);
+  for (const Index neighbor : neighborhood.of(point)) add(neighbor);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  return solver.eigenvectors().col(2).cast<float>().normalized();
+}
+
+/// Around a closed surface the mean of <n, p> is three volumes over the area (divergence theorem),
+/// wherever the origin is. Where nothing is enclosed, normals shall point up.
+bool points_inwards(std::span<const Index> component, std::span<const Vec3> positions,
+                    std::span<const Vec3> normals) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero(), up = Eigen::Vector3d::Zero();
+  for (const Index i : component) middle += positions[i].cast<double>();
+  middle /= static_cast<double>(component.size());
+  double outwards = 0, size = 0;
+  for (const Index i : component) {
+    const Eigen::Vector3d offset = positions[i].cast<double>() - middle;
+    outwards += offset.dot(normals[i].cast<double>());
+    size += offset.norm();
+    up += normals[i].cast<double>();
+  }
+  constexpr double kFlat = 1e-3;
+  return std::abs(outwards) > kFlat * size ? outwards < 0 : up.z() < 0;
+}
+
+/// An edge that leads out of the tree.
+struct Candidate {
+  float cost;
+  Index from, to;
+
+  bool operator<(const Candidate& other) const {  // the last in the queue's order is the first out
+    return std::tie(cost, to, from) > std::tie(other.cost, other.to, other.from);
+  }
+};
+
+}  // namespace
+
+std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacency& neighborhood) {
+  constexpr std::size_t kGrain = 256;
+  std::vector<Vec3> fitted(positions.size()), normals(positions.size());
+  const auto for_all_points = [&](const auto& work) {
+    const auto work_on_range = [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<Index>(begin); i < end; ++i) work(i);
+    };
+    parallel_for(positions.size(), work_on_range, kGrain);
+  };
+  for_all_points([&](Index i) { fitted[i] = fitted_normal(i, positions, neighborhood); });
+  for_all_points([&](Index i) { normals[i] = mean_axis(i, fitted, neighborhood); });
+  return normals;
+}
+
+void orient_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,
+                    std::span<Vec3> normals) {
+  std::vector<char> done(normals.size(), 0);
+  std::vector<Index> component;
+  std::priority_queue<Candidate> queue;
+  const auto add = [&](Index point) {
+    done[point] = 1;
+    component.push_back(point);
+    for (const Index neighbor : neighborhood.of(point)) {
+      if (done[neighbor] || normals[neighbor].isZero(0)) continue;
+      queue.push({1 - std::abs(normals[point].dot(normals[neighbor])), point, neighbor});
+    }
+  };
+  for (Index start = 0; start < normals.size(); ++start) {
+    if (done[start] || normals[start].isZero(0)) continue;
+    component.clear();
+    add(start);
+    while (!queue.empty()) {
+      const Candidate next = queue.top();
+      queue.pop();
+      if (done[next.to]) continue;
+      if (normals[next.from].dot(normals[next.to]) < 0) normals[next.to] = -normals[next.to];
+      add(next.to);
+    }
+    if (points_inwards(component, positions, normals)) {
+      for (const Index point : component) normals[point] = -normals[point];
+    }
+  }
+}
+
+}  // namespace brindle

@@ -1,0 +1,81 @@
+#include "brindle/points/point_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/error.h"
+
+#ifdef BRINDLE_HAS_NANOFLANN
+#include <nanoflann.hpp>
+#endif
+
+namespace brindle {
+
+#ifdef BRINDLE_HAS_NANOFLANN
+
+namespace {
+
+/// The points as nanoflann wants to see them.
+struct Points {
+  std::span<const Vec3> positions;
+
+  std::size_t kdtree_get_point_count() const { return positions.size(); }
+  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return positions[i][static_cast<Eigen::Index>(axis)];
+  }
+  template <class Box>
+  bool kdtree_get_bbox(Box& /*box*/) const {
+    return false;
+  }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Points>,
+                                                 Points, 3, Index>;
+
+}  // namespace
+
+struct PointTree::State {
+  Points points;
+  Tree tree{3, points};
+};
+
+PointTree::PointTree(std::span<const Vec3> points) : state_(new State{{points}}) {}
+PointTree::~PointTree() = default;
+bool PointTree::available() { return true; }
+
+void PointTree::within(const Vec3& point, float radius, std::vector<Index>& found) const {
+  found.clear();
+  std::vector<std::pair<Index, float>> matches;
+  if (state_->points.positions.empty()) return;
+  state_->tree.radiusSearch(point.data(), radius * radius, matches, nanoflann::SearchParams());
+  for (const auto& [index, square] : matches) found.push_back(index);
+}
+
+void PointTree::nearest(const Vec3& point, std::size_t count, std::vector<Index>& found) const {
+  found.resize(std::min(count, state_->points.positions.size()));
+  if (found.empty()) return;
+  std::vector<float> squares(found.size());
+  nanoflann::KNNResultSet<float, Index> result(found.size());
+  result.init(found.data(), squares.data());
+  state_->tree.findNeighbors(result, point.data(), nanoflann::SearchParams());
+}
+
+#else
+
+struct PointTree::State {};
+
+PointTree::PointTree(std::span<const Vec3> /*points*/) {
+  throw Error("this build cannot find points near points; configure with -DBRINDLE_NANOFLANN=ON");
+}
+PointTree::~PointTree() = default;
+bool PointTree::available() { return false; }
+
+void PointTree::within(const Vec3& /*point*/, float /*radius*/,
+                       std::vector<Index>& /*found*/) const {}
+
+void PointTree::nearest(const Vec3& /*point*/, std::size_t /*count*/,
+                        std::vector<Index>& /*found*/) const {}
+
+#endif
+
+}  // namespace brindle

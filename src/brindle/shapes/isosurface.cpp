@@ -1,0 +1,371 @@
+#include "brindle/shapes/isosurface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/error.h"
+#include "brindle/base/parallel.h"
+#include "brindle/geometry/half_edges.h"
+#include "brindle/geometry/vertex_triangles.h"
+
+namespace brindle {
+namespace {
+
+using Point = Eigen::Vector3d;
+using Cell = Eigen::Vector3i;
+using Tetrahedron = std::array<Index, 4>;
+
+/// Edges of the resulting triangles over the lattice's cells, by measurement.
+constexpr double kCellPerEdge = 1.29;
+constexpr int kMaxCells = 1 << 12;  ///< along one axis
+
+/// The body-centred cubic lattice near the surface: points with what the function is there, and
+/// all tetrahedra that it crosses.
+class Lattice {
+ public:
+  Lattice(const ImplicitFunction& function, const BoundingBox& box, double cell)
+      : function_(function), origin_(box.lower.cast<double>()), cell_(cell) {
+    const Point extent = (box.upper - box.lower).cast<double>();
+    // Up to the last cell on each axis one tetrahedron reaches beyond it: leave a margin.
+    origin_ -= Point::Constant(1.5 * cell);
+    const Cell cells = (extent / cell).array().ceil().cast<int>() + 3;
+    descend(Cell::Zero(), cells);
+    points_.clear();
+  }
+
+  std::vector<Point> positions;
+  std::vector<double> values;
+  std::vector<Tetrahedron> tetrahedra;
+
+ private:
+  /// Halves the range of cells [lower, upper) until it is one cell or away from the surface.
+  void descend(const Cell& lower, const Cell& upper) {
+    const Cell size = upper - lower;
+    const Point center = place(lower + upper);
+    const double reach = 0.5 * cell_ * size.cast<double>().norm() + cell_;
+    if (std::abs(function_(center)) > reach) return;
+    int axis = 0;
+    if (size.maxCoeff(&axis) == 1) {
+      add_cell(lower);
+      return;
+    }
+    Cell middle_upper = upper, middle_lower = lower;
+    middle_upper[axis] = middle_lower[axis] = lower[axis] + size[axis] / 2;
+    descend(lower, middle_upper);
+    descend(middle_lower, upper);
+  }
+
+  /// The tetrahedra between this cell's centre and those of the next cells along each axis.
+  void add_cell(const Cell& cell) {
+    const Cell center = 2 * cell + Cell::Ones();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Cell step = 2 * Cell::Unit(axis);
+      const Cell u = 2 * Cell::Unit((axis + 1) % 3), v = 2 * Cell::Unit((axis + 2) % 3);
+      const Cell corner = 2 * cell + step;
+      const std::array<Cell, 4> around = {corner, corner + u, corner + u + v, corner + v};
+      for (int i = 0; i < 4; ++i) {
+        add_tetrahedron(
+            {point(center), point(center + step), point(around[i]), point(around[(i + 1) % 4])});
+      }
+    }
+  }
+
+  void add_tetrahedron(const Tetrahedron& t) {
+    const auto inside = std::count_if(t.begin(), t.end(), [&](Index p) { return values[p] < 0; });
+    if (inside > 0 && inside < 4) tetrahedra.push_back(t);
+  }
+
+  /// Lattice coordinates count half cells: all even at corners, all odd at centres.
+  Point place(const Cell& halves) const { return origin_ + 0.5 * cell_ * halves.cast<double>(); }
+
+  Index point(const Cell& halves) {
+    const std::uint64_t key = static_cast<std::uint64_t>(halves[0]) << 42 |
+                              static_cast<std::uint64_t>(halves[1]) << 21 |
+                              static_cast<std::uint64_t>(halves[2]);
+    const auto [found, added] = points_.try_emplace(key, static_cast<Index>(positions.size()));
+    if (added) {
+      positions.push_back(place(halves));
+      values.push_back(function_(positions.back()));
+    }
+    return found->second;
+  }
+
+  const ImplicitFunction& function_;
+  Point origin_;
+  double cell_;
+  std::unordered_map<std::uint64_t, Index> points_;
+};
+
+Point crossing(const Lattice& lattice, Index a, Index b) {
+  const double fa = lattice.values[a], fb = lattice.values[b];
+  return lattice.positions[a] + fa / (fa - fb) * (lattice.positions[b] - lattice.positions[a]);
+}
+
+std::vector<std::vector<Index>> tetrahedra_around(const Lattice& lattice) {
+  std::vector<std::vector<Index>> around(lattice.positions.size());
+  for (Index t = 0; t < lattice.tetrahedra.size(); ++t) {
+    for (const Index point : lattice.tetrahedra[t]) around[point].push_back(t);
+  }
+  return around;
+}
+
+/// Moves lattice points that are close to a crossing of one of their edges onto it; returns which.
+std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell) {
+  struct Candidate {
+    double distance;
+    Index point, other;
+  };
+  std::vector<Candidate> candidates;
+  for (const Tetrahedron& t : lattice.tetrahedra) {
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const Index a = t[i], b = t[j];
+        if ((lattice.values[a] < 0) == (lattice.values[b] < 0)) continue;
+        const double distance = (crossing(lattice, a, b) - lattice.positions[a]).norm();
+        const double length = (lattice.positions[a] - lattice.positions[b]).norm();
+        // The limits of Labelle and Shewchuk, for the cubic lattice's edges and the diagonals.
+        const double limit = (length > 0.9 * cell ? 0.249 : 0.412) * length;
+        if (distance < limit) candidates.push_back({distance, a, b});
+      }
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+    return std::tie(x.distance, x.point, x.other) < std::tie(y.distance, y.point, y.other);
+  });
+  const std::vector<std::vector<Index>> around = tetrahedra_around(lattice);
+  std::vector<int> snapped_corners(lattice.tetrahedra.size(), 0);
+  std::vector<std::optional<Point>> snapped(lattice.positions.size());
+  for (const auto& [distance, point, other] : candidates) {
+    if (snapped[point] || snapped[other]) continue;
+    // A tetrahedron that lies in the surface with all its corners is neither inside nor outside.
+    const auto flat = [&](Index t) { return snapped_corners[t] == 3; };
+    if (std::any_of(around[point].begin(), around[point].end(), flat)) continue;
+    snapped[point] = crossing(lattice, point, other);
+    for (const Index t : around[point]) ++snapped_corners[t];
+  }
+  return snapped;
+}
+
+/// Turns the crossed tetrahedra of a lattice into triangles.
+class Polygonizer {
+ public:
+  Polygonizer(const Lattice& lattice, std::vector<std::optional<Point>> snapped)
+      : lattice_(lattice), snapped_(std::move(snapped)), vertex_of_point_(snapped_.size(), kNone) {
+    for (const Tetrahedron& t : lattice.tetrahedra) add(t);
+    for (const auto& [t, keep] : triangles_) {
+      if (keep) mesh.triangles.push_back(t);
+    }
+  }
+
+  Mesh mesh;
+
+ private:
+  static constexpr Index kNone = ~Index{0};
+
+  /// A vertex of the surface within a tetrahedron, and where it would be on the regular lattice.
+  struct Node {
+    Index vertex;
+    Point regular;
+  };
+
+  void add(const Tetrahedron& t) {
+    std::vector<Index> inside, outside, on;
+    for (const Index p : t) {
+      (snapped_[p] ? on : lattice_.values[p] < 0 ? inside : outside).push_back(p);
+    }
+    std::vector<Node> nodes;
+    for (const Index p : on) nodes.push_back(node_on(p));
+    if (inside.size() == 2 && outside.size() == 2) {
+      nodes = {node_between(inside[0], outside[0]), node_between(inside[0], outside[1]),
+               node_between(inside[1], outside[1]), node_between(inside[1], outside[0])};
+    } else {
+      for (const Index a : inside) {
+        for (const Index b : outside) nodes.push_back(node_between(a, b));
+      }
+    }
+    if (nodes.size() < 3 || inside.size() + outside.size() == 0) return;
+    // A point on the outer side of the triangles.
+    const bool known_outside = !outside.empty();
+    const Point side = lattice_.positions[known_outside ? outside[0] : inside[0]];
+    if (nodes.size() == 3) {
+      add_triangle(nodes[0], nodes[1], nodes[2], side, known_outside);
+    } else if (nodes.size() == 4) {
+      add_quad(nodes, side);
+    }
+  }
+
+  void add_quad(const std::vector<Node>& n, const Point& outer) {
+    const auto distance = [&](int a, int b) {
+      return (mesh.positions[n[a].vertex] - mesh.positions[n[b].vertex]).norm();
+    };
+    if (distance(0, 2) <= distance(1, 3)) {
+      add_triangle(n[0], n[1], n[2], outer, true);
+      add_triangle(n[0], n[2], n[3], outer, true);
+    } else {
+      add_triangle(n[0], n[1], n[3], outer, true);
+      add_triangle(n[1], n[2], n[3], outer, true);
+    }
+  }
+
+  /// Winds the triangle so that `side` is on its outer side, or on its inner one.
+  void add_triangle(const Node& a, const Node& b, const Node& c, const Point& side, bool outer) {
+    Triangle t = {a.vertex, b.vertex, c.vertex};
+    const Point normal = (b.regular - a.regular).cross(c.regular - a.regular);
+    if ((normal.dot(side - a.regular) > 0) != outer) std::swap(t[1], t[2]);
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    const Triangle reversed = {t[0], t[2], t[1]};
+    // A face of the lattice whose corners all were snapped is met from both sides: it stays once if
+    // one side is in and the other out, and not at all otherwise.
+    if (const auto found = faces_.find(reversed); found != faces_.end()) {
+      triangles_[found->second].second = false;
+      return;
+    }
+    if (faces_.try_emplace(t, triangles_.size()).second) triangles_.emplace_back(t, true);
+  }
+
+  Node node_on(Index point) {
+    Index& vertex = vertex_of_point_[point];
+    if (vertex == kNone) vertex = add_vertex(*snapped_[point]);
+    return {vertex, lattice_.positions[point]};
+  }
+
+  Node node_between(Index a, Index b) {
+    const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+    const auto [found, added] = vertex_of_edge_.try_emplace(key, kNone);
+    if (added) found->second = add_vertex(crossing(lattice_, a, b));
+    return {found->second, 0.5 * (lattice_.positions[a] + lattice_.positions[b])};
+  }
+
+  Index add_vertex(const Point& position) {
+    mesh.positions.push_back(position.cast<float>());
+    return static_cast<Index>(mesh.positions.size() - 1);
+  }
+
+  struct TriangleHash {
+    std::size_t operator()(const Triangle& t) const {
+      return (t[0] * 0x9e3779b97f4a7c15u) ^ (t[1] * 0xd1342543de82ef95u) ^ (t[2] * 0x94d049bbu);
+    }
+  };
+
+  const Lattice& lattice_;
+  std::vector<std::optional<Point>> snapped_;
+  std::vector<Index> vertex_of_point_;
+  std::unordered_map<std::uint64_t, Index> vertex_of_edge_;
+  std::unordered_map<Triangle, std::size_t, TriangleHash> faces_;
+  std::vector<std::pair<Triangle, bool>> triangles_;
+};
+
+/// Vertices that lost all their triangles are left out.
+void drop_unused_vertices(Mesh& mesh) {
+  std::vector<Index> number(mesh.vertex_count(), ~Index{0});
+  std::vector<Vec3> positions;
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t) {
+      if (number[v] == ~Index{0}) {
+        number[v] = static_cast<Index>(positions.size());
+        positions.push_back(mesh.positions[v]);
+      }
+      v = number[v];
+    }
+  }
+  mesh.positions = std::move(positions);
+}
+
+/// By forward differences: `value` is the function at `at`, and evaluations are what takes time.
+Point gradient(const ImplicitFunction& function, const Point& at, double value, double step) {
+  Point result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = (function(at + step * Point::Unit(axis)) - value) / step;
+  }
+  return result;
+}
+
+/// Newton steps along the gradient, each at most `reach` long.
+Point project(const ImplicitFunction& function, Point at, double reach, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const double value = function(at);
+    const Point slope = gradient(function, at, value, 1e-4 * reach);
+    Point move = -value / std::max(slope.squaredNorm(), 1e-6) * slope;
+    if (move.norm() > reach) move *= reach / move.norm();
+    at += move;
+  }
+  return at;
+}
+
+/// The mean of the centroids of the triangles around a vertex, weighted by area.
+Point balance_point(const Mesh& mesh, std::span<const Index> around) {
+  Point sum = Point::Zero();
+  double total = 0;
+  for (const Index t : around) {
+    const auto& [i, j, k] = mesh.triangles[t];
+    const Point a = mesh.positions[i].cast<double>();
+    const Point b = mesh.positions[j].cast<double>(), c = mesh.positions[k].cast<double>();
+    const double area = (b - a).cross(c - a).norm();
+    sum += area * (a + b + c) / 3;
+    total += area;
+  }
+  return total > 0 ? Point(sum / total) : sum;
+}
+
+void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int steps) {
+  const VertexTriangles around = vertex_triangles(mesh);
+  std::vector<Vec3> moved(mesh.vertex_count());
+  parallel_for(
+      mesh.vertex_count(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          const Point at = balance_point(mesh, around.of(v));
+          moved[v] = project(function, at, 0.5 * edge_length, steps).cast<float>();
+        }
+      },
+      256);
+  mesh.positions = std::move(moved);
+}
+
+Mesh polygonize(const Lattice& lattice, std::vector<std::optional<Point>> snapped) {
+  Mesh mesh = std::move(Polygonizer(lattice, std::move(snapped)).mesh);
+  drop_unused_vertices(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float edge_length) {
+  const double cell = kCellPerEdge * edge_length;
+  const double extent = (box.upper - box.lower).maxCoeff();
+  if (!(edge_length > 0) || !(extent / cell < kMaxCells)) {
+    throw Error("edges of length " + std::to_string(edge_length) +
+                " are too short for an implicit surface of size " + std::to_string(extent) +
+                "; lower the resolution");
+  }
+  Mesh mesh;
+  std::optional<HalfEdges> edges;
+  {
+    const Lattice lattice(function, box, cell);
+    mesh = polygonize(lattice, snap(lattice, cell));
+    edges = half_edges(mesh);
+    if (!edges) {
+      // Snapping may pinch what is hardly thicker than a cell; without it nothing is pinched.
+      mesh = polygonize(lattice, std::vector<std::optional<Point>>(lattice.positions.size()));
+      edges = half_edges(mesh);
+    }
+  }
+  if (!edges) throw Error("the implicit surface leaves its box; enlarge the box");
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    flip_to_delaunay(mesh, *edges, 3);
+    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 3);
+  }
+  return mesh;
+}
+
+}  // namespace brindle

@@ -1,0 +1,81 @@
+/// Built-in shapes that have a formula: planes, spheres, tubes, strips.
+///
+/// All are centred at the origin, about two units large, and wound outwards (the plane: towards
+/// +z). Triangles are near equilateral. `resolution` counts the edges along what each shape names.
+#pragma once
+
+#include "brindle/geometry/mesh.h"
+
+namespace brindle {
+
+/// A rectangle in the plane z = 0 on a lattice of equilateral triangles.
+struct PlaneShape {
+  float width = 2;
+  float height = 2;
+  int resolution = 160;  ///< edges along x
+};
+Mesh make_plane(const PlaneShape& shape = {});
+
+/// The side surface, about the z axis.
+struct CylinderShape {
+  float radius = 0.5f;
+  float height = 2;
+  int resolution = 240;  ///< edges around
+};
+Mesh make_cylinder(const CylinderShape& shape = {});
+
+/// An icosahedron, each face divided along great circles.
+struct SphereShape {
+  float radius = 1;
+  int resolution = 56;  ///< edges along an edge of the icosahedron
+};
+Mesh make_sphere(const SphereShape& shape = {});
+
+/// Around the z axis. The vertices are a lattice in conformal coordinates, so triangles are near
+/// equilateral everywhere and larger outside than inside.
+struct TorusShape {
+  float major = 0.7f;
+  float minor = 0.3f;
+  int resolution = 300;  ///< edges along the major circle
+};
+Mesh make_torus(const TorusShape& shape = {});
+
+/// A tube along a trefoil knot, of radius `radius`; the knot's extent in x and y is about 2.
+struct TrefoilShape {
+  float radius = 0.16f;
+  int resolution = 56;  ///< edges around the tube
+};
+Mesh make_trefoil(const TrefoilShape& shape = {});
+
+/// The upper half of a sphere, open.
+struct HemisphereShape {
+  float radius = 1;
+  int resolution = 110;  ///< edges from the pole to the rim
+};
+Mesh make_hemisphere(const HemisphereShape& shape = {});
+
+/// A strip of the given width with one half turn, its ends joined: one side, one border.
+struct MobiusShape {
+  float radius = 0.75f;
+  float width = 0.5f;
+  int resolution = 56;  ///< edges across the strip
+};
+Mesh make_mobius(const MobiusShape& shape = {});
+
+/// Half-planes that all end in the z axis, at equal angles: its edges have `count` triangles.
+struct SheetsShape {
+  int count = 3;
+  float width = 1;  ///< from the common edge outwards
+  float height = 2;
+  int resolution = 80;  ///< edges from the common edge outwards
+};
+Mesh make_sheets(const SheetsShape& shape = {});
+
+/// Unconnected spheres, tori and cylinders, in turn, on a circle.
+struct PiecesShape {
+  int count = 5;
+  int resolution = 20;  ///< as of a SphereShape; the others are sampled alike
+};
+Mesh make_pieces(const PiecesShape& shape = {});
+
+}  // namespace brindle

@@ -1,0 +1,383 @@
+#include "brindle/shapes/shapes.h"
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "brindle/error.h"
+#include "brindle/shapes/implicit_shapes.h"
+#include "brindle/shapes/noise.h"
+#include "brindle/shapes/parametric_shapes.h"
+
+namespace brindle {
+namespace {
+
+struct Parameter {
+  std::string_view name;
+  double standard;
+  double lower, upper;
+  bool whole;  ///< whether only whole numbers make sense
+  std::string_view help;
+};
+
+/// The value of every parameter of one shape.
+class Values {
+ public:
+  explicit Values(const std::vector<Parameter>& parameters) {
+    for (const Parameter& parameter : parameters) values_[parameter.name] = parameter.standard;
+  }
+  void set(std::string_view name, double value) { values_.at(name) = value; }
+  float real(std::string_view name) const { return static_cast<float>(values_.at(name)); }
+  int whole(std::string_view name) const { return static_cast<int>(values_.at(name)); }
+  std::uint32_t seed(std::string_view name) const {
+    return static_cast<std::uint32_t>(values_.at(name));
+  }
+
+ private:
+  std::map<std::string_view, double> values_;
+};
+
+struct Shape {
+  std::string_view name;
+  std::string_view help;
+  std::vector<Parameter> parameters;
+  std::function<Mesh(const Values&)> make;
+};
+
+Parameter length(std::string_view name, double standard, std::string_view help) {
+  return {name, standard, 1e-3, 1e3, false, help};
+}
+
+Parameter resolution(int standard, int lower, int upper, std::string_view help) {
+  return {"resolution",
+          static_cast<double>(standard),
+          static_cast<double>(lower),
+          static_cast<double>(upper),
+          true,
+          help};
+}
+
+Parameter seed(std::string_view name, std::uint32_t standard) {
+  return {name, static_cast<double>(standard), 0, 4294967295.0, true, "another one, another shape"};
+}
+
+Shape plane() {
+  const PlaneShape s;
+  return {"plane",
+          "a rectangle",
+          {length("width", s.width, "along x"), length("height", s.height, "along y"),
+           resolution(s.resolution, 1, 5000, "edges along x")},
+          [](const Values& v) {
+            return make_plane({.width = v.real("width"),
+                               .height = v.real("height"),
+                               .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape cylinder() {
+  const CylinderShape s;
+  return {"cylinder",
+          "the open side surface of a cylinder",
+          {length("radius", s.radius, "radius"), length("height", s.height, "along z"),
+           resolution(s.resolution, 3, 10000, "edges around")},
+          [](const Values& v) {
+            return make_cylinder({.radius = v.real("radius"),
+                                  .height = v.real("height"),
+                                  .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape sphere() {
+  const SphereShape s;
+  return {"sphere",
+          "a divided icosahedron",
+          {length("radius", s.radius, "radius"),
+           resolution(s.resolution, 1, 1500, "edges along an edge of the icosahedron")},
+          [](const Values& v) {
+            return make_sphere({.radius = v.real("radius"), .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape torus() {
+  const TorusShape s;
+  return {"torus",
+          "a ring",
+          {length("major", s.major, "radius of the ring"),
+           length("minor", s.minor, "radius of the tube, below major"),
+           resolution(s.resolution, 4, 10000, "edges along the ring")},
+          [](const Values& v) {
+            if (v.real("minor") >= 0.999f * v.real("major")) {
+              throw Error("shape 'torus': minor must be below major; make one of them " +
+                          std::string("smaller or larger"));
+            }
+            return make_torus({.major = v.real("major"),
+                               .minor = v.real("minor"),
+                               .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape trefoil() {
+  const TrefoilShape s;
+  return {"trefoil",
+          "a tube along a trefoil knot",
+          {{"radius", s.radius, 0.01, 0.25, false, "radius of the tube"},
+           resolution(s.resolution, 3, 500, "edges around the tube")},
+          [](const Values& v) {
+            return make_trefoil({.radius = v.real("radius"), .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape vessels() {
+  const VesselsShape s;
+  return {"vessels",
+          "a branching tree of vessels",
+          {{"generations", static_cast<double>(s.generations), 0, 7, true, "splits of the trunk"},
+           {"radius", s.radius, 0.03, 0.3, false, "radius of the trunk, before scaling to size 2"},
+           {"spread", s.spread, 0.1, 1.3, false, "angle of the branches, radians"},
+           seed("seed", s.seed),
+           resolution(s.resolution, 20, 800, "edges along one unit")},
+          [](const Values& v) {
+            return make_vessels({.generations = v.whole("generations"),
+                                 .radius = v.real("radius"),
+                                 .spread = v.real("spread"),
+                                 .seed = v.seed("seed"),
+                                 .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape molecule() {
+  const MoleculeShape s;
+  return {"molecule",
+          "blended spheres",
+          {{"atoms", static_cast<double>(s.atoms), 1, 200, true, "number of spheres"},
+           {"blend", s.blend, 0.001, 0.3, false, "radius of the blends"},
+           seed("seed", s.seed),
+           resolution(s.resolution, 5, 800, "edges along one unit")},
+          [](const Values& v) {
+            return make_molecule({.atoms = v.whole("atoms"),
+                                  .blend = v.real("blend"),
+                                  .seed = v.seed("seed"),
+                                  .resolution = v.whole("resolution")});
+          }};
+}
+
+Mesh checked_box(const BoxShape& shape) {
+  const float room = std::min(shape.width, shape.depth);
+  if (2 * shape.fillet > std::min(room, shape.height)) {
+    throw Error("shape 'box': fillet must be at most half the shortest side");
+  }
+  // Flat rims of the hole and of the sides' fillets must not meet.
+  if (shape.hole > 0 && 2 * shape.hole + 4 * shape.fillet > room) {
+    throw Error(
+        "shape 'box': the hole does not fit; hole + 2 fillet must be at most half of "
+        "width and depth");
+  }
+  return make_box(shape);
+}
+
+Shape box() {
+  const BoxShape s;
+  return {"box",
+          "a block with rounded edges and a hole",
+          {{"width", s.width, 0.1, 10, false, "along x"},
+           {"depth", s.depth, 0.1, 10, false, "along y"},
+           {"height", s.height, 0.1, 10, false, "along z"},
+           {"fillet", s.fillet, 0.001, 5, false, "radius of the rounding"},
+           {"hole", s.hole, 0, 5, false, "radius of the hole along z; 0 for none"},
+           resolution(s.resolution, 5, 400, "edges along one unit")},
+          [](const Values& v) {
+            return checked_box({.width = v.real("width"),
+                                .depth = v.real("depth"),
+                                .height = v.real("height"),
+                                .fillet = v.real("fillet"),
+                                .hole = v.real("hole"),
+                                .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape hemisphere() {
+  const HemisphereShape s;
+  return {
+      "hemisphere",
+      "half a sphere, open below",
+      {length("radius", s.radius, "radius"),
+       resolution(s.resolution, 1, 3000, "edges from pole to rim")},
+      [](const Values& v) {
+        return make_hemisphere({.radius = v.real("radius"), .resolution = v.whole("resolution")});
+      }};
+}
+
+Shape mobius() {
+  const MobiusShape s;
+  return {"mobius",
+          "a strip with half a turn, its ends joined: unorientable",
+          {length("radius", s.radius, "radius of the middle line"),
+           length("width", s.width, "width of the strip, below 2 radius"),
+           resolution(s.resolution, 1, 2000, "edges across the strip")},
+          [](const Values& v) {
+            if (v.real("width") >= 2 * v.real("radius")) {
+              throw Error("shape 'mobius': width must be below twice the radius");
+            }
+            if (v.real("radius") / v.real("width") * v.real("resolution") > 2000) {
+              throw Error("shape 'mobius': too many triangles; lower the resolution or the radius");
+            }
+            return make_mobius({.radius = v.real("radius"),
+                                .width = v.real("width"),
+                                .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape sheets() {
+  const SheetsShape s;
+  return {"sheets",
+          "sheets that meet in one edge: not a manifold",
+          {{"count", static_cast<double>(s.count), 1, 32, true, "number of sheets"},
+           length("width", s.width, "of a sheet"),
+           length("height", s.height, "along z"),
+           resolution(s.resolution, 1, 1000, "edges along the width")},
+          [](const Values& v) {
+            return make_sheets({.count = v.whole("count"),
+                                .width = v.real("width"),
+                                .height = v.real("height"),
+                                .resolution = v.whole("resolution")});
+          }};
+}
+
+Shape pieces() {
+  const PiecesShape s;
+  return {"pieces",
+          "unconnected spheres, rings and cylinders",
+          {{"count", static_cast<double>(s.count), 1, 100, true, "number of pieces"},
+           resolution(s.resolution, 2, 300, "edges along an edge of the icosahedron")},
+          [](const Values& v) {
+            return make_pieces({.count = v.whole("count"), .resolution = v.whole("resolution")});
+          }};
+}
+
+const std::vector<Shape>& catalogue() {
+  static const std::vector<Shape> shapes = [] {
+    std::vector<Shape> all = {plane(),    cylinder(), sphere(),     torus(),  trefoil(), vessels(),
+                              molecule(), box(),      hemisphere(), mobius(), sheets(),  pieces()};
+    for (Shape& shape : all) {
+      shape.parameters.push_back(
+          {"noise", 0, 0, 10, false, "displacement of vertices, in mean edge lengths"});
+      shape.parameters.push_back(seed("noise_seed", 1));
+    }
+    return all;
+  }();
+  return shapes;
+}
+
+template <class Named>
+std::string list(const std::vector<Named>& items) {
+  std::string text;
+  for (const Named& item : items) {
+    if (!text.empty()) text += ", ";
+    text += item.name;
+  }
+  return text;
+}
+
+const Shape& find_shape(std::string_view name) {
+  for (const Shape& shape : catalogue()) {
+    if (shape.name == name) return shape;
+  }
+  throw Error("unknown shape '" + std::string(name) + "'; known are: " + list(catalogue()));
+}
+
+const Parameter& find_parameter(const Shape& shape, std::string_view name) {
+  for (const Parameter& parameter : shape.parameters) {
+    if (parameter.name == name) return parameter;
+  }
+  throw Error("shape '" + std::string(shape.name) + "' has no parameter '" + std::string(name) +
+              "'; it has: " + list(shape.parameters));
+}
+
+std::string range(const Parameter& parameter) {
+  std::ostringstream text;
+  text.precision(10);
+  text << (parameter.whole ? "a whole number" : "a number") << " from " << parameter.lower << " to "
+       << parameter.upper;
+  return text.str();
+}
+
+double parse_value(const Shape& shape, const Parameter& parameter, std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  // Written so that NaN is refused too.
+  const bool fits = value >= parameter.lower && value <= parameter.upper &&
+                    (!parameter.whole || value == std::floor(value));
+  if (!number || !fits) {
+    throw Error("shape '" + std::string(shape.name) + "': parameter '" +
+                std::string(parameter.name) + "' must be " + range(parameter) + ", not '" +
+                std::string(text) + "'");
+  }
+  return value;
+}
+
+/// What stands before the next separator; `text` is left with what follows it.
+std::string_view take_until(std::string_view& text, char separator) {
+  const std::size_t at = text.find(separator);
+  const std::string_view head = text.substr(0, at);
+  text = at == std::string_view::npos ? std::string_view() : text.substr(at + 1);
+  return head;
+}
+
+/// A bound on the memory that a harmless-looking spec can ask for.
+void check_size(const Shape& shape, const Values& values) {
+  const auto proportion = [&](std::string_view across, std::string_view along) {
+    const double squares = values.real(across) / values.real(along) * values.real("resolution") *
+                           values.real("resolution");
+    if (squares > 3e7) {
+      throw Error("shape '" + std::string(shape.name) + "' would have some " +
+                  std::to_string(static_cast<long long>(squares)) +
+                  " vertices; lower the resolution or '" + std::string(across) + "'");
+    }
+  };
+  if (shape.name == "plane") proportion("height", "width");
+  if (shape.name == "cylinder") proportion("height", "radius");
+  if (shape.name == "sheets") proportion("height", "width");
+}
+
+}  // namespace
+
+Mesh make_shape(std::string_view spec) {
+  std::string_view rest = spec;
+  const Shape& shape = find_shape(take_until(rest, ','));
+  Values values(shape.parameters);
+  while (!rest.empty()) {
+    std::string_view value = take_until(rest, ',');
+    const std::string_view name = take_until(value, '=');
+    const Parameter& parameter = find_parameter(shape, name);
+    values.set(parameter.name, parse_value(shape, parameter, value));
+  }
+  check_size(shape, values);
+  Mesh mesh = shape.make(values);
+  if (values.real("noise") > 0) add_noise(mesh, values.real("noise"), values.seed("noise_seed"));
+  return mesh;
+}
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  for (const Shape& shape : catalogue()) names.emplace_back(shape.name);
+  return names;
+}
+
+std::string shape_help() {
+  std::ostringstream text;
+  text.precision(6);
+  for (const Shape& shape : catalogue()) {
+    text << shape.name << ": " << shape.help << '\n';
+    for (const Parameter& parameter : shape.parameters) {
+      text << "    " << parameter.name << '=' << parameter.standard << "  " << parameter.help
+           << " (" << range(parameter) << ")\n";
+    }
+  }
+  return text.str();
+}
+
+}  // namespace brindle

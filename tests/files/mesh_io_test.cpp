@@ -1,0 +1,608 @@
+#include "brindle/files/mesh_io.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/shapes/parametric_shapes.h"
+#include "brindle/shapes/random.h"
+#include "brindle/shapes/shapes.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MeshIo : testing::Test {
+  fs::path folder =
+      fs::path(testing::TempDir()) /
+      (std::string("mesh_io_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  fs::path save(const std::string& name, const std::string& content) const {
+    std::ofstream(folder / name, std::ios::binary) << content;
+    return folder / name;
+  }
+
+  static std::string load(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  LoadedMesh read(const std::string& name, const std::string& content) const {
+    return read_mesh(save(name, content));
+  }
+
+  /// The message of the error that reading ends with; empty if it does not.
+  std::string error_of(const fs::path& path) const {
+    try {
+      read_mesh(path);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  std::string error_of(const std::string& name, const std::string& content) const {
+    return error_of(save(name, content));
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+#define EXPECT_NAMES(message, part) \
+  EXPECT_TRUE(contains(message, part)) << "message: '" << (message) << "'"
+
+template <class Value>
+std::string bytes(std::initializer_list<Value> values) {
+  std::string result;
+  for (const Value value : values) {
+    result.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  return result;
+}
+
+std::string reversed(std::string text) { return {text.rbegin(), text.rend()}; }
+
+const std::string kPyramidObj =
+    "# a pyramid\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 1\n"
+    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 4 3 2 1\n";
+
+const std::string kPyramidOff =
+    "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 1\n"
+    "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n4 3 2 1 0\n";
+
+std::string ply_header(const std::string& format, const std::string& vertices = "3",
+                       const std::string& faces = "1") {
+  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+const std::string kTriangleBytes =
+    bytes<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + "\3" + bytes<std::int32_t>({0, 1, 2});
+
+std::string stl_facet(int x) {
+  const std::string at = std::to_string(x);
+  return "facet normal 0 0 1\nouter loop\nvertex " + at + " 0 0\nvertex 1 " + at + " 0\nvertex " +
+         at + " 1 5\nendloop\nendfacet\n";
+}
+
+std::string binary_stl(const Mesh& mesh) {
+  std::string file(80, ' ');
+  file += bytes({static_cast<std::uint32_t>(mesh.triangle_count())});
+  for (const Triangle& t : mesh.triangles) {
+    file += bytes<float>({0, 0, 0});
+    for (const Index v : t) {
+      file.append(reinterpret_cast<const char*>(mesh.positions[v].data()), 12);
+    }
+    file += std::string(2, '\0');
+  }
+  return file;
+}
+
+bool same_shape(const Mesh& a, const Mesh& b) {
+  if (a.triangle_count() != b.triangle_count()) return false;
+  for (std::size_t t = 0; t < a.triangle_count(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      if (a.positions[a.triangles[t][c]] != b.positions[b.triangles[t][c]]) return false;
+    }
+  }
+  return true;
+}
+
+#ifdef BRINDLE_HAS_ASSIMP
+const std::vector<std::string> kWritten = {"a.obj", "a.ply", "a.gltf", "a.glb"};
+#else
+const std::vector<std::string> kWritten = {"a.obj", "a.ply"};
+#endif
+
+TEST_F(MeshIo, ReadsBackWhatItWrote) {
+  for (const std::string shape :
+       {"torus,resolution=40", "sheets,resolution=8", "mobius,noise=0.3,resolution=6"}) {
+    const Mesh mesh = make_shape(shape);
+    for (const std::string& name : kWritten) {
+      write_mesh(folder / name, mesh);
+      const LoadedMesh loaded = read_mesh(folder / name);
+      EXPECT_TRUE(same_shape(loaded.mesh, mesh)) << name;
+      EXPECT_EQ(loaded.mesh.vertex_count(), mesh.vertex_count()) << name;
+      EXPECT_EQ(loaded.repair, MeshRepair{}) << name;
+    }
+  }
+}
+
+TEST_F(MeshIo, KeepsNumbersOfVerticesThatNoTriangleUses) {
+  const Mesh mesh{{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}}, {{4, 1, 2}}};
+  for (const std::string name : {"a.obj", "a.ply"}) {
+    write_mesh(folder / name, mesh);
+    const LoadedMesh loaded = read_mesh(folder / name);
+    EXPECT_EQ(loaded.mesh.positions, mesh.positions) << name;
+    EXPECT_EQ(loaded.mesh.triangles, mesh.triangles) << name;
+    EXPECT_EQ(loaded.repair.vertices_unreferenced, 2u) << name;
+  }
+}
+
+TEST_F(MeshIo, JoinsVerticesAtOnePlaceButKeepsTheirNumbers) {
+  const LoadedMesh loaded =
+      read("seam.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 4 5 3\n");
+  EXPECT_EQ(loaded.mesh.vertex_count(), 5u);
+  EXPECT_EQ(loaded.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {1, 4, 2}}));
+  EXPECT_EQ(loaded.repair.vertices_joined, 1u);
+  EXPECT_EQ(loaded.repair.vertices_unreferenced, 1u);
+}
+
+TEST_F(MeshIo, ReadsObjWithAllKindsOfCorners) {
+  const LoadedMesh loaded =
+      read("a.obj",
+           "o thing\r\nv 0 0 0 1.0\r\nv 1 0 0 0.5 0.5 0.5\nvt 0 0\nvn 0 0 1\n"
+           "v +1 1e0 0\nv 0 1 0\ng x\nusemtl y\n  f 1/1/1 2//1 \\\n 3/1  # end\n"
+           "f -4 -2/1 -1\n");
+  EXPECT_EQ(loaded.mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(loaded.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST_F(MeshIo, ReadsPolygons) {
+  EXPECT_EQ(read("a.obj", kPyramidObj).mesh.triangle_count(), 6u);
+  EXPECT_TRUE(same_shape(read("a.off", kPyramidOff).mesh, read("a.obj", kPyramidObj).mesh));
+}
+
+TEST_F(MeshIo, ReadsFacesThatComeBeforeTheirVertices) {
+  EXPECT_EQ(read("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").mesh.triangle_count(), 1u);
+}
+
+TEST_F(MeshIo, ReadsOffVariants) {
+  const std::string square =
+      "# c\n0 0 0 1 2 3 4\n\n1 0 0 1 2 3 4\n0 1 0 1 2 3 4\n3 0 1 2 255 0 0\n";
+  for (const std::string header :
+       {"OFF\n3 1 0\n", "COFF # colours\n\n3 1 0\n", "OFF 3 1 0\n", "STCNOFF\n3 1\n"}) {
+    EXPECT_EQ(read("a.off", header + square).mesh.triangle_count(), 1u) << header;
+  }
+}
+
+TEST_F(MeshIo, ReadsPlyOfEveryEncoding) {
+  std::string big;
+  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+    big += reversed(bytes({value}));
+  big += "\3";
+  for (const std::int32_t value : {0, 1, 2}) big += reversed(bytes({value}));
+  const Mesh text = read("a.ply", ply_header("ascii") + "0 0 0\n1 0 0\n\n0 1 0\n3 0 1 2\n").mesh;
+  EXPECT_EQ(text.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(text.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_TRUE(
+      same_shape(read("a.ply", ply_header("binary_little_endian") + kTriangleBytes).mesh, text));
+  EXPECT_TRUE(same_shape(read("a.ply", ply_header("binary_big_endian") + big).mesh, text));
+}
+
+TEST_F(MeshIo, PassesOverWhatElseAPlyFileHolds) {
+  const std::string header =
+      "ply\r\nformat binary_little_endian 1.0\nelement camera 1\nproperty list uchar double m\n"
+      "property short s\nelement vertex 3\nproperty uchar red\nproperty double x\nproperty double "
+      "y\n"
+      "property float n\nproperty double z\nelement face 1\nproperty uchar flag\n"
+      "property list int ushort vertex_index\nproperty list uchar float uv\nend_header\n";
+  std::string body = "\2" + bytes<double>({1, 2}) + bytes<std::int16_t>({7});
+  for (const std::array<double, 3>& p : {std::array{0., 0., 0.}, {1., 0., 0.}, {0., 1., 4.}}) {
+    body += "\xff" + bytes({p[0], p[1]}) + bytes<float>({5}) + bytes({p[2]});
+  }
+  body +=
+      "\1" + bytes<std::int32_t>({3}) + bytes<std::uint16_t>({0, 1, 2}) + "\1" + bytes<float>({1});
+  const Mesh mesh = read("a.ply", header + body).mesh;
+  EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 4}}));
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST_F(MeshIo, StoresAttributesInPly) {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const std::vector<VertexAttribute> attributes = {{"normal", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1}},
+                                                   {"color", 3, {1, 0, 0.5f, 2, -1, NAN, 0, 0, 0}},
+                                                   {"phase", 1, {1.5f, 2.5f, 3.5f}},
+                                                   {"direction", 3, {1, 0, 0, 1, 0, 0, 1, 0, 0}}};
+  write_mesh(folder / "a.ply", mesh, attributes);
+  const std::string file = load(folder / "a.ply");
+  for (const std::string property :
+       {"float nx", "uchar red", "float phase\n", "float direction_z"}) {
+    EXPECT_NAMES(file, "property " + property);
+  }
+  const std::string first = bytes<float>({0, 0, 0, 0, 0, 1}) + std::string("\xff\0\x80", 3) +
+                            bytes<float>({1.5f, 1, 0, 0});
+  EXPECT_NAMES(file, "end_header\n" + first);
+  EXPECT_TRUE(same_shape(read_mesh(folder / "a.ply").mesh, mesh));
+}
+
+TEST_F(MeshIo, StoresNormalsInObj) {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const VertexAttribute normal{"normal", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1}};
+  write_mesh(folder / "a.obj", mesh, std::span(&normal, 1));
+  EXPECT_NAMES(load(folder / "a.obj"), "vn 0 0 1\nf 1//1 2//2 3//3\n");
+}
+
+TEST_F(MeshIo, RefusesAttributesThatAFormatCannotHold) {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const auto error = [&](const std::string& name, const VertexAttribute& attribute) -> std::string {
+    try {
+      write_mesh(folder / name, mesh, std::span(&attribute, 1));
+    } catch (const Error& e) {
+      EXPECT_FALSE(fs::exists(folder / name));
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NAMES(error("a.obj", {"phase", 1, {1, 2, 3}}), ".ply");
+  EXPECT_NAMES(error("a.ply", {"phase", 1, {1, 2}}), "2 values, not 3");
+  EXPECT_NAMES(error("a.ply", {"phase", 2, {1, 2, 3, 4, 5, 6}}), "1 or 3");
+  EXPECT_NAMES(error("a.ply", {"my phase\n", 1, {1, 2, 3}}), "letters");
+  EXPECT_NAMES(error("a.ply", {"x", 1, {1, 2, 3}}), "taken");
+  EXPECT_NAMES(error("a.xyz", {"phase", 1, {1, 2, 3}}), ".glb");
+}
+
+TEST_F(MeshIo, WritesNothingWhereItCannot) {
+  EXPECT_THROW(write_mesh(folder / "none" / "a.ply", make_plane({.resolution = 2})), Error);
+  EXPECT_THROW(write_mesh(folder / "a.glb", Mesh{}), Error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+// --- bad input ---------------------------------------------------------------------------------
+
+TEST_F(MeshIo, MissingFileIsNamed) {
+  EXPECT_NAMES(error_of(folder / "none.ply"), "none.ply: there is no such file");
+}
+
+TEST_F(MeshIo, FolderIsRefused) {
+  fs::create_directory(folder / "a.ply");
+  EXPECT_NAMES(error_of(folder / "a.ply"), "is a folder");
+}
+
+TEST_F(MeshIo, DeviceIsRefused) {
+  if (!fs::exists("/dev/zero")) GTEST_SKIP() << "this system has no /dev/zero";
+  EXPECT_NAMES(error_of("/dev/zero"), "not a regular file");
+}
+
+TEST_F(MeshIo, UnknownExtensionListsTheKnown) {
+  EXPECT_NAMES(error_of("a.docx", kPyramidObj), ".obj, .ply, .off, .stl, .gltf and .glb");
+  EXPECT_NAMES(error_of("noextension", kPyramidObj), ".ply");
+}
+
+TEST_F(MeshIo, ExtensionsAreReadInCapitalsToo) {
+  EXPECT_EQ(read("A.OBJ", kPyramidObj).mesh.triangle_count(), 6u);
+}
+
+TEST_F(MeshIo, EmptyFileIsAnErrorInEveryFormat) {
+  for (const std::string name : {"a.obj", "a.ply", "a.off", "a.stl", "a.gltf", "a.glb"}) {
+    EXPECT_NAMES(error_of(name, ""), "is empty") << name;
+  }
+}
+
+TEST_F(MeshIo, MeshWithoutTrianglesIsAnError) {
+  EXPECT_NAMES(error_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "no triangles");
+  EXPECT_NAMES(error_of("a.off", "OFF\n1 0 0\n0 0 0\n"), "no triangles");
+  EXPECT_NAMES(error_of("a.ply", ply_header("ascii", "1", "0") + "0 0 0\n"), "no triangles");
+  EXPECT_NAMES(error_of("a.stl", "solid a\nendsolid a\n"), "no triangles");
+}
+
+TEST_F(MeshIo, AllNanIsAnError) {
+  EXPECT_NAMES(error_of("a.obj", "v nan 0 0\nv 1 nan 0\nv 0 1 NaN\nf 1 2 3\n"), "no numbers");
+  EXPECT_NAMES(error_of("a.obj", "v inf 0 0\nv 1 1e99 0\nv 0 1 -inf\nf 1 2 3\n"), "no numbers");
+  EXPECT_NAMES(error_of("a.ply", ply_header("ascii") + "nan 0 0\n1 nan 0\nnan 1 nan\n3 0 1 2\n"),
+               "no numbers");
+}
+
+TEST_F(MeshIo, FlatTrianglesAloneAreAnError) {
+  EXPECT_NAMES(error_of("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n"), "an area");
+}
+
+TEST_F(MeshIo, SomeBadTrianglesAreReported) {
+  const LoadedMesh loaded =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\nf 3 2 1\n");
+  EXPECT_EQ(loaded.mesh.triangle_count(), 1u);
+  EXPECT_EQ(loaded.repair, (MeshRepair{.vertices_not_finite = 1,
+                                       .vertices_unreferenced = 1,
+                                       .triangles_not_finite = 1,
+                                       .triangles_degenerate = 1,
+                                       .triangles_duplicate = 1}));
+}
+
+TEST_F(MeshIo, ObjIndicesOutOfRangeNameTheLine) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string face : {"f 1 2 4", "f 0 1 2", "f 1 2 -4", "f 1 2 99999999999999999999",
+                                 "f 1 2 5000000000", "f 1 2 x", "f 1 2 1.5", "f /1 2 3", "f 1 2"}) {
+    const std::string message = error_of("a.obj", vertices + "f 1 2 3\n" + face + "\nf 3 2 1\n");
+    EXPECT_NAMES(message, "a.obj:5: ") << face;
+  }
+  EXPECT_NAMES(error_of("a.obj", "f 1 2 3\nf 1 2 9\nf 1 2 7\n" + vertices), "a.obj:2: vertex 9");
+}
+
+TEST_F(MeshIo, ObjCoordinatesThatAreNoNumbersNameTheLine) {
+  EXPECT_NAMES(error_of("a.obj", "v 0 0 0\nv 1 zero 0\n"), "a.obj:2: ");
+  EXPECT_NAMES(error_of("a.obj", "v 0 0 0\nv 1 0\n"), "a.obj:2: ");
+}
+
+TEST_F(MeshIo, TruncatedPlyIsAnErrorWhereverItIsCut) {
+  write_mesh(folder / "whole.ply", make_plane({.resolution = 3}));
+  const std::string binary = load(folder / "whole.ply");
+  const std::string text = ply_header("ascii") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string& whole : {binary, text}) {
+    // The last line end of a text file is not missed, and half of its last number is one too.
+    const std::size_t last = &whole == &text ? whole.size() - 2 : whole.size() - 1;
+    for (std::size_t size = 0; size <= last; ++size) {
+      if (whole == text && size > last - 1) continue;
+      EXPECT_NE(error_of("a.ply", whole.substr(0, size)), "") << size;
+    }
+  }
+}
+
+TEST_F(MeshIo, AbsurdPlyHeadersDoNotAskForMemory) {
+  for (const std::string format : {"ascii", "binary_little_endian"}) {
+    for (const std::string count : {"4000000000", "9223372036854775807", "100000000"}) {
+      EXPECT_NAMES(error_of("a.ply", ply_header(format, count) + kTriangleBytes), "too short");
+      EXPECT_NE(error_of("a.ply", ply_header(format, "3", count) + kTriangleBytes), "");
+    }
+    EXPECT_NE(error_of("a.ply", ply_header(format, "-3") + kTriangleBytes), "");
+    EXPECT_NE(error_of("a.ply", ply_header(format, "many") + kTriangleBytes), "");
+    EXPECT_NE(error_of("a.ply", ply_header(format, "99999999999999999999") + kTriangleBytes), "");
+  }
+  EXPECT_NE(error_of("a.ply",
+                     "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
+                     "element face 4000000000\nend_header\n"),
+            "");
+}
+
+TEST_F(MeshIo, PlyWithAbsurdListsOrCornersIsAnError) {
+  const std::string header = ply_header("ascii") + "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_NAMES(error_of("a.ply", header + "3 0 1 3\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "3 0 1 -1\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "2000000000 0 1 2\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "nan 0 1 2\n"), "a.ply:14: ");
+  std::string damaged = ply_header("binary_little_endian") + kTriangleBytes;
+  damaged[damaged.size() - 13] = '\xff';
+  EXPECT_NE(error_of("a.ply", damaged), "");
+}
+
+TEST_F(MeshIo, PlyWithoutCoordinatesIsAnError) {
+  EXPECT_NAMES(error_of("a.ply",
+                        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                        "property list uchar int y\nend_header\n0 1 1\n"),
+               "without 'y'");
+}
+
+TEST_F(MeshIo, TruncatedOffIsAnError) {
+  EXPECT_NAMES(error_of("a.off", kPyramidOff.substr(0, 40)), "truncated");
+  EXPECT_NAMES(error_of("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n"), "too short");
+  EXPECT_NAMES(error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "a.off:6: ");
+  EXPECT_NAMES(error_of("a.off", "OFF BINARY\n3 1 0\n"), "convert");
+}
+
+TEST_F(MeshIo, TruncatedStlIsAnError) {
+  const std::string binary = binary_stl(make_plane({.resolution = 2}));
+  const std::string text = "solid a\n" + stl_facet(0) + stl_facet(2) + "endsolid a\n";
+  for (std::size_t size = 1; size < text.size() - 4; ++size) {
+    EXPECT_NE(error_of("a.stl", text.substr(0, size)), "") << size;
+  }
+  for (std::size_t size = 1; size < binary.size(); size += 7) {
+    EXPECT_NE(error_of("a.stl", binary.substr(0, size)), "") << size;
+  }
+}
+
+#ifdef BRINDLE_HAS_ASSIMP
+
+TEST_F(MeshIo, JoinsTheCornersOfStl) {
+  const Mesh mesh = make_torus({.resolution = 20});
+  const LoadedMesh loaded = read("a.stl", binary_stl(mesh));
+  EXPECT_TRUE(same_shape(loaded.mesh, mesh));
+  EXPECT_EQ(loaded.mesh.vertex_count(), mesh.vertex_count());
+  EXPECT_EQ(loaded.repair.vertices_unreferenced, 0u);
+  const LoadedMesh text = read("a.stl", "solid a\n" + stl_facet(0) + stl_facet(2) + "endsolid a\n");
+  EXPECT_EQ(text.mesh.triangle_count(), 2u);
+}
+
+TEST_F(MeshIo, TruncatedGlbIsAnErrorWhereverItIsCut) {
+  write_mesh(folder / "whole.glb", make_plane({.resolution = 2}));
+  const std::string whole = load(folder / "whole.glb");
+  for (std::size_t size = 0; size < whole.size(); size += 5) {
+    EXPECT_NE(error_of("a.glb", whole.substr(0, size)), "") << size;
+  }
+}
+
+/// A glTF file with one triangle, in which `change` may be made.
+std::string gltf_triangle(const std::string& old = "", const std::string& now = "") {
+  std::string text =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+      "nodes":[{"children":[1],"translation":[5,0,0]},{"mesh":0,"scale":[2,2,2]}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],
+      "max":[1,1,0]},{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}],
+      "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}],
+      "buffers":[{"byteLength":40,"uri":"data:application/octet-stream;base64,)"
+      "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAECAA==\"}]}";
+  if (!old.empty()) {
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    text.replace(at, old.size(), now);
+  }
+  return text;
+}
+
+TEST_F(MeshIo, MovesMeshesOfGltfToTheirNodes) {
+  const Mesh mesh = read("a.gltf", gltf_triangle()).mesh;
+  EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{5, 0, 0}, {7, 0, 0}, {5, 2, 0}}));
+}
+
+TEST_F(MeshIo, TurnsMirroredMeshesOfGltfInsideOut) {
+  const Mesh mesh = read("a.gltf", gltf_triangle("[2,2,2]", "[-2,2,2]")).mesh;
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 2, 1}}));
+}
+
+TEST_F(MeshIo, ContradictoryGltfIsAnError) {
+  const std::vector<std::pair<std::string, std::string>> changes = {
+      {R"("children":[1])", R"("children":[0])"},
+      {R"("mesh":0)", R"("children":[0],"mesh":0)"},
+      {R"("mesh":0)", R"("mesh":7)"},
+      {R"("children":[1])", R"("children":[1,1])"},
+      {R"("children":[1])", R"("children":[-1])"},
+      {R"("nodes":[0])", R"("nodes":[2])"},
+      {R"("scene":0)", R"("scene":1)"},
+      {R"("count":3,"type":"VEC3")", R"("count":4,"type":"VEC3")"},
+      {R"("count":3,"type":"VEC3")", R"("count":4000000000,"type":"VEC3")"},
+      {R"("count":3,"type":"SCALAR")", R"("count":9,"type":"SCALAR")"},
+      {R"("count":3,"type":"SCALAR")", R"("count":1e30,"type":"SCALAR")"},
+      {R"("byteLength":36)", R"("byteLength":35)"},
+      {R"("byteLength":40)", R"("byteLength":30)"},
+      {R"("byteOffset":36)", R"("byteOffset":9007199254740992)"},
+      {R"("POSITION":0)", R"("POSITION":1)"},
+      {R"("POSITION":0)", R"("POSITION":2)"},
+      {R"("indices":1)", R"("indices":0)"},
+      {"5121", "5126"},
+      {"AAECAA==", "AAEJAA=="},
+      {"{\"asset\"", "{\"a\":" + std::string(100000, '[')},
+  };
+  for (const auto& [old, now] : changes) {
+    EXPECT_NE(error_of("a.gltf", gltf_triangle(old, now)), "") << now.substr(0, 80);
+  }
+}
+
+#endif
+
+std::string damaged(const std::string& whole, std::uint64_t seed) {
+  std::string file = whole;
+  std::uint64_t drawn = 0;
+  const auto random = [&](std::size_t below) {
+    return static_cast<std::size_t>(random_number(seed, drawn++) * static_cast<double>(below));
+  };
+  if (seed % 4 == 0) file.resize(random(file.size()));
+  for (std::size_t i = 0; i <= seed % 3 && !file.empty(); ++i) {
+    char& byte = file[random(file.size())];
+    // In text, another digit does more harm than another letter.
+    byte = static_cast<char>(seed % 2 ? random(256) : '0' + random(10));
+  }
+  return file;
+}
+
+TEST_F(MeshIo, DamagedFilesOfEveryFormatEndInAMeshOrAnError) {
+  const Mesh mesh = make_plane({.resolution = 2});
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"a.obj", kPyramidObj},
+      {"b.off", kPyramidOff},
+      {"c.ply", ply_header("ascii") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"d.stl", "solid a\n" + stl_facet(0) + stl_facet(2) + "endsolid a\n"},
+      {"e.stl", binary_stl(mesh)}};
+  for (const std::string& name : kWritten) {
+    write_mesh(folder / name, mesh);
+    files.emplace_back("written_" + name, load(folder / name));
+  }
+  for (const auto& [name, whole] : files) {
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+      try {
+        const LoadedMesh loaded = read(name, damaged(whole, seed));
+        for (const Vec3& p : loaded.mesh.positions) ASSERT_TRUE(p.allFinite()) << name;
+        for (const Triangle& t : loaded.mesh.triangles) {
+          for (const Index v : t) ASSERT_LT(v, loaded.mesh.vertex_count()) << name;
+        }
+      } catch (const Error& error) {
+        EXPECT_NAMES(std::string(error.what()), name);
+      }
+    }
+  }
+}
+
+TEST_F(MeshIo, RandomBytesAreAnErrorWithEveryExtension) {
+  for (const std::string name : {"a.obj", "a.ply", "a.off", "a.stl", "a.gltf", "a.glb"}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      std::string noise(3000, ' ');
+      for (std::size_t i = 0; i < noise.size(); ++i) {
+        noise[i] = static_cast<char>(random_number(seed, i) * 256);
+      }
+      EXPECT_NE(error_of(name, noise), "") << name;
+    }
+  }
+}
+
+TEST_F(MeshIo, KeepsTheVertexNumbersOfTheSharedModels) {
+  const fs::path models = BRINDLE_SHARED_MODELS;
+  if (!fs::exists(models / "horse.ply")) GTEST_SKIP() << "no models in " << models;
+  const std::vector<std::tuple<std::string, std::size_t, std::size_t>> counts = {
+      {"horse.ply", 48485, 0},
+      {"nefertiti.obj", 49971, 0},
+      {"stanford-bunny.obj", 35947, 35947 - 34834},
+      {"spot.obj", 2930, 0}};
+  for (const auto& [name, vertices, unreferenced] : counts) {
+    const LoadedMesh loaded = read_mesh(models / name);
+    EXPECT_EQ(loaded.mesh.vertex_count(), vertices) << name;
+    EXPECT_EQ(loaded.repair, MeshRepair{.vertices_unreferenced = unreferenced}) << name;
+  }
+}
+
+VertexAttribute corners_of_a_picture() { return {"uv", 2, {0, 0, 1, 0, 0, 1}}; }
+
+Mesh one_triangle() { return {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}}; }
+
+TEST_F(MeshIo, TexturedMeshesNameTheirPictureBesideThem) {
+  const std::vector<VertexAttribute> uv = {corners_of_a_picture()};
+  for (const char* name : {"my mesh.obj", "my mesh.ply", "my mesh.vtp"}) {
+    write_textured_mesh(folder / name, one_triangle(), uv, "picture");
+    for (const fs::path& file : textured_mesh_files(folder / name)) {
+      EXPECT_TRUE(fs::exists(file)) << file;
+    }
+    EXPECT_EQ(load(folder / "my mesh_texture.png"), "picture");
+    fs::remove(folder / "my mesh_texture.png");
+  }
+  EXPECT_NE(load(folder / "my mesh.obj").find("vt 1 0\n"), std::string::npos);
+  EXPECT_NE(load(folder / "my mesh.obj").find("f 1/1 2/2 3/3\n"), std::string::npos);
+  EXPECT_NE(load(folder / "my mesh.mtl").find("map_Kd my mesh_texture.png\n"), std::string::npos);
+  EXPECT_EQ(read_mesh(folder / "my mesh.obj").mesh.positions, one_triangle().positions);
+  EXPECT_EQ(read_mesh(folder / "my mesh.ply").mesh.triangles, one_triangle().triangles);
+}
+
+TEST_F(MeshIo, GltfHoldsItsPictureAndTurnsVDown) {
+  const std::vector<VertexAttribute> uv = {corners_of_a_picture()};
+  write_textured_mesh(folder / "a.glb", one_triangle(), uv, "12345");
+  const std::string file = load(folder / "a.glb");
+  EXPECT_EQ(file.substr(file.size() - 8), std::string("12345\0\0\0", 8));
+  EXPECT_EQ(file.size() % 4, 0u);
+  std::array<float, 6> stored{};
+  std::memcpy(stored.data(), file.data() + file.size() - 8 - sizeof stored, sizeof stored);
+  EXPECT_EQ(stored, (std::array<float, 6>{0, 1, 1, 1, 0, 0}));
+  EXPECT_EQ(textured_mesh_files(folder / "a.glb"), std::vector<fs::path>{folder / "a.glb"});
+}
+
+TEST_F(MeshIo, TexturedMeshesNeedCoordinates) {
+  EXPECT_THROW(write_textured_mesh(folder / "a.glb", one_triangle(), {}, "png"), Error);
+  const std::vector<VertexAttribute> short_uv = {{"uv", 2, {0, 0}}};
+  EXPECT_THROW(write_textured_mesh(folder / "a.obj", one_triangle(), short_uv, "png"), Error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,106 @@
+#include "brindle/files/point_io.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/files/mesh_io.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PointIo : testing::Test {
+  fs::path folder = fs::temp_directory_path() /
+                    ("brindle_points_" +
+                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  fs::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name, std::ios::binary) << text;
+    return folder / name;
+  }
+  void expect_error(const fs::path& path, const std::string& part) const {
+    try {
+      read_points(path);
+      FAIL() << path;
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+      EXPECT_NE(message.find(path.filename().string()), std::string::npos) << message;
+    }
+  }
+};
+
+const std::string kPlyStart = "ply\nformat ascii 1.0\n";
+
+TEST_F(PointIo, ReadsCsvWithAndWithoutNormals) {
+  const PointCloud bare = read_points(file("a.csv", "x,y,z\n1,2,3\n# note\n4,5,6\n")).cloud;
+  EXPECT_EQ(bare.positions, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_TRUE(bare.normals.empty());
+  const PointCloud full = read_points(file("b.csv", "1,2,3,0,0,2\n4,5,6,0,-1,0\n")).cloud;
+  EXPECT_EQ(full.normals, (std::vector<Vec3>{{0, 0, 1}, {0, -1, 0}}));
+}
+
+TEST_F(PointIo, ReadsPlyWithNormalsAmongOtherProperties) {
+  const auto path = file("a.ply", kPlyStart +
+                                      "element vertex 2\nproperty float nx\nproperty float x\n"
+                                      "property uchar red\nproperty float y\nproperty float z\n"
+                                      "property float ny\nproperty float nz\nend_header\n"
+                                      "1 10 7 20 30 0 0\n0 11 8 21 31 0 -1\n");
+  EXPECT_TRUE(is_point_file(path));
+  const PointCloud cloud = read_points(path).cloud;
+  EXPECT_EQ(cloud.positions, (std::vector<Vec3>{{10, 20, 30}, {11, 21, 31}}));
+  EXPECT_EQ(cloud.normals, (std::vector<Vec3>{{1, 0, 0}, {0, 0, -1}}));
+}
+
+TEST_F(PointIo, ReadsObjWithAsManyNormalsAsPoints) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nvn 0 0 1\n";
+  EXPECT_TRUE(read_points(file("a.obj", points)).cloud.normals.empty());
+  const PointCloud cloud = read_points(file("b.obj", points + "vn 0 3 0\n")).cloud;
+  EXPECT_EQ(cloud.normals, (std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}}));
+}
+
+TEST_F(PointIo, ReadsWhatWriteMeshWrote) {
+  const Mesh mesh{{{0, 1, 2}, {3, 4, 5}, {6, 7, 9}}, {}};
+  const fs::path path = folder / "points.ply";
+  write_mesh(path, mesh,
+             std::vector<VertexAttribute>{{"normal", 3, {0, 0, 1, 0, 1, 0, 1, 0, 0}},
+                                          {"phase", 1, {1, 2, 3}}});
+  EXPECT_TRUE(is_point_file(path));
+  const PointCloud cloud = read_points(path).cloud;
+  EXPECT_EQ(cloud.positions, mesh.positions);
+  EXPECT_EQ(cloud.normals, (std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+}
+
+TEST_F(PointIo, TellsPointsFromMeshes) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_TRUE(is_point_file(file("a.obj", triangle)));
+  EXPECT_FALSE(is_point_file(file("b.obj", triangle + "f 1 2 3\n")));
+  EXPECT_EQ(read_points(folder / "b.obj").cloud.positions.size(), 3u);
+  EXPECT_TRUE(is_point_file("any.csv"));
+  EXPECT_FALSE(is_point_file(folder / "none.ply"));
+  EXPECT_FALSE(is_point_file(file("bad.ply", "nonsense")));
+  EXPECT_FALSE(is_point_file(file("a.xyz", triangle)));
+}
+
+TEST_F(PointIo, SaysWhatIsWrongAndWhere) {
+  expect_error(file("a.csv", "1,2,3\n1,2\n"), "line 2");
+  expect_error(file("b.csv", "1,2,3\n1,2,3,0,0,1\n"), "line 2");
+  expect_error(file("c.csv", "1,2,3\n1,two,3\n"), "line 2");
+  expect_error(file("d.csv", ""), "no point");
+  expect_error(file("e.csv", "nan,1,2\n"), "no point");
+  expect_error(folder / "none.csv", "cannot open");
+  expect_error(file("f.ply", kPlyStart + "element vertex 5\nproperty float x\nproperty float y\n"
+                                         "property float z\nend_header\n1 2 3\n"),
+               "truncated");
+  expect_error(file("g.obj", "v 1 2\n"), "three numbers");
+}
+
+}  // namespace
+}  // namespace brindle

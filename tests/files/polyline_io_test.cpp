@@ -1,0 +1,90 @@
+#include "brindle/files/polyline_io.h"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PolylineIo : testing::Test {
+  fs::path folder =
+      fs::path(testing::TempDir()) /
+      (std::string("polylines_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  Polylines u, v;
+
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    u.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+    u.normals.assign(3, Vec3(0, 0, 1));
+    u.offsets = {0, 3};
+    u.closed = {1};
+    v.points = {{0, 0, 1}, {1, 0, 1}};
+    v.normals.assign(2, Vec3(0, 0, 1));
+    v.offsets = {0, 2};
+    v.closed = {0};
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string written(const std::string& name) const {
+    const std::vector<NamedLines> kinds = {{"u", u}, {"v", v}};
+    write_polylines(folder / name, kinds);
+    std::ifstream in(folder / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+TEST_F(PolylineIo, ObjHasLinesInGroups) {
+  EXPECT_EQ(written("a.obj"),
+            "# written by brindle\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\n"
+            "g u\nl 1 2 3 1\ng v\nl 4 5\n");
+}
+
+TEST_F(PolylineIo, CsvHasARowPerPoint) {
+  EXPECT_EQ(written("a.CSV"),
+            "kind,curve,closed,x,y,z,nx,ny,nz\nu,0,1,0,0,0,0,0,1\nu,0,1,1,0,0,0,0,1\n"
+            "u,0,1,1,1,0,0,0,1\nv,1,0,0,0,1,0,0,1\nv,1,0,1,0,1,0,0,1\n");
+}
+
+TEST_F(PolylineIo, PlyHasEdges) {
+  const std::string file = written("a.ply");
+  EXPECT_NE(file.find("element vertex 5\n"), std::string::npos);
+  EXPECT_NE(file.find("element edge 4\nproperty int vertex1\nproperty int vertex2\n"),
+            std::string::npos);
+  const std::size_t body = file.find("end_header\n") + 11;
+  ASSERT_EQ(file.size() - body, 5 * (6 * 4 + 4 + 1) + 4 * 8u);
+  const auto* edges = reinterpret_cast<const unsigned char*>(file.data() + body + 5 * 29);
+  const std::vector<int> expected = {0, 1, 1, 2, 2, 0, 3, 4};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(edges[4 * i], expected[i]);
+}
+
+TEST_F(PolylineIo, VtpHasLinesWithTheirKind) {
+  const std::string file = written("a.vtp");
+  EXPECT_NE(file.find("NumberOfPoints=\"5\" NumberOfVerts=\"0\" NumberOfLines=\"2\""),
+            std::string::npos);
+  for (const char* name : {"normal", "kind", "closed", "length"}) {
+    EXPECT_NE(file.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  }
+}
+
+TEST_F(PolylineIo, OtherFormatsAreRefusedWithAnother) {
+  try {
+    written("a.stl");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(".vtp"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+  EXPECT_FALSE(is_polyline_format("a.stl"));
+  EXPECT_TRUE(is_polyline_format("a.OBJ"));
+}
+
+}  // namespace
+}  // namespace brindle

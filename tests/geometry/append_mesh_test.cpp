@@ -1,0 +1,19 @@
+#include "brindle/geometry/append_mesh.h"
+
+#include <gtest/gtest.h>
+
+namespace brindle {
+namespace {
+
+TEST(Append, KeepsCornersAtTheirPlaces) {
+  const Mesh other{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  Mesh mesh{{{5, 5, 5}}, {}};
+  append(other, mesh);
+  append(other, mesh);
+  EXPECT_EQ(mesh.positions.size(), 7u);
+  EXPECT_EQ(mesh.positions[4], other.positions[0]);
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{1, 2, 3}, {4, 5, 6}}));
+}
+
+}  // namespace
+}  // namespace brindle
