@@ -57,7 +57,7 @@ void MovingPicture::State::show(const SolvedFrame& solved, const Overlay& overla
     positions = frame.mesh.positions;
     return;
   }
-  SceneChange change{.waves = &frame.waves,
+  DrawingChange change{.waves = &frame.waves,
                      .z = z,
                      .triangle_colors = overlay.triangle_colors,
                      .marks = overlay.marks};

@@ -41,7 +41,7 @@ void write_ornaments(const std::filesystem::path& path, const Surface& surface,
   for (const Ornament& ornament : ornaments) {
     all.add(ornament.mesh, vertex_normals(ornament.mesh), {color_of(ornament.second, render), 1});
   }
-  const StripeScene scene{.mesh = all.mesh, .normals = all.normals, .triangle_colors = all.colors};
+  const SurfaceDrawing scene{.mesh = all.mesh, .normals = all.normals, .triangle_colors = all.colors};
   write_png(path, render_picture(scene, render));
 }
 

@@ -165,7 +165,7 @@ void write_picture(const std::filesystem::path& path, const Surface& surface,
     return write_png(path, picture_of_points(surface, pattern, render_options(options)));
   }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
-  StripeScene scene{.mesh = surface.mesh,
+  SurfaceDrawing scene{.mesh = surface.mesh,
                     .normals = surface.normals,
                     .waves = &pattern.waves,
                     .z = pattern.solution.z,

@@ -13,7 +13,7 @@ int main() {
       brindle::constant_frequency_field(16, surface.mesh.vertex_count())};
   const brindle::CrossPattern cross = brindle::cross_pattern(surface, waves);
   const brindle::CrossTexture texture = brindle::cross_texture(surface, cross);
-  // texture.pattern.waves: U and V at every corner of texture.surface.mesh, for StripeScene
+  // texture.pattern.waves: U and V at every corner of texture.surface.mesh, for SurfaceDrawing
   std::printf("%zu singularities, %zu branches, angles of tiles off by %.2f degrees\n",
               cross.quality.field_singularities, cross.quality.branches,
               texture.pattern.quality.angle_mean_deg);

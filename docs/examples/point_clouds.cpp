@@ -14,7 +14,7 @@ int main() {
   const brindle::StripePattern pattern = brindle::stripe_pattern(
       points, {points.mesh.positions, brindle::smooth_direction_field(points),
                brindle::constant_frequency_field(12, points.mesh.vertex_count())});
-  // pattern.solution.z: one phase exp(i Phi) per point, for SplatScene and point_samples
+  // pattern.solution.z: one phase exp(i Phi) per point, for SplatDrawing and point_samples
   std::printf("%zu points, energy %.4f, angles off by %.1f degrees\n", points.normals.size(),
               pattern.solution.energy, pattern.quality.angle_error_mean_deg);
 }

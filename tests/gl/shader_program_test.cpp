@@ -22,10 +22,10 @@ TEST(ShaderProgram, ShaderThatDoesNotCompileIsNamed) {
   const HeadlessContext context;
   try {
     // A fragment shader that lacks the file with its functions.
-    const ShaderProgram program({"full_screen.vert"}, {"fragment_probe.frag"});
+    const ShaderProgram program({"full_screen.vert"}, {"striped_surface.frag"});
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("fragment_probe.frag:"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("striped_surface.frag:"), std::string::npos)
         << error.what();
   }
 }

@@ -7,10 +7,13 @@
 #include "brindle/render/renderer.h"
 #include "device.h"
 #include "phase_graphs.h"
+#include "render/fragment_probe.h"
 
 namespace brindle {
 namespace {
 
+using test::FragmentImage;
+using test::FragmentProbe;
 using testing_support::kAxis;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
@@ -58,11 +61,11 @@ TEST_F(GpuRenderingTest, PicturesDifferByNoMoreThanPhasesDo) {
   const auto z = cpu.frame(input_of(surface.waves)).z;
   const std::vector<Complex> gpu_z = gpu.read_phases();
 
-  Renderer renderer;
-  renderer.upload({.mesh = surface.mesh, .waves = &surface.waves, .z = z});
-  const FragmentImage from_cpu = renderer.draw_fragments(small_picture());
-  renderer.use_phases(gpu.phases());
-  const FragmentImage from_gpu = renderer.draw_fragments(small_picture());
+  FragmentProbe probe;
+  probe.upload({.mesh = surface.mesh, .waves = &surface.waves, .z = z});
+  const FragmentImage from_cpu = probe.draw(small_picture());
+  probe.use_phases(gpu.phases());
+  const FragmentImage from_gpu = probe.draw(small_picture());
   int pixels = 0, beyond = 0;
   for (std::size_t p = 0; p < from_cpu.z.size(); ++p) {
     if (from_cpu.triangle[p] == FragmentImage::kNoTriangle) continue;

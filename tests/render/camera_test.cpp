@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "render/test_scenes.h"
+#include "render/test_drawings.h"
 
 namespace brindle {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/test_scenes.h"
+#include "render/test_drawings.h"
 
 namespace brindle {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "brindle/error.h"
 #include "brindle/pattern/fragment_phase.h"
-#include "render/test_scenes.h"
+#include "render/test_drawings.h"
 
 namespace brindle {
 namespace {
@@ -26,8 +26,8 @@ struct TwinError {
 };
 
 TwinError twin_error(const StripedSurface& s, const RenderOptions& options) {
-  Studio::shared().renderer.upload(s.scene());
-  const FragmentImage image = Studio::shared().renderer.draw_fragments(options);
+  Studio::shared().probe.upload(s.drawing());
+  const FragmentImage image = Studio::shared().probe.draw(options);
   TwinError error;
   for (std::size_t p = 0; p < image.z.size(); ++p) {
     if (image.triangle[p] == FragmentImage::kNoTriangle) continue;
@@ -80,8 +80,8 @@ TEST(Renderer, ShaderAgreesWithItsTwinFarFromTheOrigin) {
 }
 
 TEST(Renderer, FragmentsCoverThePictureAndHaveWeights) {
-  Studio::shared().renderer.upload(plane_wave(square(2), Vec3::UnitX(), 3).scene());
-  const FragmentImage image = Studio::shared().renderer.draw_fragments(plain_options(120, 120));
+  Studio::shared().probe.upload(plane_wave(square(2), Vec3::UnitX(), 3).drawing());
+  const FragmentImage image = Studio::shared().probe.draw(plain_options(120, 120));
   int seen = 0;
   for (std::size_t p = 0; p < image.triangle.size(); ++p) {
     if (image.triangle[p] == FragmentImage::kNoTriangle) continue;
@@ -95,8 +95,8 @@ TEST(Renderer, FragmentsCoverThePictureAndHaveWeights) {
 
 TEST(Renderer, FlippedWavesGiveTheSamePicture) {
   const StripedSurface surface = plane_wave(saddle(6), Vec3::UnitX(), 9);
-  const Image one = Studio::shared().draw(surface.scene(), plain_options());
-  const Image other = Studio::shared().draw(with_flips(surface).scene(), plain_options());
+  const Image one = Studio::shared().draw(surface.drawing(), plain_options());
+  const Image other = Studio::shared().draw(with_flips(surface).drawing(), plain_options());
   for (std::size_t p = 0; p < one.pixels.size(); ++p) {
     ASSERT_NEAR(one.pixels[p].red, other.pixels[p].red, 2);
   }
@@ -107,7 +107,7 @@ TEST(Renderer, StripeWidthIsTheShareOfLight) {
   RenderOptions options = plain_options(256, 256);
   for (const float width : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
     options.stripe_width = width;
-    const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), options));
+    const Light light = light_in_the_middle(Studio::shared().draw(surface.drawing(), options));
     EXPECT_NEAR(light.mean, width, 0.05) << width;
   }
 }
@@ -117,7 +117,7 @@ TEST(Renderer, StripesFinerThanPixelsBecomeTheirMeanWithoutMoire) {
   options.stripe_width = 0.3f;
   for (const float frequency : {150.0f, 244.0f, 400.0f, 1000.0f, 30000.0f}) {
     const StripedSurface surface = plane_wave(square(4), Vec3(3, 4, 0) / 5, frequency);
-    const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), options));
+    const Light light = light_in_the_middle(Studio::shared().draw(surface.drawing(), options));
     EXPECT_NEAR(light.mean, 0.3, 0.02) << frequency;
     EXPECT_LT(light.highest - light.lowest, 0.08) << frequency;
   }
@@ -125,7 +125,8 @@ TEST(Renderer, StripesFinerThanPixelsBecomeTheirMeanWithoutMoire) {
 
 TEST(Renderer, WideStripesHaveFullContrast) {
   const StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
-  const Light light = light_in_the_middle(Studio::shared().draw(surface.scene(), plain_options()));
+  const Light light =
+      light_in_the_middle(Studio::shared().draw(surface.drawing(), plain_options()));
   EXPECT_LT(light.lowest, 0.01);
   EXPECT_GT(light.highest, 0.99);
 }
@@ -133,16 +134,16 @@ TEST(Renderer, WideStripesHaveFullContrast) {
 TEST(Renderer, TilesDoNotShow) {
   const StripedSurface surface = random_waves(saddle(5), 20);
   const std::vector<Mark> marks{{Vec3(0.4f, 0.6f, 0.1f), {1, 0, 0}}};
-  StripeScene scene = surface.scene();
-  scene.marks = marks;
+  SurfaceDrawing drawing = surface.drawing();
+  drawing.marks = marks;
   RenderOptions options = plain_options(300, 201);
   options.transparent = false;
   for (const int supersampling : {1, 2}) {
     options.supersampling = supersampling;
     options.tile_side = 2048;
-    const Image whole = Studio::shared().draw(scene, options);
+    const Image whole = Studio::shared().draw(drawing, options);
     options.tile_side = 132;
-    const Image tiled = Studio::shared().draw(scene, options);
+    const Image tiled = Studio::shared().draw(drawing, options);
     double difference = 0;
     for (std::size_t p = 0; p < whole.pixels.size(); ++p) {
       difference += std::abs(whole.pixels[p].red - tiled.pixels[p].red);
@@ -161,9 +162,9 @@ TEST(Renderer, TrianglesSmallerThanPixelsKeepThePhase) {
 
 TEST(Renderer, PictureOfTheSameStripesIsTheSameOnAFinerMesh) {
   const Image coarse =
-      Studio::shared().draw(plane_wave(square(2), Vec3::UnitX(), 9).scene(), plain_options());
+      Studio::shared().draw(plane_wave(square(2), Vec3::UnitX(), 9).drawing(), plain_options());
   const Image fine =
-      Studio::shared().draw(plane_wave(square(200), Vec3::UnitX(), 9).scene(), plain_options());
+      Studio::shared().draw(plane_wave(square(200), Vec3::UnitX(), 9).drawing(), plain_options());
   for (int y = 30; y < 90; ++y) {
     for (int x = 50; x < 110; ++x) ASSERT_NEAR(coarse.at(x, y).red, fine.at(x, y).red, 6);
   }
@@ -172,7 +173,7 @@ TEST(Renderer, PictureOfTheSameStripesIsTheSameOnAFinerMesh) {
 TEST(Renderer, SurfaceWithoutWavesIsPlain) {
   StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
   for (Vec3& d : surface.waves.directions) d.setZero();
-  const Light none = light_in_the_middle(Studio::shared().draw(surface.scene(), plain_options()));
+  const Light none = light_in_the_middle(Studio::shared().draw(surface.drawing(), plain_options()));
   EXPECT_EQ(none.highest, 0);
   const Light bare =
       light_in_the_middle(Studio::shared().draw({.mesh = surface.mesh}, plain_options()));
@@ -183,11 +184,11 @@ TEST(Renderer, BothSidesAreLitAlike) {
   StripedSurface surface = plane_wave(square(4), Vec3::UnitX(), 8);
   RenderOptions options = plain_options();
   options.shading = true;
-  const Image front = Studio::shared().draw(surface.scene(), options);
+  const Image front = Studio::shared().draw(surface.drawing(), options);
   for (std::size_t t = 0; t < surface.mesh.triangle_count(); t += 2) {
     std::swap(surface.mesh.triangles[t][1], surface.mesh.triangles[t][2]);
   }
-  const Image mixed = Studio::shared().draw(surface.scene(), options);
+  const Image mixed = Studio::shared().draw(surface.drawing(), options);
   for (std::size_t p = 0; p < front.pixels.size(); ++p) {
     ASSERT_NEAR(front.pixels[p].red, mixed.pixels[p].red, 3);
   }
@@ -231,9 +232,9 @@ TEST(Renderer, EmptyMeshGivesTheBackground) {
 
 TEST(Renderer, WrongSizesAreErrors) {
   const StripedSurface surface = plane_wave(square(2), Vec3::UnitX(), 3);
-  StripeScene scene = surface.scene();
-  scene.z = scene.z.first(3);
-  EXPECT_THROW(Studio::shared().renderer.upload(scene), Error);
+  SurfaceDrawing drawing = surface.drawing();
+  drawing.z = drawing.z.first(3);
+  EXPECT_THROW(Studio::shared().renderer.upload(drawing), Error);
   RenderOptions options;
   options.width = 100000;
   EXPECT_THROW(Studio::shared().renderer.draw(options), Error);
@@ -259,11 +260,11 @@ TEST(Renderer, AChangedSceneLooksLikeAnUploadedOne) {
   const StripedSurface before = plane_wave(saddle(6), Vec3::UnitX(), 8);
   const StripedSurface after = random_waves(saddle(6), 6);
   Renderer& renderer = Studio::shared().renderer;
-  renderer.upload(before.scene());
+  renderer.upload(before.drawing());
   renderer.update({.waves = &after.waves, .z = after.z});
   const Image changed = renderer.draw(plain_options());
-  EXPECT_EQ(changed.pixels, Studio::shared().draw(after.scene(), plain_options()).pixels);
-  EXPECT_NE(changed.pixels, Studio::shared().draw(before.scene(), plain_options()).pixels);
+  EXPECT_EQ(changed.pixels, Studio::shared().draw(after.drawing(), plain_options()).pixels);
+  EXPECT_NE(changed.pixels, Studio::shared().draw(before.drawing(), plain_options()).pixels);
 }
 
 TEST(Renderer, MovingVerticesDoNotMoveTheCamera) {
@@ -274,7 +275,7 @@ TEST(Renderer, MovingVerticesDoNotMoveTheCamera) {
     return std::ranges::count_if(image.pixels, [](const Pixel& p) { return p.alpha > 127; });
   };
   Renderer& renderer = Studio::shared().renderer;
-  const auto whole = covered(Studio::shared().draw(surface.scene(), plain_options()));
+  const auto whole = covered(Studio::shared().draw(surface.drawing(), plain_options()));
   renderer.update({.positions = half});
   const auto quarter = covered(renderer.draw(plain_options()));
   EXPECT_GT(quarter, whole / 8);
@@ -283,7 +284,7 @@ TEST(Renderer, MovingVerticesDoNotMoveTheCamera) {
 
 TEST(Renderer, RefusesChangesOfAnotherSize) {
   const StripedSurface surface = plane_wave(square(2), Vec3::UnitX(), 8);
-  Studio::shared().renderer.upload(surface.scene());
+  Studio::shared().renderer.upload(surface.drawing());
   const std::vector<Vec3> three(3);
   EXPECT_THROW(Studio::shared().renderer.update({.positions = three}), Error);
   EXPECT_THROW(Studio::shared().renderer.update({.normals = three}), Error);

@@ -7,7 +7,7 @@
 
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
-#include "render/test_scenes.h"
+#include "render/test_drawings.h"
 
 namespace brindle {
 namespace {
@@ -28,15 +28,15 @@ struct Points {
         normals(surface.mesh.vertex_count(), Vec3::UnitZ()),
         radii(splat_radii(surface.mesh.positions, vertex_neighborhood(surface.mesh))) {}
 
-  SplatScene scene() const {
+  SplatDrawing drawing() const {
     return {surface.mesh.positions, normals, radii, &surface.waves, surface.z};
   }
 };
 
-Image draw(const SplatScene& scene, const RenderOptions& options = plain_options()) {
+Image draw(const SplatDrawing& drawing, const RenderOptions& options = plain_options()) {
   const HeadlessContext& context = Studio::shared().context;
   SplatRenderer renderer;
-  renderer.upload(scene);
+  renderer.upload(drawing);
   Image image = renderer.draw(options);
   context.check_errors("drawing the test picture");
   return image;
@@ -65,16 +65,16 @@ struct Splats : testing::Test {
 
 TEST_F(Splats, LookLikeTheSurfaceOfTheirPoints) {
   const Points points(plane_wave(square(40), Vec3(0.8f, 0.6f, 0), 6));
-  const Image mesh = Studio::shared().draw(points.surface.scene(), plain_options());
-  const auto [mean, count] = difference(draw(points.scene()), mesh);
+  const Image mesh = Studio::shared().draw(points.surface.drawing(), plain_options());
+  const auto [mean, count] = difference(draw(points.drawing()), mesh);
   EXPECT_GT(count, 160 * 120 / 3);
   EXPECT_LT(mean, 4);
 }
 
 TEST_F(Splats, LeaveNoHolesInAClosedSurface) {
   const Points points(plane_wave(square(30), Vec3::UnitX(), 6));
-  const Image mesh = Studio::shared().draw(points.surface.scene(), plain_options());
-  const Image image = draw(points.scene());
+  const Image mesh = Studio::shared().draw(points.surface.drawing(), plain_options());
+  const Image image = draw(points.drawing());
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     EXPECT_TRUE(mesh.pixels[i].alpha < 255 || image.pixels[i].alpha > 0) << i;
   }
@@ -82,13 +82,13 @@ TEST_F(Splats, LeaveNoHolesInAClosedSurface) {
 
 TEST_F(Splats, DoNotChangeWithTheSignsOfDirectionsAndNormals) {
   Points points(plane_wave(square(20), Vec3(0.8f, 0.6f, 0), 6));
-  const Image before = draw(points.scene());
+  const Image before = draw(points.drawing());
   points.surface = with_flips(points.surface);
   std::mt19937 random(1);
   for (Vec3& normal : points.normals) {
     if (random() % 2) normal = -normal;
   }
-  EXPECT_LT(difference(draw(points.scene()), before).first, 0.5);
+  EXPECT_LT(difference(draw(points.drawing()), before).first, 0.5);
 }
 
 TEST_F(Splats, HideWhatLiesBehind) {
@@ -107,22 +107,22 @@ TEST_F(Splats, HideWhatLiesBehind) {
     front.mesh.triangles.push_back(behind);
   }
   front.waves.positions = front.mesh.positions;
-  const Image mesh = Studio::shared().draw(front.scene(), plain_options());
-  EXPECT_LT(difference(draw(Points(front).scene()), mesh).first, 8);
+  const Image mesh = Studio::shared().draw(front.drawing(), plain_options());
+  EXPECT_LT(difference(draw(Points(front).drawing()), mesh).first, 8);
 }
 
 TEST_F(Splats, AreTheSameInTilesAndAtOnce) {
   const Points points(plane_wave(square(20), Vec3(0.8f, 0.6f, 0), 6));
   RenderOptions options = plain_options(200, 150);
-  const Image whole = draw(points.scene(), options);
+  const Image whole = draw(points.drawing(), options);
   options.tile_side = 64;
-  EXPECT_LT(difference(draw(points.scene(), options), whole).first, 0.2);
+  EXPECT_LT(difference(draw(points.drawing(), options), whole).first, 0.2);
 }
 
 TEST_F(Splats, WithoutAWaveArePlainAndWithoutANormalAreNot) {
   Points points(plane_wave(square(20), Vec3::UnitX(), 6));
   for (Vec3& direction : points.surface.waves.directions) direction.setZero();
-  const Image plain = draw(points.scene());
+  const Image plain = draw(points.drawing());
   int covered = 0;
   for (const Pixel& pixel : plain.pixels) {
     if (pixel.alpha < 255) continue;
@@ -131,14 +131,14 @@ TEST_F(Splats, WithoutAWaveArePlainAndWithoutANormalAreNot) {
   }
   EXPECT_GT(covered, 160 * 120 / 3);
   for (Vec3& normal : points.normals) normal.setZero();
-  for (const Pixel& pixel : draw(points.scene()).pixels) EXPECT_EQ(pixel.alpha, 0);
+  for (const Pixel& pixel : draw(points.drawing()).pixels) EXPECT_EQ(pixel.alpha, 0);
 }
 
 TEST_F(Splats, RefuseSizesThatDoNotMatch) {
   Points points(plane_wave(square(4), Vec3::UnitX(), 6));
   SplatRenderer renderer;
   points.radii.pop_back();
-  EXPECT_THROW(renderer.upload(points.scene()), Error);
+  EXPECT_THROW(renderer.upload(points.drawing()), Error);
 }
 
 }  // namespace

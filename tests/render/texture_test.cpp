@@ -5,7 +5,7 @@
 
 #include "brindle/error.h"
 #include "brindle/render/renderer.h"
-#include "render/test_scenes.h"
+#include "render/test_drawings.h"
 
 namespace brindle {
 namespace {
@@ -13,25 +13,27 @@ namespace {
 using namespace test;
 
 /// A surface with plane waves along x and y.
-struct TexturedScene {
+struct TexturedDrawing {
   StripedSurface surface;
   TextureWaves waves;
   TextureTile tile;
 
-  StripeScene scene() const {
-    StripeScene scene = surface.scene();
-    scene.texture_waves = &waves;
-    scene.texture_tile = &tile;
-    return scene;
+  SurfaceDrawing drawing() const {
+    SurfaceDrawing drawing = surface.drawing();
+    drawing.texture_waves = &waves;
+    drawing.texture_tile = &tile;
+    return drawing;
   }
-  Image draw(const RenderOptions& options) const { return Studio::shared().draw(scene(), options); }
+  Image draw(const RenderOptions& options) const {
+    return Studio::shared().draw(drawing(), options);
+  }
 };
 
 TextureWaves waves_of(const StripedSurface& u, const StripedSurface& v) {
   return texture_waves(u.mesh.triangles, u.waves, u.z, v.waves, v.z);
 }
 
-TexturedScene plane_texture(Mesh mesh, float frequency, TextureTile tile) {
+TexturedDrawing plane_texture(Mesh mesh, float frequency, TextureTile tile) {
   StripedSurface u = plane_wave(mesh, Vec3::UnitX(), frequency);
   TextureWaves waves = waves_of(u, plane_wave(mesh, Vec3::UnitY(), frequency));
   return {std::move(u), std::move(waves), std::move(tile)};
@@ -53,25 +55,26 @@ float apart_on_circle(float a, float b) { return std::abs(a - b - std::round(a -
 
 /// Calls `check` with every pixel that the texture covers whole, and U and V in it.
 template <typename Check>
-void for_each_texel(const TexturedScene& scene, const RenderOptions& options, const Image& image,
-                    Check check) {
-  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
+void for_each_texel(const TexturedDrawing& drawing, const RenderOptions& options,
+                    const Image& image, Check check) {
+  Studio::shared().probe.upload(drawing.drawing());
+  const FragmentImage fragments = Studio::shared().probe.draw(options);
   for (std::size_t p = 0; p < image.pixels.size(); ++p) {
     const Index t = fragments.triangle[p];
     if (t == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255) continue;
     const auto [u, v] =
-        texture_fragment(scene.waves.u[t], scene.waves.v[t], fragments.barycentric[p]);
+        texture_fragment(drawing.waves.u[t], drawing.waves.v[t], fragments.barycentric[p]);
     check(image.pixels[p], texture_coordinate(u.z), texture_coordinate(v.z));
   }
 }
 
 TEST(Texture, EveryPixelShowsTheTileAtItsPhases) {
-  TexturedScene scene = plane_texture(saddle(5), 6, ramps(256));
-  scene.surface = with_flips(std::move(scene.surface));
+  TexturedDrawing drawing = plane_texture(saddle(5), 6, ramps(256));
+  drawing.surface = with_flips(std::move(drawing.surface));
   const RenderOptions options = plain_options(320, 240);
-  const Image image = scene.draw(options);
+  const Image image = drawing.draw(options);
   int compared = 0;
-  for_each_texel(scene, options, image, [&](const Pixel& pixel, float u, float v) {
+  for_each_texel(drawing, options, image, [&](const Pixel& pixel, float u, float v) {
     // Filters mix both ends of a ramp where it starts again.
     const auto near_end = [](float x) { return apart_on_circle(x, 0) < 0.12f; };
     if (near_end(u) || near_end(v)) return;
@@ -84,11 +87,11 @@ TEST(Texture, EveryPixelShowsTheTileAtItsPhases) {
 
 TEST(Texture, WherePhasesWrapNoSeamShows) {
   // One colour but for a dot in the middle: the lines where U and V start again are plain.
-  const TexturedScene scene = plane_texture(saddle(12), 5, BuiltInTile::dots);
+  const TexturedDrawing drawing = plane_texture(saddle(12), 5, BuiltInTile::dots);
   const RenderOptions options = plain_options(320, 240);
-  const Image image = scene.draw(options);
+  const Image image = drawing.draw(options);
   int plain = 0;
-  for_each_texel(scene, options, image, [&](const Pixel& pixel, float u, float v) {
+  for_each_texel(drawing, options, image, [&](const Pixel& pixel, float u, float v) {
     if (tile_distance(BuiltInTile::dots, u, v) < 0.06f) return;
     ++plain;
     ASSERT_LE(pixel.red, 3) << u << ' ' << v;
@@ -114,10 +117,10 @@ TEST(Texture, TilesSmallerThanPixelsBecomeTheirMeanWithoutMoire) {
 }
 
 TEST(Texture, AtASlantTilesStaySharpAcrossAndSmoothAlong) {
-  const TexturedScene scene = plane_texture(square(20), 40, BuiltInTile::stripes);
+  const TexturedDrawing drawing = plane_texture(square(20), 40, BuiltInTile::stripes);
   RenderOptions options = plain_options(400, 300);
   options.camera = {.azimuth_deg = 0, .elevation_deg = 86};
-  const Image image = scene.draw(options);
+  const Image image = drawing.draw(options);
   // Seen almost edge on: the stripes still have most of their contrast.
   double sum = 0, squares = 0;
   int count = 0;
@@ -135,15 +138,15 @@ TEST(Texture, AtASlantTilesStaySharpAcrossAndSmoothAlong) {
 
 TEST(Texture, EdgesOfAFigureStaySharpAtAnyMagnification) {
   for (const float frequency : {1.0f, 0.05f, 0.01f}) {
-    TexturedScene scene = plane_texture(square(1), frequency, BuiltInTile::stripes);
+    TexturedDrawing drawing = plane_texture(square(1), frequency, BuiltInTile::stripes);
     // The border of the stripe, a quarter of a period from its crest, in the middle of the picture.
-    for (CornerWaves& corners : scene.waves.u) {
+    for (CornerWaves& corners : drawing.waves.u) {
       for (CornerWave& corner : corners) {
         const float x = corner.wave.position.x() - 0.5f;
         corner.z = std::polar(1.0f, kTurn * frequency * x);
       }
     }
-    const Image image = scene.draw(plain_options(200, 200));
+    const Image image = drawing.draw(plain_options(200, 200));
     int between = 0;
     for (int x = 20; x < 180; ++x)
       between += image.at(x, 100).red > 20 && image.at(x, 100).red < 235;
@@ -175,9 +178,9 @@ TEST(Texture, PicturesBeyondTheDriversTexturesAreReduced) {
 }
 
 TEST(Texture, TrianglesWithoutWavesShowTheSurface) {
-  TexturedScene scene = plane_texture(square(2), 4, BuiltInTile::checker);
-  for (CornerWaves& corners : scene.waves.v) corners[1].wave.direction.setZero();
-  EXPECT_EQ(light_in_the_middle(scene.draw(plain_options())).highest, 0);
+  TexturedDrawing drawing = plane_texture(square(2), 4, BuiltInTile::checker);
+  for (CornerWaves& corners : drawing.waves.v) corners[1].wave.direction.setZero();
+  EXPECT_EQ(light_in_the_middle(drawing.draw(plain_options())).highest, 0);
 }
 
 TEST(Texture, SplitTrianglesFitTheirNeighbours) {
@@ -185,17 +188,18 @@ TEST(Texture, SplitTrianglesFitTheirNeighbours) {
   const StripedSurface u = random_waves(square(6), 3);
   StripedSurface v = u;
   for (Vec3& d : v.waves.directions) d = Vec3(-d.y(), d.x(), 0);
-  TexturedScene scene{u, waves_of(u, v), BuiltInTile::checker};
-  orient_corners(scene.waves);
+  TexturedDrawing drawing{u, waves_of(u, v), BuiltInTile::checker};
+  orient_corners(drawing.waves);
   const RenderOptions options = plain_options(480, 480);
-  const Image image = scene.draw(options);
-  const FragmentImage fragments = Studio::shared().renderer.draw_fragments(options);
+  const Image image = drawing.draw(options);
+  Studio::shared().probe.upload(drawing.drawing());
+  const FragmentImage fragments = Studio::shared().probe.draw(options);
   int compared = 0, wrong = 0;
   for (std::size_t p = 0; p < image.pixels.size(); ++p) {
     const Index t = fragments.triangle[p];
     if (t == FragmentImage::kNoTriangle || image.pixels[p].alpha < 255) continue;
     const auto [a, b] =
-        texture_fragment(scene.waves.u[t], scene.waves.v[t], fragments.barycentric[p]);
+        texture_fragment(drawing.waves.u[t], drawing.waves.v[t], fragments.barycentric[p]);
     const float distance =
         tile_distance(BuiltInTile::checker, texture_coordinate(a.z), texture_coordinate(b.z));
     if (std::abs(distance) < 0.15f) continue;
@@ -207,9 +211,9 @@ TEST(Texture, SplitTrianglesFitTheirNeighbours) {
 }
 
 TEST(Texture, RefusesWavesForAnotherNumberOfTriangles) {
-  TexturedScene scene = plane_texture(square(2), 4, BuiltInTile::dots);
-  scene.waves.v.pop_back();
-  EXPECT_THROW(Studio::shared().renderer.upload(scene.scene()), Error);
+  TexturedDrawing drawing = plane_texture(square(2), 4, BuiltInTile::dots);
+  drawing.waves.v.pop_back();
+  EXPECT_THROW(Studio::shared().renderer.upload(drawing.drawing()), Error);
 }
 
 }  // namespace

@@ -48,13 +48,12 @@ std::optional<Place> place_of(std::string_view message) {
   return place;
 }
 
-GLuint compiled_shader(GLenum stage, std::initializer_list<std::string_view> files) {
+GLuint compiled_shader(GLenum stage, std::initializer_list<ShaderSource> sources) {
   std::string text = "#version 450 core\n";
   std::vector<ShaderFile> parts;
-  for (const std::string_view file : files) {
-    const std::string_view body = shader_text(file);
-    if (body.empty()) throw Error("there is no shader file '" + std::string(file) + "'");
-    parts.push_back({file, static_cast<std::size_t>(std::ranges::count(body, '\n'))});
+  for (const auto& [name, body] : sources) {
+    if (body.empty()) throw Error("there is no shader file '" + std::string(name) + "'");
+    parts.push_back({name, static_cast<std::size_t>(std::ranges::count(body, '\n'))});
     text += body;
   }
   const GLuint shader = glCreateShader(stage);
@@ -105,21 +104,22 @@ std::string with_file_names(std::string_view log, std::span<const ShaderFile> fi
   return result;
 }
 
-ShaderProgram::ShaderProgram(std::initializer_list<std::string_view> vertex_files,
-                             std::initializer_list<std::string_view> fragment_files) {
-  const GLuint vertex = compiled_shader(GL_VERTEX_SHADER, vertex_files);
-  GLuint fragment = 0;
+ShaderProgram::ShaderProgram(std::initializer_list<ShaderSource> vertex,
+                             std::initializer_list<ShaderSource> fragment) {
+  const GLuint vertex_shader = compiled_shader(GL_VERTEX_SHADER, vertex);
+  GLuint fragment_shader = 0;
   try {
-    fragment = compiled_shader(GL_FRAGMENT_SHADER, fragment_files);
+    fragment_shader = compiled_shader(GL_FRAGMENT_SHADER, fragment);
   } catch (...) {
-    glDeleteShader(vertex);
+    glDeleteShader(vertex_shader);
     throw;
   }
-  name_ = linked({vertex, fragment}, *(fragment_files.end() - 1));
+  name_ = linked({vertex_shader, fragment_shader}, (fragment.end() - 1)->name);
 }
 
-ShaderProgram ShaderProgram::compute(std::initializer_list<std::string_view> files) {
-  return ShaderProgram(linked({compiled_shader(GL_COMPUTE_SHADER, files)}, *(files.end() - 1)));
+ShaderProgram ShaderProgram::compute(std::initializer_list<ShaderSource> sources) {
+  return ShaderProgram(
+      linked({compiled_shader(GL_COMPUTE_SHADER, sources)}, (sources.end() - 1)->name));
 }
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(name_); }

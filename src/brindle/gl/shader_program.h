@@ -14,16 +14,27 @@ namespace brindle {
 /// The text of a file in any room's shaders/; empty if there is none of that name.
 std::string_view shader_text(std::string_view name);
 
+/// A part of a shader: an embedded file, or a text of its own with a name for messages.
+struct ShaderSource {
+  ShaderSource(const char* file)
+      : name(file), text(shader_text(file)) {}  // NOLINT(google-explicit-constructor)
+  ShaderSource(std::string_view source_name, std::string_view source_text)
+      : name(source_name), text(source_text) {}
+
+  std::string_view name;
+  std::string_view text;
+};
+
 /// A linked program of a vertex and a fragment shader, or of a compute shader. Needs a current
 /// OpenGL 4.5 context.
 class ShaderProgram {
  public:
-  /// Each shader is its files one after the other.
+  /// Each shader is its sources one after the other.
   /// Throws Error with the driver's message, naming file and line, if they do not compile or link.
-  ShaderProgram(std::initializer_list<std::string_view> vertex_files,
-                std::initializer_list<std::string_view> fragment_files);
+  ShaderProgram(std::initializer_list<ShaderSource> vertex,
+                std::initializer_list<ShaderSource> fragment);
   /// A compute shader. Throws as the constructor does.
-  static ShaderProgram compute(std::initializer_list<std::string_view> files);
+  static ShaderProgram compute(std::initializer_list<ShaderSource> sources);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

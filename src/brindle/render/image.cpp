@@ -9,8 +9,8 @@
 
 #include <png.h>
 
-#include "brindle/error.h"
 #include "brindle/base/output_file.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

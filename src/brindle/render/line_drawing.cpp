@@ -9,9 +9,9 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/text_output.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

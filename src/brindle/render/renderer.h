@@ -18,7 +18,7 @@ namespace brindle {
 
 /// What is drawn. Everything but the mesh may be left empty: no normals gives flat facets, no waves
 /// a plain surface. Triangles with a corner that has no wave are drawn as plain surface too.
-struct StripeScene {
+struct SurfaceDrawing {
   const Mesh& mesh;
   std::span<const Vec3> normals = {};  ///< one unit normal per vertex
   const WaveSet* waves = nullptr;      ///< one wave per vertex; positions are the mesh's
@@ -30,9 +30,9 @@ struct StripeScene {
   const TextureTile* texture_tile = nullptr;  ///< figures are drawn in the colour of stripes
 };
 
-/// What has changed in a scene that was uploaded before. Spans left empty and no waves leave what
+/// What has changed in a drawing that was uploaded before. Spans left empty and no waves leave what
 /// was there; marks are replaced in any case.
-struct SceneChange {
+struct DrawingChange {
   std::span<const Vec3> positions = {};  ///< one per vertex
   std::span<const Vec3> normals = {};    ///< one per vertex
   const WaveSet* waves = nullptr;
@@ -61,17 +61,7 @@ struct RenderOptions {
 /// The colours that let overlays stand out: a light grey surface with faint stripes.
 RenderOptions with_faint_stripes(RenderOptions options);
 
-/// The numbers behind a picture, for every pixel, row by row from the top.
-struct FragmentImage {
-  static constexpr Index kNoTriangle = 0xffffffff;
-  int width = 0;
-  int height = 0;
-  std::vector<Complex> z;         ///< as `fragment_phase` gives it; 0 where there is none
-  std::vector<Index> triangle;    ///< the triangle seen at the pixel's centre, or kNoTriangle
-  std::vector<Vec3> barycentric;  ///< there
-};
-
-/// Draws scenes in the OpenGL 4.5 context that is current when it is made; that context must be
+/// Draws in the OpenGL 4.5 context that is current when it is made; that context must be
 /// current whenever it is used or destroyed.
 class Renderer {
  public:
@@ -81,26 +71,22 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Copies the scene to OpenGL, in place of the last one.
-  /// Throws Error if sizes do not match or the scene is larger than the driver's buffers.
-  void upload(const StripeScene& scene);
+  /// Copies the drawing to OpenGL, in place of the last one.
+  /// Throws Error if sizes do not match or the drawing is larger than the driver's buffers.
+  void upload(const SurfaceDrawing& drawing);
 
   /// Copies what has changed since the last upload. The camera goes on framing the mesh as it was
   /// uploaded, so that moving vertices do not move it. Throws as `upload` does.
-  void update(const SceneChange& change);
+  void update(const DrawingChange& change);
 
   /// Reads phases from an OpenGL buffer of somebody else's, 2 floats a vertex, such as
   /// `GpuAnimator::phases`, until the next `upload`, or `update` with phases: what is there when a
   /// picture is drawn is drawn, without a copy. Throws Error if the buffer is not that large.
   void use_phases(unsigned buffer);
 
-  /// Draws the uploaded scene. Pictures larger than the driver's framebuffers are drawn in tiles.
+  /// Draws the uploaded drawing. Pictures larger than the driver's framebuffers are drawn in tiles.
   /// Throws Error if an option is out of its range or the picture is beyond the limits of image.h.
   Image draw(const RenderOptions& options) const;
-
-  /// The phases that `draw` would show, one sample a pixel. Throws as `draw` does, and for pictures
-  /// beyond the driver's framebuffers.
-  FragmentImage draw_fragments(const RenderOptions& options) const;
 
  private:
   struct State;
@@ -108,6 +94,6 @@ class Renderer {
 };
 
 /// Draws one picture in a headless context of its own. Throws what HeadlessContext and Renderer do.
-Image render_picture(const StripeScene& scene, const RenderOptions& options = {});
+Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options = {});
 
 }  // namespace brindle

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/headless_context.h"
 #include "brindle/gl/shader_program.h"
@@ -30,33 +30,33 @@ struct PackedSplat {
   Eigen::Vector4f direction_frequency;  ///< zero: no wave
 };
 
-void check_scene(const SplatScene& scene) {
-  const std::size_t points = scene.positions.size();
+void check_drawing(const SplatDrawing& drawing) {
+  const std::size_t points = drawing.positions.size();
   const auto check = [&](std::size_t count, const char* what) {
     if (count != points) {
       throw Error("cannot draw these points: there are " + std::to_string(count) + " " + what +
                   " for " + std::to_string(points) + " points");
     }
   };
-  check(scene.normals.size(), "normals");
-  check(scene.radii.size(), "radii");
-  if (scene.waves == nullptr) return;
-  check(scene.waves->directions.size(), "directions");
-  check(scene.waves->frequencies.size(), "frequencies");
-  check(scene.z.size(), "phases");
+  check(drawing.normals.size(), "normals");
+  check(drawing.radii.size(), "radii");
+  if (drawing.waves == nullptr) return;
+  check(drawing.waves->directions.size(), "directions");
+  check(drawing.waves->frequencies.size(), "frequencies");
+  check(drawing.z.size(), "phases");
 }
 
-std::vector<PackedSplat> packed_splats(const SplatScene& scene) {
+std::vector<PackedSplat> packed_splats(const SplatDrawing& drawing) {
   std::vector<PackedSplat> packed;
-  for (std::size_t i = 0; i < scene.positions.size(); ++i) {
-    if (scene.normals[i].isZero(0) || !(scene.radii[i] > 0)) continue;
+  for (std::size_t i = 0; i < drawing.positions.size(); ++i) {
+    if (drawing.normals[i].isZero(0) || !(drawing.radii[i] > 0)) continue;
     PackedSplat& splat = packed.emplace_back();
-    splat.position_radius << scene.positions[i], scene.radii[i];
-    splat.normal_turns << scene.normals[i], 0;
+    splat.position_radius << drawing.positions[i], drawing.radii[i];
+    splat.normal_turns << drawing.normals[i], 0;
     splat.direction_frequency.setZero();
-    if (scene.waves == nullptr) continue;
-    splat.normal_turns.w() = std::arg(scene.z[i]) / (2 * std::numbers::pi_v<float>);
-    splat.direction_frequency << scene.waves->directions[i], scene.waves->frequencies[i];
+    if (drawing.waves == nullptr) continue;
+    splat.normal_turns.w() = std::arg(drawing.z[i]) / (2 * std::numbers::pi_v<float>);
+    splat.direction_frequency << drawing.waves->directions[i], drawing.waves->frequencies[i];
   }
   return packed;
 }
@@ -160,9 +160,9 @@ SplatRenderer::~SplatRenderer() = default;
 SplatRenderer::SplatRenderer(SplatRenderer&&) noexcept = default;
 SplatRenderer& SplatRenderer::operator=(SplatRenderer&&) noexcept = default;
 
-void SplatRenderer::upload(const SplatScene& scene) {
-  check_scene(scene);
-  const std::vector<PackedSplat> packed = packed_splats(scene);
+void SplatRenderer::upload(const SplatDrawing& drawing) {
+  check_drawing(drawing);
+  const std::vector<PackedSplat> packed = packed_splats(drawing);
   state_->points.clear();
   for (const PackedSplat& splat : packed) {
     state_->points.push_back(splat.position_radius.head<3>());
@@ -187,11 +187,11 @@ Image SplatRenderer::draw(const RenderOptions& options) const {
   });
 }
 
-Image render_splats(const SplatScene& scene, const RenderOptions& options) {
+Image render_splats(const SplatDrawing& drawing, const RenderOptions& options) {
   check_options(options);
   const HeadlessContext context;
   SplatRenderer renderer;
-  renderer.upload(scene);
+  renderer.upload(drawing);
   Image image = renderer.draw(options);
   context.check_errors("drawing the points");
   return image;

@@ -14,7 +14,7 @@ namespace brindle {
 
 /// One entry per point in all spans. Points without a normal (zero) are not drawn; those without a
 /// wave, or all if there are no waves, are plain surface.
-struct SplatScene {
+struct SplatDrawing {
   std::span<const Vec3> positions;
   std::span<const Vec3> normals;  ///< unit; their signs do not matter
   std::span<const float> radii;   ///< of the discs, above 0
@@ -36,11 +36,11 @@ class SplatRenderer {
   SplatRenderer(SplatRenderer&&) noexcept;
   SplatRenderer& operator=(SplatRenderer&&) noexcept;
 
-  /// Copies the scene to OpenGL, in place of the last one.
-  /// Throws Error if sizes do not match or the scene is larger than the driver's buffers.
-  void upload(const SplatScene& scene);
+  /// Copies the drawing to OpenGL, in place of the last one.
+  /// Throws Error if sizes do not match or the drawing is larger than the driver's buffers.
+  void upload(const SplatDrawing& drawing);
 
-  /// Draws the uploaded scene. Each pixel takes the phase that every disc there has from its own
+  /// Draws the uploaded drawing. Each pixel takes the phase that every disc there has from its own
   /// wave, Phi + 2 pi f <x - p, d>, weighted by how near the disc's centre is. Options as for
   /// `Renderer::draw`; marks are not drawn, and there is no multisampling beside supersampling.
   Image draw(const RenderOptions& options) const;
@@ -52,6 +52,6 @@ class SplatRenderer {
 
 /// Draws one picture in a headless context of its own. Throws what HeadlessContext and
 /// SplatRenderer do.
-Image render_splats(const SplatScene& scene, const RenderOptions& options = {});
+Image render_splats(const SplatDrawing& drawing, const RenderOptions& options = {});
 
 }  // namespace brindle

@@ -8,6 +8,7 @@
 
 #include "brindle/gl/headless_context.h"
 #include "brindle/render/renderer.h"
+#include "render/fragment_probe.h"
 
 namespace brindle::test {
 
@@ -18,7 +19,7 @@ struct StripedSurface {
   WaveSet waves;
   std::vector<Complex> z;
 
-  StripeScene scene() const { return {.mesh = mesh, .waves = &waves, .z = z}; }
+  SurfaceDrawing drawing() const { return {.mesh = mesh, .waves = &waves, .z = z}; }
 };
 
 /// A unit square of 2 n^2 triangles in the plane z = 0, facing +z.
@@ -84,17 +85,18 @@ inline StripedSurface with_flips(StripedSurface surface) {
   return surface;
 }
 
-/// A context and a renderer in it, made once.
+/// A context, a renderer and a probe in it, made once.
 struct Studio {
   HeadlessContext context;
   Renderer renderer;
+  FragmentProbe probe;
 
   static Studio& shared() {
     static Studio studio;
     return studio;
   }
-  Image draw(const StripeScene& scene, const RenderOptions& options) {
-    renderer.upload(scene);
+  Image draw(const SurfaceDrawing& drawing, const RenderOptions& options) {
+    renderer.upload(drawing);
     Image image = renderer.draw(options);
     context.check_errors("drawing the test picture");
     return image;
