@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/version.h"
 #include "tool.h"
 
 namespace brindle::test {

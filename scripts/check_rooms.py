@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Compares the rooms that docs/architecture.md draws with the includes of the sources.
+
+usage: check_rooms.py [ROOT]
+
+The table whose first column is 'room' has, in a row per room, what is in it, its public headers and
+the rooms that it may include, which stand for all that these may include, too. Fails if a file
+includes what its room may not, if a room, a public header or a permission is missing from the
+table, or if the table has one that the sources do not.
+"""
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^\s*#\s*include "brindle/([^"]+)"', re.MULTILINE)
+
+
+def words(cell):
+    return re.findall(r'`([a-z_0-9]+)`', cell)
+
+
+def read_table(text):
+    rooms = {}
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip().strip('|').split('|')]
+        if len(cells) == 4 and re.fullmatch(r'`[a-z]+`', cells[0]):
+            rooms[words(cells[0])[0]] = {'public': words(cells[2]), 'may': words(cells[3])}
+    return rooms
+
+
+def reachable(rooms, room):
+    found, todo = set(), [room]
+    while todo:
+        for other in rooms[todo.pop()]['may']:
+            if other not in found:
+                found.add(other)
+                todo.append(other)
+    return found
+
+
+def check(root):
+    complaints = []
+    rooms = read_table((root / 'docs/architecture.md').read_text())
+    folders = {p.name for p in (root / 'src/brindle').iterdir() if p.is_dir()}
+    for name in sorted(folders ^ rooms.keys()):
+        complaints.append(f"room '{name}' is in {'the sources' if name in folders else 'the table'} alone")
+    rooms = {name: room for name, room in rooms.items() if name in folders}
+    for name, room in rooms.items():
+        for other in room['may']:
+            if other not in rooms:
+                complaints.append(f"'{name}' may include '{other}', which is no room")
+        room['may'] = [other for other in room['may'] if other in rooms]
+    room_of = {header: name for name, room in rooms.items() for header in room['public']}
+    public = {p.stem for p in (root / 'include/brindle').glob('*.h')} - {'brindle'}
+    for header in sorted(public ^ room_of.keys()):
+        complaints.append(f"public header '{header}' is in {'include' if header in public else 'the table'} alone")
+
+    used = {name: set() for name in rooms}
+    files = [(p, p.parent.name) for p in (root / 'src/brindle').glob('*/*.[hc]*') if p.suffix in ('.h', '.cpp')]
+    files += [(p, room_of.get(p.stem)) for p in (root / 'include/brindle').glob('*.h')]
+    for path, room in files:
+        if room not in rooms:
+            continue
+        for target in INCLUDE.findall(path.read_text()):
+            parts = target.removesuffix('.h').split('/')
+            other = parts[0] if len(parts) == 2 else room_of.get(parts[0])
+            if other is None or other == room:
+                continue
+            used[room].add(other)
+            if other not in reachable(rooms, room):
+                complaints.append(f"{path.relative_to(root)} ({room}) includes {target} ({other})")
+    for name, room in rooms.items():
+        if name in reachable(rooms, name):
+            complaints.append(f"'{name}' can be reached from itself")
+        for other in room['may']:
+            if other not in used[name]:
+                complaints.append(f"'{name}' may include '{other}' but does not")
+    return complaints
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
+    complaints = check(root)
+    print('\n'.join(complaints) or 'the rooms are as drawn')
+    return 1 if complaints else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
