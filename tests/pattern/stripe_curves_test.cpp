@@ -207,7 +207,7 @@ TEST(StripeCurves, DoNotDependOnThreads) {
   const Solved solved(wavy_surface("trefoil", Vec3(0, 0.3f, 1), 60));
   const auto with = [&](int threads) {
     const ThreadLimit limit(threads);
-    return solved.curves();
+    return solved.curves({.join = true});
   };
   const StripeCurves one = with(1), two = with(2);
   EXPECT_EQ(one.lines.points, two.lines.points);

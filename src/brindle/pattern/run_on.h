@@ -17,15 +17,16 @@ struct TrianglePoint {
   std::array<double, 3> barycentric{};
 };
 
+/// Finds where curves that end alone in a branch or singularity run on to.
 class RunOn {
  public:
   /// `waves` must outlive it.
   explicit RunOn(const LiftedWaves& waves);
 
-  /// From the inner end of `piece`, one of the `pieces` of triangle `t`, half forward and half
-  /// sideways over the surface to the nearer of the curves beside it: points on the edges passed,
-  /// the last one on that curve. No points if the end is on another piece; nothing if there is no
-  /// curve within two periods.
+  /// From the inner end of `piece`, one of the joined `pieces` of triangle `t`, half forward and
+  /// half sideways over the surface to the nearer of the curves beside it: points on the edges
+  /// passed, the last one on that curve. No points if the end is on another piece; nothing if there
+  /// is no curve within two periods.
   std::optional<std::vector<TrianglePoint>> way(std::size_t t, const StripePiece& piece,
                                                 std::span<const StripePiece> pieces) const;
 
