@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -116,12 +117,26 @@ double total_length(const Polylines& lines) {
   return length;
 }
 
+std::size_t closed_count(const Polylines& lines) {
+  return std::accumulate(lines.closed.begin(), lines.closed.end(), std::size_t{0});
+}
+
 // Throws away short curves after all ends were counted.
 void drop_short(Family& family, float min_length) {
   if (min_length <= 0) return;
   const StripeCurves all = std::move(family.curves);
   family.curves = longer_than(all, min_length);
   family.short_curves = all.lines.count() - family.curves.lines.count();
+}
+
+std::string why_no_curves(const Family& family) {
+  if (family.short_curves == 0) {
+    return family.name +
+           ": no curves: no stripe's centre runs over the surface; ask for more "
+           "stripes\n";
+  }
+  return family.name + ": no curves left: all " + std::to_string(family.short_curves) +
+         " are shorter than --min-length\n";
 }
 
 Family make_family(const CurvesArguments& arguments, Result& result, std::string name,
@@ -150,9 +165,10 @@ Family make_family(const CurvesArguments& arguments, Result& result, std::string
     if (spacing.measured > 0) family.spacing = spacing;
   }
   drop_short(family, arguments.min_length.on(diagonal));
+  if (family.curves.lines.count() == 0) display.note(why_no_curves(family));
   Polylines& lines = family.curves.lines;
-  if (arguments.simplify) lines = simplified(lines, arguments.simplify->on(diagonal));
   if (arguments.resample) lines = resampled(lines, arguments.resample->on(diagonal));
+  if (arguments.simplify) lines = simplified(lines, arguments.simplify->on(diagonal));
   return family;
 }
 
@@ -165,7 +181,7 @@ Result make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
   WaveSet& u = result.prepared.waves;
   WaveSet v;
   if (arguments.which != Which::u) {
-    v = make_second_waves(result.prepared.surface, u, arguments.second);
+    v = make_second_waves(result.prepared, arguments.second);
   }
   const auto add = [&](const char* name, WaveSet&& waves) {
     result.families.push_back(make_family(arguments, result, name, std::move(waves), display));
@@ -190,7 +206,8 @@ nlohmann::ordered_json to_json(const Family& family) {
       {"branches", family.pattern.quality.branches},
       {"field_singularities", family.pattern.quality.field_singularities},
       {"curves", lines.count()},
-      {"closed", std::accumulate(lines.closed.begin(), lines.closed.end(), std::size_t{0})},
+      {"closed", closed_count(lines)},
+      {"open", lines.count() - closed_count(lines)},
       {"short_curves_left_out", family.short_curves},
       {"points", lines.points.size()},
       {"length", total_length(lines)},
@@ -201,6 +218,8 @@ nlohmann::ordered_json to_json(const Family& family) {
         {"nonmanifold", end(CurveEnd::nonmanifold)},
         {"branch", end(CurveEnd::branch)},
         {"singularity", end(CurveEnd::singularity)}}},
+      {"joined_ends", family.curves.joined_ends},
+      {"ends_at_neighbours", family.curves.ends_at_neighbors},
       {"edges_with_jogs", family.jogs}};
   if (family.spacing) json["spacing"] = to_json(*family.spacing);
   return json;
@@ -235,13 +254,18 @@ void print(std::ostream& out, const Result& result) {
   for (const Family& family : result.families) {
     const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
     const Polylines& lines = family.curves.lines;
-    out << formatted("%s  %zu curves of %zu points, length %g\n", family.name.c_str(),
-                     lines.count(), lines.points.size(), total_length(lines))
+    out << formatted("%s  %zu curves, %zu of them closed, of %zu points, length %g\n",
+                     family.name.c_str(), lines.count(), closed_count(lines), lines.points.size(),
+                     total_length(lines))
         << formatted(
                "   ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu beside "
                "vertices without wave, %zu at edges of three triangles or more\n",
                end(CurveEnd::boundary), end(CurveEnd::branch), end(CurveEnd::singularity),
                end(CurveEnd::no_wave), end(CurveEnd::nonmanifold));
+    if (family.curves.joined_ends + family.curves.ends_at_neighbors > 0) {
+      out << formatted("   %zu more ends joined in pairs, %zu run on into neighbours\n",
+                       family.curves.joined_ends, family.curves.ends_at_neighbors);
+    }
     if (family.short_curves > 0) {
       out << formatted("   %zu shorter curves left out\n", family.short_curves);
     }
@@ -307,10 +331,36 @@ void write(CurveOutput kind, const std::string& path, const CurvesArguments& arg
   }
 }
 
-void run(const CurvesArguments& arguments) {
+// What would be passed over in silence.
+void check_effects(const CLI::App& app, const CurvesArguments& arguments,
+                   const PlannedFiles<CurveOutput>& files) {
+  const auto writes = [&](CurveOutput kind) {
+    return std::any_of(files.begin(), files.end(),
+                       [&](const auto& file) { return file.first == kind; });
+  };
+  if (!writes(CurveOutput::picture)) {
+    if (!writes(CurveOutput::tubes)) {
+      refuse_idle(app, {"--tube-radius", "--tube-sides"},
+                  "tubes to write: a .png picture, or --tube-radius and a mesh file");
+    }
+    if (!writes(CurveOutput::drawing)) {
+      refuse_idle(app, kCameraOptions, "a picture: --output FILE.png or FILE.svg");
+    }
+  }
+  if (arguments.which == Which::u) {
+    refuse_idle(app, kSecondWaveOptions, "a second pattern: --lines v or --lines both");
+  }
+}
+
+void run(const CLI::App& app, const CurvesArguments& arguments) {
   const auto files = plan_files<CurveOutput>(
       arguments.outputs, arguments.report,
       [&](const std::string& path) { return planned(path, arguments.tube_radius.has_value()); });
+  check_effects(app, arguments, files);
+  if (is_points(arguments.surface)) {
+    throw Error("curves need triangles, and '" + arguments.surface.mesh +
+                "' has points alone; 'brindle stripe' and 'brindle sample' take points");
+  }
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
   const Result result = make_and_write(
@@ -329,16 +379,20 @@ void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
   add_parsed_option(command, "--offset", arguments.offset, number_of,
                     "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
       ->type_name("P");
-  command.add_flag("--join", arguments.join,
-                   "join curves that end side by side, and let others run into their neighbours");
+  command.add_flag(
+      "--join", arguments.join,
+      "join curves that end in the same triangle in pairs, and let others run on into their "
+      "neighbours");
   add_parsed_option(command, "--min-length", arguments.min_length, length_of,
                     "leave out shorter curves")
       ->type_name("L|P%");
   add_parsed_option(command, "--simplify", arguments.simplify, length_of,
                     "leave out points up to this far from the curve")
       ->type_name("L|P%");
-  add_parsed_option(command, "--resample", arguments.resample, positive_length_of,
-                    "points at equal distances, about this far apart")
+  add_parsed_option(
+      command, "--resample", arguments.resample, positive_length_of,
+      "points at equal distances, about this far apart; --simplify then leaves out some of "
+      "them")
       ->type_name("L|P%");
   add_parsed_option(command, "--tube-radius", arguments.tube_radius, positive_length_of,
                     "write mesh files of tubes, not lines (pictures show tubes anyway)")
@@ -362,7 +416,7 @@ Command add_curves_command(CLI::App& app) {
   add_solving_options(*command, arguments->solving);
   add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
   arguments->picture = add_camera_options(*command);
-  return {command, [arguments] { run(*arguments); }};
+  return {command, [command, arguments] { run(*command, *arguments); }};
 }
 
 }  // namespace brindle::tool

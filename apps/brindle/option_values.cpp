@@ -10,6 +10,15 @@ void wrong_usage(const std::string& option, const std::string& expected, const s
   throw CLI::ValidationError(option, "expected " + expected + ", got '" + value + "'");
 }
 
+void refuse_idle(const CLI::App& app, std::initializer_list<const char*> options,
+                 const std::string& without) {
+  for (const char* name : options) {
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (option == nullptr || option->count() == 0) continue;
+    throw CLI::ValidationError(name, "has no effect without " + without);
+  }
+}
+
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::size_t begin = 0;

@@ -2,6 +2,7 @@
 /// option and what it expects, so that a mistyped value ends as wrong usage.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ namespace brindle::tool {
 /// The wrong use of an option.
 [[noreturn]] void wrong_usage(const std::string& option, const std::string& expected,
                               const std::string& value);
+
+/// Refuses what was given of `options`, which have no effect `without` something. Options that the
+/// build does not have are passed over.
+void refuse_idle(const CLI::App& app, std::initializer_list<const char*> options,
+                 const std::string& without);
 
 /// A finite number and nothing else.
 float number_of(const std::string& option, const std::string& text);

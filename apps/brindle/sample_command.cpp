@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -36,7 +37,11 @@ constexpr const char* kExamples = R"(Examples:
 
 Files by extension: .csv .ply .vtp samples, each with position, normal, both directions and
 spacings, triangle and barycentric coordinates; .png a picture; .json a report. A field file's
-fourth column, and that of --field-v, are frequencies: the higher, the denser the samples.)";
+fourth column and that of --field-v are frequencies, and so is --field's fifth, of V: the higher,
+the denser the samples.)";
+
+constexpr const char* kNoSamples =
+    "no samples: nowhere do stripes of both patterns cross; ask for more stripes\n";
 
 struct SampleArguments {
   SurfaceOptions surface;
@@ -83,11 +88,16 @@ WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surfac
           pattern.solution.z, arguments.solving.stripes.phase_shift};
 }
 
+void drop_and_measure(Result& result, float min_distance) {
+  result.doubles = drop_doubles(result.samples, min_distance);
+  result.spacing = measure_sample_spacing(result.samples);
+}
+
 Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   Result result;
   result.prepared = prepare(arguments.surface, arguments.waves, display);
   const Surface& surface = result.prepared.surface;
-  WaveSet waves_v = make_second_waves(surface, result.prepared.waves, arguments.second);
+  WaveSet waves_v = make_second_waves(result.prepared, arguments.second);
   const StripeOptions& options = arguments.solving.stripes;
   result.u = stripe_pattern(surface, std::move(result.prepared.waves), options, display.progress());
   result.v = stripe_pattern(surface, std::move(waves_v), options, display.progress());
@@ -99,8 +109,7 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
         point_samples(*surface.neighborhood, surface.normals, {result.u.waves, result.u.solution.z},
                       {result.v.waves, result.v.solution.z});
     result.extract_milliseconds = watch.lap();
-    result.doubles = drop_doubles(result.samples, arguments.min_distance);
-    result.spacing = measure_sample_spacing(result.samples);
+    drop_and_measure(result, arguments.min_distance);
     return result;
   }
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
@@ -109,10 +118,7 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   const LiftedWaves v(wave_pattern(arguments, surface, edges, result.v));
   result.samples = wave_samples(surface.mesh, surface.normals, sampled_waves(u), sampled_waves(v));
   result.extract_milliseconds = watch.lap();
-  if (PointTree::available()) {
-    result.doubles = drop_doubles(result.samples, arguments.min_distance);
-    result.spacing = measure_sample_spacing(result.samples);
-  }
+  if (PointTree::available()) drop_and_measure(result, arguments.min_distance);
   return result;
 }
 
@@ -151,7 +157,7 @@ void print(std::ostream& out, const Result& result) {
                    result.samples.size(), result.doubles)
       << formatted("branches  %zu of U, %zu of V\n", result.u.quality.branches,
                    result.v.quality.branches);
-  if (result.spacing) {
+  if (result.spacing && result.spacing->samples > 0) {
     out << formatted(
         "nearest   %.3f of the ideal grid's distance on average, deviation %.3f, doubles %.2f %%\n",
         result.spacing->mean, result.spacing->deviation, 100 * result.spacing->double_share);
@@ -194,19 +200,43 @@ void write(SampleOutput kind, const std::string& path, const SampleArguments& ar
   }
 }
 
-void run(const SampleArguments& arguments) {
-  const auto files = plan_files<SampleOutput>(arguments.outputs, arguments.report, planned);
+// What cannot be drawn or found of points.
+void check_points(const SampleArguments& arguments, const PlannedFiles<SampleOutput>& files) {
   for (const auto& [kind, path] : files) {
-    if (kind == SampleOutput::picture && is_points(arguments.surface)) {
-      throw Error("cannot draw '" + path +
-                  "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
-    }
+    if (kind != SampleOutput::picture) continue;
+    throw Error("cannot draw '" + path +
+                "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
   }
+  if (arguments.min_distance < kDoubleShare) {
+    throw CLI::ValidationError("--min-distance",
+                               "has no effect on points below 0.25: so near to each other, what "
+                               "two points find of one crossing is merged");
+  }
+}
+
+void check_effects(const CLI::App& app, const PlannedFiles<SampleOutput>& files) {
+  const bool draws = std::any_of(files.begin(), files.end(), [](const auto& file) {
+    return file.first == SampleOutput::picture;
+  });
+  if (!draws) refuse_idle(app, kCameraOptions, "a picture: --output FILE.png");
+  if (!PointTree::available()) {
+    refuse_idle(app, {"--min-distance"}, "nanoflann in the build: -DBRINDLE_NANOFLANN=ON");
+  }
+}
+
+void run(const CLI::App& app, const SampleArguments& arguments) {
+  const auto files = plan_files<SampleOutput>(arguments.outputs, arguments.report, planned);
+  check_effects(app, files);
+  if (is_points(arguments.surface)) check_points(arguments, files);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
   const Result result = make_and_write(
       files, arguments.quiet,
-      [&](ProgressDisplay& display) { return make_result(arguments, display); },
+      [&](ProgressDisplay& display) {
+        Result made = make_result(arguments, display);
+        if (made.samples.empty()) display.note(kNoSamples);
+        return made;
+      },
       [&](SampleOutput kind, const std::string& path, const Result& made) {
         write(kind, path, arguments, made);
       });
@@ -230,7 +260,7 @@ Command add_sample_command(CLI::App& app) {
   add_solving_options(*command, arguments->solving);
   add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
   arguments->picture = add_camera_options(*command);
-  return {command, [arguments] { run(*arguments); }};
+  return {command, [command, arguments] { run(*command, *arguments); }};
 }
 
 }  // namespace brindle::tool

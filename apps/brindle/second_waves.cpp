@@ -11,20 +11,25 @@ namespace brindle::tool {
 
 void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
   app.add_option("--field-v", options.field,
-                 "V: a CSV file as for --field (default: U's field turned by 90 degrees)")
+                 "V: a CSV file of rows x,y,z or x,y,z,frequency (default: U's field turned by 90 "
+                 "degrees)")
       ->type_name("FILE");
-  CLI::Option* stripes = add_parsed_option(app, "--stripes-v", options.stripes, positive_number_of,
-                                           "V: as --stripes (default: U's frequencies)")
-                             ->type_name("N");
+  CLI::Option* stripes =
+      add_parsed_option(app, "--stripes-v", options.stripes, positive_number_of,
+                        "V: as --stripes (default: frequency_v of --field's file, or U's "
+                        "frequencies)")
+          ->type_name("N");
   add_parsed_option(app, "--frequency-v", options.frequency, positive_number_of,
-                    "V: as --frequency")
+                    "V: as --frequency; either goes before the frequencies of a file")
       ->type_name("F")
       ->excludes(stripes);
 }
 
-WaveSet make_second_waves(const Surface& surface, const WaveSet& first,
-                          const SecondWaveOptions& options) {
-  WaveSet waves{first.positions, {}, first.frequencies};
+WaveSet make_second_waves(const Preparation& prepared, const SecondWaveOptions& options) {
+  const Surface& surface = prepared.surface;
+  const WaveSet& first = prepared.waves;
+  WaveSet waves{first.positions, {}, prepared.frequencies_v};
+  if (waves.frequencies.empty()) waves.frequencies = first.frequencies;
   if (options.field.empty()) {
     waves.directions = rotated(first.directions, surface.normals, std::numbers::pi_v<float> / 2);
   } else {

@@ -6,10 +6,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/geometry/surface.h"
-#include "brindle/waves/phase_graph.h"
+#include "preparation.h"
 
 namespace brindle::tool {
+
+inline constexpr std::initializer_list<const char*> kSecondWaveOptions = {
+    "--field-v", "--stripes-v", "--frequency-v"};
 
 struct SecondWaveOptions {
   std::string field;               ///< a file; empty: U's field turned by 90 degrees
@@ -20,9 +22,8 @@ struct SecondWaveOptions {
 /// --field-v, --stripes-v and --frequency-v.
 void add_second_wave_options(CLI::App& app, SecondWaveOptions& options);
 
-/// One wave per vertex, without phases: with U's frequencies unless the options or the file name
-/// others. Throws Error if the file does not fit.
-WaveSet make_second_waves(const Surface& surface, const WaveSet& first,
-                          const SecondWaveOptions& options);
+/// One wave per vertex, without phases. Its frequencies are those of the options, or of the file
+/// for V, or what U's file says of V, or U's. Throws Error if the file does not fit.
+WaveSet make_second_waves(const Preparation& prepared, const SecondWaveOptions& options);
 
 }  // namespace brindle::tool

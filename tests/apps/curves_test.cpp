@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -123,6 +124,65 @@ TEST_F(Curves, SecondPatternHasItsOwnFieldAndFrequency) {
   EXPECT_NEAR(v({"--direction", "0,1,0", "--field-v", "v.csv", "--stripes-v", "14.142"}), 10, 1.5);
 }
 
+TEST_F(Curves, SecondPatternHasTheFrequencyOfTheFieldFile) {
+  const auto v = [&](const Arguments& more) {
+    Arguments arguments = {"--lines", "v", "--field", "both.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return report(arguments, "mesh.obj").at("v").at("length").get<double>();
+  };
+  write_text(folder / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  std::string field, field_v;
+  for (int i = 0; i < 4; ++i) field += "0,1,0,10,30\n", field_v += "1,0,0,25\n";
+  write_text(folder / "both.csv", field);
+  write_text(folder / "v.csv", field_v);
+  EXPECT_NEAR(v({}), 30, 1.5);
+  EXPECT_NEAR(v({"--frequency-v", "20"}), 20, 1.5);
+  EXPECT_NEAR(v({"--stripes-v", "28.284"}), 20, 1.5);
+  EXPECT_NEAR(v({"--field-v", "v.csv"}), 25, 1.5);
+  EXPECT_NEAR(v({"--frequency", "15"}), 15, 1.5) << "goes before all of the file's frequencies";
+}
+
+TEST_F(Curves, SimplifyingComesAfterEqualSteps) {
+  const auto rows = [&](const Arguments& more) {
+    Arguments arguments = {"-o", "a.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    report(arguments);
+    std::istringstream lines(content(folder / "a.csv"));
+    std::vector<std::string> sorted;
+    for (std::string line; std::getline(lines, line);) sorted.push_back(line);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  };
+  const auto steps = rows({"--resample", "0.5%"});
+  const auto fewer = rows({"--resample", "0.5%", "--simplify", "0.2%"});
+  EXPECT_LT(fewer.size(), steps.size() * 3 / 4);
+  EXPECT_TRUE(std::includes(steps.begin(), steps.end(), fewer.begin(), fewer.end()));
+}
+
+TEST_F(Curves, NeedTriangles) {
+  write_text(folder / "points.csv", "0,0,0\n1,0,0\n0,1,0\n1,1,0\n");
+  write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  for (const char* name : {"points.csv", "points.obj"}) {
+    expect_refusal(1, "need triangles", {"curves", name, "-o", "a.obj"});
+  }
+}
+
+TEST_F(Curves, SayThatThereAreNone) {
+  const auto said = [&](const Arguments& more) {
+    Arguments arguments = {"curves"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    arguments.insert(arguments.end(), {"-o", "a.csv"});
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(lines_that_begin(content(folder / "a.csv"), "u,"), 0u);
+    return result.err;
+  };
+  EXPECT_NE(said({"shape:plane", "--direction", "0,0,1"}).find("u: no curves"), std::string::npos);
+  const std::string err = said({kSmallTorus, "--min-length", "10000%"});
+  EXPECT_NE(err.find("--min-length"), std::string::npos) << err;
+  EXPECT_EQ(said({kSmallTorus, "--min-length", "10000%", "--quiet"}), "");
+}
+
 TEST_F(Curves, FormatsThatHoldNoLinesNameOneThatDoes) {
   for (const char* name : {"a.glb", "a.gltf"}) {
     expect_refusal(1, "--tube-radius", {"curves", kSmallTorus, "-o", name});
@@ -139,7 +199,9 @@ TEST_F(Curves, FullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   for (const char* name : {"full.obj", "full.ply", "full.vtp", "full.csv", "full.svg"}) {
     std::filesystem::create_symlink("/dev/full", folder / name);
-    expect_refusal(1, name, {"curves", kSmallTorus, "-o", name, "--size", "64x48"});
+    Arguments arguments = {"curves", kSmallTorus, "-o", name};
+    if (std::string(name).ends_with(".svg")) arguments.insert(arguments.end(), {"--size", "64x48"});
+    expect_refusal(1, name, arguments);
   }
 }
 
@@ -164,6 +226,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Arguments{"--tube-radius", "0%"}, Arguments{"--tube-sides", "2"},
                     Arguments{"--stripes-v", "0"}, Arguments{"--frequency-v", "-2"},
                     Arguments{"--stripes-v", "2", "--frequency-v", "3"}, Arguments{"--field-v"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    CurvesWithoutEffect, WrongCurves,
+    testing::Values(Arguments{"--stripes-v", "20"}, Arguments{"--frequency-v", "2"},
+                    Arguments{"--field-v", "none.csv", "--lines", "u"},
+                    Arguments{"--tube-radius", "1%"}, Arguments{"--tube-sides", "5"},
+                    Arguments{"--tube-sides", "5", "-o", "a.obj"},
+                    Arguments{"--tube-radius", "1%", "-o", "a.svg"}, Arguments{"--up", "y"},
+                    Arguments{"--camera", "30,20", "-o", "a.ply"}, Arguments{"--size", "64x48"},
+                    Arguments{"--colors", "#000000,#ffffff", "-o", "a.csv"}));
 
 }  // namespace
 }  // namespace brindle::test

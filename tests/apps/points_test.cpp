@@ -79,6 +79,7 @@ TEST_F(PointsTool, AreSampledRegularly) {
   EXPECT_EQ(report["nearest_neighbour"]["isolated_double_share"], 0);
   EXPECT_GT(report["nearest_neighbour"]["mean"], 0.8);
   expect_refusal(1, "a.png", {"sample", kPoints, "--points", "--output", "a.png"});
+  expect_refusal(2, "--min-distance", {"sample", kPoints, "--points", "--min-distance", "0.2"});
 }
 
 #else

@@ -57,6 +57,28 @@ TEST_F(SampleTool, FrequenciesOfBothPatternsGiveTheDensity) {
   EXPECT_NEAR(narrow, 3 * even, 0.2 * 3 * even);
 }
 
+TEST_F(SampleTool, FrequenciesOfTheFieldFileGiveTheDensity) {
+  write_text(folder / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  std::string field;
+  for (int i = 0; i < 4; ++i) field += "0,1,0,10,30\n";
+  write_text(folder / "both.csv", field);
+  const auto samples = [&](Arguments more) {
+    more.insert(more.end(), {"--field", "both.csv"});
+    return report(more, "mesh.obj").at("samples").get<int>();
+  };
+  EXPECT_NEAR(samples({}), 300, 45);
+  EXPECT_NEAR(samples({"--frequency-v", "20"}), 200, 35);
+}
+
+TEST_F(SampleTool, SaysThatThereAreNone) {
+  const ToolResult result =
+      run({"sample", "shape:plane", "--direction", "0,0,1", "--report", "report.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("no samples"), std::string::npos) << result.err;
+  EXPECT_EQ(result.out.find("nearest"), std::string::npos) << result.out;
+  EXPECT_EQ(Json::parse(content(folder / "report.json")).at("samples"), 0);
+}
+
 TEST_F(SampleTool, FormatsThatHoldNoSamplesNameOneThatDoes) {
   for (const char* name : {"a.obj", "a.glb", "a.svg", "a"}) {
     expect_refusal(1, ".csv", {"sample", kSmallTorus, "-o", name});
@@ -78,7 +100,9 @@ TEST_F(SampleTool, FullDisk) {
 TEST_F(SampleTool, WrongUsageEndsWithCodeTwo) {
   for (const Arguments& wrong :
        {Arguments{"--min-distance", "-1"}, Arguments{"--min-distance", "near"},
-        Arguments{"--stripes-v", "none"}, Arguments{"--frequency-v", "inf"}}) {
+        Arguments{"--stripes-v", "none"}, Arguments{"--frequency-v", "inf"},
+        Arguments{"--camera", "30,20"}, Arguments{"--up", "y"}, Arguments{"--size", "64x48"},
+        Arguments{"--colors", "#000000,#ffffff"}}) {
     Arguments arguments = {"sample", kSmallTorus, "-o", "a.csv"};
     arguments.insert(arguments.end(), wrong.begin(), wrong.end());
     expect_refusal(2, wrong.front(), arguments);

@@ -1,5 +1,6 @@
 #include "brindle/geometry/tubes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +42,41 @@ TEST(Tubes, VerticesAreARadiusAwayFromTheLine) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     EXPECT_NEAR((mesh.positions[i] - line.points[i / 6]).norm(), 0.05f, 1e-6f);
   }
+}
+
+/// The least cosine between the ways out of their rings' centres of two vertices that a tube's edge
+/// along the line joins.
+float least_agreement(const Mesh& tube, const Polylines& line, Index sides) {
+  float least = 1;
+  for (const Triangle& t : tube.triangles) {
+    for (int m = 0; m < 3; ++m) {
+      const Index a = t[m], b = t[(m + 1) % 3];
+      if (a / sides == b / sides) continue;
+      const Vec3 from = tube.positions[a] - line.points[a / sides];
+      const Vec3 to = tube.positions[b] - line.points[b / sides];
+      least = std::min(least, from.normalized().dot(to.normalized()));
+    }
+  }
+  return least;
+}
+
+TEST(Tubes, AreNotPinchedWhereNormalsChangeSides) {
+  Polylines line = line_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, false);
+  line.normals[2] = line.normals[3] = -line.normals[0];
+  EXPECT_GT(least_agreement(tubes(line, {0.1f, 12}), line, 12), 0.8f);
+
+  // As on a Moebius strip: half a turn on the way round.
+  std::vector<Vec3> points, normals;
+  for (int i = 0; i < 60; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / 60;
+    points.emplace_back(std::cos(angle), std::sin(angle), 0.0f);
+    normals.emplace_back(std::sin(angle / 2) * points.back() + std::cos(angle / 2) * Vec3(0, 0, 1));
+  }
+  Polylines ring = line_of(points, true);
+  ring.normals = normals;
+  const Mesh tube = tubes(ring, {0.1f, 12});
+  EXPECT_GT(least_agreement(tube, ring, 12), 0.8f);
+  EXPECT_TRUE(half_edges(tube).has_value());
 }
 
 TEST(Tubes, PassOverPointsThatNearlyRepeat) {

@@ -1,5 +1,6 @@
 #include "brindle/pattern/stripe_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -206,13 +207,146 @@ TEST(StripeCurves, DoNotDependOnThreads) {
   const Solved solved(wavy_surface("trefoil", Vec3(0, 0.3f, 1), 60));
   const auto with = [&](int threads) {
     const ThreadLimit limit(threads);
-    return solved.curves();
+    return solved.curves({.join = true});
   };
   const StripeCurves one = with(1), two = with(2);
   EXPECT_EQ(one.lines.points, two.lines.points);
   EXPECT_EQ(one.lines.normals, two.lines.normals);
   EXPECT_EQ(one.lines.offsets, two.lines.offsets);
   EXPECT_EQ(one.ends, two.ends);
+}
+
+float shortest_edge(const Solved& solved) {
+  float shortest = 1e9f;
+  for (const auto& [a, b] : solved.edges.vertices) {
+    const auto& positions = solved.surface.mesh.positions;
+    shortest = std::min(shortest, (positions[a] - positions[b]).norm());
+  }
+  return shortest;
+}
+
+/// But for open curves of two points: both ends stay.
+void expect_distinct_points(const Solved& solved, const CurveOptions& options = {}) {
+  const float least = 0.99e-4f * shortest_edge(solved);
+  const Polylines lines = solved.curves(options).lines;
+  for (std::size_t line = 0; line < lines.count(); ++line) {
+    const auto points = lines.points_of(line);
+    ASSERT_GE(points.size(), lines.closed[line] ? 3u : 2u);
+    if (points.size() == 2) continue;
+    for (std::size_t i = lines.closed[line] ? 0 : 1; i < points.size(); ++i) {
+      const Vec3& before = points[i > 0 ? i - 1 : points.size() - 1];
+      ASSERT_GT((points[i] - before).norm(), least) << "line " << line << ", point " << i;
+    }
+  }
+}
+
+TEST(StripeCurves, HaveNoTwoPointsAtOnePlace) {
+  for (const auto& [name, mesh] : every_shape()) {
+    for (const Vec3& axis : {Vec3(0.31f, 0.9f, 0.27f), Vec3(0, 0, 1)}) {
+      const Solved solved(with_axis(mesh, axis, 40));
+      for (const bool join : {false, true}) {
+        SCOPED_TRACE(name + (join ? " joined" : ""));
+        expect_distinct_points(solved, {.join = join});
+      }
+    }
+  }
+}
+
+TEST(StripeCurves, HaveNoTwoPointsAtOnePlaceWhereTheyPassThroughVertices) {
+  // Every row of vertices around the tube is nearly on a peak, a little above or below.
+  WavySurface surface = wavy_surface("cylinder,resolution=40", Vec3(0, 0, 1), 30);
+  std::set<float> rows;
+  for (const Vec3& p : surface.mesh.positions) rows.insert(p.z());
+  const float step = *std::next(rows.begin()) - *rows.begin();
+  for (float& f : surface.waves.frequencies) f = 1 / step;
+  std::mt19937 random(2);
+  std::vector<Complex> z;
+  for (std::size_t i = 0; i < surface.mesh.vertex_count(); ++i) {
+    const float noise = std::uniform_real_distribution<float>(-3e-6f, 3e-6f)(random);
+    z.push_back(std::polar(1.0f, kTwoPi * (0.25f + noise)));
+  }
+  const Solved solved(std::move(surface), std::move(z));
+  expect_distinct_points(solved);
+  expect_balance(solved);
+  const StripeCurves curves = solved.curves();
+  const auto closed = curves.lines.count() - open_curves(curves);
+  EXPECT_GE(closed, rows.size() - 2);
+}
+
+/// Rings along or across a ring or tube around the z axis, with directions that point either way.
+Solved rings(const std::string& shape, bool along) {
+  Mesh mesh = make_shape(shape);
+  std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), std::mt19937(6));
+  WavySurface surface = wavy_surface(std::move(mesh), Vec3(0, 0, 1), 30);
+  for (std::size_t i = 0; i < surface.mesh.vertex_count(); ++i) {
+    const Vec3& p = surface.mesh.positions[i];
+    const Vec3 around = Vec3(-p.y(), p.x(), 0).normalized();
+    surface.waves.directions[i] = along ? Vec3(surface.normals[i].cross(around)) : around;
+  }
+  flip_half(surface.waves, 5);
+  return Solved(std::move(surface));
+}
+
+/// How the line runs around an axis through `centre`: twice the area that it goes round.
+float circulation(std::span<const Vec3> points, const Vec3& centre, const Vec3& axis) {
+  float area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& next = points[(i + 1) % points.size()];
+    area += (points[i] - centre).cross(next - centre).dot(axis);
+  }
+  return area;
+}
+
+/// The rings that run either way.
+std::array<int, 2> senses(const StripeCurves& curves, bool along) {
+  std::array<int, 2> count{};
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    const auto points = curves.lines.points_of(line);
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& p : points) centre += p / static_cast<float>(points.size());
+    if (along) centre.setZero();
+    const Vec3 axis = along ? Vec3(0, 0, 1) : Vec3(-centre.y(), centre.x(), 0);
+    ++count[circulation(points, centre, axis) > 0];
+  }
+  return count;
+}
+
+TEST(StripeCurves, NeighboursRunTheSameWay) {
+  for (const std::string shape : {"torus,resolution=64", "cylinder,resolution=48"}) {
+    for (const bool along : {true, false}) {
+      if (shape.starts_with("cylinder") && !along) continue;
+      SCOPED_TRACE(shape + (along ? " along" : " across"));
+      Solved solved = rings(shape, along);
+      const StripeCurves curves = solved.curves();
+      const auto [one, other] = senses(curves, along);
+      EXPECT_GT(one + other, 8);
+      EXPECT_EQ(std::min(one, other), 0) << "of " << one + other;
+      const auto turned = flip_half(solved.surface.waves, 11);
+      for (std::size_t i = 0; i < turned.size(); ++i) {
+        if (turned[i]) solved.z[i] = -std::conj(solved.z[i]);
+      }
+      EXPECT_EQ(solved.curves().lines.points, curves.lines.points);
+    }
+  }
+}
+
+TEST(StripeCurves, RunWithTheWaveToTheirLeft) {
+  // On a plane seen from +z, with waves that run along +x.
+  const StripeCurves curves = plane_wave("plane,resolution=12", 10, Vec3(1, 0, 0)).curves();
+  EXPECT_GT(curves.lines.count(), 3u);
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    const auto points = curves.lines.points_of(line);
+    EXPECT_LT(points.back().y(), points.front().y());
+  }
+}
+
+TEST(StripeCurves, StartsOfNeighbouringRingsLineUp) {
+  const StripeCurves curves = rings("cylinder,resolution=48", true).curves();
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    ASSERT_TRUE(curves.lines.closed[line]);
+    const Vec3& start = curves.lines.points_of(line)[0];
+    EXPECT_NEAR(std::atan2(start.y(), start.x()), std::atan2(0.48f, 0.36f), kTwoPi / 48);
+  }
 }
 
 TEST(StripeCurves, EndWhereThereIsNoWave) {
@@ -272,7 +406,56 @@ TEST(StripeCurves, JoinedCurvesHaveFewerEnds) {
     return count(curves, CurveEnd::branch) + count(curves, CurveEnd::singularity);
   };
   EXPECT_LT(inner(joined), inner(apart));
+  EXPECT_EQ(joined.joined_ends, inner(apart) - inner(joined));
+  EXPECT_EQ(apart.joined_ends, 0u);
   EXPECT_EQ(inner(joined) % 2, inner(apart) % 2);
+}
+
+float distance_to_lines(const Polylines& lines, const Vec3& p) {
+  float least = 1e9f;
+  for (std::size_t line = 0; line < lines.count(); ++line) {
+    const auto points = lines.points_of(line);
+    for (std::size_t i = lines.closed[line] ? 0 : 1; i < points.size(); ++i) {
+      const Vec3& before = points[i > 0 ? i - 1 : points.size() - 1];
+      least = std::min(least, distance_to_segment(p, before, points[i]));
+    }
+  }
+  return least;
+}
+
+std::vector<Vec3> inner_end_points(const StripeCurves& curves) {
+  std::vector<Vec3> found;
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    const auto points = curves.lines.points_of(line);
+    for (int end = 0; end < 2; ++end) {
+      const CurveEnd kind = curves.ends[line][end];
+      if (kind != CurveEnd::branch && kind != CurveEnd::singularity) continue;
+      found.push_back(end == 0 ? points.front() : points.back());
+    }
+  }
+  return found;
+}
+
+TEST(StripeCurves, JoinedCurvesRunOnIntoTheirNeighbours) {
+  for (const std::string shape : {"trefoil", "torus,resolution=96", "sphere,resolution=12"}) {
+    SCOPED_TRACE(shape);
+    const Solved solved(wavy_surface(shape, Vec3(0.31f, 0.9f, 0.27f), 60));
+    const StripeCurves apart = solved.curves(), joined = solved.curves({.join = true});
+    const float tolerance = 1e-3f / solved.surface.waves.frequencies[0];
+    const std::vector<Vec3> before = inner_end_points(apart), after = inner_end_points(joined);
+    ASSERT_GE(before.size(), 10u);
+    EXPECT_EQ(joined.joined_ends + after.size(), before.size());
+    EXPECT_EQ(apart.ends_at_neighbors, 0u);
+    const auto touching = std::count_if(after.begin(), after.end(), [&](const Vec3& p) {
+      const bool moved = std::none_of(before.begin(), before.end(), [&](const Vec3& end) {
+        return (p - end).norm() < tolerance;
+      });
+      return moved && distance_to_lines(apart.lines, p) < tolerance;
+    });
+    EXPECT_GT(static_cast<std::size_t>(touching), after.size() * 9 / 10);
+    EXPECT_NEAR(static_cast<double>(joined.ends_at_neighbors), static_cast<double>(touching),
+                0.05 * static_cast<double>(after.size()));
+  }
 }
 
 TEST(StripeCurves, LongerThanLeavesOutShorterOnes) {

@@ -36,6 +36,43 @@ std::vector<TubePoint> distinct_points(const Polylines& lines, std::size_t line,
   return result;
 }
 
+/// The axes of a ring: along the line, and two across.
+struct Frame {
+  Vec3 along, up, aside;
+
+  Frame turned_over() const { return {along, -up, -aside}; }
+};
+
+/// Whether a tube from one ring to the next would be twisted by more than a quarter turn, as where
+/// the normals of a surface with one side change theirs.
+bool is_twisted(const Frame& before, const Frame& behind) {
+  return before.along.dot(behind.along) > 0 && before.aside.dot(behind.aside) < 0;
+}
+
+Frame frame_at(const Vec3& normal, const Vec3& arriving, const Vec3& leaving) {
+  Vec3 along = (arriving + leaving).stableNormalized();
+  if (along.isZero(0)) along = arriving;
+  Vec3 up = normal - normal.dot(along) * along;
+  if (up.norm() < 1e-3f) up = along.unitOrthogonal();
+  up.normalize();
+  return {along, up, along.cross(up)};
+}
+
+std::vector<Frame> frames_along(const std::vector<TubePoint>& points, bool closed) {
+  const std::size_t count = points.size();
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& here = points[i].position;
+    const Vec3& before = points[i > 0 ? i - 1 : closed ? count - 1 : i].position;
+    const Vec3& behind = points[i + 1 < count ? i + 1 : closed ? 0 : i].position;
+    const Frame frame = frame_at(points[i].normal, (here - before).stableNormalized(),
+                                 (behind - here).stableNormalized());
+    const bool over = i > 0 && is_twisted(frames.back(), frame);
+    frames.push_back(over ? frame.turned_over() : frame);
+  }
+  return frames;
+}
+
 class TubeMaker {
  public:
   explicit TubeMaker(const TubeOptions& options) : options_(options) {}
@@ -46,17 +83,13 @@ class TubeMaker {
     if (first + count * options_.sides > 0xfffffff0) {
       throw Error("the tubes would have too many vertices; ask for fewer sides or stripes");
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3& before = points[i > 0 ? i - 1 : closed ? count - 1 : i].position;
-      const Vec3& behind = points[i + 1 < count ? i + 1 : closed ? 0 : i].position;
-      add_ring(points[i], (points[i].position - before).stableNormalized(),
-               (behind - points[i].position).stableNormalized());
+    const std::vector<Frame> frames = frames_along(points, closed);
+    for (std::size_t i = 0; i < count; ++i) add_ring(points[i].position, frames[i]);
+    for (std::size_t i = 0; i + 1 < count; ++i) join(first + ring(i), first + ring(i + 1), 0);
+    if (closed) {
+      const bool half_turn = is_twisted(frames.back(), frames.front());
+      return join(first + ring(count - 1), first, half_turn ? options_.sides / 2 : 0);
     }
-    const std::size_t spans = closed ? count : count - 1;
-    for (std::size_t i = 0; i < spans; ++i) {
-      join(first + ring(i), first + ring((i + 1) % count));
-    }
-    if (closed) return;
     cap(first, true);
     cap(first + ring(count - 1), false);
   }
@@ -66,27 +99,24 @@ class TubeMaker {
  private:
   Index ring(std::size_t i) const { return static_cast<Index>(i * options_.sides); }
 
-  void add_ring(const TubePoint& point, const Vec3& arriving, const Vec3& leaving) {
-    Vec3 along = (arriving + leaving).stableNormalized();
-    if (along.isZero(0)) along = arriving;
-    Vec3 up = point.normal - point.normal.dot(along) * along;
-    if (up.norm() < 1e-3f) up = along.unitOrthogonal();
-    up.normalize();
-    const Vec3 aside = along.cross(up);
+  void add_ring(const Vec3& centre, const Frame& frame) {
     for (int k = 0; k < options_.sides; ++k) {
       const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) /
                           static_cast<float>(options_.sides);
-      mesh_.positions.push_back(point.position +
-                                options_.radius * (std::cos(angle) * up + std::sin(angle) * aside));
+      mesh_.positions.push_back(
+          centre + options_.radius * (std::cos(angle) * frame.up + std::sin(angle) * frame.aside));
     }
   }
 
-  void join(Index a, Index b) {
+  /// Vertex k of ring a with vertex k + `turn` of ring b.
+  void join(Index a, Index b, int turn) {
     const auto sides = static_cast<Index>(options_.sides);
+    const auto shift = static_cast<Index>(turn);
     for (Index k = 0; k < sides; ++k) {
       const Index next = (k + 1) % sides;
-      mesh_.triangles.push_back({a + k, a + next, b + k});
-      mesh_.triangles.push_back({a + next, b + next, b + k});
+      const Index there = b + (k + shift) % sides, next_there = b + (next + shift) % sides;
+      mesh_.triangles.push_back({a + k, a + next, there});
+      mesh_.triangles.push_back({a + next, next_there, there});
     }
   }
 

@@ -1,7 +1,7 @@
 #include "brindle/pattern/lifted_waves.h"
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

@@ -26,6 +26,8 @@ class LiftedWaves {
 
   const WavePattern& pattern() const { return pattern_; }
 
+  /// The vertex's canonical wave.
+  const CornerWave& wave(Index vertex) const { return waves_[vertex]; }
   /// Of the vertex's canonical wave (`turns_after_peak`); 0 if it has none.
   Turns turns(Index vertex) const { return turns_[vertex]; }
   /// Without peaks if an end has no wave.

@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {

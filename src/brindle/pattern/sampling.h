@@ -44,11 +44,13 @@ SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corner
 std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
                                  const SampledWaves& u, const SampledWaves& v);
 
+inline constexpr float kDoubleShare = 0.25f;
+
 /// Leaves out every sample that is nearer to an earlier one than `share` of the smallest of their
 /// four spacings: lines of one pattern run together at its branches and singularities. Returns how
 /// many. Samples on sides of the surface that face different ways do not count as near. Throws
 /// Error in a build without nanoflann, if there are samples and `share` is above zero.
-std::size_t drop_doubles(std::vector<Sample>& samples, float share = 0.25f);
+std::size_t drop_doubles(std::vector<Sample>& samples, float share = kDoubleShare);
 
 /// How regular samples are: distances to the nearest other sample over the smaller of the sample's
 /// two spacings, which is what a perfect grid has.

@@ -1,12 +1,18 @@
 #include "brindle/pattern/stripe_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "brindle/error.h"
+#include <Eigen/Geometry>
+
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
+#include "brindle/pattern/run_on.h"
 #include "brindle/waves/orientation.h"
 
 namespace brindle {
@@ -25,15 +31,101 @@ constexpr std::size_t kMostNodes = kFirstEnd / 2;
 
 bool is_slot(Link link) { return link < kFirstEnd; }
 
+/// Points this near to each other are one, over the size of what they lie on: phases have no digits
+/// to tell them apart, where a curve passes by a vertex.
+constexpr float kSamePlace = 1e-4f;
+
 struct CurvePoint {
   Vec3 position;
   Vec3 normal;
+  Vec3 forward;  ///< where the wave there runs; zero in the middle of a triangle
+  float size;    ///< of the edge that it lies on, or of the triangle
 };
+
+bool at_same_place(const CurvePoint& a, const CurvePoint& b) {
+  return (a.position - b.position).norm() <= kSamePlace * std::max(a.size, b.size);
+}
+
+/// Leaves out points at the same place as the one before. Both ends of an open curve stay.
+void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
+  const CurvePoint last = closed ? curve.front() : curve.back();
+  std::size_t kept = 0;
+  for (const CurvePoint& point : curve) {
+    if (kept == 0 || !at_same_place(curve[kept - 1], point)) curve[kept++] = point;
+  }
+  while (kept > 1 && at_same_place(curve[kept - 1], last)) --kept;
+  curve.resize(kept);
+  if (!closed) curve.push_back(last);
+}
+
+/// Whether waves run to the right of the curve, as seen from outside, on most of its way.
+bool runs_backward(const std::vector<CurvePoint>& curve, bool closed) {
+  double left = 0;
+  for (std::size_t i = closed ? 0 : 1; i < curve.size(); ++i) {
+    const CurvePoint& a = curve[i > 0 ? i - 1 : curve.size() - 1];
+    const CurvePoint& b = curve[i];
+    left += (a.normal + b.normal).cross(b.position - a.position).dot(a.forward + b.forward);
+  }
+  return left < 0;
+}
+
+/// Lets a closed curve start at its point farthest along one direction, the same for all curves: so
+/// the starts of neighbouring rings line up.
+void rotate_to_start(std::vector<CurvePoint>& ring) {
+  const Vec3 along(0.36f, 0.48f, 0.8f);  // no symmetry of usual shapes: few ties
+  const auto less = [&](const CurvePoint& a, const CurvePoint& b) {
+    return a.position.dot(along) < b.position.dot(along);
+  };
+  std::rotate(ring.begin(), std::max_element(ring.begin(), ring.end(), less), ring.end());
+}
+
+std::size_t ends_inside(const std::vector<StripePiece>& pieces) {
+  return static_cast<std::size_t>(std::count_if(
+      pieces.begin(), pieces.end(),
+      [](const StripePiece& piece) { return piece.ends[1].side == PieceEnd::kInside; }));
+}
+
+/// How many curves end in a triangle if none are joined.
+std::size_t ends_apart(const LiftedTriangle& triangle) {
+  std::vector<StripePiece> pieces;
+  stripe_pieces(triangle, false, pieces);
+  return ends_inside(pieces);
+}
+
+/// Rows come out in ascending order, since edges are in that of their higher vertex, then the
+/// lower.
+Adjacency adjacency_of(const MeshEdges& edges, std::size_t vertex_count) {
+  Adjacency adjacency;
+  adjacency.offsets.assign(vertex_count + 1, 0);
+  for (const auto& ends : edges.vertices) {
+    for (const Index v : ends) ++adjacency.offsets[v + 1];
+  }
+  std::partial_sum(adjacency.offsets.begin(), adjacency.offsets.end(), adjacency.offsets.begin());
+  adjacency.neighbors.resize(adjacency.offsets.back());
+  std::vector<Index> next(adjacency.offsets.begin(), adjacency.offsets.end() - 1);
+  for (const auto& [a, b] : edges.vertices) {
+    adjacency.neighbors[next[a]++] = b;
+    adjacency.neighbors[next[b]++] = a;
+  }
+  return adjacency;
+}
+
+/// The directions of all waves, turned to run alike, whichever way they were given.
+std::vector<Vec3> directions_alike(const LiftedWaves& lifted) {
+  const WavePattern& pattern = lifted.pattern();
+  std::vector<Vec3> directions(pattern.mesh.vertex_count());
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    directions[v] = lifted.wave(static_cast<Index>(v)).wave.direction;
+  }
+  orient_alike(adjacency_of(pattern.edges, directions.size()), directions);
+  return directions;
+}
 
 /// An end within a triangle.
 struct InnerEnd {
   CurvePoint point;
   CurveEnd reason;
+  std::vector<CurvePoint> way;  ///< on to a neighbour
 };
 
 class Tracer {
@@ -42,8 +134,10 @@ class Tracer {
       : pattern_(lifted.pattern()), options_(options), lifted_(lifted) {}
 
   StripeCurves trace() {
+    if (options_.join) run_on_.emplace(lifted_);
     number_nodes();
     link_triangles();
+    if (!links_.empty()) directions_ = directions_alike(lifted_);
     walk();
     return std::move(curves_);
   }
@@ -127,15 +221,16 @@ class Tracer {
       // The part of edge m has the cuts from corners m and m + 1.
       const int corner = end.side - 3;
       const Index node = first_cut_node[corner] + end.crossing;
-      inner_points_[node - edge_of_node_.size()] = point_in(t, end);
+      inner_points_[node - edge_of_node_.size()] = point_in(t, end.barycentric);
       return 2 * node + (part == corner ? 0 : 1);
     };
     std::vector<StripePiece> pieces;
     stripe_pieces(triangle, options_.join, pieces);
+    if (options_.join) curves_.joined_ends += ends_apart(triangle) - ends_inside(pieces);
     for (const StripePiece& piece : pieces) {
       const Link from = slot(piece.ends[0], piece.part);
       if (piece.ends[1].side == PieceEnd::kInside) {
-        links_[from / 2][from % 2] = add_end(t, piece.ends[1], reason);
+        links_[from / 2][from % 2] = add_end(t, piece, pieces, reason);
       } else {
         join(from, slot(piece.ends[1], piece.part));
       }
@@ -154,19 +249,29 @@ class Tracer {
     links_[b / 2][b % 2] = a;
   }
 
-  Link add_end(std::size_t t, const PieceEnd& end, CurveEnd reason) {
-    inner_ends_.push_back({point_in(t, end), reason});
+  Link add_end(std::size_t t, const StripePiece& piece, std::span<const StripePiece> pieces,
+               CurveEnd reason) {
+    InnerEnd end{point_in(t, piece.ends[1].barycentric), reason, {}};
+    if (run_on_) {
+      if (const auto way = run_on_->way(t, piece, pieces)) {
+        ++curves_.ends_at_neighbors;
+        for (const TrianglePoint& p : *way) end.way.push_back(point_in(p.triangle, p.barycentric));
+      }
+    }
+    inner_ends_.push_back(std::move(end));
     check_count(inner_ends_.size());
     return kFirstEnd + static_cast<Link>(inner_ends_.size() - 1);
   }
 
-  CurvePoint point_in(std::size_t t, const PieceEnd& end) const {
+  CurvePoint point_in(std::size_t t, const std::array<double, 3>& barycentric) const {
     const Triangle& triangle = pattern_.mesh.triangles[t];
     const Vec3& first = pattern_.mesh.positions[triangle[0]];
-    CurvePoint result{first, Vec3::Zero()};
+    CurvePoint result{first, Vec3::Zero(), Vec3::Zero(), 0};
     for (int m = 0; m < 3; ++m) {
-      const auto weight = static_cast<float>(end.barycentric[m]);
-      result.position += weight * (pattern_.mesh.positions[triangle[m]] - first);
+      const auto weight = static_cast<float>(barycentric[m]);
+      const Vec3 side = pattern_.mesh.positions[triangle[m]] - first;
+      result.position += weight * side;
+      result.size = std::max(result.size, side.norm());
       add_normal(result.normal, weight, triangle[m]);
     }
     result.normal.stableNormalize();
@@ -188,7 +293,9 @@ class Tracer {
     const Index number = (node - first_node_[edge]) % crossings(edge);
     const auto t = static_cast<float>(crossing_position(start, end, number));
     const Vec3& from = pattern_.mesh.positions[a];
-    CurvePoint result{from + t * (pattern_.mesh.positions[b] - from), Vec3::Zero()};
+    const Vec3 way = pattern_.mesh.positions[b] - from;
+    CurvePoint result{from + t * way, Vec3::Zero(), (1 - t) * directions_[a] + t * directions_[b],
+                      way.norm()};
     add_normal(result.normal, 1 - t, a);
     add_normal(result.normal, t, b);
     result.normal.stableNormalize();
@@ -218,6 +325,7 @@ class Tracer {
   void walk_open(Link slot) {
     std::array<CurveEnd, 2> ends{};
     ends[0] = end_at(links_[slot / 2][slot % 2]);
+    std::reverse(curve_.begin(), curve_.end());
     while (true) {
       visit(slot / 2);
       const Link next = links_[slot / 2][1 - slot % 2];
@@ -241,25 +349,40 @@ class Tracer {
 
   void visit(Index node) {
     visited_[node] = 1;
-    append(point_of(node));
+    curve_.push_back(point_of(node));
   }
 
-  /// The reason of an end, whose point is added if it is not a node.
+  /// The reason of an end, whose points are added if it is not a node.
   CurveEnd end_at(Link link) {
     if (link == kBoundary) return CurveEnd::boundary;
     if (link == kNonmanifold) return CurveEnd::nonmanifold;
     if (link == kNoWave) return CurveEnd::no_wave;
-    append(inner_ends_[link - kFirstEnd].point);
-    return inner_ends_[link - kFirstEnd].reason;
+    const InnerEnd& end = inner_ends_[link - kFirstEnd];
+    curve_.push_back(end.point);
+    curve_.insert(curve_.end(), end.way.begin(), end.way.end());
+    return end.reason;
   }
 
-  void append(const CurvePoint& point) {
-    curves_.lines.points.push_back(point.position);
-    curves_.lines.normals.push_back(point.normal);
+  void finish(std::array<CurveEnd, 2> ends) {
+    const bool closed = ends[0] == CurveEnd::closed;
+    drop_repeats(curve_, closed);
+    if (!closed || curve_.size() > 2) {
+      if (runs_backward(curve_, closed)) {
+        std::reverse(curve_.begin(), curve_.end());
+        std::swap(ends[0], ends[1]);
+      }
+      if (closed) rotate_to_start(curve_);
+      add_curve(ends);
+    }
+    curve_.clear();
   }
 
-  void finish(const std::array<CurveEnd, 2>& ends) {
+  void add_curve(const std::array<CurveEnd, 2>& ends) {
     Polylines& lines = curves_.lines;
+    for (const CurvePoint& point : curve_) {
+      lines.points.push_back(point.position);
+      lines.normals.push_back(point.normal);
+    }
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
     lines.closed.push_back(ends[0] == CurveEnd::closed);
     curves_.ends.push_back(ends);
@@ -273,7 +396,10 @@ class Tracer {
   std::vector<std::array<Link, 2>> links_;  // one per node
   std::vector<CurvePoint> inner_points_;    // nodes on cuts
   std::vector<InnerEnd> inner_ends_;
+  std::optional<RunOn> run_on_;        // for `join`
+  std::vector<Vec3> directions_;       // one per vertex, running alike where that can be
   std::vector<std::uint8_t> visited_;  // one per node
+  std::vector<CurvePoint> curve_;      // that is being walked
   StripeCurves curves_;
 };
 
@@ -294,6 +420,8 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
 
 StripeCurves longer_than(const StripeCurves& curves, double length) {
   StripeCurves longer;
+  longer.joined_ends = curves.joined_ends;
+  longer.ends_at_neighbors = curves.ends_at_neighbors;
   Polylines& lines = longer.lines;
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {
     if (length_of(curves.lines, line) < length) continue;

@@ -26,14 +26,17 @@ inline constexpr std::size_t kCurveEndKinds = 6;
 struct StripeCurves {
   Polylines lines;
   std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
+  std::size_t joined_ends = 0;                ///< that `CurveOptions::join` made go
+  std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
 
   /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
   std::array<std::size_t, kCurveEndKinds> end_counts() const;
 };
 
 struct CurveOptions {
-  /// Joins curves that end side by side in a branch or singularity in pairs, and lets one that is
-  /// left over run on to the middle of its neighbour's piece there.
+  /// Where several curves end in one branch or singularity, joins them in pairs. Every curve that
+  /// ends alone runs on into a neighbour, aslant over the surface, if there is one within two
+  /// periods; that is an end of the same kind still.
   bool join = false;
 };
 
@@ -44,6 +47,14 @@ struct CurveOptions {
 /// crossing of an edge is on exactly one curve; with none of the kinds `no_wave` and `nonmanifold`,
 /// there are as many ends at the boundary as boundary edges are crossed, and |branch_index| ends in
 /// every branch.
+///
+/// Points nearer to the one before than 1e-4 of the edge that they lie on are passed over, and so
+/// are closed curves without three other points; the two ends of an open curve always stay.
+///
+/// Curves run so that waves, turned by `orient_alike`, run to their left as seen from outside:
+/// neighbours run the same way, whichever way directions are given. Where the field or the surface
+/// cannot be oriented, nothing is promised. Closed curves start at their point farthest along one
+/// direction, the same for all.
 ///
 /// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
 /// crossings than an Index can count.

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {
