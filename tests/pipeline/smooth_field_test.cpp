@@ -81,6 +81,20 @@ TEST(SmoothField, IsTheSameForEveryNumberOfThreads) {
   EXPECT_EQ(smooth_direction_field(surface), alone);
 }
 
+TEST(SmoothField, RefusesAnchorsAndSurfacesThatAreNone) {
+  Surface plane = make_surface(make_shape("plane,resolution=6"));
+  for (const float bad : {std::nanf(""), -1.0f, INFINITY}) {
+    SmoothFieldOptions options;
+    options.curvature_anchor = bad;
+    EXPECT_THROW(smooth_direction_field(plane, options), Error);
+    options = {};
+    options.feature_anchor = bad;
+    EXPECT_THROW(smooth_direction_field(plane, options), Error);
+  }
+  plane.mesh.positions[4].x() = INFINITY;
+  EXPECT_THROW(smooth_direction_field(plane), Error);
+}
+
 TEST(SmoothField, RefusesASymmetryBelowOne) {
   SmoothFieldOptions options;
   options.symmetry = 0;
