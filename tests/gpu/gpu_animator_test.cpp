@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bad_waves.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/pattern/quality.h"
 #include "device.h"
 #include "phase_graphs.h"
+#include "progress_reports.h"
 #include "scenes/scene.h"
 
 namespace brindle {
@@ -15,6 +17,7 @@ namespace {
 
 using testing_support::flip_half;
 using testing_support::kAxis;
+using testing_support::Reports;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
 
@@ -209,6 +212,155 @@ TEST_F(GpuAnimatorTest, RestartForgetsTheLastFrame) {
   EXPECT_EQ(used.read_phases(), first);
 }
 
+/// What a caller sees of a frame.
+struct Seen {
+  std::vector<Complex> z;
+  double energy;
+  double phase_step;
+  bool operator==(const Seen&) const = default;
+};
+
+Seen see(GpuAnimator& animator, const WavySurface& surface) {
+  animator.frame(input_of(surface.waves));
+  const auto measure = animator.measure_now();
+  return {animator.read_phases(), measure->energy, measure->phase_step};
+}
+
+/// Three inputs that differ in everything, and animators for them.
+struct InterruptedGpu : test::GpuTest {
+  WavySurface first = wavy_surface("torus,resolution=30", kAxis, 8);
+  WavySurface second = first, third = first;
+  AnimatorOptions options = options_with(0.025f);
+
+  InterruptedGpu() {
+    options.cycles = 3;
+    flip_half(second.waves, 3);
+    for (float& f : second.waves.frequencies) f *= 1.01f;
+    third.waves.directions = rotated(third.waves.directions, third.normals, 1.2f);
+    for (Vec3& p : third.waves.positions) p.x() *= 1.1f;
+  }
+
+  GpuAnimator animator() const {
+    GpuAnimator made(device.solver.kernels(), first.neighborhood, options);
+    made.measure_frames(true);
+    return made;
+  }
+
+  /// Cancels a frame at every report of progress that it makes, each time of an animator that
+  /// `start` hands over, and lets `expect` look at what is left of it.
+  template <class Start, class Expect>
+  void cancel_everywhere(const WavySurface& input, const Start& start, const Expect& expect) const {
+    GpuAnimator undisturbed = start();
+    Reports all;
+    undisturbed.frame(input_of(input.waves), all.progress());
+    EXPECT_GE(all.count(), options.cycles);
+    for (int k = 0; k < all.count(); ++k) {
+      SCOPED_TRACE(k);
+      GpuAnimator cancelled = start();
+      Reports reports(k);
+      EXPECT_THROW(cancelled.frame(input_of(input.waves), reports.progress()), Cancelled);
+      expect(cancelled);
+    }
+  }
+};
+
+TEST_F(InterruptedGpu, FirstFrameLeavesNothingBehind) {
+  GpuAnimator undisturbed = animator();
+  const Seen a = see(undisturbed, first), b = see(undisturbed, second);
+  for (const WavySurface* tried : {&first, &third}) {
+    cancel_everywhere(
+        *tried, [&] { return animator(); },
+        [&](GpuAnimator& cancelled) {
+          EXPECT_TRUE(cancelled.read_phases().empty());
+          EXPECT_EQ(see(cancelled, first), a);
+          EXPECT_EQ(see(cancelled, second), b);
+        });
+  }
+}
+
+TEST_F(InterruptedGpu, LaterFrameLeavesTheLastOne) {
+  GpuAnimator undisturbed = animator();
+  const Seen a = see(undisturbed, first), b = see(undisturbed, second);
+  const Seen c = see(undisturbed, third);
+  for (const WavySurface* tried : {&second, &third}) {
+    cancel_everywhere(
+        *tried,
+        [&] {
+          GpuAnimator started = animator();
+          started.frame(input_of(first.waves));
+          return started;
+        },
+        [&](GpuAnimator& cancelled) {
+          EXPECT_EQ(cancelled.read_phases(), a.z);
+          EXPECT_FALSE(cancelled.frame(input_of(first.waves)));
+          EXPECT_EQ(cancelled.read_phases(), a.z);
+          EXPECT_EQ(see(cancelled, second), b);
+          EXPECT_EQ(see(cancelled, third), c);
+        });
+  }
+}
+
+TEST_F(InterruptedGpu, BuffersOnTheDeviceLeaveTheLastFrameToo) {
+  GpuAnimator undisturbed = animator(), cancelled = animator();
+  const Seen a = see(undisturbed, first), b = see(undisturbed, second);
+  cancelled.frame(input_of(first.waves));
+  const GlBuffer positions = application_buffer(third.waves.positions);
+  const GlBuffer directions = application_buffer(third.waves.directions);
+  const GlBuffer frequencies = application_buffer(third.waves.frequencies);
+  for (int k = 0; k < options.cycles; ++k) {
+    Reports reports(k);
+    EXPECT_THROW(
+        cancelled.frame(WaveBuffers{positions, directions, frequencies}, reports.progress()),
+        Cancelled);
+    EXPECT_EQ(cancelled.read_phases(), a.z);
+  }
+  EXPECT_EQ(see(cancelled, second), b);
+}
+
+TEST_F(InterruptedGpu, BadValuesLeaveTheLastFrame) {
+  GpuAnimator undisturbed = animator(), refusing = animator();
+  const auto refuse = [&](const WaveSet& bad) { refusing.frame(input_of(bad)); };
+  testing_support::expect_refused(first.waves, 5, refuse);
+  EXPECT_EQ(see(refusing, first), see(undisturbed, first));
+  testing_support::expect_refused(second.waves, 7, refuse);
+  EXPECT_EQ(see(refusing, second), see(undisturbed, second));
+  const WaveSet& good = first.waves;
+  testing_support::expect_refused(good, 5, [&](const WaveSet& bad) {
+    GpuAnimator fresh = animator();
+    const GlBuffer positions = application_buffer(bad.positions);
+    const GlBuffer directions = application_buffer(bad.directions);
+    const GlBuffer frequencies = application_buffer(bad.frequencies);
+    fresh.frame(WaveBuffers{positions, directions, frequencies});
+  });
+}
+
+TEST_F(InterruptedGpu, RestartForgetsTheCyclesOfTheLastFrame) {
+  GpuAnimator used = animator(), fresh = animator();
+  used.restart();  // before there is anything to forget
+  const Seen a = see(fresh, first);
+  EXPECT_EQ(see(used, first), a);
+  used.restart();
+  EXPECT_EQ(see(used, first).z, a.z);
+}
+
+TEST_F(GpuAnimatorTest, InputOfTheLastFrameButOneIsNoUnchangedInput) {
+  auto surface = wavy_surface("torus,resolution=40", kAxis, 15);
+  GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
+  GpuAnimator twin(device.solver.kernels(), surface.neighborhood);
+  const WaveSet first = surface.waves;
+  for (float& f : surface.waves.frequencies) f *= 1.3f;
+  const GlBuffer positions = application_buffer(surface.waves.positions);
+  const GlBuffer directions = application_buffer(surface.waves.directions);
+  const GlBuffer frequencies = application_buffer(surface.waves.frequencies);
+  animator.frame(input_of(first));
+  animator.frame(WaveBuffers{positions, directions, frequencies});
+  EXPECT_TRUE(animator.frame(input_of(first)));
+  twin.frame(input_of(first));
+  twin.frame(input_of(surface.waves));
+  twin.frame(input_of(first));
+  EXPECT_EQ(animator.read_phases(), twin.read_phases());
+}
+
 TEST_F(GpuAnimatorTest, TellsItsDispatchesAndTheirTimes) {
   auto surface = wavy_surface("sphere,resolution=60", kAxis, 25);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
@@ -230,6 +382,9 @@ TEST_F(GpuAnimatorTest, RefusesBadInputAndOptions) {
   input.frequencies = input.frequencies.first(3);
   EXPECT_THROW(animator.frame(input), Error);
   EXPECT_THROW(GpuAnimator(device.solver.kernels(), surface.neighborhood, options_with(-1)), Error);
+  AnimatorOptions weighted;
+  weighted.edge_weights.assign(surface.neighborhood->directed_edge_count(), 2);
+  EXPECT_THROW(GpuAnimator(device.solver.kernels(), surface.neighborhood, weighted), Error);
 }
 
 }  // namespace

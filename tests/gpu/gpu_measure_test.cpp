@@ -64,6 +64,16 @@ TEST_F(GpuMeasureTest, StepsAreAnglesBetweenPhases) {
   EXPECT_NEAR(measure.end()->phase_step, 2 * M_PI - 6, 1e-5);
 }
 
+TEST_F(GpuMeasureTest, EnergyOfWhatIsNoNumberIsNone) {
+  PhaseGraph graph = surface.graph();
+  graph.coupling[5] = std::nanf("");
+  SlicedLayout layout;
+  const GpuHierarchy on_device = hierarchy(graph, layout);
+  GpuMeasure measure(on_device);
+  measure.begin(on_device, on_device.phases());
+  EXPECT_TRUE(std::isnan(measure.end()->energy));
+}
+
 TEST_F(GpuMeasureTest, TwoMayBeUnderWayAndComeInTheirOrder) {
   SlicedLayout layout;
   GpuHierarchy one = hierarchy(surface.graph(), layout);

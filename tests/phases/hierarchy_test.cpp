@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/parallel.h"
 #include "brindle/phases/multilevel.h"
 #include "phase_graphs.h"
+
+#ifdef BRINDLE_HAS_TBB
+#include <tbb/task_arena.h>
+#endif
 
 namespace brindle {
 namespace {
@@ -115,6 +120,32 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
   renew(hierarchy);
   EXPECT_EQ(agreement(hierarchy.levels[2]), before);
 }
+
+TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuildAfterCyclesToo) {
+  Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  descend(hierarchy, 2);
+  const std::vector<Complex> first = hierarchy.levels[0].z;
+  run_cycles(hierarchy, 2, 3, {});
+  renew(hierarchy);
+  descend(hierarchy, 2);
+  EXPECT_EQ(hierarchy.levels[0].z, first);
+}
+
+#ifdef BRINDLE_HAS_TBB
+TEST(Hierarchy, HasRoomForThreadsThatWereNotThereWhenItWasBuilt) {
+  Hierarchy hierarchy;
+  tbb::task_arena(1).execute(
+      [&] { hierarchy = build_hierarchy(graph_with_reflections_and_anchors()); });
+  const std::size_t many = thread_capacity() + 5;
+  tbb::task_arena(static_cast<int>(many)).execute([&] { renew(hierarchy); });
+  ASSERT_GE(hierarchy.scratch.threads.size(), many);
+  for (const SumScratch::OfThread& own : hierarchy.scratch.threads) {
+    EXPECT_EQ(own.gauged.size(), hierarchy.scratch.threads[0].gauged.size());
+    EXPECT_EQ(own.marked.size(), hierarchy.scratch.threads[0].marked.size());
+    EXPECT_GE(own.reflecting.capacity(), hierarchy.scratch.entries);
+  }
+}
+#endif  // BRINDLE_HAS_TBB
 
 TEST(Hierarchy, OfAStarAndOfNothingIsBuilt) {
   // A hub with a hundred leaves must not need a hundred levels.

@@ -56,6 +56,35 @@ struct SlicedWaves : testing::TestWithParam<PhaseShiftKind> {
   }
 };
 
+TEST_P(SlicedWaves, HaveNoEnergyThatHidesWhatIsNoNumber) {
+  SlicedCouplings couplings(layout);
+  load_couplings(surface.graph(GetParam()), layout, couplings);
+  std::vector<Complex> z(layout.slot_count(), Complex(1));
+  EXPECT_GT(energy(layout, couplings, z), 0);
+  z[layout.slot_of[9]] = std::nanf("");
+  EXPECT_TRUE(std::isnan(energy(layout, couplings, z)));
+}
+
+TEST_P(SlicedWaves, TurnPhasesWithDirectionsAndBack) {
+  auto turned = surface.waves;
+  testing_support::flip_half(turned, 8);
+  std::vector<Complex> z(layout.slot_count(), Complex(0.6f, 0.8f));
+  const std::vector<Complex> before = z;
+  std::vector<SlicedWave> next, in_place = waves;
+  EXPECT_TRUE(
+      load_waves(layout, turned.positions, turned.directions, turned.frequencies, next, waves, z));
+  EXPECT_NE(z, before);
+  std::vector<Complex> twin = before;
+  EXPECT_TRUE(load_waves(layout, turned.positions, turned.directions, turned.frequencies, in_place,
+                         in_place, twin));
+  EXPECT_EQ(z, twin);
+  EXPECT_FALSE(load_waves(layout, turned.positions, turned.directions, turned.frequencies, in_place,
+                          next, twin));
+  EXPECT_EQ(z, twin);
+  turn_phases(waves, next, z);
+  EXPECT_EQ(z, before);
+}
+
 TEST_P(SlicedWaves, AreCoupledLikeAPhaseGraph) {
   SlicedCouplings expected(layout);
   load_couplings(surface.graph(GetParam()), layout, expected);

@@ -2,10 +2,11 @@
 
 #include <numeric>
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "brindle/phases/relaxation.h"
 #include "brindle/waves/averaged_levels.h"
@@ -202,6 +203,36 @@ TEST(Averaged, IsBetterThanRelaxationAlone) {
 TEST(Averaged, SaysWhatItNeeds) {
   const auto surface = wavy_surface("plane,resolution=5", kAxis, 5);
   EXPECT_THROW(solve_phases(surface.graph(), options_for(Solver::averaged)), Error);
+}
+
+/// The number of threads of OpenBLAS, if that is what this build runs on.
+struct OpenBlasThreads {
+  using Get = int();
+  using Set = void(int);
+  Get* get = reinterpret_cast<Get*>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+  Set* set = reinterpret_cast<Set*>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  int before = get ? get() : 0;
+  ~OpenBlasThreads() {
+    if (set) set(before);
+  }
+};
+
+TEST(Global, IsTheSameHoweverManyThreadsThereAreAndBlasHas) {
+  if (!is_available(Solver::global)) GTEST_SKIP() << "this build has no CHOLMOD";
+  // Large enough for dense blocks that BLAS would share among threads.
+  const auto surface = wavy_surface("sphere,resolution=60", kAxis, 20);
+  const OpenBlasThreads blas;
+  std::vector<Complex> first;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    if (blas.set) blas.set(threads);
+    const std::vector<Complex> z = solve(surface, options_for(Solver::global)).z;
+    if (first.empty()) first = z;
+    EXPECT_EQ(z, first) << threads;
+    if (blas.get) {
+      EXPECT_EQ(blas.get(), threads) << "not put back";
+    }
+  }
 }
 
 TEST(Multilevel, IsAsGoodAsTheGlobalOptimum) {

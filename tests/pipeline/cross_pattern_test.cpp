@@ -7,8 +7,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
+#include "bad_waves.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/files/mesh_io.h"
 #include "brindle/pipeline/smooth_field.h"
 #include "brindle/shapes/shapes.h"
@@ -144,6 +145,24 @@ TEST(CrossPattern, IsLaidOverSurfacesOfAnyTopology) {
     EXPECT_LT(cross.pattern.solution.energy, 0.1) << shape;
     EXPECT_LT(cross.quality.branches, surface.mesh.triangle_count() / 20) << shape;
   }
+}
+
+TEST(CrossPattern, RefusesValuesThatNoCrossHas) {
+  const Surface torus = make_surface(make_shape("torus,resolution=20"));
+  const WaveSet waves =
+      crosses_on(torus, projected_direction_field(Vec3(1, 2, 0), torus.normals), 9);
+  testing_support::expect_refused(waves, 5, [&](const WaveSet& bad) { cross_pattern(torus, bad); });
+  WaveSet upright = waves;
+  upright.directions[4] = torus.normals[4];
+  EXPECT_THROW(cross_pattern(torus, upright), Error);
+}
+
+TEST(CrossPattern, CountsVerticesWithoutACrossOnce) {
+  const Surface torus = make_surface(make_shape("torus,resolution=20"));
+  WaveSet waves = crosses_on(torus, projected_direction_field(Vec3(1, 2, 0), torus.normals), 9);
+  EXPECT_EQ(cross_pattern(torus, waves).quality.vertices_without_wave, 0u);
+  for (const int vertex : {3, 50, 51}) waves.directions[vertex].setZero();
+  EXPECT_EQ(cross_pattern(torus, waves).quality.vertices_without_wave, 3u);
 }
 
 TEST(CrossPattern, RefusesWavesOfAnotherSurface) {

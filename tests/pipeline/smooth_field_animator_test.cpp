@@ -56,11 +56,24 @@ TEST(SmoothFieldAnimator, KeepsSignsAndUnchangedFields) {
   for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_GE(next[i].dot(kept[i]), 0);
 }
 
-TEST(SmoothFieldAnimator, RefusesAVertexOutOfRange) {
-  const Surface plane = make_surface(make_shape("plane,resolution=4"));
-  SmoothFieldAnimator animator(plane);
-  const std::vector<FieldAnchor> anchors{{100000, Vec3(1, 0, 0), 1}};
-  EXPECT_THROW(animator.frame(anchors), Error);
+TEST(SmoothFieldAnimator, RefusedAnchorsLeaveTheLastFrame) {
+  const Surface sphere = make_surface(make_shape("sphere,resolution=12"));
+  SmoothFieldAnimator animator(sphere), undisturbed(sphere);
+  const std::vector<FieldAnchor> first{{10, Vec3(0, 0, 1), 5}}, second{{90, Vec3(1, 0, 0), 5}};
+  const float nan = std::nanf("");
+  const auto refuse_all = [&] {
+    for (const FieldAnchor& bad :
+         {FieldAnchor{100000, Vec3(1, 0, 0), 1}, FieldAnchor{3, Vec3(nan, 0, 0), 1},
+          FieldAnchor{3, Vec3(1, 0, 0), nan}, FieldAnchor{3, Vec3(1, 0, 0), INFINITY}}) {
+      const std::vector<FieldAnchor> anchors{second[0], bad};
+      EXPECT_THROW(animator.frame(anchors), Error);
+    }
+  };
+  refuse_all();
+  EXPECT_TRUE(std::ranges::equal(animator.frame(first), undisturbed.frame(first)));
+  refuse_all();
+  EXPECT_TRUE(std::ranges::equal(animator.frame(first), undisturbed.frame(first)));
+  EXPECT_TRUE(std::ranges::equal(animator.frame(second), undisturbed.frame(second)));
 }
 
 }  // namespace

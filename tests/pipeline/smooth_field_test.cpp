@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/subdivide.h"
 #include "brindle/shapes/shapes.h"
 
@@ -79,6 +79,20 @@ TEST(SmoothField, IsTheSameForEveryNumberOfThreads) {
   const DirectionField alone = smooth_direction_field(surface);
   const ThreadLimit two(2);
   EXPECT_EQ(smooth_direction_field(surface), alone);
+}
+
+TEST(SmoothField, RefusesAnchorsAndSurfacesThatAreNone) {
+  Surface plane = make_surface(make_shape("plane,resolution=6"));
+  for (const float bad : {std::nanf(""), -1.0f, INFINITY}) {
+    SmoothFieldOptions options;
+    options.curvature_anchor = bad;
+    EXPECT_THROW(smooth_direction_field(plane, options), Error);
+    options = {};
+    options.feature_anchor = bad;
+    EXPECT_THROW(smooth_direction_field(plane, options), Error);
+  }
+  plane.mesh.positions[4].x() = INFINITY;
+  EXPECT_THROW(smooth_direction_field(plane), Error);
 }
 
 TEST(SmoothField, RefusesASymmetryBelowOne) {

@@ -7,10 +7,16 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
+#include "bad_waves.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/phases/solver.h"
 #include "phase_graphs.h"
+#include "progress_reports.h"
+
+#ifdef BRINDLE_HAS_TBB
+#include <tbb/task_arena.h>
+#endif
 
 namespace {
 
@@ -39,6 +45,7 @@ namespace {
 
 using testing_support::flip_half;
 using testing_support::kAxis;
+using testing_support::Reports;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
 
@@ -158,6 +165,175 @@ TEST(StripeAnimator, RestartForgetsTheLastFrame) {
   EXPECT_EQ(again.phase_step, 0);
 }
 
+/// What a caller sees of a frame.
+struct Seen {
+  std::vector<Complex> z;
+  double energy;
+  double phase_step;
+  bool operator==(const Seen&) const = default;
+};
+
+Seen see(StripeAnimator& animator, const FrameInput& input, const Progress& progress = {}) {
+  const FrameResult frame = animator.frame(input, progress);
+  return {{frame.z.begin(), frame.z.end()}, animator.energy(), frame.phase_step};
+}
+
+/// Three inputs that differ in everything, and animators for them.
+struct Interrupted : testing::TestWithParam<FrameSolver> {
+  WavySurface first = wavy_surface("torus,resolution=60", kAxis, 20);
+  WavySurface second = first, third = first;
+  AnimatorOptions options;
+
+  Interrupted() {
+    options.solver = GetParam();
+    options.cycles = 3;
+    flip_half(second.waves, 3);
+    zoom(second);
+    third.waves.directions = rotated(third.waves.directions, third.normals, 1.2f);
+    for (Vec3& p : third.waves.positions) p.x() *= 1.1f;
+  }
+
+  StripeAnimator animator() const { return StripeAnimator(first.neighborhood, options); }
+
+  /// Cancels a frame at every report of progress that it makes, each time of an animator that
+  /// `start` hands over, and lets `expect` look at what is left of it.
+  template <class Start, class Expect>
+  void cancel_everywhere(const WavySurface& input, const Start& start, const Expect& expect) const {
+    StripeAnimator undisturbed = start();
+    Reports all;
+    undisturbed.frame(input_of(input), all.progress());
+    EXPECT_GE(all.count(), GetParam() == FrameSolver::multilevel ? options.cycles : 0);
+    for (int k = 0; k < all.count(); ++k) {
+      SCOPED_TRACE(k);
+      StripeAnimator cancelled = start();
+      Reports reports(k);
+      EXPECT_THROW(cancelled.frame(input_of(input), reports.progress()), Cancelled);
+      expect(cancelled);
+    }
+  }
+};
+
+TEST_P(Interrupted, FirstFrameLeavesNothingBehind) {
+  StripeAnimator undisturbed = animator();
+  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
+  for (const WavySurface* tried : {&first, &third}) {
+    cancel_everywhere(
+        *tried, [&] { return animator(); },
+        [&](StripeAnimator& cancelled) {
+          EXPECT_THROW(cancelled.energy(), Error);
+          EXPECT_EQ(see(cancelled, input_of(first)), a);
+          EXPECT_EQ(see(cancelled, input_of(second)), b);
+        });
+  }
+}
+
+TEST_P(Interrupted, LaterFrameLeavesTheLastOne) {
+  StripeAnimator undisturbed = animator();
+  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
+  const Seen c = see(undisturbed, input_of(third));
+  for (const WavySurface* tried : {&second, &third}) {
+    cancel_everywhere(
+        *tried,
+        [&] {
+          StripeAnimator started = animator();
+          started.frame(input_of(first));
+          return started;
+        },
+        [&](StripeAnimator& cancelled) {
+          EXPECT_EQ(cancelled.energy(), a.energy);
+          const FrameResult again = cancelled.frame(input_of(first));
+          EXPECT_TRUE(again.unchanged);
+          EXPECT_TRUE(std::ranges::equal(again.z, a.z));
+          EXPECT_EQ(see(cancelled, input_of(second)), b);
+          EXPECT_EQ(see(cancelled, input_of(third)), c);
+        });
+  }
+}
+
+TEST_P(Interrupted, FrameAfterARestartLeavesItRestarted) {
+  const auto restarted = [&] {
+    StripeAnimator started = animator();
+    started.frame(input_of(first));
+    started.frame(input_of(second));
+    started.restart();
+    return started;
+  };
+  StripeAnimator undisturbed = restarted();
+  const double energy = undisturbed.energy();
+  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
+  cancel_everywhere(third, restarted, [&](StripeAnimator& cancelled) {
+    EXPECT_EQ(cancelled.energy(), energy);
+    EXPECT_EQ(see(cancelled, input_of(first)), a);
+    EXPECT_EQ(see(cancelled, input_of(second)), b);
+  });
+}
+
+TEST_P(Interrupted, FirstFrameOfASiblingLeavesItsTopology) {
+  StripeAnimator u = animator();
+  u.frame(input_of(first));
+  StripeAnimator undisturbed = u.sibling();
+  const Seen v = see(undisturbed, input_of(third));
+  cancel_everywhere(
+      second, [&] { return u.sibling(); },
+      [&](StripeAnimator& cancelled) { EXPECT_EQ(see(cancelled, input_of(third)), v); });
+}
+
+TEST_P(Interrupted, BadValuesLeaveTheLastFrame) {
+  StripeAnimator undisturbed = animator(), refusing = animator();
+  testing_support::expect_refused(first.waves, 5, [&](const WaveSet& bad) {
+    refusing.frame({bad.positions, bad.directions, bad.frequencies});
+  });
+  EXPECT_EQ(see(refusing, input_of(first)), see(undisturbed, input_of(first)));
+  testing_support::expect_refused(second.waves, 7, [&](const WaveSet& bad) {
+    refusing.frame({bad.positions, bad.directions, bad.frequencies});
+  });
+  EXPECT_EQ(refusing.energy(), undisturbed.energy());
+  EXPECT_TRUE(refusing.frame(input_of(first)).unchanged);
+  EXPECT_EQ(see(refusing, input_of(second)), see(undisturbed, input_of(second)));
+}
+
+INSTANTIATE_TEST_SUITE_P(StripeAnimator, Interrupted,
+                         testing::Values(FrameSolver::multilevel, FrameSolver::relaxation));
+
+TEST(StripeAnimator, RestartForgetsTheCyclesOfTheLastFrame) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  AnimatorOptions options;
+  options.cycles = 2;
+  StripeAnimator used(surface.neighborhood, options), fresh(surface.neighborhood, options);
+  used.restart();  // before there is anything to forget
+  const Seen first = see(fresh, input_of(surface));
+  EXPECT_EQ(see(used, input_of(surface)), first);
+  used.restart();
+  EXPECT_EQ(see(used, input_of(surface)), first);
+}
+
+#ifdef BRINDLE_HAS_TBB
+TEST(StripeAnimator, MoreThreadsMayWorkOnAFrameThanOnTheFirst) {
+  const auto run = [](int first, int later) {
+    auto surface = wavy_surface("torus,resolution=200", kAxis, 25);
+    StripeAnimator animator(surface.neighborhood);
+    tbb::task_arena(first).execute([&] { animator.frame(input_of(surface)); });
+    const ThreadLimit threads(later);
+    Seen seen;
+    for (int n = 0; n < 5; ++n) {
+      zoom(surface);
+      tbb::task_arena(later).execute([&] { seen = see(animator, input_of(surface)); });
+    }
+    return seen;
+  };
+  EXPECT_EQ(run(1, 8), run(1, 1));
+}
+#endif  // BRINDLE_HAS_TBB
+
+TEST(StripeAnimator, HasNoEnergyBeforeTheFirstFrame) {
+  const auto surface = wavy_surface("plane,resolution=5", kAxis, 5);
+  StripeAnimator animator(surface.neighborhood);
+  EXPECT_THROW(animator.energy(), Error);
+  animator.frame(input_of(surface));
+  EXPECT_NO_THROW(animator.energy());
+  EXPECT_THROW(animator.sibling().energy(), Error);
+}
+
 TEST(StripeAnimator, IsTheSameForEveryNumberOfThreads) {
   const auto run = [](int threads) {
     const ThreadLimit limit(threads);
@@ -200,6 +376,11 @@ TEST(StripeAnimator, RefusesBadInputAndOptions) {
   EXPECT_THROW(StripeAnimator(surface.neighborhood, with_lambda(-1)), Error);
   AnimatorOptions options;
   options.phase_shift = PhaseShiftKind::common_source;
+  EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);
+  options = {};
+  options.edge_weights.assign(surface.neighborhood->directed_edge_count(), 1);
+  EXPECT_NO_THROW(StripeAnimator(surface.neighborhood, options));
+  options.edge_weights[3] = std::nanf("");
   EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);
 }
 

@@ -6,8 +6,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
+#include "bad_waves.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/files/mesh_io.h"
 #include "brindle/shapes/shapes.h"
 #include "brindle/waves/direction_field.h"
@@ -131,6 +132,56 @@ TEST(StripePattern, CotangentWeightsLowerTheAngleErrorOfUnevenTriangles) {
   cotangent.weights = EdgeWeights::cotangent;
   EXPECT_LT(pattern_of(stretched, 30, cotangent).quality.angle_error_mean_deg,
             pattern_of(stretched, 30).quality.angle_error_mean_deg);
+}
+
+TEST(StripePattern, CotangentWeightsReachTheAveragedLevels) {
+  Mesh mesh = make_shape("torus,resolution=60");
+  for (Vec3& p : mesh.positions) p.z() *= 3;
+  const Surface stretched = make_surface(std::move(mesh));
+  StripeOptions options = with_solver(Solver::averaged);
+  options.weights = EdgeWeights::cotangent;
+  const StripePattern pattern = pattern_of(stretched, 20, options);
+  options.solve = [](const PhaseGraph& graph, const SolverOptions& solver,
+                     const Progress& progress) {
+    double largest = 0;
+    for (const Complex& coupling : graph.averaged->graph.coupling) {
+      largest = std::max(largest, static_cast<double>(std::abs(coupling)));
+    }
+    // The paper's own weight is the cosine of an angle.
+    EXPECT_GT(largest, 1.1);
+    return solve_phases(graph, solver, progress);
+  };
+  EXPECT_EQ(pattern_of(stretched, 20, options).solution.z, pattern.solution.z);
+}
+
+TEST(StripePattern, TellsTheTimesOfEverySolver) {
+  const Surface torus = make_surface(make_shape("torus,resolution=60"));
+  for (const Solver solver : {Solver::multilevel, Solver::relaxation, Solver::averaged}) {
+    const StripePattern pattern = pattern_of(torus, 20, with_solver(solver));
+    EXPECT_GT(pattern.solution.topology_milliseconds, 0) << name_of(solver);
+    EXPECT_GT(pattern.solution.solve_milliseconds, 0) << name_of(solver);
+    EXPECT_EQ(pattern.milliseconds.solve, pattern.solution.solve_milliseconds) << name_of(solver);
+    EXPECT_GE(pattern.milliseconds.topology, pattern.solution.topology_milliseconds);
+  }
+}
+
+TEST(StripePattern, RefusesValuesThatNoWaveHas) {
+  const Surface torus = make_surface(make_shape("torus,resolution=20"));
+  for (const Solver solver : {Solver::multilevel, Solver::relaxation, Solver::averaged}) {
+    testing_support::expect_refused(waves_along(torus, kAxis, 10), 5, [&](const WaveSet& waves) {
+      stripe_pattern(torus, waves, with_solver(solver));
+    });
+  }
+}
+
+TEST(StripePattern, TellsOfAFieldWithoutAnyDirection) {
+  const Surface plane = make_surface(make_shape("plane,resolution=10"));
+  WaveSet waves = waves_along(plane, kAxis, 10);
+  waves.directions.assign(waves.directions.size(), Vec3::Zero());
+  const StripePattern pattern = stripe_pattern(plane, waves);
+  EXPECT_EQ(pattern.solution.energy, 0);
+  EXPECT_EQ(pattern.quality.vertices_without_wave, plane.mesh.vertex_count());
+  EXPECT_EQ(pattern_of(plane, 10).quality.vertices_without_wave, 0u);
 }
 
 TEST(StripePattern, VerticesWithoutAWaveStayPlainSurface) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bad_waves.h"
 #include "brindle/error.h"
 #include "brindle/files/mesh_io.h"
 #include "brindle/pipeline/smooth_field.h"
@@ -181,6 +182,31 @@ TEST(TexturePattern, ACheckerboardStaysSquareOnTheHorse) {
   const EdgeJumps jumps = jumps_at_edges(surface.mesh, pattern.waves);
   EXPECT_LT(jumps.symmetric, 5e-3f);
   EXPECT_LT(jumps.torn, 50u);  // of 145,449
+}
+
+TEST(TexturePattern, RefusesValuesThatNoWaveHas) {
+  const Surface torus = make_surface(make_shape("torus,resolution=20"));
+  const WaveSet waves = waves_of(torus, projected_direction_field(Vec3(1, 2, 0), torus.normals), 9);
+  testing_support::expect_refused(waves, 5,
+                                  [&](const WaveSet& bad) { texture_pattern(torus, bad); });
+  WaveSet upright = waves, few = waves;
+  upright.directions[4] = torus.normals[4];
+  EXPECT_THROW(texture_pattern(torus, upright), Error);
+  few.directions.pop_back();
+  EXPECT_THROW(texture_pattern(torus, few), Error);
+  TextureOptions options;
+  options.frequencies_v = waves.frequencies;
+  options.frequencies_v[7] = -1;
+  EXPECT_THROW(texture_pattern(torus, waves, options), Error);
+}
+
+TEST(TexturePattern, CountsVerticesWithoutAWave) {
+  const Surface torus = make_surface(make_shape("torus,resolution=20"));
+  WaveSet waves = waves_of(torus, projected_direction_field(Vec3(1, 2, 0), torus.normals), 9);
+  waves.directions[3].setZero();
+  const TexturePattern pattern = texture_pattern(torus, waves);
+  EXPECT_EQ(pattern.u.quality.vertices_without_wave, 1u);
+  EXPECT_EQ(pattern.v.quality.vertices_without_wave, 1u);
 }
 
 TEST(TexturePattern, RefusesFrequenciesForAnotherNumberOfVertices) {

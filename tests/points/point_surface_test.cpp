@@ -1,6 +1,7 @@
 #include "brindle/points/point_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 #include <random>
@@ -8,8 +9,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/files/mesh_io.h"
 #include "brindle/pipeline/cross_pattern.h"
 #include "brindle/pipeline/smooth_field.h"
@@ -162,6 +163,25 @@ TEST(PointSurface, WhatIsSetAsideCarriesNoWave) {
     EXPECT_TRUE(pattern.solution.z[i] == pattern.solution.z[i]);
   }
   EXPECT_LT(pattern.solution.energy, 1e-6);
+  EXPECT_EQ(pattern.quality.vertices_without_wave, 2u);
+}
+
+TEST(PointSurface, RefusesCloudsThatAreNone) {
+  const PointCloud cloud = make_point_cloud(make_shape("plane,resolution=10").positions).cloud;
+  PointCloud bad = cloud;
+  bad.positions[3].x() = std::nanf("");
+  EXPECT_THROW(make_point_surface(bad), Error);
+  bad = cloud;
+  bad.used.back() = static_cast<Index>(cloud.positions.size());
+  EXPECT_THROW(make_point_surface(bad), Error);
+  bad = cloud;
+  std::swap(bad.used[2], bad.used[3]);
+  EXPECT_THROW(make_point_surface(bad), Error);
+  bad = cloud;
+  bad.normals.assign(3, Vec3(0, 0, 1));
+  EXPECT_THROW(make_point_surface(bad), Error);
+  bad.normals.assign(cloud.positions.size(), Vec3(0, 0, std::nanf("")));
+  EXPECT_THROW(make_point_surface(bad), Error);
 }
 
 TEST(PointSurface, ThreePointsMakeOneAndFewerOrALineDoNot) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "phase_graphs.h"
 
@@ -23,6 +24,73 @@ TEST(AveragedLevels, HaveFewerAndFewerNodes) {
   }
   EXPECT_EQ(levels, 6);
   EXPECT_LT(8 * level->node_count(), graph.node_count());
+}
+
+/// All couplings of all levels but the finest.
+std::vector<Complex> coarse_couplings(const testing_support::WavySurface& surface,
+                                      std::span<const float> edge_weights) {
+  PhaseGraph graph = surface.graph();
+  attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
+                         PhaseShiftKind::aligned, 4, edge_weights);
+  std::vector<Complex> couplings;
+  for (const PhaseGraph* g = &graph; g->averaged; g = &g->averaged->graph) {
+    const auto& more = g->averaged->graph.coupling;
+    couplings.insert(couplings.end(), more.begin(), more.end());
+  }
+  return couplings;
+}
+
+TEST(AveragedLevels, CarryTheMeanOfTheEdgeWeights) {
+  const auto surface = wavy_surface("sphere,resolution=20", Vec3(0, 1, 0.2f), 8);
+  const std::size_t edges = surface.neighborhood->directed_edge_count();
+  const std::vector<Complex> plain = coarse_couplings(surface, {});
+  EXPECT_EQ(coarse_couplings(surface, std::vector<float>(edges, 1.0f)), plain);
+  std::vector<Complex> doubled = plain;
+  for (Complex& coupling : doubled) coupling *= 2;
+  EXPECT_EQ(coarse_couplings(surface, std::vector<float>(edges, 2.0f)), doubled);
+}
+
+TEST(AveragedLevels, WeighEdgesThatAreNotAlike) {
+  const auto surface = wavy_surface("sphere,resolution=20", Vec3(0, 1, 0.2f), 8);
+  std::vector<float> weights;
+  for (Index i = 0; i < surface.neighborhood->node_count(); ++i) {
+    for (const Index j : surface.neighborhood->of(i)) {
+      weights.push_back(0.5f + 0.1f * static_cast<float>((i * j) % 17));
+    }
+  }
+  PhaseGraph graph = surface.graph(), weighted = graph;
+  const SurfaceElements elements{surface.normals, vertex_areas(surface.mesh)};
+  attach_averaged_levels(graph, surface.waves, elements, PhaseShiftKind::aligned, 1);
+  attach_averaged_levels(weighted, surface.waves, elements, PhaseShiftKind::aligned, 1, weights);
+  const std::vector<Index>& parent = weighted.averaged->parent;
+  const PhaseGraph &coarse = graph.averaged->graph, &ours = weighted.averaged->graph;
+  for (Index a = 0; a < coarse.node_count(); ++a) {
+    for (Index edge = coarse.adjacency->offsets[a]; edge < coarse.adjacency->offsets[a + 1];
+         ++edge) {
+      const Index b = coarse.adjacency->neighbors[edge];
+      double sum = 0, count = 0;
+      for (Index i = 0; i < parent.size(); ++i) {
+        if (parent[i] != a) continue;
+        for (Index e = surface.neighborhood->offsets[i]; e < surface.neighborhood->offsets[i + 1];
+             ++e) {
+          if (parent[surface.neighborhood->neighbors[e]] != b) continue;
+          sum += static_cast<double>(weights[e]);
+          count += 1;
+        }
+      }
+      ASSERT_NEAR(std::abs(ours.coupling[edge]),
+                  std::abs(coarse.coupling[edge]) * static_cast<float>(sum / count), 1e-5f);
+    }
+  }
+}
+
+TEST(AveragedLevels, RefuseWeightsOfAnotherSurface) {
+  const auto surface = wavy_surface("plane,resolution=5", Vec3(0, 1, 0.2f), 4);
+  PhaseGraph graph = surface.graph();
+  EXPECT_THROW(
+      attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
+                             PhaseShiftKind::aligned, 4, std::vector<float>(3, 1.0f)),
+      Error);
 }
 
 TEST(AveragedLevels, PassAPlaneWaveDownExactly) {

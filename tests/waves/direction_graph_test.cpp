@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "phase_graphs.h"
 
 namespace brindle {
@@ -26,6 +27,14 @@ TEST(TangentBasis, IsOrthonormalAndRightHandedForEveryNormal) {
       (tangent_basis(Vec3(0, 0, -1)).x.cross(tangent_basis(Vec3(0, 0, -1)).y) - Vec3(0, 0, -1))
           .norm(),
       1e-6);
+}
+
+TEST(DirectionGraph, RefusesNormalsThatAreNone) {
+  auto surface = testing_support::wavy_surface("sphere,resolution=6", Vec3(0, 1, 0.2f), 3);
+  EXPECT_THROW(build_direction_graph(surface.neighborhood, std::span(surface.normals).first(5), 2),
+               Error);
+  surface.normals[3].x() = std::nanf("");
+  EXPECT_THROW(build_direction_graph(surface.neighborhood, surface.normals, 2), Error);
 }
 
 TEST(DirectionGraph, DirectionsSurviveTheirRepresentation) {

@@ -54,6 +54,19 @@ TEST(PhaseGraph, EnergyOfRandomPhasesIsAboutOneHalf) {
   EXPECT_NEAR(energy(graph, random_phases(graph.node_count())), 0.5, 0.02);
 }
 
+TEST(PhaseGraph, EnergyOfWhatIsNoNumberIsNone) {
+  const auto surface = wavy_surface("sphere,resolution=12", kAxis, 10);
+  PhaseGraph graph = surface.graph();
+  std::vector<Complex> z = random_phases(graph.node_count());
+  z[7] = std::nanf("");
+  EXPECT_TRUE(std::isnan(energy(graph, z)));
+  z[7] = 1;
+  graph.coupling[5] = {0, std::nanf("")};
+  EXPECT_TRUE(std::isnan(energy(graph, z)));
+  graph.coupling.assign(graph.coupling.size(), Complex(0));
+  EXPECT_EQ(energy(graph, z), 0);
+}
+
 TEST(PhaseGraph, EnergyStaysWhenDirectionsAreTurnedRoundWithTheirPhases) {
   auto surface = wavy_surface("sphere,resolution=12", kAxis, 10);
   std::vector<Complex> z = random_phases(surface.mesh.vertex_count());

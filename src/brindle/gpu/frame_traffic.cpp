@@ -53,7 +53,7 @@ std::vector<StageBytes> frame_traffic(const GpuTopology& topology) {
     }
   }
   return {
-      {"load", slots * (kWord + kVertexInput + 2 * kWave)},
+      {"load", slots * (kWord + kVertexInput + 2 * kWave + 2 * kNumber)},
       {"couple", topology.finest_entries() * (kWord + kNumber) + slots * (kWave + kNumber + kRow)},
       {"sums", sums},
       {"small levels", small},

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "brindle/error.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_hierarchy.h"
 #include "brindle/gpu/gpu_measure.h"
@@ -12,6 +12,7 @@
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/waves/phase_graph.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -22,7 +23,9 @@ enum Binding : unsigned {
   kDirections = 2,
   kFrequencies = 3,
   kLoadedWaves = 4,
-  kLoadedLastPhases = 5,
+  kLoadedLastWaves = 5,
+  kLoadedLastPhases = 6,
+  kLoadedTurnedPhases = 7,
   kCoupledWaves = 5,
   kCoupledLastPhases = 6,
   kFinishedLastPhases = 5,
@@ -33,27 +36,60 @@ constexpr GLint kHasLast = 0;    // of load_waves
 constexpr GLint kLambda = 0;     // of couple
 constexpr GLint kTrapezoid = 1;  // of couple
 
-/// The caller's last input, on both sides.
-struct Input {
-  std::vector<Vec3> positions, directions;
-  std::vector<float> frequencies;
-  GlBuffer position_buffer, direction_buffer, frequency_buffer;
+/// One list of the caller's input on both sides.
+template <class Item>
+struct InputList {
+  std::vector<Item> kept;  ///< of the last frame that came to its end
+  bool differs = true;     ///< the list compared last from what is kept
+  GlBuffer buffer;
+  bool buffer_is_kept = false;
+
+  bool compare(std::span<const Item> now) {
+    differs = !std::equal(now.begin(), now.end(), kept.begin(), kept.end());
+    return differs;
+  }
+  /// Copies to the device what is not there yet.
+  void upload(std::span<const Item> now, const char* what) {
+    if (buffer_is_kept && !differs) return;
+    buffer_is_kept = false;
+    if (buffer == 0) {
+      buffer = make_buffer(now.size_bytes(), now.data(), what, GL_DYNAMIC_STORAGE_BIT);
+    } else {
+      glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(now.size_bytes()), now.data());
+    }
+  }
+  void keep(std::span<const Item> now) {
+    if (!buffer_is_kept) kept.assign(now.begin(), now.end());
+    buffer_is_kept = true;
+  }
 };
 
-/// Copies what differs from last time; returns whether anything does.
-template <class Item>
-bool renew_copy(std::span<const Item> now, const char* what, std::vector<Item>& last,
-                GlBuffer& buffer) {
-  if (buffer == 0) {
-    buffer = make_buffer(now.size_bytes(), now.data(), what, GL_DYNAMIC_STORAGE_BIT);
-  } else if (std::ranges::equal(now, last)) {
-    return false;
-  } else {
-    glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(now.size_bytes()), now.data());
+/// The caller's input.
+struct Input {
+  InputList<Vec3> positions, directions;
+  InputList<float> frequencies;
+  bool is_last = false;  ///< whether the last frame was solved from what is kept
+
+  /// Whether the input differs from that of the last frame.
+  bool compare(const FrameInput& now) {
+    bool differs = positions.compare(now.positions);
+    differs |= directions.compare(now.directions);
+    differs |= frequencies.compare(now.frequencies);
+    return differs || !is_last;
   }
-  last.assign(now.begin(), now.end());
-  return true;
-}
+  WaveBuffers upload(const FrameInput& now) {
+    positions.upload(now.positions, "positions");
+    directions.upload(now.directions, "directions");
+    frequencies.upload(now.frequencies, "frequencies");
+    return {positions.buffer, directions.buffer, frequencies.buffer};
+  }
+  void keep(const FrameInput& now) {
+    positions.keep(now.positions);
+    directions.keep(now.directions);
+    frequencies.keep(now.frequencies);
+    is_last = true;
+  }
+};
 
 template <class Item>
 std::vector<Item> read_buffer(GLuint buffer, std::size_t count) {
@@ -74,8 +110,12 @@ struct GpuAnimator::State {
   std::optional<GpuHierarchy> hierarchy;
   std::optional<GpuRelaxation> relaxation;  ///< the paper's mode alone
   std::optional<GpuMeasure> measure;
-  GlBuffer waves, last_z, z_by_node;
+  GlBuffer waves, last_z, z_by_node;  ///< of the last frame
+  GlBuffer next_waves;                ///< of the frame that is solved
+  GlBuffer turned_z;                  ///< the last phases, turned with its directions
   Input input;
+  bool has_frame = false;   ///< whether a frame has come to its end
+  bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
   int frames = 0;
   int measured_frames = 0;
@@ -84,12 +124,13 @@ struct GpuAnimator::State {
   StageTimer timer;
   std::size_t dispatches = 0;
 
-  void build(const FrameInput& first);
+  void build(const FrameInput& first, const Progress& progress);
   void allocate();
   void load_waves(const WaveBuffers& buffers);
   void couple();
-  void solve();
-  void finish();
+  void solve(const Progress& progress);
+  void keep();
+  void take_back();
   void take_measure();
 };
 
@@ -97,12 +138,12 @@ namespace {
 
 /// The hierarchy of the first frame, on which all later ones are solved: that of StripeAnimator.
 Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
-                          PhaseShiftKind kind) {
+                          PhaseShiftKind kind, const Progress& progress) {
   if (kind == PhaseShiftKind::common_source) {
     const WaveSet waves{{input.positions.begin(), input.positions.end()},
                         {input.directions.begin(), input.directions.end()},
                         {input.frequencies.begin(), input.frequencies.end()}};
-    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind));
+    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind), progress);
   }
   Hierarchy hierarchy = finest_level(*neighborhood);
   Level& finest = hierarchy.levels[0];
@@ -110,17 +151,17 @@ Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const F
   brindle::load_waves(finest.layout(), input.positions, input.directions, input.frequencies, waves);
   std::vector<float> degree(finest.layout().slot_count());
   brindle::couple(finest.layout(), waves, kind, {}, finest.couplings, degree);
-  coarsen(hierarchy);
+  coarsen(hierarchy, progress);
   return hierarchy;
 }
 
 }  // namespace
 
-void GpuAnimator::State::build(const FrameInput& first) {
+void GpuAnimator::State::build(const FrameInput& first, const Progress& progress) {
   if (hierarchy) return;
   if (!topology) {
     Stopwatch watch;
-    const Hierarchy built = first_hierarchy(neighborhood, first, options.phase_shift);
+    const Hierarchy built = first_hierarchy(neighborhood, first, options.phase_shift, progress);
     topology = topology_of(built, options.sweeps);
     topology_milliseconds = watch.lap();
   }
@@ -128,14 +169,17 @@ void GpuAnimator::State::build(const FrameInput& first) {
 }
 
 void GpuAnimator::State::allocate() {
-  hierarchy.emplace(kernels, topology);
   const std::size_t slots = topology->level(0).slot_count;
   waves = make_buffer(slots * sizeof(SlicedWave), nullptr, "waves");
+  next_waves = make_buffer(slots * sizeof(SlicedWave), nullptr, "waves");
   last_z = make_buffer(slots * sizeof(Complex), nullptr, "phases");
+  turned_z = make_buffer(slots * sizeof(Complex), nullptr, "phases");
   z_by_node = make_buffer(topology->node_count() * sizeof(Complex), nullptr, "phases");
+  GpuHierarchy levels(kernels, topology);
   if (options.solver == FrameSolver::relaxation) {
-    relaxation.emplace(*hierarchy, SolverOptions().momentum);
+    relaxation.emplace(levels, SolverOptions().momentum);
   }
+  hierarchy.emplace(std::move(levels));
 }
 
 void GpuAnimator::State::load_waves(const WaveBuffers& buffers) {
@@ -143,16 +187,18 @@ void GpuAnimator::State::load_waves(const WaveBuffers& buffers) {
   bind_storage(kPositions, buffers.positions);
   bind_storage(kDirections, buffers.directions);
   bind_storage(kFrequencies, buffers.frequencies);
-  bind_storage(kLoadedWaves, waves);
+  bind_storage(kLoadedWaves, next_waves);
+  bind_storage(kLoadedLastWaves, waves);
   bind_storage(kLoadedLastPhases, last_z);
+  bind_storage(kLoadedTurnedPhases, turned_z);
   glProgramUniform1i(kernels->load_waves.name(), kHasLast, has_last ? 1 : 0);
   dispatch(kernels->load_waves, topology->level(0).slot_count);
 }
 
 void GpuAnimator::State::couple() {
   hierarchy->bind();
-  bind_storage(kCoupledWaves, waves);
-  bind_storage(kCoupledLastPhases, last_z);
+  bind_storage(kCoupledWaves, next_waves);
+  bind_storage(kCoupledLastPhases, turned_z);
   const bool paper = options.phase_shift == PhaseShiftKind::common_source;
   const ShaderProgram& kernel = paper ? kernels->couple_common_source : kernels->couple;
   const bool anchored = has_last && options.solver == FrameSolver::multilevel;
@@ -164,36 +210,50 @@ void GpuAnimator::State::couple() {
   dispatch(kernel, topology->level(0).slot_count);
 }
 
-void GpuAnimator::State::solve() {
+void GpuAnimator::State::solve(const Progress& progress) {
   if (options.solver == FrameSolver::multilevel || !has_last) {
     hierarchy->solve(&timer);
-    for (int cycle = 0; cycle < options.cycles; ++cycle) hierarchy->correct();
+    hierarchy->run_cycles(options.cycles, progress);
     if (options.cycles > 0) timer.stage("cycles");
     if (relaxation) relaxation->clear();
     return;
   }
-  hierarchy->copy_phases(last_z);
+  hierarchy->copy_phases(turned_z);
   const std::size_t colors = topology->colors(0).size();
   for (int i = 0; i < options.iterations; ++i) relaxation->iterate(*hierarchy, colors);
   timer.stage("relaxation");
 }
 
-void GpuAnimator::State::finish() {
+/// Makes the frame just solved the last one.
+void GpuAnimator::State::keep() {
   if (measures) take_measure();
   hierarchy->bind();
   bind_storage(kFinishedLastPhases, last_z);
   bind_storage(kPhasesByNode, z_by_node);
   dispatch(kernels->to_nodes, topology->level(0).slot_count);
   timer.stage("nodes");
-  has_last = true;
+  std::swap(waves, next_waves);
+  input.is_last = false;
+  has_last = has_frame = true;
   ++frames;
+}
+
+/// Makes everything as it was before a frame that has not come to its end. What the device has of
+/// the last frame is not written to before `keep`.
+void GpuAnimator::State::take_back() {
+  if (has_frame) return;
+  hierarchy.reset();
+  relaxation.reset();
+  measure.reset();
+  // Aggregates follow the couplings of the first frame that comes to its end.
+  if (!is_sibling) topology = nullptr;
 }
 
 void GpuAnimator::State::take_measure() {
   if (!measure) measure.emplace(*hierarchy);
   const auto last = measure->end();
   if (last) measured = FrameMeasure{measured_frames, last->energy, last->phase_step};
-  measure->begin(*hierarchy, has_last ? GLuint{last_z} : hierarchy->phases());
+  measure->begin(*hierarchy, has_last ? GLuint{turned_z} : hierarchy->phases());
   measured_frames = frames;
   timer.stage("measure");
 }
@@ -203,6 +263,10 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
                          const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
   check(options);
+  if (!options.edge_weights.empty()) {
+    throw Error(
+        "animator options: the GPU knows no edge weights; leave them out, or take StripeAnimator");
+  }
   state_->kernels = std::move(kernels);
   state_->neighborhood = std::move(neighborhood);
   state_->options = options;
@@ -213,49 +277,64 @@ GpuAnimator::~GpuAnimator() = default;
 GpuAnimator::GpuAnimator(GpuAnimator&&) noexcept = default;
 GpuAnimator& GpuAnimator::operator=(GpuAnimator&&) noexcept = default;
 
-bool GpuAnimator::frame(const FrameInput& input) {
+bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check(input, s.neighborhood->node_count());
-  s.build(input);
-  s.timer.start();
-  Input& own = s.input;
-  bool changed = renew_copy(input.positions, "positions", own.positions, own.position_buffer);
-  changed |= renew_copy(input.directions, "directions", own.directions, own.direction_buffer);
-  changed |= renew_copy(input.frequencies, "frequencies", own.frequencies, own.frequency_buffer);
-  if (s.has_last && !changed) return false;
-  solve_from({own.position_buffer, own.direction_buffer, own.frequency_buffer});
+  if (!s.input.compare(input) && s.has_last) {
+    s.timer.start();
+    return false;
+  }
+  check_waves(input.positions, input.directions, input.frequencies);
+  solve(progress, [&] {
+    s.build(input, progress);
+    s.timer.start();
+    return s.input.upload(input);
+  });
+  s.input.keep(input);
   return true;
 }
 
-void GpuAnimator::frame(const WaveBuffers& input) {
+void GpuAnimator::frame(const WaveBuffers& input, const Progress& progress) {
   State& s = *state_;
-  if (!s.hierarchy) {
-    const std::size_t vertices = s.neighborhood->node_count();
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    const auto positions = read_buffer<Vec3>(input.positions, vertices);
-    const auto directions = read_buffer<Vec3>(input.directions, vertices);
-    const auto frequencies = read_buffer<float>(input.frequencies, vertices);
-    check_gl("reading the buffers of the first frame");
-    s.build({positions, directions, frequencies});
-  }
-  s.timer.start();
-  solve_from(input);
+  solve(progress, [&] {
+    if (!s.hierarchy) {
+      const std::size_t vertices = s.neighborhood->node_count();
+      glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+      const auto positions = read_buffer<Vec3>(input.positions, vertices);
+      const auto directions = read_buffer<Vec3>(input.directions, vertices);
+      const auto frequencies = read_buffer<float>(input.frequencies, vertices);
+      check_gl("reading the buffers of the first frame");
+      check_waves(positions, directions, frequencies);
+      s.build({positions, directions, frequencies}, progress);
+    }
+    s.timer.start();
+    return input;
+  });
 }
 
-void GpuAnimator::solve_from(const WaveBuffers& input) {
+/// Solves from the buffers that `prepare` hands over.
+template <class Prepare>
+void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
   State& s = *state_;
   const std::size_t before = dispatch_count();
-  // What the caller's shaders wrote there must be seen.
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  s.load_waves(input);
-  s.timer.stage("load");
-  s.couple();
-  s.timer.stage("couple");
-  s.solve();
-  s.finish();
+  try {
+    const WaveBuffers input = prepare();
+    // What the caller's shaders wrote there must be seen.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    s.load_waves(input);
+    s.timer.stage("load");
+    s.couple();
+    s.timer.stage("couple");
+    s.solve(progress);
+    check_gl("solving a frame on the GPU");
+  } catch (...) {
+    s.take_back();
+    throw;
+  }
+  s.keep();
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
   s.dispatches = dispatch_count() - before;
-  check_gl("solving a frame on the GPU");
+  check_gl("keeping a frame on the GPU");
 }
 
 unsigned GpuAnimator::phases() const { return state_->z_by_node; }
@@ -293,6 +372,7 @@ GpuAnimator GpuAnimator::sibling() const {
   state->neighborhood = state_->neighborhood;
   state->options = state_->options;
   state->topology = state_->topology;
+  state->is_sibling = state->topology != nullptr;
   state->measures = state_->measures;
   return GpuAnimator(std::move(state));
 }

@@ -33,7 +33,8 @@ struct FrameMeasure {
 /// to 7 and uniform binding 0. A new frame's phases are seen by whatever OpenGL does after it.
 class GpuAnimator {
  public:
-  /// Common-source phase shifts work here, too. Throws Error for options out of range.
+  /// Common-source phase shifts work here, too. Throws Error for options out of range, and for edge
+  /// weights, which the device does not know.
   GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
               std::shared_ptr<const Adjacency> neighborhood, const AnimatorOptions& options = {});
   ~GpuAnimator();
@@ -41,13 +42,16 @@ class GpuAnimator {
   GpuAnimator& operator=(GpuAnimator&&) noexcept;
 
   /// Solves for the next frame; the first one from scratch. Returns whether the input has changed:
-  /// if not, the phases stay as they are. Throws Error if the input has not one entry per vertex or
-  /// the mesh does not fit the device.
-  bool frame(const FrameInput& input);
+  /// if not, the phases stay as they are. `progress` hears of the first frame's topology, and of
+  /// cycles. Throws Error if the input has not one entry per vertex, for values that `check_waves`
+  /// (wave_check.h) refuses, and if the mesh does not fit the device; Cancelled if `progress` asks
+  /// for it. The animator then is as it was before the call.
+  bool frame(const FrameInput& input, const Progress& progress = {});
 
   /// The same from buffers; what they hold is not compared with the last frame's. The first frame
-  /// reads them back, once, to build on.
-  void frame(const WaveBuffers& input);
+  /// reads them back, once, to build on and to check them. Later ones do not look at values: one
+  /// that is no number makes the measured energy none.
+  void frame(const WaveBuffers& input, const Progress& progress = {});
 
   /// Name of the buffer of phases: one exp(i Phi) per vertex, as 2 floats. The same as long as the
   /// animator lives; none before the first frame.
@@ -85,7 +89,8 @@ class GpuAnimator {
  private:
   struct State;
   explicit GpuAnimator(std::unique_ptr<State> state);
-  void solve_from(const WaveBuffers& input);
+  template <class Prepare>
+  void solve(const Progress& progress, const Prepare& prepare);
   std::unique_ptr<State> state_;
 };
 

@@ -112,6 +112,30 @@ void GpuHierarchy::solve(StageTimer* timer) const {
   if (timer) timer->stage("sweeps");
 }
 
+void GpuHierarchy::run_cycles(int cycles, const Progress& progress) const {
+  if (cycles == 0) return;
+  // Gauges of references are not renewed in the next solution: they have to be 1 again, even if
+  // cycles end early.
+  struct Reset {
+    const GpuHierarchy& hierarchy;
+    ~Reset() { hierarchy.reset_gauges(); }
+  };
+  const Reset reset{*this};
+  for (int cycle = 0; cycle < cycles; ++cycle) {
+    progress.report("cycles", static_cast<double>(cycle) / cycles);
+    correct();
+  }
+}
+
+void GpuHierarchy::reset_gauges() const {
+  if (topology_->level_count() == 1) return;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  const Complex one = with_conjugate_bit(1, false);
+  glClearNamedBufferSubData(gauges_, GL_RG32F, 0, topology_->level(0).slot_count * sizeof(Complex),
+                            GL_RG, GL_FLOAT, &one);
+}
+
+/// One cycle.
 void GpuHierarchy::correct() const {
   bind();
   for (std::size_t l = 0; l + 1 < topology_->level_count(); ++l) {

@@ -8,6 +8,7 @@
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_topology.h"
 #include "brindle/gpu/stage_timer.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -31,8 +32,9 @@ class GpuHierarchy {
   /// (`renew`, then `descend`). Stages: "sums", "small levels", "sweeps".
   void solve(StageTimer* timer = nullptr) const;
 
-  /// Another descent from the phases that the finest level has (a cycle: `run_cycles`).
-  void correct() const;
+  /// So many further descents, each from the phases that the finest level has (twin: `run_cycles`
+  /// of phases/multilevel.h). Throws Cancelled if `progress` asks for it.
+  void run_cycles(int cycles, const Progress& progress) const;
 
   /// Binds all buffers of the levels.
   void bind() const;
@@ -49,6 +51,8 @@ class GpuHierarchy {
   GLuint phases() const { return z_; }
 
  private:
+  void correct() const;
+  void reset_gauges() const;
   void renew_large(bool renews_gauges) const;
   void work_on_small(Complex start, bool renews_gauges) const;
   void descend_large(Complex start) const;

@@ -74,9 +74,7 @@ std::optional<PhaseMeasure> GpuMeasure::end() {
   const volatile float* sums = reinterpret_cast<const volatile float*>(s.mapped + s.ended % 2);
   const double energy = sums[0], weight = sums[1], angle = sums[2], count = sums[3];
   ++s.ended;
-  // Rounding may take a perfect pattern below zero.
-  return PhaseMeasure{weight > 0 ? std::max(0.0, energy / weight) : 0, weight,
-                      count > 0 ? angle / count : 0};
+  return PhaseMeasure{relative_energy(energy, weight), weight, count > 0 ? angle / count : 0};
 }
 
 }  // namespace brindle

@@ -21,7 +21,7 @@ PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const 
   glFinish();
   solution.topology_milliseconds = watch.lap();
   device.solve();
-  for (int cycle = 0; cycle < options.cycles; ++cycle) device.correct();
+  device.run_cycles(options.cycles, progress);
   solution.z = to_nodes(finest.layout(), device.read_phases());
   check_gl("solving on the GPU");
   solution.solve_milliseconds = watch.lap();

@@ -79,6 +79,7 @@ PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<co
   quality.angle_error_mean_deg = sums.angle / count;
   quality.angle_error_share_over_5deg = static_cast<double>(sums.over_5deg) / count;
   quality.spacing_error_mean = sums.spacing / count;
+  quality.vertices_without_wave = count_without_wave(waves.directions);
   return quality;
 }
 

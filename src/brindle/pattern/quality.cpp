@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/areas.h"
 #include "brindle/geometry/normals.h"
 
 namespace brindle {
@@ -14,7 +15,7 @@ namespace {
 
 struct TriangleError {
   float angle_deg = -1;
-  float spacing = 0;
+  double spacing = 0;
 };
 
 TriangleError triangle_error(const Triangle& triangle, const Mesh& mesh, const WaveSet& waves,
@@ -34,26 +35,27 @@ TriangleError triangle_error(const Triangle& triangle, const Mesh& mesh, const W
   direction -= direction.dot(normal) * normal;
   const float angle = std::atan2(slope.cross(direction).norm(), slope.dot(direction));
   const float expected = 2 * std::numbers::pi_v<float> * frequency;
-  return {angle * 180 / std::numbers::pi_v<float>, std::abs(slope.norm() / expected - 1)};
+  return {angle * 180 / std::numbers::pi_v<float>,
+          std::abs(slope.cast<double>().norm() / expected - 1)};
 }
 
 struct Sums {
-  std::size_t branches = 0, field_singularities = 0, regular = 0, over_5deg = 0;
-  double angle = 0, spacing = 0;
+  std::size_t branches = 0, field_singularities = 0;
+  double area = 0, over_5deg = 0, angle = 0, spacing = 0;  ///< of regular triangles
 
   Sums operator+(const Sums& o) const {
     return {branches + o.branches, field_singularities + o.field_singularities,
-            regular + o.regular,   over_5deg + o.over_5deg,
+            area + o.area,         over_5deg + o.over_5deg,
             angle + o.angle,       spacing + o.spacing};
   }
-  void count(TriangleKind kind, const TriangleError& error) {
+  void count(TriangleKind kind, const TriangleError& error, double triangle_area) {
     branches += kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
     field_singularities += kind == TriangleKind::field_singularity;
-    if (kind != TriangleKind::regular) return;
-    ++regular;
-    over_5deg += error.angle_deg > 5;
-    angle += error.angle_deg;
-    spacing += error.spacing;
+    if (kind != TriangleKind::regular || triangle_area == 0) return;
+    area += triangle_area;
+    if (error.angle_deg > 5) over_5deg += triangle_area;
+    angle += triangle_area * static_cast<double>(error.angle_deg);
+    spacing += triangle_area * error.spacing;
   }
 };
 
@@ -79,19 +81,35 @@ std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
   return errors;
 }
 
+std::size_t count_without_wave(std::span<const Vec3> directions) {
+  return parallel_sum<std::size_t>(directions.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count += directions[i].isZero(0);
+    return count;
+  });
+}
+
 PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
                                std::span<const CornerPhases> corners) {
   const Sums sums =
       parallel_sum<Sums>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
         Sums sum;
         for (std::size_t t = begin; t < end; ++t) {
-          sum.count(corners[t].kind, triangle_error(mesh.triangles[t], mesh, waves, corners[t]));
+          const Triangle& triangle = mesh.triangles[t];
+          sum.count(corners[t].kind, triangle_error(triangle, mesh, waves, corners[t]),
+                    static_cast<double>(triangle_area(mesh, triangle)));
         }
         return sum;
       });
-  const double regular = std::max<double>(1, static_cast<double>(sums.regular));
-  return {sums.branches, sums.field_singularities, sums.angle / regular,
-          static_cast<double>(sums.over_5deg) / regular, sums.spacing / regular};
+  const auto mean = [&](double sum) { return sums.area == 0 ? 0 : sum / sums.area; };
+  PatternQuality quality;
+  quality.branches = sums.branches;
+  quality.field_singularities = sums.field_singularities;
+  quality.angle_error_mean_deg = mean(sums.angle);
+  quality.angle_error_share_over_5deg = mean(sums.over_5deg);
+  quality.spacing_error_mean = mean(sums.spacing);
+  quality.vertices_without_wave = count_without_wave(waves.directions);
+  return quality;
 }
 
 }  // namespace brindle

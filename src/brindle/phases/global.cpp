@@ -21,6 +21,7 @@ PhaseSolution solve_global(const PhaseGraph&, const SolverOptions&, const Progre
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/one_at_a_time.h"
+#include "brindle/phases/serial_blas.h"
 
 namespace brindle {
 namespace {
@@ -122,6 +123,7 @@ PhaseSolution solve_global(const PhaseGraph& graph, const SolverOptions& options
   progress.report("global: energy matrix", 0);
   const Matrix matrix = energy_matrix(graph);
   progress.report("global: Cholesky factor", 0);
+  const SerialBlas one_thread;
   Eigen::CholmodDecomposition<Matrix, Eigen::Lower> factor;
   factor.cholmod().print = 0;
   factor.compute(matrix);

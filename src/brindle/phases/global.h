@@ -7,7 +7,8 @@ namespace brindle {
 
 /// Minimises the energy over complex numbers of any length under sum_i mass_i |z_i|^2 = 1: the
 /// smallest eigenvector, by `options.global_iterations` inverse iterations on a sparse Cholesky
-/// factor (CHOLMOD), then makes every z_i a unit number. Anchors do not enter.
+/// factor (CHOLMOD), then makes every z_i a unit number. Anchors do not enter. BLAS works on one
+/// thread meanwhile: the result is the same for every number of threads.
 /// Throws Error if brindle was built without CHOLMOD or the factorisation fails.
 PhaseSolution solve_global(const PhaseGraph& graph, const SolverOptions& options,
                            const Progress& progress = {});

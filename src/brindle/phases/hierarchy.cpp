@@ -207,20 +207,30 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
 }  // namespace
 
 void SumScratch::reserve(std::span<const Level> levels) {
-  threads.resize(std::max(threads.size(), thread_capacity()));
   for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
     const SlicedLayout& coarse = levels[l + 1].layout();
-    std::size_t widest = 0;
     for (Index slice = 0; slice < coarse.slice_count(); ++slice) {
-      widest = std::max<std::size_t>(widest, coarse.width(slice * kLanes));
+      entries = std::max(entries, std::size_t{coarse.width(slice * kLanes)} * kLanes);
     }
-    const std::size_t places = levels[l].aggregation().sources.places;
-    for (OfThread& own : threads) {
-      own.gauged.resize(std::max(own.gauged.size(), places));
-      own.marked.resize(std::max<std::size_t>(own.marked.size(), coarse.slice_count()));
-      own.reflecting.reserve(widest * kLanes);
-    }
+    places = std::max<std::size_t>(places, levels[l].aggregation().sources.places);
+    slices = std::max<std::size_t>(slices, coarse.slice_count());
   }
+  for (OfThread& own : threads) make_room(own);
+  reserve_threads();
+}
+
+void SumScratch::reserve_threads() {
+  while (threads.size() < thread_capacity()) {
+    OfThread own;
+    make_room(own);
+    threads.push_back(std::move(own));
+  }
+}
+
+void SumScratch::make_room(OfThread& own) const {
+  own.gauged.resize(places);
+  own.marked.resize(slices);
+  own.reflecting.reserve(entries);
 }
 
 Hierarchy finest_level(const Adjacency& adjacency) {
@@ -337,6 +347,7 @@ void renew_gauges(Level& level) {
 void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
   const bool anchored = !fine.couplings.anchor.empty();
   coarse.couplings.anchor.resize(anchored ? coarse.layout().slot_count() : 0);
+  scratch.reserve_threads();
   parallel_for(
       coarse.layout().block_count(),
       [&](std::size_t begin, std::size_t end) {
@@ -354,6 +365,12 @@ void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
 }
 
 void renew(Hierarchy& hierarchy) {
+  if (hierarchy.corrected) {
+    // Those of references are not renewed: they have to be 1 again.
+    auto& gauge = hierarchy.levels[0].gauge;
+    std::fill(gauge.begin(), gauge.end(), with_conjugate_bit(1, false));
+    hierarchy.corrected = false;
+  }
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     renew_gauges(hierarchy.levels[l]);
     renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/progress.h"
 #include "brindle/phases/aggregation.h"
 #include "brindle/phases/sliced_graph.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -40,14 +40,23 @@ struct SumScratch {
     std::vector<Complex> reflecting;   ///< by entry of one coarse slice
   };
   std::vector<OfThread> threads;
+  std::size_t places = 0, slices = 0, entries = 0;  ///< room that every thread has
 
   /// Makes room for the sums of all levels.
   void reserve(std::span<const Level> levels);
+
+  /// Makes the same room for threads that were not there then: more may work on a frame than did
+  /// on the first one. Allocates nothing otherwise.
+  void reserve_threads();
+
+ private:
+  void make_room(OfThread& own) const;
 };
 
 struct Hierarchy {
   std::vector<Level> levels;  ///< finest first
   SumScratch scratch;
+  bool corrected = false;  ///< a cycle's phases are the finest level's gauges, until `renew`
 
   double topology_milliseconds = 0;  ///< colours, aggregates, layouts
   double numeric_milliseconds = 0;   ///< gauges and sums of the first build
@@ -62,7 +71,8 @@ inline constexpr Complex kPeak(0, 1);
 Hierarchy finest_level(const Adjacency& adjacency);
 
 /// Adds the coarser levels, until no coupling is left. Aggregates follow the couplings of the
-/// finest level (`grow_aggregates`); gauges and sums are those that `renew` would give.
+/// finest level (`grow_aggregates`); gauges and sums are those that `renew` would give. Throws
+/// Cancelled if `progress` asks for it; the hierarchy is then of no use any more.
 void coarsen(Hierarchy& hierarchy, const Progress& progress = {});
 
 /// All levels for a graph.
@@ -72,7 +82,7 @@ Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress = {}
 /// second field on the same graph.
 Hierarchy sibling(const Hierarchy& hierarchy);
 
-/// Renews the gauges of a level from its couplings.
+/// Renews the gauges of a level from its couplings; those of references stay 1.
 void renew_gauges(Level& level);
 
 /// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`.

@@ -26,6 +26,7 @@ void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
 
 /// One cycle.
 void correct(Hierarchy& hierarchy, int sweeps) {
+  hierarchy.corrected = true;
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     Level& level = hierarchy.levels[l];
     parallel_for(level.gauge.size(), [&](std::size_t begin, std::size_t end) {

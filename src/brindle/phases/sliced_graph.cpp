@@ -256,8 +256,7 @@ double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
         return part;
       },
       kSliceGrain);
-  // Rounding may take a perfect pattern below zero.
-  return sums.weight > 0 ? std::max(0.0, sums.energy / sums.weight) : 0;
+  return relative_energy(sums.energy, sums.weight);
 }
 
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,

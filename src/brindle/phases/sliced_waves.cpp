@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {
@@ -25,13 +25,18 @@ bool turned_round(const SlicedWave& a, const SlicedWave& b) {
          0;
 }
 
+/// The phase of a wave whose direction is turned round.
+Complex turned(Complex z) { return -std::conj(z); }
+
 }  // namespace
 
 bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
-                std::vector<SlicedWave>& waves, std::span<Complex> z) {
+                std::vector<SlicedWave>& waves, std::span<const SlicedWave> last,
+                std::span<Complex> z) {
   waves.resize(layout.slot_count());
-  std::atomic<bool> changed = false;
+  if (last.empty()) z = {};
+  std::atomic<bool> changed = last.empty();
   parallel_for(layout.slot_count(), [&](std::size_t begin, std::size_t end) {
     bool changed_here = false;
     for (std::size_t slot = begin; slot < end; ++slot) {
@@ -41,14 +46,24 @@ bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
       const Vec3& d = directions[node];
       const SlicedWave now{
           {p.x(), p.y(), p.z()}, std::sqrt(frequencies[node]), {d.x(), d.y(), d.z()}, 0};
-      SlicedWave& wave = waves[slot];
-      changed_here |= !same(wave, now);
-      if (!z.empty() && turned_round(wave, now)) z[slot] = -std::conj(z[slot]);
-      wave = now;
+      if (!last.empty()) {
+        changed_here |= !same(last[slot], now);
+        if (!z.empty() && turned_round(last[slot], now)) z[slot] = turned(z[slot]);
+      }
+      waves[slot] = now;
     }
     if (changed_here) changed.store(true, std::memory_order_relaxed);
   });
   return changed;
+}
+
+void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> to,
+                 std::span<Complex> z) {
+  parallel_for(z.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      if (turned_round(from[slot], to[slot])) z[slot] = turned(z[slot]);
+    }
+  });
 }
 
 std::vector<float> sliced_weights(const SlicedLayout& layout, const Adjacency& adjacency,

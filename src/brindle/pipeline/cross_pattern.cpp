@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "brindle/error.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {
@@ -11,6 +11,7 @@ namespace {
 PatternQuality quality_of(const CrossCover& cover, const StripePattern& pattern) {
   PatternQuality quality = pattern.quality;
   const std::size_t pairs = cover.base.size();
+  quality.vertices_without_wave /= 2;  // each vertex is two nodes
   quality.branches += 2 * cover.singular.size();
   quality.field_singularities = cover.singular.size();
   for (std::size_t s = 0; s < pairs; ++s) {
@@ -32,12 +33,7 @@ Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals) {
 
 CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
                            const StripeOptions& options, const Progress& progress) {
-  const std::size_t vertices = surface.mesh.vertex_count();
-  if (waves.positions.size() != vertices || waves.directions.size() != vertices ||
-      waves.frequencies.size() != vertices) {
-    throw Error("cross field: positions, directions and frequencies must have one entry for each " +
-                std::string("of ") + std::to_string(vertices) + " vertices");
-  }
+  check_tangent_waves(surface, waves);
   Stopwatch watch;
   progress.report("match crosses", 0);
   CrossPattern result;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/curvature.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/phases/solver.h"
@@ -68,9 +69,6 @@ std::vector<Complex> feature_lines(const Surface& surface, float angle_deg) {
 
 void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
                          const SmoothFieldOptions& options) {
-  if (options.symmetry % 2 != 0) {
-    throw Error("smooth field: edges have no sign; feature anchors need an even symmetry");
-  }
   const int half_symmetry = options.symmetry / 2;
   const auto turns = static_cast<float>(half_symmetry);
   const std::vector<Complex> lines = feature_lines(surface, options.feature_angle_deg);
@@ -81,10 +79,24 @@ void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
   }
 }
 
+void check(const SmoothFieldOptions& options) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw Error(std::string("smooth field: ") + message);
+  };
+  const auto strength = [](float anchor) { return std::isfinite(anchor) && anchor >= 0; };
+  require(options.symmetry >= 1, "the symmetry N must be 1 or above");
+  require(strength(options.curvature_anchor) && strength(options.feature_anchor),
+          "anchors must be finite numbers of 0 or above");
+  require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
+  require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
+          "edges have no sign; feature anchors need an even symmetry");
+}
+
 }  // namespace
 
 DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options) {
-  if (options.symmetry < 1) throw Error("smooth field: the symmetry N must be 1 or above");
+  check(options);
+  check_positions(surface.mesh.positions);
   if (surface.mesh.vertex_count() == 0) return {};
   PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry);
   if (options.curvature_anchor > 0 || options.feature_anchor > 0) {

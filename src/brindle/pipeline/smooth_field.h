@@ -19,8 +19,9 @@ struct SmoothFieldOptions {
 
 /// A direction field that turns as little as possible from vertex to vertex: each direction's angle
 /// theta in its tangent basis enters as u = exp(i N theta), coupled by parallel transport.
-/// Directions are signed to run like their neighbours where that is possible. Throws Error for a
-/// symmetry below 1, and for feature anchors with an odd one: an edge has no sign.
+/// Directions are signed to run like their neighbours where that is possible. Throws Error for
+/// options out of range, among them feature anchors with an odd symmetry (an edge has no sign), and
+/// for positions and normals that are not finite.
 DirectionField smooth_direction_field(const Surface& surface,
                                       const SmoothFieldOptions& options = {});
 

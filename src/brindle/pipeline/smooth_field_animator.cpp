@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/waves/direction_graph.h"
@@ -35,6 +35,14 @@ bool same(const FieldAnchor& a, const FieldAnchor& b) {
 
 float degree(const Adjacency& neighborhood, Index vertex) {
   return static_cast<float>(neighborhood.of(vertex).size());
+}
+
+void check(const FieldAnchor& anchor, std::size_t vertices) {
+  const bool finite = anchor.direction.allFinite() && std::isfinite(anchor.weight);
+  if (anchor.vertex < vertices && finite) return;
+  throw Error("smooth field: anchor at vertex " + std::to_string(anchor.vertex) +
+              (finite ? ", but the surface has " + std::to_string(vertices)
+                      : " has a direction or weight that is not finite; correct or leave it out"));
 }
 
 }  // namespace
@@ -66,22 +74,27 @@ std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> an
   renew(s.hierarchy);
   descend(s.hierarchy, s.options.sweeps);
 
+  // All that may fail comes before anything of the last frame is given up.
   const SlicedLayout& layout = s.finest().layout();
-  s.last_u.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
-  to_nodes(layout, s.last_u, s.u_by_vertex);
+  const std::span<const Complex> u = std::span(s.finest().z).first(layout.slot_count());
+  to_nodes(layout, u, s.u_by_vertex);
   DirectionField field = directions_of(s.u_by_vertex, s.normals, s.options.symmetry);
+  s.last_u.reserve(u.size());
   if (first) {
     orient_alike(*s.neighborhood, field);
   } else if (s.options.symmetry == 2) {
     orient_like(s.field, field);
   }
+  std::vector<FieldAnchor> solved(anchors.begin(), anchors.end());
+  s.last_u.assign(u.begin(), u.end());
   s.field = std::move(field);
-  s.last_anchors.assign(anchors.begin(), anchors.end());
+  s.last_anchors = std::move(solved);
   return s.field;
 }
 
 void SmoothFieldAnimator::set_anchors(std::span<const FieldAnchor> anchors) {
   State& s = *state_;
+  for (const FieldAnchor& anchor : anchors) check(anchor, s.normals.size());
   const SlicedLayout& layout = s.finest().layout();
   std::vector<Complex>& target = s.finest().couplings.anchor;
   target.assign(layout.slot_count(), Complex(0));
@@ -92,10 +105,6 @@ void SmoothFieldAnimator::set_anchors(std::span<const FieldAnchor> anchors) {
     }
   }
   for (const FieldAnchor& anchor : anchors) {
-    if (anchor.vertex >= layout.slot_of.size()) {
-      throw Error("smooth field: anchor at vertex " + std::to_string(anchor.vertex) +
-                  ", but the surface has " + std::to_string(layout.slot_of.size()));
-    }
     const Vec3& normal = s.normals[anchor.vertex];
     const Vec3 tangent = anchor.direction - anchor.direction.dot(normal) * normal;
     target[layout.slot_of[anchor.vertex]] += anchor.weight *

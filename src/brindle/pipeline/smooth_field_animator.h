@@ -26,7 +26,7 @@ struct FieldAnchor {
 /// change. Connectivity and transport are handled once; a frame costs a few milliseconds.
 class SmoothFieldAnimator {
  public:
-  /// Throws Error for options out of range.
+  /// Throws Error for options out of range, and for normals that are not finite.
   explicit SmoothFieldAnimator(const Surface& surface,
                                const SmoothFieldAnimatorOptions& options = {});
   ~SmoothFieldAnimator();
@@ -36,7 +36,8 @@ class SmoothFieldAnimator {
   /// The field for these anchors, one unit tangent vector per vertex, signed to run like its
   /// neighbours in the first frame and like the last frame's after that; valid until the next
   /// frame. An unchanged list of anchors gives the unchanged field. Throws Error for a vertex out
-  /// of range.
+  /// of range, and for a direction or weight that is not finite; the animator then is as it was
+  /// before the call.
   std::span<const Vec3> frame(std::span<const FieldAnchor> anchors);
 
  private:

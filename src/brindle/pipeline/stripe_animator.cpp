@@ -5,13 +5,14 @@
 #include <string>
 #include <utility>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/phases/solver.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 
@@ -21,14 +22,23 @@ struct StripeAnimator::State {
   double topology_milliseconds = 0;
 
   Hierarchy hierarchy;            ///< empty before the first frame
+  bool has_frame = false;         ///< whether a frame has come to its end
+  bool is_sibling = false;        ///< whether the hierarchy was there before
   std::vector<SlicedWave> waves;  ///< of the last frame
-  std::vector<float> weights;     ///< options.edge_weights by entry
-  std::vector<float> degree;      ///< sum of weights by slot
-  std::vector<Complex> last_z;    ///< by slot; empty: none
+  /// Of the frame that is solved, if it may be cancelled. A frame without cycles cannot, and its
+  /// waves replace the last ones at once: that saves memory.
+  std::vector<SlicedWave> cancellable_waves;
+  std::vector<float> weights;   ///< options.edge_weights by entry
+  std::vector<float> degree;    ///< sum of weights by slot
+  std::vector<Complex> last_z;  ///< by slot; empty: none
   std::vector<Complex> z_by_vertex;
   Momentum momentum;
 
   Level& finest() { return hierarchy.levels[0]; }
+  std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
+  bool has_last() const { return !last_z.empty(); }
+  /// Whether the next frame is a descent, not the paper's iterations.
+  bool descends() const { return options.solver == FrameSolver::multilevel || !has_last(); }
 };
 
 namespace {
@@ -95,6 +105,7 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
       options.edge_weights.size() != neighborhood->neighbors.size()) {
     throw Error("animator options: there must be one edge weight per directed edge");
   }
+  check_edge_weights(options.edge_weights);
   state_->neighborhood = std::move(neighborhood);
   state_->options = options;
   state_->momentum.strength = SolverOptions().momentum;
@@ -108,64 +119,84 @@ StripeAnimator& StripeAnimator::operator=(StripeAnimator&&) noexcept = default;
 FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check(input, s.neighborhood->node_count());
+  check_waves(input.positions, input.directions, input.frequencies);
+  start();
   Stopwatch watch;
-  if (s.hierarchy.levels.empty()) {
-    s.hierarchy = finest_level(*s.neighborhood);
-    s.topology_milliseconds = watch.lap();
-  }
-  if (s.degree.empty()) start();
-  const bool has_last = !s.last_z.empty();
   const bool changed = load_waves(s.finest().layout(), input.positions, input.directions,
-                                  input.frequencies, s.waves, s.last_z);
+                                  input.frequencies, s.next_waves(), s.waves, s.last_z);
   FrameResult result;
-  if (has_last && !changed) {
+  if (s.has_last() && !changed) {
     result.z = s.z_by_vertex;
     result.unchanged = true;
     return result;
   }
-  couple_frame(has_last);
-  result.milliseconds.couple = watch.lap();
-  if (s.hierarchy.levels.size() == 1) {
-    coarsen(s.hierarchy, progress);
-    s.topology_milliseconds += watch.lap();
+  try {
+    result.milliseconds = solve_next(watch, progress);
+  } catch (...) {
+    take_back();
+    throw;
   }
-  if (!has_last && s.options.lambda > 0) {
-    for (Level& level : s.hierarchy.levels) {
-      level.couplings.anchor.reserve(level.layout().slot_count());
-    }
-  }
-  if (s.options.solver == FrameSolver::multilevel || !has_last) renew(s.hierarchy);
-  result.milliseconds.sum = watch.lap();
-  solve_frame(has_last, progress);
-  const SlicedLayout& layout = s.finest().layout();
-  if (has_last) result.phase_step = mean_step(s.finest().z, s.last_z, s.degree);
-  s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
-  to_nodes(layout, s.last_z, s.z_by_vertex);
+  if (s.has_last()) result.phase_step = mean_step(s.finest().z, s.last_z, s.degree);
+  keep();
   result.z = s.z_by_vertex;
   result.milliseconds.solve = watch.lap();
   return result;
 }
 
-/// Everything that frames write to, so that they allocate nothing.
+/// The finest level, and everything that frames write to, so that they allocate nothing.
 void StripeAnimator::start() {
   State& s = *state_;
+  if (!s.degree.empty()) return;
+  Stopwatch watch;
+  const bool builds = s.hierarchy.levels.empty();
+  if (builds) s.hierarchy = finest_level(*s.neighborhood);
   const SlicedLayout& layout = s.finest().layout();
-  s.waves.resize(layout.slot_count());
-  s.degree.resize(layout.slot_count());
+  s.waves.reserve(layout.slot_count());
+  if (s.options.cycles > 0) s.cancellable_waves.reserve(layout.slot_count());
   s.last_z.resize(layout.slot_count());  // so that no page is new when phases are kept
   s.last_z.clear();
   s.z_by_vertex.resize(layout.slot_of.size());
   if (!s.options.edge_weights.empty()) {
     s.weights = sliced_weights(layout, *s.neighborhood, s.options.edge_weights);
   }
+  if (s.options.solver == FrameSolver::relaxation) s.momentum.m.resize(layout.slot_count());
+  s.degree.resize(layout.slot_count());
+  if (builds) s.topology_milliseconds = watch.lap();
 }
 
-void StripeAnimator::couple_frame(bool has_last) {
+/// From the next waves to phases of the finest level.
+FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& progress) {
+  State& s = *state_;
+  FrameMilliseconds milliseconds;
+  couple_next();
+  milliseconds.couple = watch.lap();
+  if (s.hierarchy.levels.size() == 1) {
+    coarsen(s.hierarchy, progress);
+    s.topology_milliseconds += watch.lap();
+  }
+  if (!s.has_last() && s.options.lambda > 0) {
+    for (Level& level : s.hierarchy.levels) {
+      level.couplings.anchor.reserve(level.layout().slot_count());
+    }
+  }
+  if (s.descends()) renew(s.hierarchy);
+  milliseconds.sum = watch.lap();
+  if (s.descends()) {
+    descend(s.hierarchy, s.options.sweeps);
+    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress);
+  } else {
+    iterate();
+  }
+  return milliseconds;
+}
+
+void StripeAnimator::couple_next() {
   State& s = *state_;
   Level& finest = s.finest();
-  couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
+  couple(finest.layout(), s.next_waves(), s.options.phase_shift, s.weights, finest.couplings,
+         s.degree);
   const bool anchored =
-      has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
+      s.has_last() && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
   if (anchored) {
     set_anchors(s.degree, s.last_z, s.options.lambda, finest.couplings.anchor);
   } else {
@@ -173,15 +204,10 @@ void StripeAnimator::couple_frame(bool has_last) {
   }
 }
 
-void StripeAnimator::solve_frame(bool has_last, const Progress& progress) {
+/// The paper's iterations from the last phases.
+void StripeAnimator::iterate() {
   State& s = *state_;
-  if (s.options.solver == FrameSolver::multilevel || !has_last) {
-    descend(s.hierarchy, s.options.sweeps);
-    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress);
-    return;
-  }
   Level& finest = s.finest();
-  s.momentum.m.resize(finest.layout().slot_count());
   std::ranges::copy(s.last_z, finest.z.begin());
   for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
     for (Index color = 0; color < finest.layout().color_count(); ++color) {
@@ -190,7 +216,33 @@ void StripeAnimator::solve_frame(bool has_last, const Progress& progress) {
   }
 }
 
+/// Makes the frame just solved the last one. Cannot fail.
+void StripeAnimator::keep() {
+  State& s = *state_;
+  const SlicedLayout& layout = s.finest().layout();
+  s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
+  to_nodes(layout, s.last_z, s.z_by_vertex);
+  if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
+  s.has_frame = true;
+}
+
+/// Makes everything as it was before a frame that has not come to its end.
+void StripeAnimator::take_back() {
+  State& s = *state_;
+  if (s.has_frame) {
+    Level& finest = s.finest();
+    turn_phases(s.waves, s.next_waves(), s.last_z);
+    couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
+    to_slots(finest.layout(), s.z_by_vertex, finest.z);
+  } else if (!s.is_sibling) {
+    // Aggregates follow the couplings of the first frame that comes to its end.
+    s.hierarchy = {};
+    s.degree.clear();
+  }
+}
+
 double StripeAnimator::energy() const {
+  if (!state_->has_frame) throw Error("animator: there is no energy before the first frame");
   const Level& finest = state_->finest();
   return brindle::energy(finest.layout(), finest.couplings, finest.z);
 }
@@ -200,6 +252,7 @@ StripeAnimator StripeAnimator::sibling() const {
   state->neighborhood = state_->neighborhood;
   state->options = state_->options;
   state->hierarchy = brindle::sibling(state_->hierarchy);
+  state->is_sibling = !state->hierarchy.levels.empty();
   state->momentum.strength = state_->momentum.strength;
   return StripeAnimator(std::move(state));
 }

@@ -12,6 +12,8 @@
 
 namespace brindle {
 
+class Stopwatch;
+
 /// How a frame's phases follow from the last frame's.
 enum class FrameSolver {
   multilevel,  ///< a whole descent, drawn towards the last phases by anchors of weight lambda
@@ -27,7 +29,7 @@ struct AnimatorOptions {
   int iterations = 3;     ///< per frame, relaxation
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
   std::vector<float> edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies
-                                    ///< the paper's weight; empty: 1
+                                    ///< the paper's weight; empty: 1; StripeAnimator alone
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -38,7 +40,7 @@ struct FrameInput {
 };
 
 /// What StripeAnimator and GpuAnimator stand on: throw Error for options out of range, and for
-/// input without one entry for each of so many vertices.
+/// input without one entry for each of so many vertices. Values are not looked at.
 void check(const AnimatorOptions& options);
 void check(const FrameInput& input, std::size_t vertices);
 
@@ -71,10 +73,12 @@ class StripeAnimator {
 
   /// Solves for the next frame. The first frame has no last one and is solved from scratch.
   /// `progress` hears of the first frame's topology, and of cycles. Throws Error if the input has
-  /// not one entry per vertex; Cancelled if `progress` asks for it.
+  /// not one entry per vertex, and for values that `check_waves` (wave_check.h) refuses; Cancelled
+  /// if `progress` asks for it. Whatever it throws, the animator then is as it was before the call.
   FrameResult frame(const FrameInput& input, const Progress& progress = {});
 
-  /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it.
+  /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it. Throws Error
+  /// before the first frame.
   double energy() const;
 
   /// An animator for another field on the same surface that shares this one's topology. Call it
@@ -92,8 +96,11 @@ class StripeAnimator {
   struct State;
   explicit StripeAnimator(std::unique_ptr<State> state);
   void start();
-  void couple_frame(bool has_last);
-  void solve_frame(bool has_last, const Progress& progress);
+  FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
+  void couple_next();
+  void iterate();
+  void keep();
+  void take_back();
   std::unique_ptr<State> state_;
 };
 

@@ -1,15 +1,19 @@
 #include "brindle/pipeline/stripe_pattern.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pattern/point_quality.h"
 #include "brindle/pipeline/stripe_animator.h"
 #include "brindle/waves/averaged_levels.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -45,9 +49,11 @@ void solve_as_frame(const Surface& surface, const WaveSet& waves, const StripeOp
   StripeAnimator animator(surface.neighborhood, animator_options);
   const FrameResult frame =
       animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
-  result.milliseconds.topology = animator.topology_milliseconds();
+  result.solution.topology_milliseconds = animator.topology_milliseconds();
+  result.solution.solve_milliseconds = frame.milliseconds.sum + frame.milliseconds.solve;
+  result.milliseconds.topology = result.solution.topology_milliseconds;
   result.milliseconds.couple += frame.milliseconds.couple;
-  result.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
+  result.milliseconds.solve = result.solution.solve_milliseconds;
   result.solution.z.assign(frame.z.begin(), frame.z.end());
   result.solution.energy = animator.energy();
   result.solution.iterations = options.solver.sweeps * (1 + options.solver.cycles);
@@ -56,13 +62,14 @@ void solve_as_frame(const Surface& surface, const WaveSet& waves, const StripeOp
 void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
                     const Progress& progress, StripePattern& result) {
   Stopwatch watch;
-  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift,
-                                       edge_weights(surface, options.weights));
+  const std::vector<float> weights = edge_weights(surface, options.weights);
+  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
   result.milliseconds.couple = watch.lap();
   if (options.solver.solver == Solver::global) graph.mass = positive_areas(surface.mesh);
   if (options.solver.solver == Solver::averaged) {
+    constexpr int kLevels = 10;
     attach_averaged_levels(graph, waves, {surface.normals, positive_areas(surface.mesh)},
-                           options.phase_shift);
+                           options.phase_shift, kLevels, weights);
   }
   result.milliseconds.topology = watch.lap();
   result.solution = options.solve ? options.solve(graph, options.solver, progress)
@@ -72,6 +79,23 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
 }
 
 }  // namespace
+
+void check_tangent_waves(const Surface& surface, const WaveSet& waves) {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  if (waves.positions.size() != vertices || waves.directions.size() != vertices ||
+      waves.frequencies.size() != vertices || surface.normals.size() != vertices) {
+    throw Error(
+        "waves: positions, directions, frequencies and normals must have one entry for each of " +
+        std::to_string(vertices) + " vertices");
+  }
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+  constexpr float kSine = 0.07f;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    if (std::abs(surface.normals[i].dot(waves.directions[i])) <= kSine) continue;
+    throw Error("waves: the direction of vertex " + std::to_string(i) +
+                " is not tangent to the surface; project it with tangent_directions");
+  }
+}
 
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const StripeOptions& options,
                              const Progress& progress) {

@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "brindle/progress.h"
 #include "brindle/geometry/surface.h"
 #include "brindle/pattern/quality.h"
 #include "brindle/phases/solver.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -46,9 +46,14 @@ struct StripePattern {
 
 /// Couples the waves along the edges of the surface, solves for phases, lifts them to the corners
 /// of the triangles and measures the result; on points without triangles as `measure_point_quality`
-/// does. `waves` has one entry per vertex. Throws Error if
-/// sizes do not match, and what `solve_phases` throws.
+/// does. `waves` has one entry per vertex. Throws Error for waves that `check_waves` refuses, and
+/// what `solve_phases` throws.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});
+
+/// Throws Error unless `waves` has one entry for each of the surface's vertices, for values that
+/// `check_waves` (wave_check.h) refuses, and for directions that stick out of the tangent plane by
+/// more than 4 degrees: a quarter turn about the normal would not leave them as long as they are.
+void check_tangent_waves(const Surface& surface, const WaveSet& waves);
 
 }  // namespace brindle

@@ -21,6 +21,7 @@ WaveSet orthogonal_waves(const Surface& surface, const WaveSet& waves,
 
 TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const TextureOptions& options,
                                const Progress& progress) {
+  check_tangent_waves(surface, waves);
   TexturePattern pattern;
   pattern.phase_shift = options.stripes.phase_shift;
   WaveSet waves_v = orthogonal_waves(surface, waves, options.frequencies_v);

@@ -1,6 +1,7 @@
 #include "brindle/points/point_surface.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "brindle/error.h"
@@ -22,9 +23,31 @@ std::vector<Vec3> normals_of(PointCloud& cloud, const Adjacency& neighborhood) {
   return normals;
 }
 
+/// As `make_point_cloud` makes them.
+void check(const PointCloud& cloud) {
+  const std::size_t points = cloud.positions.size();
+  if (!cloud.normals.empty() && cloud.normals.size() != points) {
+    throw Error("a point cloud must have as many normals as points, or none");
+  }
+  for (std::size_t k = 0; k < cloud.used.size(); ++k) {
+    const Index i = cloud.used[k];
+    if (i >= points || (k > 0 && cloud.used[k - 1] >= i)) {
+      throw Error("point cloud: entry " + std::to_string(k) + " of the points in use, " +
+                  std::to_string(i) + ", is out of range or not above the one before; there are " +
+                  std::to_string(points) + " points");
+    }
+    if (!cloud.normals.empty() && !cloud.normals[i].allFinite()) {
+      throw Error("point cloud: the normal of point " + std::to_string(i) +
+                  " is not finite; give it one, or leave out all to have them estimated");
+    }
+  }
+}
+
 }  // namespace
 
 Surface make_point_surface(PointCloud cloud, int neighbors) {
+  check_positions(cloud.positions);
+  check(cloud);
   Surface surface;
   surface.neighborhood =
       std::make_shared<const Adjacency>(point_neighborhood(cloud.positions, cloud.used, neighbors));

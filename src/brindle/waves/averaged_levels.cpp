@@ -1,7 +1,10 @@
 #include "brindle/waves/averaged_levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {
@@ -71,28 +74,57 @@ Nodes averaged_nodes(const Nodes& fine, const Merge& merge) {
     Vec3& direction = coarse.waves.directions[parent];
     direction -= direction.dot(coarse.elements.normals[parent]) * coarse.elements.normals[parent];
     direction.normalize();
+    // Of tiny areas, squares underflow.
+    if (std::abs(direction.squaredNorm() - 1) > 1e-3f) direction.stableNormalize();
   }
   return coarse;
 }
 
-std::shared_ptr<const Adjacency> merged_adjacency(const Adjacency& fine, const Merge& merge) {
-  std::vector<std::pair<Index, Index>> edges;
+/// A neighbourhood and the factors of its edges, none where all are 1.
+struct WeightedEdges {
+  std::shared_ptr<const Adjacency> adjacency;
+  std::vector<float> weights;
+};
+
+/// All fine edges between different coarse nodes, those between the same two side by side.
+std::vector<std::tuple<Index, Index, float>> merged_edges(const Adjacency& fine,
+                                                          std::span<const float> weights,
+                                                          const Merge& merge) {
+  std::vector<std::tuple<Index, Index, float>> edges;
   edges.reserve(fine.neighbors.size());
   for (Index i = 0; i < fine.node_count(); ++i) {
-    for (const Index j : fine.of(i)) {
-      if (merge.parent[i] != merge.parent[j]) edges.emplace_back(merge.parent[i], merge.parent[j]);
+    for (Index edge = fine.offsets[i]; edge < fine.offsets[i + 1]; ++edge) {
+      const Index from = merge.parent[i], to = merge.parent[fine.neighbors[edge]];
+      if (from != to) edges.emplace_back(from, to, weights.empty() ? 1.0f : weights[edge]);
     }
   }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  // By weights at last: both directions of an edge then add them in the same order.
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+WeightedEdges merge_edges(const Adjacency& fine, std::span<const float> weights,
+                          const Merge& merge) {
+  const auto edges = merged_edges(fine, weights, merge);
   auto adjacency = std::make_shared<Adjacency>();
   adjacency->offsets.assign(merge.count + 1, 0);
-  for (const auto& [i, j] : edges) {
+  WeightedEdges merged;
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    const auto& [i, j, smallest] = edges[first];
+    double sum = 0;
+    for (; end < edges.size() && std::get<0>(edges[end]) == i && std::get<1>(edges[end]) == j;
+         ++end) {
+      sum += std::get<2>(edges[end]);
+    }
     ++adjacency->offsets[i + 1];
     adjacency->neighbors.push_back(j);
+    if (!weights.empty()) {
+      merged.weights.push_back(static_cast<float>(sum / static_cast<double>(end - first)));
+    }
   }
   for (Index i = 0; i < merge.count; ++i) adjacency->offsets[i + 1] += adjacency->offsets[i];
-  return adjacency;
+  merged.adjacency = std::move(adjacency);
+  return merged;
 }
 
 Wave wave_at(const WaveSet& waves, Index node) {
@@ -113,24 +145,31 @@ void set_transfer(AveragedLevel& level, const Nodes& fine, const Nodes& coarse,
   }
 }
 
-std::shared_ptr<const AveragedLevel> averaged_level(const Adjacency& adjacency, const Nodes& fine,
-                                                    PhaseShiftKind kind, int levels) {
+std::shared_ptr<const AveragedLevel> averaged_level(const Adjacency& adjacency,
+                                                    std::span<const float> edge_weights,
+                                                    const Nodes& fine, PhaseShiftKind kind,
+                                                    int levels) {
   Merge merge = merge_neighbors(adjacency, fine.elements);
   if (levels <= 0 || merge.count == adjacency.node_count()) return nullptr;
   const Nodes coarse = averaged_nodes(fine, merge);
   auto level = std::make_shared<AveragedLevel>();
-  level->graph = build_phase_graph(merged_adjacency(adjacency, merge), coarse.waves, kind);
+  const WeightedEdges edges = merge_edges(adjacency, edge_weights, merge);
+  level->graph = build_phase_graph(edges.adjacency, coarse.waves, kind, edges.weights);
   level->parent = std::move(merge.parent);
   set_transfer(*level, fine, coarse, kind);
-  level->graph.averaged = averaged_level(*level->graph.adjacency, coarse, kind, levels - 1);
+  level->graph.averaged = averaged_level(*edges.adjacency, edges.weights, coarse, kind, levels - 1);
   return level;
 }
 
 }  // namespace
 
 void attach_averaged_levels(PhaseGraph& graph, const WaveSet& waves,
-                            const SurfaceElements& elements, PhaseShiftKind kind, int levels) {
-  graph.averaged = averaged_level(*graph.adjacency, {waves, elements}, kind, levels);
+                            const SurfaceElements& elements, PhaseShiftKind kind, int levels,
+                            std::span<const float> edge_weights) {
+  if (!edge_weights.empty() && edge_weights.size() != graph.adjacency->directed_edge_count()) {
+    throw Error("averaged levels: there must be one edge weight per directed edge");
+  }
+  graph.averaged = averaged_level(*graph.adjacency, edge_weights, {waves, elements}, kind, levels);
 }
 
 }  // namespace brindle

@@ -1,10 +1,13 @@
 #include "brindle/waves/direction_graph.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {
@@ -32,6 +35,18 @@ Transport transport(const Vec3& n_j, const Vec3& n_i) {
   return {angle_of(x, tangent_basis(n_i)), reflecting};
 }
 
+void check_normals(const Adjacency& adjacency, std::span<const Vec3> normals) {
+  if (normals.size() != adjacency.node_count()) {
+    throw Error("direction graph: there must be one normal for each of " +
+                std::to_string(adjacency.node_count()) + " vertices");
+  }
+  const auto bad = std::find_if_not(normals.begin(), normals.end(),
+                                    [](const Vec3& normal) { return normal.allFinite(); });
+  if (bad == normals.end()) return;
+  throw Error("direction graph: the normal of vertex " + std::to_string(bad - normals.begin()) +
+              " is not finite; give a unit vector, or zero for no direction");
+}
+
 }  // namespace
 
 TangentBasis tangent_basis(const Vec3& normal) {
@@ -45,6 +60,7 @@ TangentBasis tangent_basis(const Vec3& normal) {
 
 PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
                                  std::span<const Vec3> normals, int symmetry) {
+  check_normals(*adjacency, normals);
   PhaseGraph graph;
   graph.coupling.resize(adjacency->directed_edge_count());
   graph.reflecting.resize(adjacency->directed_edge_count());

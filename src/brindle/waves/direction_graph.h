@@ -20,7 +20,8 @@ TangentBasis tangent_basis(const Vec3& normal);
 /// one of its N directions in the tangent basis, and A_ij = exp(i N rho_ji) with the angle rho_ji
 /// of parallel transport from j to i. Where the normals of an edge point to opposite sides
 /// (unorientable surfaces), angles are counted against each other: there the edge is reflecting,
-/// B_ij. All weights are 1. `normals` has one entry per node, `symmetry` is N.
+/// B_ij. All weights are 1. `normals` has one entry per node, `symmetry` is N. Throws Error if
+/// sizes do not match, and for a normal that is not finite, naming the first.
 PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
                                  std::span<const Vec3> normals, int symmetry);
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -27,6 +28,8 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
         std::to_string(nodes) + " nodes, weights one for each of " + std::to_string(edges) +
         " directed edges");
   }
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+  check_edge_weights(edge_weights);
   PhaseGraph graph;
   graph.coupling.resize(edges);
   graph.reflecting.resize(edges);
@@ -71,8 +74,14 @@ double energy(const PhaseGraph& graph, std::span<const Complex> z) {
     }
     return sum;
   });
-  // Rounding may take a perfect pattern below zero.
-  return sums.weight > 0 ? std::max(0.0, sums.energy / sums.weight) : 0;
+  return relative_energy(sums.energy, sums.weight);
+}
+
+double relative_energy(double energy_sum, double weight_sum) {
+  if (weight_sum == 0) return 0;
+  const double relative = energy_sum / weight_sum;
+  // Rounding may take a perfect pattern below zero. What is no number stays none.
+  return relative < 0 ? 0 : relative;
 }
 
 }  // namespace brindle

@@ -48,13 +48,18 @@ struct WaveSet {
 
 /// The couplings of the waves along all edges of `adjacency`, with the paper's weight
 /// w = |<d_i, d_j>|, times `edge_weights` (one per directed edge, symmetric, not negative) if
-/// given.
+/// given. Throws Error if sizes do not match, and for values that `check_waves` and
+/// `check_edge_weights` of wave_check.h refuse.
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind = PhaseShiftKind::aligned,
                              std::span<const float> edge_weights = {});
 
 /// The energy of Eq. 4 and 5 over the sum of all weights: between 0 and 1, about 0.5 for random
-/// phases, 0 if the graph has no edges. Anchors do not count. `z` has one unit number per node.
+/// phases, 0 if the graph has no edges or none of them a weight. Anchors do not count. Not a number
+/// if a coupling or a phase is none. `z` has one unit number per node.
 double energy(const PhaseGraph& graph, std::span<const Complex> z);
+
+/// The same from the sums over all edges.
+double relative_energy(double energy_sum, double weight_sum);
 
 }  // namespace brindle

@@ -3,8 +3,10 @@
 layout(std430, binding = 1) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 2) readonly buffer Directions { float directions[]; };
 layout(std430, binding = 3) readonly buffer Frequencies { float frequencies[]; };
-layout(std430, binding = 4) buffer Waves { Wave waves[]; };
-layout(std430, binding = 5) buffer LastPhases { vec2 last_z[]; };
+layout(std430, binding = 4) writeonly buffer Waves { Wave waves[]; };
+layout(std430, binding = 5) readonly buffer LastWaves { Wave last_waves[]; };
+layout(std430, binding = 6) readonly buffer LastPhases { vec2 last_z[]; };
+layout(std430, binding = 7) writeonly buffer TurnedPhases { vec2 turned_z[]; };
 
 layout(location = 0) uniform bool has_last;
 
@@ -12,14 +14,18 @@ void main() {
   const uint slot = invocation();
   if (slot >= levels[0].slot_count) return;
   const uint node = topology[node_at + slot];
-  if (node == kNone) return;
+  if (node == kNone) {
+    waves[slot] = Wave(vec3(0), 0.0, vec3(0), 0.0);
+    if (has_last) turned_z[slot] = last_z[slot];
+    return;
+  }
   const vec3 direction =
       vec3(directions[3u * node], directions[3u * node + 1u], directions[3u * node + 2u]);
-  if (has_last && dot(waves[slot].direction, direction) < 0.0) {
-    last_z[slot] = -conjugate(last_z[slot]);
+  if (has_last) {
+    const bool turned = dot(last_waves[slot].direction, direction) < 0.0;
+    turned_z[slot] = turned ? -conjugate(last_z[slot]) : last_z[slot];
   }
-  waves[slot].position =
+  const vec3 position =
       vec3(positions[3u * node], positions[3u * node + 1u], positions[3u * node + 2u]);
-  waves[slot].root_frequency = sqrt(frequencies[node]);
-  waves[slot].direction = direction;
+  waves[slot] = Wave(position, sqrt(frequencies[node]), direction, 0.0);
 }

@@ -1,0 +1,121 @@
+#include "brindle/waves/wave_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "brindle/base/parallel.h"
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+
+bool is_unit_or_zero(const Vec3& d) {
+  constexpr float kSquareTolerance = 0.01f;
+  const float square = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
+  const bool unit = std::abs(square - 1) <= kSquareTolerance;
+  const bool zero = (d.x() == 0) & (d.y() == 0) & (d.z() == 0);
+  return unit | zero;
+}
+
+bool is_wave(const Vec3& position, const Vec3& direction, float frequency) {
+  return position.allFinite() && is_unit_or_zero(direction) && frequency > 0 &&
+         frequency <= kLargest;
+}
+
+/// The smaller of two numbers, in the guise of a sum.
+struct First {
+  std::size_t number = std::numeric_limits<std::size_t>::max();
+  First operator+(const First& other) const { return {std::min(number, other.number)}; }
+};
+
+/// The first of `count` items for which `holds` does not hold, or `count`. `all_hold(begin, end)`
+/// is the quick question for a whole range; it may say no too often.
+template <class AllHold, class Holds>
+std::size_t first_without(std::size_t count, const AllHold& all_hold, const Holds& holds) {
+  const First first = parallel_sum<First>(count, [&](std::size_t begin, std::size_t end) {
+    if (all_hold(begin, end)) return First{};
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!holds(i)) return First{i};
+    }
+    return First{};
+  });
+  return std::min(first.number, count);
+}
+
+// Loops without a way out early: compilers make vectors of them.
+
+bool all_finite(std::span<const Vec3> vectors) {
+  const float* const components = vectors.front().data();
+  unsigned bad = 0;
+  for (std::size_t c = 0; c < 3 * vectors.size(); ++c)
+    bad |= !(std::abs(components[c]) <= kLargest);
+  return bad == 0;
+}
+
+bool all_unit_or_zero(std::span<const Vec3> directions) {
+  unsigned bad = 0;
+  for (const Vec3& direction : directions) bad |= !is_unit_or_zero(direction);
+  return bad == 0;
+}
+
+bool all_positive(std::span<const float> frequencies) {
+  unsigned bad = 0;
+  for (const float f : frequencies) bad |= !(f > 0) | !(f <= kLargest);
+  return bad == 0;
+}
+
+std::string text_of(const Vec3& v) {
+  std::ostringstream text;
+  text << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
+  return text.str();
+}
+
+[[noreturn]] void refuse(std::size_t vertex, const Vec3& position, const Vec3& direction,
+                         float frequency) {
+  std::ostringstream text;
+  text << "waves: vertex " << vertex;
+  if (!position.allFinite()) {
+    text << " is at " << text_of(position) << "; give it a finite position";
+  } else if (!is_unit_or_zero(direction)) {
+    text << " has the direction " << text_of(direction)
+         << "; give it a unit vector, as tangent_directions makes them, or zero for no wave";
+  } else {
+    text << " has the frequency " << frequency
+         << "; give every vertex a finite one above zero, also where there is no wave";
+  }
+  throw Error(text.str());
+}
+
+}  // namespace
+
+void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directions,
+                 std::span<const float> frequencies) {
+  const auto all_waves = [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    return all_finite(positions.subspan(begin, count)) &&
+           all_unit_or_zero(directions.subspan(begin, count)) &&
+           all_positive(frequencies.subspan(begin, count));
+  };
+  const std::size_t bad = first_without(positions.size(), all_waves, [&](std::size_t i) {
+    return is_wave(positions[i], directions[i], frequencies[i]);
+  });
+  if (bad < positions.size()) refuse(bad, positions[bad], directions[bad], frequencies[bad]);
+}
+
+void check_edge_weights(std::span<const float> weights) {
+  const std::size_t bad = first_without(
+      weights.size(), [](std::size_t, std::size_t) { return false; },
+      [&](std::size_t edge) { return weights[edge] >= 0 && weights[edge] <= kLargest; });
+  if (bad == weights.size()) return;
+  std::ostringstream text;
+  text << "edge weights: that of directed edge " << bad << " is " << weights[bad]
+       << "; give finite weights of 0 or above";
+  throw Error(text.str());
+}
+
+}  // namespace brindle

@@ -1,0 +1,21 @@
+/// Values that no wave can have, refused before they spoil a pattern.
+#pragma once
+
+#include <span>
+
+#include "brindle/types.h"
+
+namespace brindle {
+
+/// Throws Error unless every position is finite, every direction a unit vector (to half a percent)
+/// or zero, and every frequency finite and above zero, also where there is no wave. The message
+/// names the first vertex that is not so, what is wrong with it and the remedy. All spans have one
+/// entry per vertex.
+void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directions,
+                 std::span<const float> frequencies);
+
+/// Throws Error unless each of the edge weights is finite and not negative, naming the first that
+/// is not.
+void check_edge_weights(std::span<const float> weights);
+
+}  // namespace brindle
