@@ -13,15 +13,15 @@
 
 #include <benchmark/benchmark.h>
 
-#include "brindle/geometry/subdivide.h"
-#include "brindle/geometry/surface.h"
+#include "brindle/direction_field.h"
+#include "brindle/frequency_field.h"
+#include "brindle/mesh.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/shapes.h"
+#include "brindle/surface.h"
 #include "gather.h"
 
 namespace brindle::bench {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/phase_graph.h"
 
 namespace brindle::testing_support {
 

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/direction_field.h"
+#include "brindle/frequency_field.h"
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
-#include "brindle/waves/frequency_field.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/mesh.h"
+#include "brindle/phase_graph.h"
+#include "brindle/shapes.h"
 
 namespace brindle::testing_support {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/geometry/polylines.h"
+#include "brindle/polylines.h"
 
 namespace brindle::testing_support {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/pipeline/texture_pattern.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/shapes.h"
+#include "brindle/texture_pattern.h"
 
 namespace brindle::testing_support {
 

@@ -6,7 +6,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/phase_graph.h"
 #include "formatted.h"
 
 namespace brindle::tool {

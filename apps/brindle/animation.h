@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "brindle/progress.h"
-#include "brindle/pattern/quality.h"
-#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/quality.h"
+#include "brindle/stripe_animator.h"
 #include "device.h"
 #include "scenes/scene.h"
 

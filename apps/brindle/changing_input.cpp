@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
 
 namespace brindle::tool {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/measurements.h"
-#include "brindle/pattern/quality.h"
-#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/quality.h"
+#include "brindle/stripe_animator.h"
 
 namespace brindle::tool {
 

@@ -3,16 +3,16 @@
 #include <memory>
 #include <numeric>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/files/polyline_io.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/geometry/append_mesh.h"
-#include "brindle/geometry/tubes.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/points/point_tree.h"
+#include "brindle/polylines.h"
 #include "commands.h"
 #include "formatted.h"
 #include "option_values.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/gpu/gpu_solver.h"
+#include "brindle/gpu_solver.h"
 #include "gpu.h"
 #include "option_values.h"
 

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "brindle/pipeline/stripe_animator.h"
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
 
 namespace brindle::tool {
 

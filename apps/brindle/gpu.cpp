@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "brindle/gl/gl_device.h"
-#include "brindle/gl/headless_context.h"
-#include "brindle/gpu/gpu_animator.h"
-#include "brindle/gpu/gpu_solver.h"
+#include "brindle/gpu_animator.h"
+#include "brindle/gpu_solver.h"
+#include "brindle/headless_context.h"
 
 namespace brindle::tool {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "brindle/error.h"
 #include "brindle/progress.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 #include "brindle/version.h"
 #include "commands.h"
 

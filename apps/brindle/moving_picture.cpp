@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/gl/headless_context.h"
+#include "brindle/headless_context.h"
 #include "picture_options.h"
 #include "video_file.h"
 
@@ -58,9 +58,9 @@ void MovingPicture::State::show(const SolvedFrame& solved, const Overlay& overla
     return;
   }
   DrawingChange change{.waves = &frame.waves,
-                     .z = z,
-                     .triangle_colors = overlay.triangle_colors,
-                     .marks = overlay.marks};
+                       .z = z,
+                       .triangle_colors = overlay.triangle_colors,
+                       .marks = overlay.marks};
   if (positions != frame.mesh.positions) {
     positions = frame.mesh.positions;
     change.positions = positions;

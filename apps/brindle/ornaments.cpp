@@ -3,7 +3,7 @@
 
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/render/line_drawing.h"
+#include "brindle/line_drawing.h"
 #include "picture_options.h"
 
 namespace brindle::tool {
@@ -41,7 +41,8 @@ void write_ornaments(const std::filesystem::path& path, const Surface& surface,
   for (const Ornament& ornament : ornaments) {
     all.add(ornament.mesh, vertex_normals(ornament.mesh), {color_of(ornament.second, render), 1});
   }
-  const SurfaceDrawing scene{.mesh = all.mesh, .normals = all.normals, .triangle_colors = all.colors};
+  const SurfaceDrawing scene{
+      .mesh = all.mesh, .normals = all.normals, .triangle_colors = all.colors};
   write_png(path, render_picture(scene, render));
 }
 

@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/pattern/texture_coordinates.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/texture_coordinates.h"
 
 namespace brindle::tool {
 namespace {

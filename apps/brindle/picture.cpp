@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brindle/error.h"
-#include "brindle/render/splats.h"
+#include "brindle/splats.h"
 #include "option_values.h"
 #include "picture_options.h"
 
@@ -166,11 +166,11 @@ void write_picture(const std::filesystem::path& path, const Surface& surface,
   }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
   SurfaceDrawing scene{.mesh = surface.mesh,
-                    .normals = surface.normals,
-                    .waves = &pattern.waves,
-                    .z = pattern.solution.z,
-                    .triangle_colors = overlay.triangle_colors,
-                    .marks = overlay.marks};
+                       .normals = surface.normals,
+                       .waves = &pattern.waves,
+                       .z = pattern.solution.z,
+                       .triangle_colors = overlay.triangle_colors,
+                       .marks = overlay.marks};
   if (const Texture* texture = result.texture()) {
     scene.texture_waves = &texture->pattern.waves;
     scene.texture_tile = &texture->tile;

@@ -8,8 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/geometry/polylines.h"
-#include "brindle/geometry/surface.h"
+#include "brindle/polylines.h"
+#include "brindle/surface.h"
 #include "stripe_result.h"
 
 namespace brindle::tool {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "brindle/pattern/quality.h"
-#include "brindle/render/renderer.h"
+#include "brindle/quality.h"
+#include "brindle/renderer.h"
 #include "picture.h"
 
 namespace brindle::tool {

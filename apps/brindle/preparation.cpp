@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/points/point_surface.h"
+#include "brindle/points.h"
 
 namespace brindle::tool {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/pipeline/cross_texture.h"
-#include "brindle/pipeline/texture_pattern.h"
+#include "brindle/cross_texture.h"
+#include "brindle/texture_pattern.h"
 #include "preparation.h"
 
 namespace brindle::tool {

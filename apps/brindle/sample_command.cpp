@@ -6,12 +6,12 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/files/sample_io.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/points/point_tree.h"
 #include "commands.h"

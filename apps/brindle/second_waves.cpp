@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include "brindle/waves/direction_field.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/frequency_field.h"
 #include "option_values.h"
 
 namespace brindle::tool {

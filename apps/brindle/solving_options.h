@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/stripe_pattern.h"
 
 namespace brindle::tool {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/pipeline/cross_texture.h"
+#include "brindle/cross_texture.h"
+#include "brindle/error.h"
 #include "commands.h"
 #include "device.h"
 #include "outputs.h"

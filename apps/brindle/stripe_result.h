@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "brindle/pipeline/texture_pattern.h"
-#include "brindle/render/texture_tile.h"
+#include "brindle/renderer.h"
+#include "brindle/texture_pattern.h"
 
 namespace brindle::tool {
 

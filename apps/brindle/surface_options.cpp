@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "brindle/error.h"
-#include "brindle/geometry/subdivide.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/mesh.h"
+#include "brindle/shapes.h"
 
 namespace brindle::tool {
 namespace {

@@ -5,8 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/files/mesh_io.h"
-#include "brindle/files/point_io.h"
+#include "brindle/files.h"
 
 namespace brindle::tool {
 

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/render/texture_tile.h"
+#include "brindle/renderer.h"
 #include "wave_options.h"
 
 namespace brindle::tool {

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "brindle/geometry/curvature.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/curvature.h"
+#include "brindle/frequency_field.h"
+#include "brindle/smooth_field.h"
 #include "brindle/waves/orientation.h"
 #include "option_values.h"
 

@@ -6,10 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/geometry/surface.h"
-#include "brindle/waves/direction_field.h"
-#include "brindle/waves/frequency_field.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/direction_field.h"
+#include "brindle/frequency_field.h"
+#include "brindle/phase_graph.h"
+#include "brindle/surface.h"
 
 namespace brindle::tool {
 

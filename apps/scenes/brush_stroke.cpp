@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
 
 namespace brindle {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/geometry/surface.h"
-#include "brindle/pipeline/smooth_field_animator.h"
+#include "brindle/smooth_field.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 

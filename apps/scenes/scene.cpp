@@ -7,11 +7,11 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/pipeline/smooth_field_animator.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/smooth_field.h"
 #include "scenes/brush_stroke.h"
 
 namespace brindle {

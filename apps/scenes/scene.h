@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/geometry/surface.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/phase_graph.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "brindle/geometry/surface.h"
-#include "brindle/pipeline/stripe_animator.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/shapes.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/surface.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));

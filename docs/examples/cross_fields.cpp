@@ -1,9 +1,9 @@
 // A texture along both waves of a cross field. Built and run by the tests.
 #include <cstdio>
 
-#include "brindle/pipeline/cross_texture.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/cross_texture.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("box"));

@@ -1,11 +1,12 @@
 // A textured mesh for other programs. Built and run by the tests.
+#include "brindle/files.h"
+
 #include <filesystem>
 
-#include "brindle/files/mesh_io.h"
-#include "brindle/pattern/texture_coordinates.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/pipeline/texture_pattern.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/texture_coordinates.h"
+#include "brindle/texture_pattern.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));

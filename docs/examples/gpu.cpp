@@ -6,11 +6,11 @@
 
 #include <epoxy/gl.h>
 
-#include "brindle/geometry/surface.h"
-#include "brindle/gl/headless_context.h"
-#include "brindle/gpu/gpu_animator.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/gpu_animator.h"
+#include "brindle/headless_context.h"
+#include "brindle/shapes.h"
+#include "brindle/surface.h"
 
 template <class Item>
 void copy(const std::vector<Item>& items, GLuint buffer) {
@@ -26,7 +26,7 @@ int main() {
   GLuint buffers[3];  // that your program has anyway
   glCreateBuffers(3, buffers);
 
-  const auto kernels = std::make_shared<const brindle::GpuKernels>();  // once a context
+  const auto kernels = brindle::make_gpu_kernels();  // once a context
   brindle::GpuAnimator animator(kernels, surface.neighborhood);
   animator.measure_frames(true);
   for (int number = 0; number < 5; ++number) {

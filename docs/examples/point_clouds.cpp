@@ -1,11 +1,11 @@
 // Stripes on points without triangles. Built and run by the tests.
 #include <cstdio>
 
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/points/point_surface.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/frequency_field.h"
+#include "brindle/points.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/stripe_pattern.h"
 
 int main() {
   const brindle::Mesh mesh = brindle::make_shape("torus");  // or read_points("scan.ply").cloud

@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <vector>
 
-#include "brindle/files/sample_io.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/pipeline/texture_pattern.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/files.h"
+#include "brindle/frequency_field.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/texture_pattern.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));

@@ -1,9 +1,9 @@
 // A checkerboard over a torus, and how square it is. Built and run by the tests.
 #include <cstdio>
 
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/pipeline/texture_pattern.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/texture_pattern.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));

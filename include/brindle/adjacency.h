@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "brindle/export.h"
 #include "brindle/types.h"
 
-namespace brindle {
+namespace BRINDLE_EXPORT brindle {
 
 /// A symmetric graph in compressed rows. The neighbours of node i are
 /// `neighbors[offsets[i]] .. neighbors[offsets[i + 1] - 1]`, in ascending order, without i itself

@@ -9,9 +9,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "brindle/export.h"
 #include "brindle/types.h"
 
-namespace brindle {
+namespace BRINDLE_EXPORT brindle {
 
 /// The types of number that an ArrayView can look at.
 enum class NumberType : std::uint8_t {

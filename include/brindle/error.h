@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace brindle {
+#include "brindle/export.h"
+
+namespace BRINDLE_EXPORT brindle {
 
 /// A job that could not be done. The message names what failed (file and line where there is one)
 /// and, where one is known, the remedy.

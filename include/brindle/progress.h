@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/export.h"
 
-namespace brindle {
+namespace BRINDLE_EXPORT brindle {
 
 /// Thrown out of a job whose progress callback asked it to stop.
 class Cancelled : public Error {

@@ -8,7 +8,9 @@
 
 #include <memory>
 
-namespace brindle {
+#include "brindle/export.h"
+
+namespace BRINDLE_EXPORT brindle {
 
 /// Limits the number of threads of the whole process while it lives, whichever thread asks, also
 /// for other users of oneTBB; of several limits the lowest holds. 0 means no limit. A build without

@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
-namespace brindle {
+#include "brindle/export.h"
+
+namespace BRINDLE_EXPORT brindle {
 
 /// Number of a vertex, node, edge or triangle.
 using Index = std::uint32_t;

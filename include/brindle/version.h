@@ -6,7 +6,9 @@
 #define BRINDLE_VERSION_PATCH 0
 #define BRINDLE_VERSION "0.2.0"
 
-namespace brindle {
+#include "brindle/export.h"
+
+namespace BRINDLE_EXPORT brindle {
 
 /// The version of the library that the program runs with; BRINDLE_VERSION is that of the headers it
 /// was compiled with.

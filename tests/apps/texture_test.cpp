@@ -7,7 +7,7 @@
 
 #ifdef BRINDLE_HAS_GL
 
-#include "brindle/render/image.h"
+#include "brindle/image.h"
 
 namespace brindle::test {
 namespace {

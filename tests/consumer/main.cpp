@@ -1,9 +1,9 @@
 #include <cstdio>
 
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/frequency_field.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/stripe_pattern.h"
 
 int main() {
   const brindle::Surface surface = brindle::make_surface(brindle::make_shape("torus"));

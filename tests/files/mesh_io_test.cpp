@@ -1,5 +1,3 @@
-#include "brindle/files/mesh_io.h"
-
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -13,9 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/shapes.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "brindle/shapes/random.h"
-#include "brindle/shapes/shapes.h"
 
 namespace brindle {
 namespace {

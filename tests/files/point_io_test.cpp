@@ -1,5 +1,3 @@
-#include "brindle/files/point_io.h"
-
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -7,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/files/mesh_io.h"
+#include "brindle/files.h"
 
 namespace brindle {
 namespace {

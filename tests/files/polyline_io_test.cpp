@@ -1,5 +1,3 @@
-#include "brindle/files/polyline_io.h"
-
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/files.h"
 
 namespace brindle {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/geometry/neighborhood.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

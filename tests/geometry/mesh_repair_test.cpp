@@ -1,11 +1,10 @@
-#include "brindle/geometry/mesh_repair.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "brindle/shapes/shapes.h"
+#include "brindle/mesh.h"
+#include "brindle/shapes.h"
 #include "test_meshes.h"
 
 namespace brindle {

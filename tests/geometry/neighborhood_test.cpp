@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 #include "test_meshes.h"
 
 namespace brindle {

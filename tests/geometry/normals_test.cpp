@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/shapes.h"
 #include "brindle/shapes/parametric_shapes.h"
-#include "brindle/shapes/shapes.h"
 #include "test_meshes.h"
 
 namespace brindle {

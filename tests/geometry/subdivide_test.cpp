@@ -1,10 +1,9 @@
-#include "brindle/geometry/subdivide.h"
-
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
 #include "brindle/geometry/neighborhood.h"
+#include "brindle/mesh.h"
 #include "brindle/shapes/parametric_shapes.h"
 
 namespace brindle {

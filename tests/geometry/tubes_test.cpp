@@ -1,5 +1,3 @@
-#include "brindle/geometry/tubes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 
 #include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
+#include "brindle/polylines.h"
 #include "test_points.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_device.h"
-#include "brindle/gl/headless_context.h"
+#include "brindle/headless_context.h"
 
 namespace brindle {
 namespace {

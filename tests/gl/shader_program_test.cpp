@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/gl/headless_context.h"
+#include "brindle/headless_context.h"
 
 namespace brindle {
 namespace {

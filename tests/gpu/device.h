@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/gl/headless_context.h"
-#include "brindle/gpu/gpu_solver.h"
+#include "brindle/gpu_solver.h"
+#include "brindle/headless_context.h"
 
 namespace brindle::test {
 

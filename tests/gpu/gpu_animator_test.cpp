@@ -1,4 +1,4 @@
-#include "brindle/gpu/gpu_animator.h"
+#include "brindle/gpu_animator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "bad_waves.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/pattern/quality.h"
+#include "brindle/quality.h"
 #include "device.h"
 #include "phase_graphs.h"
 #include "progress_reports.h"

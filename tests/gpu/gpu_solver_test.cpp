@@ -1,12 +1,12 @@
-#include "brindle/gpu/gpu_solver.h"
+#include "brindle/gpu_solver.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "brindle/error.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/pattern/quality.h"
+#include "brindle/files.h"
+#include "brindle/quality.h"
 #include "device.h"
 #include "phase_graphs.h"
 #include "test_meshes.h"

@@ -3,8 +3,8 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gpu/gpu_animator.h"
-#include "brindle/render/renderer.h"
+#include "brindle/gpu_animator.h"
+#include "brindle/renderer.h"
 #include "device.h"
 #include "phase_graphs.h"
 #include "render/fragment_probe.h"

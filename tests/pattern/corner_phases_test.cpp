@@ -1,12 +1,12 @@
-#include "brindle/pattern/corner_phases.h"
+#include "brindle/corner_phases.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "brindle/pattern/quality.h"
-#include "brindle/phases/solver.h"
+#include "brindle/quality.h"
+#include "brindle/solver.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -1,4 +1,4 @@
-#include "brindle/pattern/fragment_phase.h"
+#include "brindle/fragment_phase.h"
 
 #include <numbers>
 #include <random>

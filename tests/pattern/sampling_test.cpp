@@ -13,11 +13,10 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/files/sample_io.h"
-#include "brindle/phases/solver.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/solver.h"
 #include "phase_graphs.h"
 
 namespace brindle {

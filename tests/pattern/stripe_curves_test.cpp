@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/pattern/fragment_phase.h"
-#include "brindle/phases/solver.h"
+#include "brindle/files.h"
+#include "brindle/fragment_phase.h"
+#include "brindle/solver.h"
 #include "phase_graphs.h"
 #include "test_meshes.h"
 

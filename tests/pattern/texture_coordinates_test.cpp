@@ -1,4 +1,4 @@
-#include "brindle/pattern/texture_coordinates.h"
+#include "brindle/texture_coordinates.h"
 
 #include <cmath>
 #include <set>

@@ -1,9 +1,8 @@
-#include "brindle/pattern/texture_quality.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "brindle/texture_waves.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -1,4 +1,4 @@
-#include "brindle/pattern/texture_waves.h"
+#include "brindle/texture_waves.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/fragment_phase.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/pattern/fragment_phase.h"
 #include "phase_graphs.h"
 
 namespace brindle {

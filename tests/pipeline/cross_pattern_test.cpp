@@ -1,5 +1,3 @@
-#include "brindle/pipeline/cross_pattern.h"
-
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -9,11 +7,12 @@
 
 #include "bad_waves.h"
 #include "brindle/base/parallel.h"
+#include "brindle/cross_texture.h"
 #include "brindle/error.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/files.h"
+#include "brindle/frequency_field.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/pipeline/cross_texture.h"
+#include "brindle/cross_texture.h"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/fragment_phase.h"
+#include "brindle/frequency_field.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/pattern/fragment_phase.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
 
 namespace brindle {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/geometry/shared_edges.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

@@ -1,11 +1,10 @@
-#include "brindle/pipeline/smooth_field_animator.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
 
 namespace brindle {
 namespace {

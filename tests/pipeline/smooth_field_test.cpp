@@ -1,4 +1,4 @@
-#include "brindle/pipeline/smooth_field.h"
+#include "brindle/smooth_field.h"
 
 #include <cmath>
 
@@ -6,8 +6,8 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/subdivide.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/mesh.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

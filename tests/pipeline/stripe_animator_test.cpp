@@ -1,4 +1,4 @@
-#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/stripe_animator.h"
 
 #include <atomic>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "bad_waves.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 #include "phase_graphs.h"
 #include "progress_reports.h"
 

@@ -1,4 +1,4 @@
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/stripe_pattern.h"
 
 #include <filesystem>
 #include <fstream>
@@ -8,11 +8,11 @@
 
 #include "bad_waves.h"
 #include "brindle/base/parallel.h"
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/files.h"
+#include "brindle/frequency_field.h"
+#include "brindle/shapes.h"
 #include "phase_graphs.h"
 
 namespace brindle {

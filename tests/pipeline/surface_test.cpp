@@ -1,4 +1,4 @@
-#include "brindle/geometry/surface.h"
+#include "brindle/surface.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/pipeline/smooth_field.h"
+#include "brindle/smooth_field.h"
 #include "textures.h"
 
 namespace brindle {

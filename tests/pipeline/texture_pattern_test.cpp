@@ -1,4 +1,4 @@
-#include "brindle/pipeline/texture_pattern.h"
+#include "brindle/texture_pattern.h"
 
 #include <filesystem>
 
@@ -6,8 +6,8 @@
 
 #include "bad_waves.h"
 #include "brindle/error.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/pipeline/smooth_field.h"
+#include "brindle/files.h"
+#include "brindle/smooth_field.h"
 #include "textures.h"
 
 namespace brindle {

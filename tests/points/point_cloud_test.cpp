@@ -1,11 +1,10 @@
-#include "brindle/points/point_cloud.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/points.h"
 
 namespace brindle {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "test_points.h"
 
 namespace brindle {

@@ -6,7 +6,7 @@
 
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

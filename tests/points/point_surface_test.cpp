@@ -1,5 +1,3 @@
-#include "brindle/points/point_surface.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
+#include "brindle/cross_texture.h"
 #include "brindle/error.h"
-#include "brindle/files/mesh_io.h"
-#include "brindle/pipeline/cross_pattern.h"
-#include "brindle/pipeline/smooth_field.h"
-#include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/frequency_field.h"
+#include "brindle/files.h"
+#include "brindle/frequency_field.h"
+#include "brindle/points.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/stripe_pattern.h"
 #include "phase_graphs.h"
 
 #ifdef BRINDLE_HAS_NANOFLANN

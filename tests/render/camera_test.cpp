@@ -1,4 +1,4 @@
-#include "brindle/render/camera.h"
+#include "brindle/camera.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "brindle/render/color.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "brindle/image.h"
 
 namespace brindle {
 namespace {

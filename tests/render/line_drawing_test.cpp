@@ -1,4 +1,4 @@
-#include "brindle/render/line_drawing.h"
+#include "brindle/line_drawing.h"
 
 #include <cmath>
 #include <fstream>
@@ -8,7 +8,7 @@
 
 #include "brindle/error.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

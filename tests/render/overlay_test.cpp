@@ -1,10 +1,9 @@
-#include "brindle/render/overlay.h"
-
 #include <array>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "brindle/renderer.h"
 #include "render/test_drawings.h"
 
 namespace brindle {

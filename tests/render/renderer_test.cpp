@@ -1,11 +1,11 @@
-#include "brindle/render/renderer.h"
+#include "brindle/renderer.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/pattern/fragment_phase.h"
+#include "brindle/fragment_phase.h"
 #include "render/test_drawings.h"
 
 namespace brindle {

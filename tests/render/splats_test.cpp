@@ -1,4 +1,4 @@
-#include "brindle/render/splats.h"
+#include "brindle/splats.h"
 
 #include <cmath>
 #include <random>

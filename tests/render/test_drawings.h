@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "brindle/gl/headless_context.h"
-#include "brindle/render/renderer.h"
+#include "brindle/headless_context.h"
+#include "brindle/renderer.h"
 #include "render/fragment_probe.h"
 
 namespace brindle::test {

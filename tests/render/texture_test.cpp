@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/render/renderer.h"
+#include "brindle/renderer.h"
 #include "render/test_drawings.h"
 
 namespace brindle {

@@ -1,11 +1,10 @@
-#include "brindle/render/texture_tile.h"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/renderer.h"
 
 namespace brindle {
 namespace {

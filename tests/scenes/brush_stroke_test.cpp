@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
-#include "brindle/shapes/shapes.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 #include <cmath>
 #include <limits>
@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/shapes/implicit_shapes.h"

@@ -1,5 +1,3 @@
-#include "brindle/waves/cross_cover.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/cross_texture.h"
 #include "brindle/error.h"
 #include "phase_graphs.h"
 

@@ -1,4 +1,4 @@
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "brindle/waves/phase_graph.h"
+#include "brindle/phase_graph.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "brindle/waves/phase_shift.h"
+#include "brindle/phase_shift.h"
 
 #include <cmath>
 #include <random>

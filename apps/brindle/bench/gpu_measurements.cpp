@@ -8,8 +8,8 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gpu/gpu_animator.h"
-#include "brindle/render/renderer.h"
+#include "brindle/gpu_animator.h"
+#include "brindle/renderer.h"
 #include "changing_input.h"
 #include "gpu.h"
 

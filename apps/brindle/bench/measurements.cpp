@@ -5,11 +5,11 @@
 
 #include "bench/resident_memory.h"
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/quality.h"
-#include "brindle/pipeline/cross_pattern.h"
-#include "brindle/pipeline/stripe_animator.h"
-#include "brindle/pipeline/stripe_pattern.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/cross_texture.h"
+#include "brindle/direction_field.h"
+#include "brindle/quality.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
 #include "changing_input.h"
 
 namespace brindle::tool {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/geometry/surface.h"
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
+#include "brindle/surface.h"
 #include "device.h"
 
 namespace brindle::tool {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "brindle/files/vertex_attribute.h"
-#include "brindle/geometry/mesh.h"
+#include "brindle/files.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

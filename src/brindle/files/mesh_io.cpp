@@ -1,14 +1,13 @@
-#include "brindle/files/mesh_io.h"
-
 #include <algorithm>
 #include <cctype>
 #include <functional>
 #include <set>
 #include <string>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/files/assimp_file.h"
 #include "brindle/files/gltf_file.h"
 #include "brindle/files/input_file.h"

@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "brindle/files/vertex_attribute.h"
-#include "brindle/geometry/mesh.h"
-#include "brindle/points/point_cloud.h"
+#include "brindle/files.h"
+#include "brindle/mesh.h"
+#include "brindle/points.h"
 
 namespace brindle {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

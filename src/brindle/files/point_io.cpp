@@ -1,15 +1,13 @@
-#include "brindle/files/point_io.h"
-
 #include <new>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/files/csv_file.h"
-#include "brindle/files/mesh_io.h"
 #include "brindle/files/obj_file.h"
 #include "brindle/files/ply_file.h"
 

@@ -1,11 +1,10 @@
-#include "brindle/files/polyline_io.h"
-
 #include <ostream>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/text_output.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/vtp_file.h"
 

@@ -1,14 +1,13 @@
-#include "brindle/files/sample_io.h"
-
 #include <array>
 #include <numeric>
 #include <ostream>
 #include <string>
 
-#include "brindle/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/text_output.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/vtp_file.h"
 

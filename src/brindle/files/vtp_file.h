@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <span>
 
-#include "brindle/files/vertex_attribute.h"
-#include "brindle/geometry/mesh.h"
+#include "brindle/files.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

@@ -1,7 +1,7 @@
 /// Several meshes as one.
 #pragma once
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

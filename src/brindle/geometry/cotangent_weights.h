@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

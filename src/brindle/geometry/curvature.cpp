@@ -1,4 +1,4 @@
-#include "brindle/geometry/curvature.h"
+#include "brindle/curvature.h"
 
 #include <cmath>
 #include <utility>

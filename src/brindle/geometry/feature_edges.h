@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "brindle/geometry/mesh.h"
 #include "brindle/geometry/mesh_edges.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

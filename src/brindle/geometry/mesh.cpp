@@ -1,4 +1,4 @@
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

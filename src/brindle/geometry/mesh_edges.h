@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

@@ -1,5 +1,3 @@
-#include "brindle/geometry/mesh_repair.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/geometry/vertex_triangles.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brindle/adjacency.h"
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

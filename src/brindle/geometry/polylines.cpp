@@ -1,4 +1,4 @@
-#include "brindle/geometry/polylines.h"
+#include "brindle/polylines.h"
 
 #include <algorithm>
 #include <cmath>

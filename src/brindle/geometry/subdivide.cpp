@@ -1,13 +1,12 @@
-#include "brindle/geometry/subdivide.h"
-
 #include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/geometry/surface.h"
+#include "brindle/surface.h"
 
 #include <algorithm>
 #include <string>

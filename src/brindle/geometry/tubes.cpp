@@ -1,5 +1,3 @@
-#include "brindle/geometry/tubes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/error.h"
+#include "brindle/polylines.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/gl/headless_context.h"
+#include "brindle/headless_context.h"
 
 #include <array>
 #include <cstdio>

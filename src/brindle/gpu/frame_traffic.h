@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/gpu_animator.h"
+
 namespace brindle {
 
 class GpuTopology;
-
-/// A stage of GpuAnimator and the bytes that it moves at least.
-using StageBytes = std::pair<std::string_view, std::size_t>;
 
 /// Bytes read and written by the stages of a multilevel frame with anchors if every pass over a
 /// level (a sweep is one) reads and writes each item once: gathers that miss the caches come on

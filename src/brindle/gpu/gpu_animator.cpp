@@ -1,4 +1,4 @@
-#include "brindle/gpu/gpu_animator.h"
+#include "brindle/gpu_animator.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,11 +7,12 @@
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_hierarchy.h"
+#include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_measure.h"
 #include "brindle/gpu/gpu_relaxation.h"
+#include "brindle/phase_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/waves/phase_graph.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {

@@ -5,6 +5,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/gpu/gpu_kernels.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {

@@ -93,4 +93,8 @@ void bind_storage(unsigned binding, unsigned buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer);
 }
 
+std::shared_ptr<const GpuKernels> make_gpu_kernels() {
+  return std::make_shared<const GpuKernels>();
+}
+
 }  // namespace brindle

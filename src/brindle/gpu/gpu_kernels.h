@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "brindle/gl/shader_program.h"
+#include "brindle/gpu_solver.h"
 
 namespace brindle {
 

@@ -6,6 +6,7 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/gpu/gpu_kernels.h"
 
 namespace brindle {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_measure.h"
 #include "brindle/phases/relaxation.h"
 

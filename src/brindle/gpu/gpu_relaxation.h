@@ -5,7 +5,7 @@
 #include <span>
 
 #include "brindle/gpu/gpu_hierarchy.h"
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 
 namespace brindle {
 

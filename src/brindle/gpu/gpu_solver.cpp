@@ -1,10 +1,11 @@
-#include "brindle/gpu/gpu_solver.h"
+#include "brindle/gpu_solver.h"
 
 #include <string>
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_hierarchy.h"
+#include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_relaxation.h"
 
 namespace brindle {

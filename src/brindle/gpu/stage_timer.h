@@ -5,10 +5,9 @@
 #include <utility>
 #include <vector>
 
-namespace brindle {
+#include "brindle/gpu_animator.h"
 
-/// A stage of the work on the device and its milliseconds there.
-using StageTime = std::pair<std::string_view, double>;
+namespace brindle {
 
 /// Timestamps between stages, taken on the device by OpenGL's timer queries.
 class StageTimer {

@@ -1,10 +1,10 @@
-#include "brindle/pattern/corner_phases.h"
+#include "brindle/corner_phases.h"
 
 #include <cmath>
 #include <numbers>
 
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/fragment_phase.h"
+#include "brindle/fragment_phase.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/pattern/corner_waves.h"
+#include "brindle/corner_phases.h"
 
 namespace brindle {
 

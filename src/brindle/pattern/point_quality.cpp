@@ -8,8 +8,7 @@
 #include <Eigen/Dense>
 
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/corner_phases.h"
-#include "brindle/pattern/corner_waves.h"
+#include "brindle/corner_phases.h"
 
 namespace brindle {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "brindle/adjacency.h"
-#include "brindle/pattern/quality.h"
+#include "brindle/quality.h"
 
 namespace brindle {
 

@@ -6,7 +6,7 @@
 
 #include "brindle/adjacency.h"
 #include "brindle/pattern/sampling.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/phase_graph.h"
 
 namespace brindle {
 

@@ -1,4 +1,4 @@
-#include "brindle/pattern/quality.h"
+#include "brindle/quality.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,44 +1,12 @@
 /// The centre lines of stripes, joined over a whole surface.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
-#include <vector>
 
-#include "brindle/geometry/polylines.h"
+#include "brindle/curves.h"
 #include "brindle/pattern/lifted_waves.h"
 
 namespace brindle {
-
-/// Why a curve ends.
-enum class CurveEnd : std::uint8_t {
-  closed,       ///< it does not
-  boundary,     ///< an edge of one triangle
-  no_wave,      ///< a triangle with a corner that has no wave
-  nonmanifold,  ///< an edge of three triangles or more
-  branch,       ///< a triangle around which the phase does not close
-  singularity   ///< a triangle that is a singularity of the field
-};
-inline constexpr std::size_t kCurveEndKinds = 6;
-
-/// Curves with the reason why each end is one.
-struct StripeCurves {
-  Polylines lines;
-  std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
-  std::size_t joined_ends = 0;                ///< that `CurveOptions::join` made go
-  std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
-
-  /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
-  std::array<std::size_t, kCurveEndKinds> end_counts() const;
-};
-
-struct CurveOptions {
-  /// Where several curves end in one branch or singularity, joins them in pairs. Every curve that
-  /// ends alone runs on into a neighbour, aslant over the surface, if there is one within two
-  /// periods; that is an end of the same kind still.
-  bool join = false;
-};
 
 /// The lines where sin Phi = 1, the same whichever way directions point. Several cross an edge
 /// where the frequency asks for it. Points lie on edges of the mesh, where the lifted phase, linear
@@ -59,9 +27,6 @@ struct CurveOptions {
 /// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
 /// crossings than an Index can count.
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {});
-
-/// The curves that are at least `length` long.
-StripeCurves longer_than(const StripeCurves& curves, double length);
 
 /// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
 /// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and

@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "brindle/corner_phases.h"
 #include "brindle/types.h"
-#include "brindle/pattern/corner_phases.h"
 
 namespace brindle {
 

@@ -1,4 +1,4 @@
-#include "brindle/pattern/texture_coordinates.h"
+#include "brindle/texture_coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "brindle/base/parallel.h"
+#include "brindle/corner_phases.h"
+#include "brindle/fragment_phase.h"
 #include "brindle/geometry/shared_edges.h"
-#include "brindle/pattern/corner_phases.h"
-#include "brindle/pattern/fragment_phase.h"
 
 namespace brindle {
 namespace {

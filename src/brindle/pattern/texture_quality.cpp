@@ -1,5 +1,3 @@
-#include "brindle/pattern/texture_quality.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,8 +6,9 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/corner_phases.h"
-#include "brindle/pattern/quality.h"
+#include "brindle/corner_phases.h"
+#include "brindle/quality.h"
+#include "brindle/texture_waves.h"
 
 namespace brindle {
 namespace {

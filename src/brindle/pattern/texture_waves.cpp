@@ -1,4 +1,4 @@
-#include "brindle/pattern/texture_waves.h"
+#include "brindle/texture_waves.h"
 
 #include <cmath>
 #include <numbers>

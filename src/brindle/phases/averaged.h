@@ -1,7 +1,7 @@
 /// The paper's hierarchical optimisation on averaged inputs (3.4).
 #pragma once
 
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 
 namespace brindle {
 

@@ -1,7 +1,7 @@
 /// The global optimum of the relaxed energy: the quality reference (Knöppel et al. 2015).
 #pragma once
 
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 
 namespace brindle {
 

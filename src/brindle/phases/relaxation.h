@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brindle/phases/sliced_graph.h"
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 
 namespace brindle {
 

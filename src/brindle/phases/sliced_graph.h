@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
-#include "brindle/types.h"
+#include "brindle/phase_graph.h"
 #include "brindle/phases/coloring.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

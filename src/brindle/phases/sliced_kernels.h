@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <span>
 
-#include "brindle/types.h"
+#include "brindle/phase_shift.h"
 #include "brindle/phases/gauge_rounds.h"
 #include "brindle/phases/sliced_graph.h"
-#include "brindle/waves/phase_shift.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "brindle/phase_shift.h"
 #include "brindle/phases/sliced_graph.h"
-#include "brindle/waves/phase_shift.h"
 
 namespace brindle {
 

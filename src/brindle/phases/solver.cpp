@@ -1,4 +1,4 @@
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,7 @@
-#include "brindle/pipeline/cross_pattern.h"
-
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/cross_texture.h"
 #include "brindle/error.h"
 
 namespace brindle {

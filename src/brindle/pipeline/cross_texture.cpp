@@ -1,4 +1,4 @@
-#include "brindle/pipeline/cross_texture.h"
+#include "brindle/cross_texture.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "brindle/pipeline/smooth_field.h"
+#include "brindle/smooth_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/curvature.h"
 #include "brindle/error.h"
-#include "brindle/geometry/curvature.h"
 #include "brindle/geometry/feature_edges.h"
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 

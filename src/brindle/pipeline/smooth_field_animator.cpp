@@ -1,5 +1,3 @@
-#include "brindle/pipeline/smooth_field_animator.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,6 +7,7 @@
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
+#include "brindle/smooth_field.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 

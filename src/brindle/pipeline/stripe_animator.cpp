@@ -1,4 +1,4 @@
-#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/stripe_animator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/phases/solver.h"
+#include "brindle/solver.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {

@@ -1,4 +1,4 @@
-#include "brindle/pipeline/stripe_pattern.h"
+#include "brindle/stripe_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,13 @@
 #include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/mesh_edges.h"
+#include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/point_quality.h"
-#include "brindle/pipeline/stripe_animator.h"
+#include "brindle/pattern/point_sampling.h"
+#include "brindle/pattern/sampling.h"
+#include "brindle/pattern/stripe_curves.h"
+#include "brindle/stripe_animator.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/wave_check.h"
 
@@ -100,6 +105,7 @@ void check_tangent_waves(const Surface& surface, const WaveSet& waves) {
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const StripeOptions& options,
                              const Progress& progress) {
   StripePattern result;
+  result.phase_shift = options.phase_shift;
   progress.report("couple", 0);
   const bool as_frame = !options.solve && options.solver.solver == Solver::multilevel &&
                         options.phase_shift != PhaseShiftKind::common_source;
@@ -120,6 +126,66 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   result.milliseconds.pattern = watch.lap();
   result.waves = std::move(waves);
   return result;
+}
+
+StripePattern stripe_pattern(const Surface& surface, DirectionField field,
+                             FrequencyField frequencies, const StripeOptions& options,
+                             const Progress& progress) {
+  return stripe_pattern(surface, {surface.mesh.positions, std::move(field), std::move(frequencies)},
+                        options, progress);
+}
+
+StripePattern stripe_pattern(const Surface& surface, DirectionField field, float frequency,
+                             const StripeOptions& options, const Progress& progress) {
+  return stripe_pattern(surface, std::move(field),
+                        constant_frequency_field(frequency, surface.mesh.vertex_count()), options,
+                        progress);
+}
+
+namespace {
+
+void check_belongs(const Surface& surface, const StripePattern& pattern) {
+  if (pattern.solution.z.size() == surface.mesh.vertex_count() &&
+      pattern.corners.size() == surface.mesh.triangle_count()) {
+    return;
+  }
+  throw Error("a pattern of " + std::to_string(pattern.solution.z.size()) + " vertices and " +
+              std::to_string(pattern.corners.size()) + " triangles was not made for a surface of " +
+              std::to_string(surface.mesh.vertex_count()) + " and " +
+              std::to_string(surface.mesh.triangle_count()));
+}
+
+LiftedWaves lifted(const Surface& surface, const MeshEdges& edges, const StripePattern& pattern) {
+  return LiftedWaves({surface.mesh, edges, surface.normals, pattern.waves, pattern.solution.z,
+                      pattern.phase_shift});
+}
+
+}  // namespace
+
+StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
+                           const CurveOptions& options) {
+  check_belongs(surface, pattern);
+  if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  return stripe_curves(lifted(surface, edges, pattern), options);
+}
+
+std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,
+                                   const StripePattern& v) {
+  check_belongs(surface, u);
+  check_belongs(surface, v);
+  std::vector<Sample> samples;
+  if (surface.mesh.triangles.empty()) {
+    samples = point_samples(*surface.neighborhood, surface.normals, {u.waves, u.solution.z},
+                            {v.waves, v.solution.z});
+  } else {
+    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+    const LiftedWaves lifted_u = lifted(surface, edges, u), lifted_v = lifted(surface, edges, v);
+    samples = wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
+                           sampled_waves(lifted_v));
+  }
+  drop_doubles(samples);
+  return samples;
 }
 
 }  // namespace brindle

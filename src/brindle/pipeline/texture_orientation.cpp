@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "brindle/base/parallel.h"
-#include "brindle/phases/solver.h"
 #include "brindle/pipeline/short_seam.h"
+#include "brindle/solver.h"
 
 namespace brindle {
 namespace {

@@ -4,19 +4,11 @@
 #include <cstddef>
 #include <span>
 
-#include "brindle/progress.h"
 #include "brindle/geometry/shared_edges.h"
-#include "brindle/pattern/texture_waves.h"
+#include "brindle/progress.h"
+#include "brindle/texture_waves.h"
 
 namespace brindle {
-
-/// Edges at which the textures of two triangles do not fit, and triangles without orientation.
-struct TextureSeams {
-  std::size_t turned = 0;    ///< edges where U and V both run the other way: a tile with 180-degree
-                             ///< symmetry shows nothing of it
-  std::size_t mirrored = 0;  ///< edges where one of them does: the mesh's winding changes here
-  std::size_t unoriented_triangles = 0;  ///< corners that cannot be oriented alike, or have no wave
-};
 
 /// Counts the seams. Edges of triangles without orientation are not counted.
 TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge> edges);

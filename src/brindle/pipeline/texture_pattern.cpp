@@ -1,10 +1,13 @@
-#include "brindle/pipeline/texture_pattern.h"
+#include "brindle/texture_pattern.h"
 
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/pipeline/texture_orientation.h"
 
 namespace brindle {
 namespace {
@@ -39,6 +42,23 @@ TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const Text
   pattern.quality = measure_texture(surface.mesh, pattern.waves, options.stripes.phase_shift);
   pattern.orientation_milliseconds = watch.lap();
   return pattern;
+}
+
+TexturePattern texture_pattern(const Surface& surface, DirectionField field, float frequency,
+                               const TextureOptions& options, const Progress& progress) {
+  return texture_pattern(surface,
+                         {surface.mesh.positions, std::move(field),
+                          constant_frequency_field(frequency, surface.mesh.vertex_count())},
+                         options, progress);
+}
+
+TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern) {
+  if (pattern.waves.triangle_count() != surface.mesh.triangle_count()) {
+    throw Error("a texture of " + std::to_string(pattern.waves.triangle_count()) +
+                " triangles was not made for a surface of " +
+                std::to_string(surface.mesh.triangle_count()));
+  }
+  return texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
 }
 
 }  // namespace brindle

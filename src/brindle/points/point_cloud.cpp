@@ -1,5 +1,3 @@
-#include "brindle/points/point_cloud.h"
-
 #include <algorithm>
 #include <numeric>
 #include <sstream>
@@ -8,7 +6,8 @@
 #include <utility>
 
 #include "brindle/error.h"
-#include "brindle/geometry/mesh_repair.h"
+#include "brindle/mesh.h"
+#include "brindle/points.h"
 
 namespace brindle {
 namespace {

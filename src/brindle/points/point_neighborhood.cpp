@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {

@@ -1,10 +1,9 @@
-#include "brindle/points/point_surface.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/points.h"
 #include "brindle/points/point_neighborhood.h"
 #include "brindle/points/point_normals.h"
 

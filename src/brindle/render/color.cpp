@@ -1,11 +1,11 @@
-#include "brindle/render/color.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string>
+
+#include "brindle/image.h"
 
 namespace brindle {
 namespace {

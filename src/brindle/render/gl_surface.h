@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "brindle/camera.h"
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/camera.h"
 #include "brindle/render/gl_texture_tile.h"
-#include "brindle/render/renderer.h"
+#include "brindle/renderer.h"
 
 namespace brindle {
 

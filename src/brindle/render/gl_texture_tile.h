@@ -3,7 +3,7 @@
 
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/texture_tile.h"
+#include "brindle/renderer.h"
 
 namespace brindle {
 

@@ -1,4 +1,4 @@
-#include "brindle/render/image.h"
+#include "brindle/image.h"
 
 #include <algorithm>
 #include <fstream>

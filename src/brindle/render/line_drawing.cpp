@@ -1,4 +1,4 @@
-#include "brindle/render/line_drawing.h"
+#include "brindle/line_drawing.h"
 
 #include <algorithm>
 #include <cmath>

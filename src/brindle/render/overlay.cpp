@@ -1,4 +1,4 @@
-#include "brindle/render/overlay.h"
+#include "brindle/renderer.h"
 
 namespace brindle {
 namespace {

@@ -1,12 +1,12 @@
-#include "brindle/render/renderer.h"
+#include "brindle/renderer.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/headless_context.h"
 #include "brindle/gl/shader_program.h"
+#include "brindle/headless_context.h"
 #include "brindle/render/gl_surface.h"
 #include "brindle/render/tiled_picture.h"
 

@@ -1,4 +1,4 @@
-#include "brindle/render/splats.h"
+#include "brindle/splats.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/headless_context.h"
 #include "brindle/gl/shader_program.h"
+#include "brindle/headless_context.h"
 #include "brindle/render/tiled_picture.h"
 
 namespace brindle {

@@ -1,10 +1,10 @@
-#include "brindle/render/texture_tile.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "brindle/renderer.h"
 
 namespace brindle {
 namespace {

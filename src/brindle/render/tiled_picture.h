@@ -8,7 +8,7 @@
 
 #include "brindle/gl/shader_program.h"
 #include "brindle/render/gl_target.h"
-#include "brindle/render/renderer.h"
+#include "brindle/renderer.h"
 
 namespace brindle {
 

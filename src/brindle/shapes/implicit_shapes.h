@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

@@ -12,8 +12,8 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
 #include "brindle/geometry/vertex_triangles.h"
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/shapes/random.h"
 

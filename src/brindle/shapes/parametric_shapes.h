@@ -4,7 +4,7 @@
 /// +z). Triangles are near equilateral. `resolution` counts the edges along what each shape names.
 #pragma once
 
-#include "brindle/geometry/mesh.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 

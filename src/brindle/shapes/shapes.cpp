@@ -1,4 +1,4 @@
-#include "brindle/shapes/shapes.h"
+#include "brindle/shapes.h"
 
 #include <charconv>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "brindle/waves/phase_graph.h"
+#include "brindle/phase_graph.h"
 
 namespace brindle {
 

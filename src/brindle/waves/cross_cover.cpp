@@ -1,5 +1,3 @@
-#include "brindle/waves/cross_cover.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,8 +6,9 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/cross_texture.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

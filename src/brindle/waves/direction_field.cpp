@@ -1,12 +1,12 @@
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
 
 #include <cmath>
 #include <string>
 
 #include <Eigen/Geometry>
 
-#include "brindle/error.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/files/csv_file.h"
 
 namespace brindle {

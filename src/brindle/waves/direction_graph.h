@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
-#include "brindle/waves/direction_field.h"
-#include "brindle/waves/phase_graph.h"
+#include "brindle/direction_field.h"
+#include "brindle/phase_graph.h"
 
 namespace brindle {
 

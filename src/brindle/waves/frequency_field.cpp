@@ -1,4 +1,4 @@
-#include "brindle/waves/frequency_field.h"
+#include "brindle/frequency_field.h"
 
 #include <cmath>
 #include <string>

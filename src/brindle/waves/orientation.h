@@ -4,7 +4,7 @@
 #include <span>
 
 #include "brindle/adjacency.h"
-#include "brindle/waves/direction_field.h"
+#include "brindle/direction_field.h"
 
 namespace brindle {
 

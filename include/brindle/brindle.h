@@ -1,0 +1,44 @@
+/// All of brindle but what needs OpenGL (renderer.h, splats.h, gpu_solver.h, gpu_animator.h and
+/// headless_context.h), PNG files (image.h) and drawings of lines (line_drawing.h).
+///
+/// Surfaces: `make_mesh` and `make_surface` from arrays, `read_mesh` from files, `make_shape`.
+/// Fields: `smooth_direction_field`, `projected_direction_field`, `curvature_direction_field`,
+/// `tangent_directions`. Patterns: `stripe_pattern`, `texture_pattern`, `cross_pattern`. From
+/// patterns: `stripe_curves`, `stripe_samples`, `texture_coordinates`. Moving input:
+/// `StripeAnimator`, `SmoothFieldAnimator`.
+///
+/// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
+/// threads may do at the same time stands in threads.h.
+#pragma once
+
+#include "brindle/adjacency.h"
+#include "brindle/arrays.h"
+#include "brindle/corner_phases.h"
+#include "brindle/cross_texture.h"
+#include "brindle/curvature.h"
+#include "brindle/curves.h"
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/fragment_phase.h"
+#include "brindle/frequency_field.h"
+#include "brindle/mesh.h"
+#include "brindle/phase_graph.h"
+#include "brindle/phase_shift.h"
+#include "brindle/points.h"
+#include "brindle/polylines.h"
+#include "brindle/progress.h"
+#include "brindle/quality.h"
+#include "brindle/samples.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/solver.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/surface.h"
+#include "brindle/texture_coordinates.h"
+#include "brindle/texture_pattern.h"
+#include "brindle/texture_waves.h"
+#include "brindle/threads.h"
+#include "brindle/types.h"
+#include "brindle/version.h"

@@ -1,0 +1,57 @@
+/// The waves that meet in a triangle, corner by corner.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/mesh.h"
+#include "brindle/phase_graph.h"
+#include "brindle/types.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// A wave with its phase, z = exp(i Phi).
+struct CornerWave {
+  Wave wave;
+  Complex z;
+};
+
+/// The same wave running the other way: -d with pi - Phi, that is -conj(z).
+CornerWave flipped(const CornerWave& corner);
+
+/// The corners of one triangle, each with the wave of its vertex, as it stands there.
+std::array<CornerWave, 3> corner_waves(const Triangle& triangle, const WaveSet& waves,
+                                       std::span<const Complex> z);
+
+enum class TriangleKind : std::uint8_t {
+  regular,            ///< phases lift to linear coordinates
+  branch,             ///< the phase does not close: a stripe begins or ends here
+  field_singularity,  ///< the corners cannot be oriented alike
+  no_wave             ///< a corner has no wave
+};
+
+/// What `corner_phases` finds for one triangle.
+struct CornerPhases {
+  std::array<float, 3> phase{};       ///< lifted phases of the oriented corners, in radians
+  std::array<std::int8_t, 3> sign{};  ///< s_m: -1 where the corner's wave was turned round
+  std::int8_t branch_index = 0;       ///< closing error over 2 pi
+  TriangleKind kind = TriangleKind::no_wave;
+};
+
+/// What the phase gains from corner j to corner i, in radians, both running alike: the phase shift
+/// Phi_ji plus what it leaves of the difference of the phases, wrapped to between -pi and pi.
+float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind);
+
+/// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the
+/// phase shift plus the wrapped remainder. The closing error over 2 pi is the branch index.
+/// A corner without direction has no wave.
+CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftKind kind);
+
+/// The same for all triangles of a mesh, with the wave of every vertex.
+std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
+                                        std::span<const Complex> z, PhaseShiftKind kind);
+
+}  // namespace brindle

@@ -1,0 +1,46 @@
+/// Stripes as curves: the centre lines of stripes, joined over a whole surface.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/polylines.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// Why a curve ends.
+enum class CurveEnd : std::uint8_t {
+  closed,       ///< it does not
+  boundary,     ///< an edge of one triangle
+  no_wave,      ///< a triangle with a corner that has no wave
+  nonmanifold,  ///< an edge of three triangles or more
+  branch,       ///< a triangle around which the phase does not close
+  singularity   ///< a triangle that is a singularity of the field
+};
+inline constexpr std::size_t kCurveEndKinds = 6;
+
+/// Curves with the reason why each end is one.
+struct StripeCurves {
+  Polylines lines;
+  std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
+  std::size_t joined_ends = 0;                ///< that `CurveOptions::join` made go
+  std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
+
+  /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
+  std::array<std::size_t, kCurveEndKinds> end_counts() const;
+};
+
+struct CurveOptions {
+  /// Where several curves end in one branch or singularity, joins them in pairs. Every curve that
+  /// ends alone runs on into a neighbour, aslant over the surface, if there is one within two
+  /// periods; that is an end of the same kind still.
+  bool join = false;
+};
+
+/// The curves that are at least `length` long.
+StripeCurves longer_than(const StripeCurves& curves, double length);
+
+}  // namespace brindle

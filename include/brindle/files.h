@@ -1,0 +1,116 @@
+/// Meshes, points, lines and samples from and to files.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/mesh.h"
+#include "brindle/points.h"
+#include "brindle/polylines.h"
+#include "brindle/samples.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// `components` numbers per vertex, 1 or 3, vertex by vertex. The names "normal" (unit vectors) and
+/// "color" (red, green, blue between 0 and 1), with 3 components, and "uv" (texture coordinates in
+/// sides of the picture, from its lower left corner to the right and up), with 2, are stored the
+/// way that every program understands; other names consist of letters, digits and underscores.
+struct VertexAttribute {
+  std::string name;
+  int components = 1;
+  std::vector<float> values;
+
+  bool is_normal() const { return name == "normal" && components == 3; }
+  bool is_color() const { return name == "color" && components == 3; }
+  bool is_uv() const { return name == "uv" && components == 2; }
+};
+
+/// A colour's level as files store it: 0 to 1 becomes 0 to 255; what is no number becomes 0.
+inline unsigned char color_byte(float level) {
+  return static_cast<unsigned char>(std::lround(255 * (level > 0 ? std::min(level, 1.0f) : 0.0f)));
+}
+
+struct LoadedMesh {
+  Mesh mesh;
+  MeshRepair repair;  ///< what was wrong with the file's mesh
+};
+
+/// Reads OBJ, PLY, OFF, STL, glTF and GLB, told apart by the path's extension; polygons are cut
+/// into triangles, and all objects of the file become one mesh.
+///
+/// Vertices of OBJ, PLY and OFF files keep their numbers, so that data per vertex match, whether or
+/// not a triangle uses them. In every format, triangles use the first of all vertices that stand
+/// at exactly one place: files often repeat vertices along seams of texture, or for every
+/// triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they are
+/// removed.
+///
+/// OBJ, PLY and OFF are read here and not by Assimp: its readers renumber vertices, and those for
+/// PLY and OFF crash or hang on damaged files (Assimp 5.2.5).
+///
+/// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
+/// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
+LoadedMesh read_mesh(const std::filesystem::path& path);
+
+/// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
+/// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a
+/// bad name, or do not have 1 or 3 values ("uv": 2) for every vertex; and what write_file throws.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                std::span<const VertexAttribute> attributes = {});
+
+/// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
+/// `attributes` has "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for others
+/// it is written beside the mesh, for OBJ with a material library: `textured_mesh_files`. Throws
+/// Error as `write_mesh` does, and if "uv" is missing.
+void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                         std::span<const VertexAttribute> attributes, const std::string& png);
+
+/// All files that `write_textured_mesh` writes for `path`, that itself last.
+std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
+
+/// Whether a file holds points and no faces: .csv, and .ply and .obj without faces. False for what
+/// cannot be read: `read_mesh` will say why.
+bool is_point_file(const std::filesystem::path& path);
+
+/// Reads points, and normals if there are as many, from
+/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz; a first line of words and lines that begin with # are
+///   skipped;
+/// - PLY and OBJ: the vertices, whether or not there are faces;
+/// - any other mesh file: the vertices, without normals.
+/// Throws Error naming the file, the line where there is one, and the remedy for a file that cannot
+/// be read or has no point with finite coordinates.
+LoadedPoints read_points(const std::filesystem::path& path);
+
+/// Lines of one kind, with a name: letters, digits and underscores.
+struct NamedLines {
+  std::string name;
+  const Polylines& lines;
+};
+
+/// Whether `write_polylines` knows the path's extension.
+bool is_polyline_format(const std::filesystem::path& path);
+
+/// Writes by the path's extension, whole or not at all:
+/// .obj  points, and lines (`l`) in a group per kind;
+/// .ply  binary: points with normals, the number of their line and of its kind, and edges;
+/// .vtp  lines, with the number of their kind, whether they are closed and their length;
+/// .csv  a row per point: kind, line, closed, x, y, z, nx, ny, nz.
+/// A closed line comes back to its first point, which is not repeated but in .vtp and .obj's lists.
+/// Throws Error for another extension, for more points than an Index can count, and what write_file
+/// throws.
+void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds);
+
+/// Whether `write_samples` knows the path's extension.
+bool is_sample_format(const std::filesystem::path& path);
+
+/// Writes all that a Sample has, whole or not at all, by the path's extension: .csv a row per
+/// sample, .ply (binary) a vertex per sample, .vtp a point per sample. In .vtp the triangle's
+/// number is a float, exact up to 16,777,216 triangles. Throws Error for another extension and what
+/// write_file throws.
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples);
+
+}  // namespace brindle

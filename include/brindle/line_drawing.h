@@ -1,0 +1,67 @@
+/// Drawings of lines on a surface, hidden lines removed, for plotters and print.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/camera.h"
+#include "brindle/export.h"
+#include "brindle/image.h"
+#include "brindle/mesh.h"
+#include "brindle/polylines.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// A stroke of the pen: x to the right and y downwards, in pixels from the upper left corner.
+using Stroke = std::vector<Eigen::Vector2f>;
+
+/// What can be seen of a surface from one side, at every half pixel: found without OpenGL.
+class Visibility {
+ public:
+  /// The picture of `width` x `height` pixels from `view`, in which the mesh is framed.
+  /// Throws Error if a side is not in 1 .. 8192.
+  Visibility(const Mesh& mesh, const CameraView& view, int width, int height);
+
+  /// The parts of lines on the surface that nothing is in front of, in the order of the lines.
+  /// Corners that change a stroke by less than a twentieth of a pixel are left out.
+  /// What lies behind the surface by less than `tolerance` times its distance counts as on it.
+  std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f) const;
+
+ private:
+  struct Seen {
+    Eigen::Vector2f pixel;
+    float distance;  ///< along the viewing direction
+  };
+  Seen project(const Vec3& point) const;
+  void draw(const Mesh& mesh);
+  void draw_triangle(const std::array<Seen, 3>& corners);
+  bool visible(const Seen& seen, float tolerance) const;
+  void add_strokes(std::span<const Seen> path, float tolerance, std::vector<Stroke>& strokes) const;
+
+  Camera camera_;
+  int width_;
+  int height_;
+  int columns_;  // of half pixels
+  int rows_;
+  std::vector<float> nearness_;  // 1 / distance of the nearest surface; 0 where there is none
+};
+
+/// The edges of the mesh that bound what is seen of it: between triangles that face the viewer and
+/// triangles that do not, and edges of a single triangle; joined into lines.
+Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
+                  int width, int height);
+
+/// Strokes of one pen.
+struct Pen {
+  std::string name;  ///< letters, digits and underscores
+  Color color;
+  float width = 1;  ///< pixels
+  std::vector<Stroke> strokes;
+};
+
+/// Writes a path per stroke, in a group per pen; no background. Throws what write_file does.
+void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens);
+
+}  // namespace brindle

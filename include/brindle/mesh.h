@@ -1,0 +1,86 @@
+/// A triangle surface: points and triangles, of any topology.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/types.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// Three vertex numbers, counter-clockwise seen from outside where the surface has an outside.
+using Triangle = std::array<Index, 3>;
+
+/// A triangle mesh. Nothing is asked of its topology: it may be open, non-manifold, unorientable,
+/// or in pieces, and may have vertices that no triangle uses. Positions are finite and triangle
+/// corners in range and different from each other; `repair_mesh` (mesh_repair.h) sees to that.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+
+  std::size_t vertex_count() const { return positions.size(); }
+  std::size_t triangle_count() const { return triangles.size(); }
+};
+
+/// Corners of the axis-aligned box around all vertices that a triangle uses, or around all vertices
+/// if there is no triangle; both zero if there is no vertex.
+struct BoundingBox {
+  Vec3 lower = Vec3::Zero();
+  Vec3 upper = Vec3::Zero();
+
+  Vec3 center() const { return 0.5f * (lower + upper); }
+  float diagonal() const { return (upper - lower).norm(); }
+};
+
+BoundingBox bounding_box(const Mesh& mesh);
+
+/// What was wrong with a mesh. Apart from `vertices_unreferenced`, nothing of it is left.
+struct MeshRepair {
+  std::size_t vertices_not_finite = 0;     ///< a coordinate was NaN, infinite or beyond 1e18
+  std::size_t vertices_joined = 0;         ///< stood exactly where an earlier vertex stands
+  std::size_t vertices_unreferenced = 0;   ///< in no triangle, after all repairs
+  std::size_t triangles_out_of_range = 0;  ///< dropped: named a vertex that does not exist
+  std::size_t triangles_not_finite = 0;    ///< dropped: used a vertex that is not finite
+  std::size_t triangles_degenerate = 0;    ///< dropped: two corners alike, or no area
+  std::size_t triangles_duplicate = 0;     ///< dropped: had the corners of an earlier one
+
+  /// Whether triangles were dropped or positions replaced.
+  bool changed() const {
+    return vertices_not_finite + triangles_out_of_range + triangles_not_finite +
+               triangles_degenerate + triangles_duplicate >
+           0;
+  }
+
+  bool operator==(const MeshRepair&) const = default;
+};
+
+/// One line per finding, as for a report to the user; empty if there are none.
+std::string describe(const MeshRepair& repair);
+
+/// Drops triangles that cannot be used. Vertices stay, and keep their numbers, so that data per
+/// vertex still match: those that are not finite are moved to the centroid of the others.
+MeshRepair repair_mesh(Mesh& mesh);
+
+/// Moves positions with a coordinate that is NaN, infinite or beyond 1e18 to the centroid of the
+/// others. Returns, for every position, whether it was good.
+std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
+
+/// Lets triangles use, of all vertices at exactly the same place, the one with the smallest number.
+/// The others stay, in no triangle. Returns how many there are.
+std::size_t join_vertices(Mesh& mesh);
+
+/// Removes vertices that no triangle uses; the others are renumbered in order.
+void drop_unreferenced_vertices(Mesh& mesh);
+
+/// Splits every triangle in four at the midpoints of its edges, `times` times. Triangles that share
+/// an edge, however many, share its midpoint. Old vertices keep their numbers; the midpoints
+/// follow, ordered by the numbers of their edge's ends. The triangles of triangle t are 4 t .. 4 t
+/// + 3, the inner one last. Throws Error if `times` is negative, or the result would have more
+/// triangles than brindle can number.
+Mesh subdivide(Mesh mesh, int times = 1);
+
+}  // namespace brindle

@@ -1,0 +1,66 @@
+/// The phase graph: all that a solver has to know (DESIGN section 2).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/adjacency.h"
+#include "brindle/export.h"
+#include "brindle/phase_shift.h"
+#include "brindle/types.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+struct AveragedLevel;
+
+/// Unknown phases z_i = exp(i Phi_i) on nodes and one coupling per directed edge j -> i. Node i is
+/// drawn towards its target
+///
+///     t_i = sum_j A_ij z_j + B_ij conj(z_j) + T_i                                (paper, Eq. 8)
+///
+/// where the edge's coupling is A_ij = w exp(i Phi_ji) if it is direct and B_ij = -w exp(-i Phi_ji)
+/// if it is reflecting. Couplings are symmetric: A_ji = conj(A_ij), B_ji = B_ij.
+struct PhaseGraph {
+  std::shared_ptr<const Adjacency> adjacency;
+  std::vector<Complex> coupling;         ///< one per directed edge, in the row of its head i
+  std::vector<std::uint8_t> reflecting;  ///< one per directed edge: 1 if `coupling` is a B_ij
+  std::vector<Complex> anchor;           ///< T_i, one per node; empty for none
+  std::vector<float> mass;               ///< one per node, above 0, for the global solver; empty: 1
+  std::shared_ptr<const AveragedLevel> averaged;  ///< next coarser input, for the averaged solver
+
+  std::size_t node_count() const { return adjacency->node_count(); }
+};
+
+/// A coarser graph whose inputs are averages of a finer one's (paper, 3.4).
+struct AveragedLevel {
+  PhaseGraph graph;
+  std::vector<Index> parent;      ///< for every fine node its node in `graph`
+  std::vector<Complex> transfer;  ///< z_i = transfer_i z_parent, or transfer_i conj(z_parent)...
+  std::vector<std::uint8_t> transfer_reflects;  ///< ...where this is 1
+};
+
+/// What every node of a phase graph's front end has.
+struct WaveSet {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> directions;    ///< unit tangent vectors or zero (no wave: couplings are 0)
+  std::vector<float> frequencies;  ///< stripes per unit length
+};
+
+/// The couplings of the waves along all edges of `adjacency`, with the paper's weight
+/// w = |<d_i, d_j>|, times `edge_weights` (one per directed edge, symmetric, not negative) if
+/// given. Throws Error if sizes do not match, and for values that `check_waves` and
+/// `check_edge_weights` of wave_check.h refuse.
+PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
+                             PhaseShiftKind kind = PhaseShiftKind::aligned,
+                             std::span<const float> edge_weights = {});
+
+/// The energy of Eq. 4 and 5 over the sum of all weights: between 0 and 1, about 0.5 for random
+/// phases, 0 if the graph has no edges or none of them a weight. Anchors do not count. Not a number
+/// if a coupling or a phase is none. `z` has one unit number per node.
+double energy(const PhaseGraph& graph, std::span<const Complex> z);
+
+/// The same from the sums over all edges.
+double relative_energy(double energy_sum, double weight_sum);
+
+}  // namespace brindle

@@ -1,0 +1,50 @@
+/// Points without triangles.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/surface.h"
+#include "brindle/types.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// Points keep their numbers, so that data per point match; `used` says which of them take part.
+struct PointCloud {
+  std::vector<Vec3> positions;  ///< finite
+  std::vector<Vec3> normals;    ///< one unit vector per point, or empty if they are not known
+  std::vector<Index> used;      ///< in ascending order: finite, and the first at their place
+};
+
+/// What was wrong with a list of points.
+struct PointRepair {
+  std::size_t not_finite = 0;      ///< a coordinate was NaN, infinite or beyond 1e18: set aside
+  std::size_t repeated = 0;        ///< stood exactly where an earlier point stands: set aside
+  std::size_t without_normal = 0;  ///< of a cloud with normals: zero or not finite, so that the
+                                   ///< normals of all points are dropped
+
+  bool operator==(const PointRepair&) const = default;
+};
+
+/// One line per finding, as for a report to the user; empty if there are none.
+std::string describe(const PointRepair& repair);
+
+struct LoadedPoints {
+  PointCloud cloud;
+  PointRepair repair;
+};
+
+/// Makes a valid cloud of any positions and normals (one per position, of any length above zero;
+/// or none). Positions that are not finite are moved to the centroid of the others.
+LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> normals = {});
+
+/// Joins every point to its `neighbors` nearest and, if the cloud has no normals, fits and orients
+/// them. Points that are not used, and those whose neighbours lie on a line, have a zero normal and
+/// so carry no wave. Everything that works on a Surface works on the result, from direction fields
+/// to `stripe_pattern`; what needs triangles finds none. Throws Error if no point has a normal, and
+/// what `point_neighborhood` throws.
+Surface make_point_surface(PointCloud cloud, int neighbors = 8);
+
+}  // namespace brindle

@@ -1,0 +1,41 @@
+/// How well a pattern follows its field: branches, angle and spacing errors (paper, Fig. 8).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "brindle/corner_phases.h"
+#include "brindle/export.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+struct PatternQuality {
+  std::size_t branches = 0;             ///< triangles of kind branch or field_singularity
+  std::size_t field_singularities = 0;  ///< triangles of kind field_singularity
+  // Regular triangles, weighted by area: how a surface is cut into triangles must not matter. 0 if
+  // there are none, or none with an area.
+  double angle_error_mean_deg = 0;         ///< gradient against mean direction
+  double angle_error_share_over_5deg = 0;  ///< share of the area, between 0 and 1
+  double spacing_error_mean = 0;           ///< mean of | |gradient| / (2 pi f) - 1 |
+  std::size_t vertices_without_wave = 0;   ///< with the direction zero: they draw nothing
+};
+
+/// How many vertices have the direction zero.
+std::size_t count_without_wave(std::span<const Vec3> directions);
+
+/// The gradient of the linear function with these values at a triangle's corners, in the triangle's
+/// plane; zero if the triangle has no area.
+Vec3 linear_gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value);
+
+/// Angle in degrees, 0 to 180, between the gradient of the lifted corner phases and the mean corner
+/// direction in the triangle's plane, for every triangle; -1 where the triangle is not regular.
+std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
+                                    std::span<const CornerPhases> corners);
+
+/// Errors are weighted by the areas of triangles; `waves` has one entry per vertex, `corners` one
+/// per triangle.
+PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
+                               std::span<const CornerPhases> corners);
+
+}  // namespace brindle

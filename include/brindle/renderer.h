@@ -1,0 +1,166 @@
+/// What a picture shows on top of the stripes: coloured triangles and marks (paper, Fig. 8).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "brindle/camera.h"
+#include "brindle/corner_phases.h"
+#include "brindle/export.h"
+#include "brindle/image.h"
+#include "brindle/mesh.h"
+#include "brindle/phase_graph.h"
+#include "brindle/texture_waves.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// A triangle's colour; `amount` 0 shows the stripes alone, 1 the colour alone.
+struct TriangleColor {
+  Color color;
+  float amount = 0;
+};
+
+/// A disc that faces the camera, of a size in pixels, hidden by what is in front of it.
+struct Mark {
+  Vec3 position;
+  Color color;
+};
+
+struct Overlay {
+  std::vector<TriangleColor> triangle_colors;  ///< one per triangle, or empty
+  std::vector<Mark> marks;
+};
+
+/// Branches in red and singularities of the field in amber, each with a mark at its centre so that
+/// tiny triangles are found. `corners` has one entry per triangle.
+Overlay branch_overlay(const Mesh& mesh, std::span<const CornerPhases> corners);
+
+/// One value per triangle through `error_color`, from 0 to `largest`; negative values and NaN (no
+/// value) leave a triangle as it is.
+Overlay error_overlay(std::span<const float> values, float largest);
+
+/// Tiles that need no file: a figure in one colour on the ground of another. All but arrows look
+/// the same turned by 180 degrees about their middle, so they suit fields without orientation;
+/// checker, dots and plus also turned by 90 degrees, so they suit cross fields.
+enum class BuiltInTile {
+  stripes,    ///< across U, as `Renderer` draws stripes of width 0.5
+  checker,    ///< two by two squares, one in the middle
+  dots,       ///< one in the middle
+  arrows,     ///< one that points along U
+  bricks,     ///< two courses along U, the second shifted by half a brick
+  hatch,      ///< strokes along U that others cross along V
+  plus,       ///< a plus sign
+  minus,      ///< a minus sign along U
+  plus_minus  ///< a plus sign in the middle and a minus sign at the corner
+};
+
+/// Reads the names above. Empty if there is no such tile.
+std::optional<BuiltInTile> built_in_tile(std::string_view name);
+
+/// The names above, separated by `|`.
+std::string_view built_in_tile_names();
+
+/// The distance from texture coordinates to the figure's border, in sides of the tile, negative
+/// inside; coordinates repeat after 1.
+float tile_distance(BuiltInTile tile, float u, float v);
+
+/// A built-in tile, or a picture whose transparent parts show the surface.
+using TextureTile = std::variant<BuiltInTile, Image>;
+
+/// The tile as a picture without transparent parts: a figure in `side` x `side` pixels, edges
+/// smoothed; a picture over `ground`. U runs to the right, V up.
+/// Throws Error for sides that `check_image_size` refuses.
+Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground);
+
+/// The pixel's light multiplied with its alpha: red, green, blue and alpha.
+Eigen::Vector4f premultiplied_light(const Pixel& pixel);
+
+/// The picture itself if no side is longer than `longest`, else halved until none is: pixels become
+/// means of their light.
+Image reduced(Image image, int longest);
+
+/// What is drawn. Everything but the mesh may be left empty: no normals gives flat facets, no waves
+/// a plain surface. Triangles with a corner that has no wave are drawn as plain surface too.
+struct SurfaceDrawing {
+  const Mesh& mesh;
+  std::span<const Vec3> normals = {};  ///< one unit normal per vertex
+  const WaveSet* waves = nullptr;      ///< one wave per vertex; positions are the mesh's
+  std::span<const Complex> z = {};     ///< one phase exp(i Phi) per vertex
+  std::span<const TriangleColor> triangle_colors = {};  ///< one per triangle
+  std::span<const Mark> marks = {};
+  const TextureWaves* texture_waves =
+      nullptr;                                ///< with `texture_tile`: a texture instead of stripes
+  const TextureTile* texture_tile = nullptr;  ///< figures are drawn in the colour of stripes
+};
+
+/// What has changed in a drawing that was uploaded before. Spans left empty and no waves leave what
+/// was there; marks are replaced in any case.
+struct DrawingChange {
+  std::span<const Vec3> positions = {};  ///< one per vertex
+  std::span<const Vec3> normals = {};    ///< one per vertex
+  const WaveSet* waves = nullptr;
+  std::span<const Complex> z = {};
+  std::span<const TriangleColor> triangle_colors = {};
+  std::span<const Mark> marks = {};
+};
+
+struct RenderOptions {
+  int width = 1200;   ///< pixels
+  int height = 900;   ///< pixels
+  CameraView camera;  ///< the mesh is framed from this side
+  Color base_color{0.957f, 0.937f, 0.898f};
+  Color stripe_color{0.110f, 0.196f, 0.353f};
+  float stripe_width = 0.5f;  ///< share of the period, 0 to 1
+  Color background_center{0.980f, 0.980f, 0.976f};
+  Color background_edge{0.855f, 0.867f, 0.882f};
+  bool transparent = false;  ///< no background: its alpha is 0
+  bool shading = true;       ///< false: plain colours without light
+  float mark_radius = 6;     ///< pixels
+  int supersampling = 2;     ///< 1 to 4: samples along each side of a pixel, beside multisampling
+  int tile_side =
+      2048;  ///< samples along a side of the parts that a picture is drawn in, at least 64
+};
+
+/// The colours that let overlays stand out: a light grey surface with faint stripes.
+RenderOptions with_faint_stripes(RenderOptions options);
+
+/// Draws in the OpenGL 4.5 context that is current when it is made; that context must be
+/// current whenever it is used or destroyed.
+class Renderer {
+ public:
+  /// Throws Error, naming shader file and line, if the driver does not take the shaders.
+  Renderer();
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Copies the drawing to OpenGL, in place of the last one.
+  /// Throws Error if sizes do not match or the drawing is larger than the driver's buffers.
+  void upload(const SurfaceDrawing& drawing);
+
+  /// Copies what has changed since the last upload. The camera goes on framing the mesh as it was
+  /// uploaded, so that moving vertices do not move it. Throws as `upload` does.
+  void update(const DrawingChange& change);
+
+  /// Reads phases from an OpenGL buffer of somebody else's, 2 floats a vertex, such as
+  /// `GpuAnimator::phases`, until the next `upload`, or `update` with phases: what is there when a
+  /// picture is drawn is drawn, without a copy. Throws Error if the buffer is not that large.
+  void use_phases(unsigned buffer);
+
+  /// Draws the uploaded drawing. Pictures larger than the driver's framebuffers are drawn in tiles.
+  /// Throws Error if an option is out of its range or the picture is beyond the limits of image.h.
+  Image draw(const RenderOptions& options) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Draws one picture in a headless context of its own. Throws what HeadlessContext and Renderer do.
+Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options = {});
+
+}  // namespace brindle

@@ -1,0 +1,66 @@
+/// All solvers behind one function: from a phase graph to phases.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/phase_graph.h"
+#include "brindle/progress.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+enum class Solver {
+  multilevel,  ///< DESIGN section 3: carries phases up the hierarchy; the default
+  relaxation,  ///< the paper's local optimisation (3.2, 3.3, section 4)
+  averaged,    ///< the paper's hierarchy of averaged inputs (3.4)
+  global       ///< smallest eigenvector (Knöppel et al. 2015); needs a build with CHOLMOD
+};
+
+std::optional<Solver> solver_of(std::string_view name);
+std::string_view name_of(Solver solver);
+
+/// Whether this build has the solver: all but `global` are always there.
+bool is_available(Solver solver);
+
+struct SolverOptions {
+  Solver solver = Solver::multilevel;
+
+  // relaxation and averaged
+  float epsilon = 0.02f;        ///< stop when the relative energy improvement (Eq. 12) is below
+  float momentum = 0.2f;        ///< s_m of Eq. 11; 0 switches it off
+  bool skip_last_third = true;  ///< last third of the colours on every second iteration only
+  int max_iterations = 10000;
+  std::uint32_t seed = 0;  ///< added to the node number before hashing
+
+  // multilevel, and the cycles of all
+  int sweeps = 2;  ///< coloured sweeps per level
+  int cycles = 0;  ///< descents from the solver's phases, each from those of the one before
+
+  // global
+  int global_iterations = 20;  ///< inverse iterations
+};
+
+/// Throws Error for options out of range.
+void check(const SolverOptions& options);
+
+struct PhaseSolution {
+  std::vector<Complex> z;  ///< one unit number per node
+  double energy = 0;       ///< of `z`, as `energy()` of phase_graph.h defines it
+  int iterations = 0;      ///< sweeps over the finest level, or inverse iterations
+  std::vector<double> energy_per_iteration;  ///< before the first iteration and after each one, but
+                                             ///< for those of cycles; empty for multilevel and
+                                             ///< global, which do not need it
+  double topology_milliseconds =
+      0;  ///< what depends on the graph alone: colours, aggregates, order
+  double solve_milliseconds = 0;
+};
+
+/// Throws Error for options out of range, a graph without `averaged` levels for Solver::averaged,
+/// or a build without CHOLMOD for Solver::global; Cancelled if `progress` asks for it.
+PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options = {},
+                           const Progress& progress = {});
+
+}  // namespace brindle

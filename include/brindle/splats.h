@@ -1,0 +1,58 @@
+/// Pictures of stripes on points: every point is a disc in its tangent plane, and discs that
+/// overlap are blended into a closed surface (Botsch et al. 2005).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/adjacency.h"
+#include "brindle/export.h"
+#include "brindle/phase_graph.h"
+#include "brindle/renderer.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// One entry per point in all spans. Points without a normal (zero) are not drawn; those without a
+/// wave, or all if there are no waves, are plain surface.
+struct SplatDrawing {
+  std::span<const Vec3> positions;
+  std::span<const Vec3> normals;  ///< unit; their signs do not matter
+  std::span<const float> radii;   ///< of the discs, above 0
+  const WaveSet* waves = nullptr;
+  std::span<const Complex> z = {};  ///< exp(i Phi)
+};
+
+/// Radii that let discs overlap: the mean distance to the neighbours. Zero for points without
+/// neighbours.
+std::vector<float> splat_radii(std::span<const Vec3> positions, const Adjacency& neighborhood);
+
+/// Draws discs in the OpenGL 4.5 context that is current when it is made; that context must be
+/// current whenever it is used or destroyed.
+class SplatRenderer {
+ public:
+  /// Throws Error, naming shader file and line, if the driver does not take the shaders.
+  SplatRenderer();
+  ~SplatRenderer();
+  SplatRenderer(SplatRenderer&&) noexcept;
+  SplatRenderer& operator=(SplatRenderer&&) noexcept;
+
+  /// Copies the drawing to OpenGL, in place of the last one.
+  /// Throws Error if sizes do not match or the drawing is larger than the driver's buffers.
+  void upload(const SplatDrawing& drawing);
+
+  /// Draws the uploaded drawing. Each pixel takes the phase that every disc there has from its own
+  /// wave, Phi + 2 pi f <x - p, d>, weighted by how near the disc's centre is. Options as for
+  /// `Renderer::draw`; marks are not drawn, and there is no multisampling beside supersampling.
+  Image draw(const RenderOptions& options) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Draws one picture in a headless context of its own. Throws what HeadlessContext and
+/// SplatRenderer do.
+Image render_splats(const SplatDrawing& drawing, const RenderOptions& options = {});
+
+}  // namespace brindle

@@ -1,0 +1,108 @@
+/// Stripes that follow changing input, frame by frame (DESIGN section 3, "Changing input").
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/adjacency.h"
+#include "brindle/export.h"
+#include "brindle/phase_shift.h"
+#include "brindle/progress.h"
+#include "brindle/types.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+class Stopwatch;
+
+/// How a frame's phases follow from the last frame's.
+enum class FrameSolver {
+  multilevel,  ///< a whole descent, drawn towards the last phases by anchors of weight lambda
+  relaxation   ///< the paper's way (section 4, "Dynamic Input"): iterations from the last phases
+};
+
+struct AnimatorOptions {
+  FrameSolver solver = FrameSolver::multilevel;
+  float lambda = 0.025f;  ///< weight of the anchor T_i = lambda deg_i z_i(last frame); 0: each
+                          ///< frame from scratch
+  int sweeps = 2;         ///< coloured sweeps per level, multilevel
+  int cycles = 0;         ///< further descents, each from the phases of the one before
+  int iterations = 3;     ///< per frame, relaxation
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
+  std::vector<float> edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies
+                                    ///< the paper's weight; empty: 1; StripeAnimator alone
+};
+
+/// One frame's input, one entry per vertex each. Spans are read during the call only.
+struct FrameInput {
+  std::span<const Vec3> positions;
+  std::span<const Vec3> directions;  ///< unit tangent vectors, or zero for no wave
+  std::span<const float> frequencies;
+};
+
+/// What StripeAnimator and GpuAnimator stand on: throw Error for options out of range, and for
+/// input without one entry for each of so many vertices. Values are not looked at.
+void check(const AnimatorOptions& options);
+void check(const FrameInput& input, std::size_t vertices);
+
+struct FrameMilliseconds {
+  double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
+  double sum = 0;     ///< gauges and coarse sums
+  double solve = 0;   ///< descents or iterations, phases back into vertex order
+};
+
+struct FrameResult {
+  std::span<const Complex> z;  ///< one phase per vertex; valid until the next frame
+  double phase_step = 0;       ///< mean |angle| between this frame's phases and the last one's, in
+                               ///< radians, over vertices with a wave; 0 in the first frame
+  bool unchanged = false;      ///< the input was that of the last frame, and so are the phases
+  FrameMilliseconds milliseconds;
+};
+
+/// Lays stripes over one surface for one field that changes from frame to frame. What depends on
+/// the connectivity alone is built in the first frame; later frames renew couplings, gauges and
+/// coarse sums, allocate nothing, and take time linear in the number of edges. A field for two
+/// orthogonal directions is two animators, the second made by `sibling`.
+class StripeAnimator {
+ public:
+  /// Throws Error for options out of range.
+  explicit StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
+                          const AnimatorOptions& options = {});
+  ~StripeAnimator();
+  StripeAnimator(StripeAnimator&&) noexcept;
+  StripeAnimator& operator=(StripeAnimator&&) noexcept;
+
+  /// Solves for the next frame. The first frame has no last one and is solved from scratch.
+  /// `progress` hears of the first frame's topology, and of cycles. Throws Error if the input has
+  /// not one entry per vertex, and for values that `check_waves` (wave_check.h) refuses; Cancelled
+  /// if `progress` asks for it. Whatever it throws, the animator then is as it was before the call.
+  FrameResult frame(const FrameInput& input, const Progress& progress = {});
+
+  /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it. Throws Error
+  /// before the first frame.
+  double energy() const;
+
+  /// An animator for another field on the same surface that shares this one's topology. Call it
+  /// after the first frame.
+  StripeAnimator sibling() const;
+
+  /// Forgets the last frame's phases: the next frame is solved from scratch.
+  void restart();
+
+  /// Milliseconds that building the topology took, in the first frame. Aggregates follow the first
+  /// couplings, so that their sums belong to it.
+  double topology_milliseconds() const;
+
+ private:
+  struct State;
+  explicit StripeAnimator(std::unique_ptr<State> state);
+  void start();
+  FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
+  void couple_next();
+  void iterate();
+  void keep();
+  void take_back();
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace brindle

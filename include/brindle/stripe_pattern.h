@@ -1,0 +1,89 @@
+/// The main job: from a surface with waves to a measured stripe pattern.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "brindle/curves.h"
+#include "brindle/direction_field.h"
+#include "brindle/export.h"
+#include "brindle/frequency_field.h"
+#include "brindle/progress.h"
+#include "brindle/quality.h"
+#include "brindle/samples.h"
+#include "brindle/solver.h"
+#include "brindle/surface.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// What multiplies the paper's weight |<d_i, d_j>| of an edge.
+enum class EdgeWeights {
+  paper,     ///< nothing
+  cotangent  ///< `cotangent_weights`: lower angle errors for a longer coupling stage
+};
+
+/// Turns a phase graph into phases, as `solve_phases` and `GpuSolver::solve` of brindle/gpu do.
+using SolvePhases =
+    std::function<PhaseSolution(const PhaseGraph&, const SolverOptions&, const Progress&)>;
+
+struct StripeOptions {
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+  EdgeWeights weights = EdgeWeights::paper;
+  SolverOptions solver;
+  SolvePhases solve;  ///< empty: on the processor
+};
+
+/// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.
+struct StripeMilliseconds {
+  double load = 0;
+  double topology = 0;  ///< neighbourhood and normals, colours, aggregates: once per connectivity
+  double couple = 0;    ///< phase shifts
+  double solve = 0;
+  double pattern = 0;  ///< corner phases and quality
+};
+
+/// A pattern and all that it was made with.
+struct StripePattern {
+  WaveSet waves;
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+  PhaseSolution solution;             ///< `solution.z`: one phase per vertex
+  std::vector<CornerPhases> corners;  ///< one entry per triangle
+  PatternQuality quality;
+  StripeMilliseconds milliseconds;
+};
+
+/// Couples the waves along the edges of the surface, solves for phases, lifts them to the corners
+/// of the triangles and measures the result; on points without triangles as `measure_point_quality`
+/// does. `waves` has one entry per vertex. Throws Error for waves that `check_waves` refuses, and
+/// what `solve_phases` throws.
+StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
+                             const StripeOptions& options = {}, const Progress& progress = {});
+
+/// The same along a direction field, with as many stripes per unit length as `frequency` says, or
+/// as each vertex's entry of `frequencies` does. Stripes run across the directions.
+StripePattern stripe_pattern(const Surface& surface, DirectionField field, float frequency,
+                             const StripeOptions& options = {}, const Progress& progress = {});
+StripePattern stripe_pattern(const Surface& surface, DirectionField field,
+                             FrequencyField frequencies, const StripeOptions& options = {},
+                             const Progress& progress = {});
+
+/// The centre lines of the pattern's stripes, sin Phi = 1, over the whole surface that it was made
+/// for. Several cross a triangle where the frequency asks for it. Curves do not cross; each is
+/// closed, or both its ends have one of the reasons of CurveEnd. They run so that waves run to
+/// their left, seen from outside, where the field and the surface can be oriented. Throws Error for
+/// a pattern of another surface, and on points without triangles.
+StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
+                           const CurveOptions& options = {});
+
+/// Points where the stripes of two patterns on one surface cross, or of points without triangles;
+/// of those nearer to each other than a quarter of their spacing only one. Throws Error for
+/// patterns of another surface, and in a build without nanoflann.
+std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,
+                                   const StripePattern& v);
+
+/// Throws Error unless `waves` has one entry for each of the surface's vertices, for values that
+/// `check_waves` (wave_check.h) refuses, and for directions that stick out of the tangent plane by
+/// more than 4 degrees: a quarter turn about the normal would not leave them as long as they are.
+void check_tangent_waves(const Surface& surface, const WaveSet& waves);
+
+}  // namespace brindle

@@ -1,0 +1,51 @@
+/// Texture coordinates for files: one pair per vertex, with vertices split where needed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "brindle/export.h"
+#include "brindle/phase_shift.h"
+#include "brindle/texture_waves.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// A mesh whose vertices have texture coordinates: lifted phases over 2 pi, plus a quarter
+/// (`texture_coordinate`). One tile is one unit; U runs to the right of a tile and V upwards.
+struct TexturedMesh {
+  Mesh mesh;  ///< the vertices of the original under their numbers, then copies and new ones
+  std::vector<Eigen::Vector2f> coordinates;  ///< one per vertex
+  /// One per vertex: the vertices of the original mesh whose mean it is, which is three times the
+  /// same for a vertex and its copies.
+  std::vector<std::array<Index, 3>> origins;
+  std::size_t split_triangles = 0;  ///< at their barycentres
+};
+
+/// Coordinates that are linear in each triangle and agree along edges up to whole tiles. Neighbours
+/// use the same copy of a vertex wherever their coordinates agree; whole tiles are added to make
+/// that so. Triangles at branches and singularities of the field are split at their barycentre
+/// (Knöppel et al. 2015), which keeps the seam that remains inside of them. Triangles without waves
+/// have the coordinates 0, 0. `waves` has one entry per triangle of the mesh.
+TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind);
+
+/// Values per vertex of the original mesh (`components` numbers each), carried to the vertices of
+/// the textured mesh.
+std::vector<float> carried_values(const TexturedMesh& textured, std::span<const float> values,
+                                  int components);
+
+struct CarriedWaves {
+  WaveSet waves;
+  std::vector<Complex> z;
+};
+
+/// The waves of the original mesh's vertices, carried to the vertices of the textured mesh: at
+/// barycentres they are what `fragment_phase` finds there, and in the middle of a singularity there
+/// is no wave.
+CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
+                           std::span<const Complex> z);
+
+}  // namespace brindle
