@@ -13,13 +13,10 @@ namespace brindle {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
+constexpr float kSquareTolerance = 0.01f;
 
 bool is_unit_or_zero(const Vec3& d) {
-  constexpr float kSquareTolerance = 0.01f;
-  const float square = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
-  const bool unit = std::abs(square - 1) <= kSquareTolerance;
-  const bool zero = (d.x() == 0) & (d.y() == 0) & (d.z() == 0);
-  return unit | zero;
+  return std::abs(d.squaredNorm() - 1) <= kSquareTolerance || d.isZero(0);
 }
 
 bool is_wave(const Vec3& position, const Vec3& direction, float frequency) {
@@ -57,10 +54,18 @@ bool all_finite(std::span<const Vec3> vectors) {
   return bad == 0;
 }
 
-bool all_unit_or_zero(std::span<const Vec3> directions) {
+bool all_unit(std::span<const Vec3> directions) {
+  const float* const d = directions.front().data();
   unsigned bad = 0;
-  for (const Vec3& direction : directions) bad |= !is_unit_or_zero(direction);
+  for (std::size_t c = 0; c < 3 * directions.size(); c += 3) {
+    const float square = d[c] * d[c] + d[c + 1] * d[c + 1] + d[c + 2] * d[c + 2];
+    bad |= !(std::abs(square - 1) <= kSquareTolerance);
+  }
   return bad == 0;
+}
+
+bool all_unit_or_zero(std::span<const Vec3> directions) {
+  return all_unit(directions) || std::all_of(directions.begin(), directions.end(), is_unit_or_zero);
 }
 
 bool all_positive(std::span<const float> frequencies) {
