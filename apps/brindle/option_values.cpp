@@ -48,6 +48,13 @@ float not_negative_number_of(const std::string& option, const std::string& text)
   return value;
 }
 
+float weight_of(const std::string& option, const std::string& text) {
+  constexpr float kMost = 1e6f;
+  const float value = not_negative_number_of(option, text);
+  if (value > kMost) wrong_usage(option, "a number from 0 to 1000000", text);
+  return value;
+}
+
 float positive_number_of(const std::string& option, const std::string& text) {
   const auto value = finite_number(text);
   if (!value || *value <= 0) wrong_usage(option, "a finite number above zero", text);

@@ -21,6 +21,10 @@ float number_of(const std::string& option, const std::string& text);
 /// A finite number, zero or more.
 float not_negative_number_of(const std::string& option, const std::string& text);
 
+/// How much something counts beside the couplings of waves: zero to a million, beyond which nothing
+/// but rounding errors would be left of these.
+float weight_of(const std::string& option, const std::string& text);
+
 /// A finite number above zero.
 float positive_number_of(const std::string& option, const std::string& text);
 

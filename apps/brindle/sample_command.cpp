@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/error.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
@@ -13,6 +12,7 @@
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sample_io.h"
 #include "brindle/surface/point_tree.h"
+#include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
 #include "option_values.h"
@@ -61,9 +61,9 @@ SampleOutput planned(const std::string& path) {
     return SampleOutput::picture;
   }
   if (is_sample_format(path)) return SampleOutput::samples;
-  throw Error("cannot write '" + path + "': '" + kind +
-              "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, .json for a "
-              "report");
+  refuse_output(path, "'" + kind +
+                          "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, "
+                          ".json for a report");
 }
 
 struct Result {
@@ -74,6 +74,7 @@ struct Result {
   std::optional<SampleSpacing> spacing;
   double edges_milliseconds = 0;
   double extract_milliseconds = 0;
+  std::optional<double> draw_milliseconds;
 };
 
 WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surface,
@@ -88,10 +89,16 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   result.prepared = prepare(arguments.surface, arguments.waves, display);
   const Surface& surface = result.prepared.surface;
   WaveSet waves_v = make_second_waves(surface, result.prepared.waves, arguments.second);
+  if (is_other(arguments.second)) {
+    noted_waves(surface, waves_v, "the field of V", display);
+  }
   const StripeOptions& options = arguments.solving.stripes;
   result.u = stripe_pattern(surface, std::move(result.prepared.waves), options, display.progress());
   result.v = stripe_pattern(surface, std::move(waves_v), options, display.progress());
 
+  display.note(branch_warning(result.prepared.figures,
+                              std::max(result.u.quality.branches, result.v.quality.branches),
+                              surface.mesh.triangle_count()));
   display.stage("samples");
   Stopwatch watch;
   if (surface.mesh.triangles.empty()) {
@@ -129,6 +136,7 @@ nlohmann::ordered_json to_json(const Result& result) {
                                  {"doubles_left_out", result.doubles},
                                  {"branches_u", result.u.quality.branches},
                                  {"branches_v", result.v.quality.branches}};
+  json.update(to_json(result.prepared.figures, result.prepared.field_rows_nonfinite));
   if (result.spacing) {
     json["nearest_neighbour"] = {{"measured", result.spacing->samples},
                                  {"mean", result.spacing->mean},
@@ -143,10 +151,12 @@ nlohmann::ordered_json to_json(const Result& result) {
       {"solve", both(&StripeMilliseconds::solve)},
       {"pattern", both(&StripeMilliseconds::pattern)},
       {"extract", result.extract_milliseconds}};
+  if (result.draw_milliseconds) json["milliseconds"]["draw"] = *result.draw_milliseconds;
   return json;
 }
 
 void print(std::ostream& out, const Result& result) {
+  print_waves(out, result.prepared.figures);
   out << formatted("samples   %zu, %zu more left out as too near to others\n",
                    result.samples.size(), result.doubles)
       << formatted("branches  %zu of U, %zu of V\n", result.u.quality.branches,
@@ -178,8 +188,8 @@ void add_disc(const Sample& sample, Mesh& mesh) {
   }
 }
 
-void write(SampleOutput kind, const std::string& path, const SampleArguments& arguments,
-           const Result& result) {
+void write(SampleOutput kind, const std::string& path, const CLI::App& command,
+           const SampleArguments& arguments, const Result& result) {
   switch (kind) {
     case SampleOutput::samples:
       return write_samples(path, result.samples);
@@ -190,27 +200,43 @@ void write(SampleOutput kind, const std::string& path, const SampleArguments& ar
                              *arguments.picture);
     }
     case SampleOutput::report:
-      return write_json(path, to_json(result));
+      return write_report(path, command, result.prepared.surface.mesh, to_json(result));
   }
 }
 
-void run(const SampleArguments& arguments) {
-  const auto files = plan_files<SampleOutput>(arguments.outputs, arguments.report, planned);
+// What would change nothing, and what cannot be drawn.
+void check(const CLI::App& command, const SampleArguments& arguments,
+           const PlannedFiles<SampleOutput>& files) {
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
+  if (!has(files, SampleOutput::picture)) {
+    refuse_picture_options(command, "no picture is written; add --output FILE.png");
+  }
+  if (!is_points(arguments.surface)) return;
+  refuse_triangle_options(command);
   for (const auto& [kind, path] : files) {
-    if (kind == SampleOutput::picture && is_points(arguments.surface)) {
-      throw Error("cannot draw '" + path +
-                  "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
+    if (kind == SampleOutput::picture) {
+      refuse_output(path, "samples are drawn on meshes alone; write .csv, .ply or .vtp");
     }
   }
+}
+
+void run(const CLI::App& command, const SampleArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
+  const auto files = plan_files<SampleOutput>(inputs, arguments.outputs, arguments.report, planned);
+  check(command, arguments, files);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
   const Result result = make_and_write(
       files, arguments.quiet,
       [&](ProgressDisplay& display) { return make_result(arguments, display); },
       [&](SampleOutput kind, const std::string& path, const Result& made) {
-        write(kind, path, arguments, made);
+        write(kind, path, command, arguments, made);
       });
-  if (!arguments.quiet) print(std::cout, result);
+  if (arguments.quiet) return;
+  print(std::cout, result);
+  print_written(std::cout, files);
 }
 
 }  // namespace
@@ -230,7 +256,7 @@ Command add_sample_command(CLI::App& app) {
   add_solving_options(*command, arguments->solving);
   add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
   arguments->picture = add_camera_options(*command);
-  return {command, [arguments] { run(*arguments); }};
+  return {command, [command, arguments] { run(*command, *arguments); }};
 }
 
 }  // namespace brindle::tool

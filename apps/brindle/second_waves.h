@@ -20,6 +20,11 @@ struct SecondWaveOptions {
 /// --field-v, --stripes-v and --frequency-v.
 void add_second_wave_options(CLI::App& app, SecondWaveOptions& options);
 
+/// Whether V is more than U turned by 90 degrees.
+inline bool is_other(const SecondWaveOptions& options) {
+  return !options.field.empty() || options.stripes || options.frequency;
+}
+
 /// One wave per vertex, without phases: with U's frequencies unless the options or the file name
 /// others. Throws Error if the file does not fit.
 WaveSet make_second_waves(const Surface& surface, const WaveSet& first,
