@@ -6,6 +6,7 @@
 
 #include "animation.h"
 #include "brindle/base/parallel.h"
+#include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
 #include "frame_output.h"
@@ -15,7 +16,9 @@
 #include "picture.h"
 #include "progress_display.h"
 #include "surface_options.h"
+#include "used_files.h"
 #include "wave_options.h"
+#include "written_files.h"
 
 namespace brindle::tool {
 namespace {
@@ -66,13 +69,14 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
       ->check(CLI::Range(1, 1000000));
   add_direction_option(app, arguments.waves)
       ->description("zoom, rotate, wobble: the global vector (default 0.31,0.9,0.27)");
+  add_along_option(app, arguments.waves);
   add_frequency_options(app, arguments.waves);
 }
 
 void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
   add_named_option(app, "--solver", animator.solver, frame_solver_of, "multilevel|relaxation",
                    "multilevel (default), or the paper's iterations from the last frame's phases");
-  add_parsed_option(app, "--lambda", animator.lambda, not_negative_number_of,
+  add_parsed_option(app, "--lambda", animator.lambda, weight_of,
                     "multilevel: how strongly a frame holds on to the last one; 0: not at all "
                     "(default " +
                         formatted("%g", animator.lambda) + ")")
@@ -100,12 +104,41 @@ void add_output_options(CLI::App& app, AnimateArguments& arguments) {
       ->type_name("FILE.json");
 }
 
+std::vector<std::filesystem::path> files_of(const AnimateArguments& arguments) {
+  if (!arguments.output) return {};
+  return frame_files(*arguments.output, arguments.animation.frames);
+}
+
 void check_outputs(const AnimateArguments& arguments) {
+  std::vector<UsedFile> outputs;
+  for (const auto& path : files_of(arguments)) outputs.push_back({"--output", path});
+  if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
+  check_files(input_files(arguments.surface, {}), outputs);
   if (arguments.output) {
     check_pictures_available();
     check_frame_output(*arguments.output);
   }
-  if (!arguments.report.empty()) plan_report(arguments.report);
+  check_report("--report", arguments.report);
+}
+
+// Options that would change nothing.
+void check_options(const CLI::App& command, const AnimateArguments& arguments) {
+  const AnimationOptions& animation = arguments.animation;
+  if (animation.animator.solver == FrameSolver::multilevel) {
+    refuse_given(command, {"--iterations"}, "it is for --solver relaxation");
+  } else {
+    refuse_given(command, {"--lambda"}, "it is for --solver multilevel");
+    // Frames from scratch are solved by multilevel.
+    if (!animation.compare_from_scratch) {
+      refuse_given(command, {"--sweeps"}, "it is for --solver multilevel");
+    }
+  }
+  if (!arguments.output) {
+    refuse_picture_options(command, "no picture is written; add --output");
+  }
+  if (!arguments.output || !arguments.output->is_video()) {
+    refuse_given(command, {"--fps"}, "no video is written; add --output FILE.mp4");
+  }
   const SceneKind kind = arguments.animation.scene.kind;
   if (arguments.waves.direction && (kind == SceneKind::vortices || kind == SceneKind::brush)) {
     throw CLI::ValidationError(
@@ -113,7 +146,8 @@ void check_outputs(const AnimateArguments& arguments) {
   }
 }
 
-void run(AnimateArguments arguments) {
+void run(const CLI::App& command, AnimateArguments arguments) {
+  check_options(command, arguments);
   check_outputs(arguments);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.threads);
@@ -127,6 +161,7 @@ void run(AnimateArguments arguments) {
     AnimationOptions& animation = arguments.animation;
     animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
     animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
+    animation.along = arguments.waves.along;
     const Device device(arguments.device);
     std::optional<MovingPicture> picture;
     ShowFrame show;
@@ -135,12 +170,16 @@ void run(AnimateArguments arguments) {
                       !device.has_context());
       show = [&](const SolvedFrame& frame) { picture->add(frame); };
     }
-    report = play(surface, animation, device, show, display.progress());
+    report = play(surface, animation, device, show, display);
+    report.invocation = invocation_of(command);
     device.check_errors("solving on the GPU");
     if (picture) picture->finish();
     if (!arguments.report.empty()) write_json(arguments.report, to_json(report));
   }
-  if (!arguments.quiet) print_report(std::cout, report);
+  if (arguments.quiet) return;
+  print_report(std::cout, report);
+  print_written(std::cout, files_of(arguments));
+  if (!arguments.report.empty()) print_written(std::cout, std::filesystem::path(arguments.report));
 }
 
 }  // namespace
@@ -159,7 +198,7 @@ Command add_animate_command(CLI::App& app) {
   add_output_options(*command, *arguments);
   arguments->picture = add_picture_options(*command);
   command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
-  return {command, [arguments] { run(*arguments); }};
+  return {command, [command, arguments] { run(*command, *arguments); }};
 }
 
 }  // namespace brindle::tool

@@ -1,13 +1,17 @@
 #include "animation.h"
 
 #include <algorithm>
+#include <numbers>
 #include <ostream>
 #include <string>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
 #include "formatted.h"
+#include "preparation.h"
+#include "report.h"
 
 namespace brindle::tool {
 namespace {
@@ -116,10 +120,32 @@ void print_comparison(std::ostream& out, std::size_t number, const FrameReport& 
                    figures.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg);
 }
 
+/// A scene's frames with stripes along its field.
+class TurnedScene {
+ public:
+  TurnedScene(const Surface& surface, const AnimationOptions& options)
+      : scene_(surface, options.scene), along_(options.along) {}
+
+  const SceneFrame& frame(int number) {
+    const SceneFrame& frame = scene_.frame(number);
+    if (!along_) return frame;
+    turned_ = frame;
+    turned_.waves.directions =
+        rotated(frame.waves.directions, frame.normals, std::numbers::pi_v<float> / 2);
+    return turned_;
+  }
+
+ private:
+  Scene scene_;
+  bool along_;
+  SceneFrame turned_;
+};
+
 }  // namespace
 
 AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
-                     const ShowFrame& show, const Progress& progress) {
+                     const ShowFrame& show, ProgressDisplay& display) {
+  const Progress progress = display.progress();
   AnimationReport report;
   report.scene = options.scene.kind;
   report.options = options.animator;
@@ -128,13 +154,14 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
   report.edges = surface.neighborhood->edge_count();
   report.threads = ThreadLimit::current();
   report.device = device.description();
-  Scene scene(surface, options.scene);
+  TurnedScene scene(surface, options);
   const auto animator = device.animator(surface.neighborhood, options.animator);
   AnimatorOptions without_last = options.animator;
   without_last.solver = FrameSolver::multilevel;
   without_last.lambda = 0;
   const auto scratch = device.animator(surface.neighborhood, without_last);
   const PhaseShiftKind kind = options.animator.phase_shift;
+  const std::string source = "the field of the scene '" + std::string(name_of(report.scene)) + "'";
   Stopwatch watch;
   for (int number = 0; number < options.frames; ++number) {
     progress.report("frames", static_cast<double>(number) / options.frames);
@@ -142,6 +169,7 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
     watch.lap();
     const SceneFrame& frame = scene.frame(number);
     frame_report.scene_milliseconds = watch.lap();
+    if (number == 0) report.waves = noted_waves(surface, frame.waves, source, display);
     const FrameResult result = animator->frame(input_of(frame.waves));
     frame_report.milliseconds = result.milliseconds;
     frame_report.unchanged = result.unchanged;
@@ -162,10 +190,15 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
 
 nlohmann::ordered_json to_json(const AnimationReport& report) {
   const bool multilevel = report.options.solver == FrameSolver::multilevel;
-  nlohmann::ordered_json json = {
-      {"scene", name_of(report.scene)}, {"vertices", report.vertices},
-      {"triangles", report.triangles},  {"edges", report.edges},
-      {"threads", report.threads},      {"solver", multilevel ? "multilevel" : "relaxation"}};
+  nlohmann::ordered_json json = report.invocation;
+  json.update(nlohmann::ordered_json{{"kind", "mesh"},
+                                     {"scene", name_of(report.scene)},
+                                     {"vertices", report.vertices},
+                                     {"triangles", report.triangles},
+                                     {"edges", report.edges},
+                                     {"threads", report.threads},
+                                     {"solver", multilevel ? "multilevel" : "relaxation"}});
+  json.update(to_json(report.waves, std::nullopt));
   if (multilevel) {
     json["lambda"] = std::stod(formatted("%g", report.options.lambda));  // 0.02, not 0.01999999955
     json["sweeps"] = report.options.sweeps;
@@ -192,8 +225,9 @@ void print_report(std::ostream& out, const AnimationReport& report) {
   out << formatted("scene     %s, %zu vertices, %zu triangles, %zu edges, %d thread%s\n",
                    name_of(report.scene).data(), report.vertices, report.triangles, report.edges,
                    report.threads, report.threads == 1 ? "" : "s")
-      << device_line(report.device)
-      << "                               angle     phase     couple     sum   solve"
+      << device_line(report.device);
+  print_waves(out, report.waves);
+  out << "                               angle     phase     couple     sum   solve"
       << (compared ? "  | from scratch\n" : "\n")
       << "frame    energy  branches     error      step      ms      ms      ms"
       << (compared ? "  |    energy  branches     error      step\n" : "\n");

@@ -12,7 +12,9 @@
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "device.h"
+#include "progress_display.h"
 #include "scenes/scene.h"
+#include "wave_figures.h"
 
 namespace brindle::tool {
 
@@ -33,12 +35,14 @@ struct FrameReport {
 };
 
 struct AnimationReport {
+  nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< as `invocation_of`
   SceneKind scene = SceneKind::zoom;
   AnimatorOptions options;
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
   int threads = 0;
+  WaveFigures waves;  ///< of the first frame
   double topology_milliseconds = 0;
   nlohmann::ordered_json device;  ///< as Device::description gives it
   std::vector<FrameReport> frames;
@@ -59,13 +63,15 @@ struct AnimationOptions {
   SceneOptions scene;
   AnimatorOptions animator;
   int frames = 121;
+  bool along = false;  ///< waves are turned by 90 degrees: stripes run along the scene's field
   bool compare_from_scratch = false;
 };
 
-/// Solves and measures all frames; `show` may be empty. Throws what the animator and `show` do, and
-/// Cancelled if `progress` asks for it.
+/// Solves and measures all frames; `show` may be empty. Notes on the display what is probably not
+/// meant. Throws what the animator and `show` do, Error if the first frame has no wave at all, and
+/// Cancelled if the display asks for it.
 AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
-                     const ShowFrame& show, const Progress& progress);
+                     const ShowFrame& show, ProgressDisplay& display);
 
 nlohmann::ordered_json to_json(const AnimationReport& report);
 

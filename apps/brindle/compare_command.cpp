@@ -3,13 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
+#include "command_line.h"
 #include "commands.h"
 #include "outputs.h"
 #include "preparation.h"
 #include "report.h"
 #include "solving_options.h"
+#include "used_files.h"
+#include "written_files.h"
 
 namespace brindle::tool {
 namespace {
@@ -45,19 +47,34 @@ std::vector<Report> reports_of_all(const CompareArguments& arguments) {
         stripe_pattern(prepared.surface, prepared.waves, options, display.progress());
     reports.push_back(make_report(prepared, pattern, solver));
   }
+  // Of the last solver alone: all see the same waves.
+  display.note(
+      branch_warning(prepared.figures, reports.back().quality.branches, reports.back().triangles));
   return reports;
 }
 
-void run(const CompareArguments& arguments) {
-  if (!arguments.json.empty()) check_output_path(arguments.json);
+void check(const CLI::App& command, const CompareArguments& arguments) {
+  const std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  check_report("--json", arguments.json);
+  if (!arguments.json.empty()) check_files(inputs, {{"--json", arguments.json}});
+  check_field_options(command, arguments.waves);
+  if (is_points(arguments.surface)) refuse_triangle_options(command);
+}
+
+void run(const CLI::App& command, const CompareArguments& arguments) {
+  check(command, arguments);
   const ThreadLimit threads(arguments.solving.threads);
-  const std::vector<Report> reports = reports_of_all(arguments);
+  std::vector<Report> reports = reports_of_all(arguments);
+  for (Report& report : reports) report.invocation = invocation_of(command);
   if (!arguments.json.empty()) {
     auto json = nlohmann::ordered_json::array();
     for (const Report& report : reports) json.push_back(to_json(report));
     write_json(arguments.json, json);
   }
-  if (!arguments.quiet) print_table(std::cout, reports);
+  if (arguments.quiet) return;
+  print_waves(std::cout, reports.front().waves);
+  print_table(std::cout, reports);
+  if (!arguments.json.empty()) print_written(std::cout, std::filesystem::path(arguments.json));
 }
 
 }  // namespace
@@ -73,7 +90,7 @@ Command add_compare_command(CLI::App& app) {
   command->add_option("--json", arguments->json, "write the reports here, as a list")
       ->type_name("FILE.json");
   command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
-  return {command, [arguments] { run(*arguments); }};
+  return {command, [command, arguments] { run(*command, *arguments); }};
 }
 
 }  // namespace brindle::tool

@@ -13,6 +13,7 @@
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/points/point_tree.h"
 #include "brindle/polylines.h"
+#include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
 #include "option_values.h"
@@ -67,7 +68,7 @@ struct CurvesArguments {
 
 enum class CurveOutput { lines, tubes, drawing, picture, report };
 
-// What a path asks for. Throws Error, naming what to do, for what it cannot hold.
+// What a path asks for. Throws CLI::ValidationError, naming what to do, for what it cannot hold.
 CurveOutput planned(const std::string& path, bool tubes) {
   const std::string kind = lower_extension(path);
   check_output_path(path);
@@ -78,18 +79,18 @@ CurveOutput planned(const std::string& path, bool tubes) {
   }
   const bool mesh = kind == ".gltf" || kind == ".glb";
   if (mesh && !tubes) {
-    throw Error("cannot write '" + path + "': brindle writes no lines into " + kind +
-                "; use .obj, .ply, .vtp or .csv, or ask for tubes with --tube-radius");
+    refuse_output(path, "brindle writes no lines into " + kind +
+                            "; use .obj, .ply, .vtp or .csv, or ask for tubes with --tube-radius");
   }
   if (tubes && kind == ".csv") {
-    throw Error("cannot write '" + path +
-                "': .csv holds no tubes; use .obj, .ply, .vtp, .gltf or .glb, or leave out "
-                "--tube-radius");
+    refuse_output(path,
+                  ".csv holds no tubes; use .obj, .ply, .vtp, .gltf or .glb, or leave out "
+                  "--tube-radius");
   }
   if (mesh || is_polyline_format(path)) return tubes ? CurveOutput::tubes : CurveOutput::lines;
-  throw Error("cannot write '" + path + "': unknown extension '" + kind +
-              "'; use .obj, .ply, .vtp or .csv for lines, .gltf or .glb for tubes, .svg for a "
-              "drawing, .png for a picture, .json for a report");
+  refuse_output(path, "unknown extension '" + kind +
+                          "'; use .obj, .ply, .vtp or .csv for lines, .gltf or .glb for tubes, "
+                          ".svg for a drawing, .png for a picture, .json for a report");
 }
 
 // One of U and V with its curves.
@@ -109,6 +110,7 @@ struct Result {
   MeshEdges edges;
   std::vector<Family> families;
   double edges_milliseconds = 0;
+  std::optional<double> draw_milliseconds;
 };
 
 double total_length(const Polylines& lines) {
@@ -151,6 +153,8 @@ Family make_family(const CurvesArguments& arguments, Result& result, std::string
   family.jogs =
       move_peaks(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
 
+  display.note(branch_warning(result.prepared.figures, pattern.quality.branches,
+                              surface.mesh.triangle_count()));
   display.stage("curves");
   Stopwatch watch;
   const WavePattern wave_pattern{surface.mesh,       result.edges,
@@ -182,6 +186,9 @@ Result make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
   WaveSet v;
   if (arguments.which != Which::u) {
     v = make_second_waves(result.prepared, arguments.second);
+    if (is_other(arguments.second)) {
+      noted_waves(result.prepared.surface, v, "the field of V", display);
+    }
   }
   const auto add = [&](const char* name, WaveSet&& waves) {
     result.families.push_back(make_family(arguments, result, name, std::move(waves), display));
@@ -235,6 +242,7 @@ nlohmann::ordered_json to_json(const Result& result) {
                                  {"triangles", surface.mesh.triangle_count()},
                                  {"edges", surface.neighborhood->edge_count()},
                                  {"threads", ThreadLimit::current()}};
+  json.update(to_json(result.prepared.figures, result.prepared.field_rows_nonfinite));
   for (const Family& family : result.families) {
     json[family.name] = to_json(family);
     const StripeMilliseconds& own = family.pattern.milliseconds;
@@ -247,10 +255,12 @@ nlohmann::ordered_json to_json(const Result& result) {
   json["milliseconds"] = {{"load", time.load},       {"topology", time.topology},
                           {"couple", time.couple},   {"solve", time.solve},
                           {"pattern", time.pattern}, {"extract", extract}};
+  if (result.draw_milliseconds) json["milliseconds"]["draw"] = *result.draw_milliseconds;
   return json;
 }
 
 void print(std::ostream& out, const Result& result) {
+  print_waves(out, result.prepared.figures);
   for (const Family& family : result.families) {
     const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
     const Polylines& lines = family.curves.lines;
@@ -308,8 +318,8 @@ void write_tubes(const std::string& path, const std::vector<Ornament>& ornaments
   write_mesh(path, all);
 }
 
-void write(CurveOutput kind, const std::string& path, const CurvesArguments& arguments,
-           const Result& result) {
+void write(CurveOutput kind, const std::string& path, const CLI::App& command,
+           const CurvesArguments& arguments, const Result& result) {
   const Surface& surface = result.prepared.surface;
   std::vector<NamedLines> lines;
   std::vector<PenLines> pens;
@@ -327,36 +337,36 @@ void write(CurveOutput kind, const std::string& path, const CurvesArguments& arg
     case CurveOutput::picture:
       return write_ornaments(path, surface, tubes_of(arguments, result), *arguments.picture);
     case CurveOutput::report:
-      return write_json(path, to_json(result));
+      return write_report(path, command, surface.mesh, to_json(result));
   }
 }
 
-// What would be passed over in silence.
-void check_effects(const CLI::App& app, const CurvesArguments& arguments,
+// Options that would change nothing.
+void check_options(const CLI::App& command, const CurvesArguments& arguments,
                    const PlannedFiles<CurveOutput>& files) {
-  const auto writes = [&](CurveOutput kind) {
-    return std::any_of(files.begin(), files.end(),
-                       [&](const auto& file) { return file.first == kind; });
-  };
-  if (!writes(CurveOutput::picture)) {
-    if (!writes(CurveOutput::tubes)) {
-      refuse_idle(app, {"--tube-radius", "--tube-sides"},
-                  "tubes to write: a .png picture, or --tube-radius and a mesh file");
-    }
-    if (!writes(CurveOutput::drawing)) {
-      refuse_idle(app, kCameraOptions, "a picture: --output FILE.png or FILE.svg");
-    }
-  }
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
   if (arguments.which == Which::u) {
-    refuse_idle(app, kSecondWaveOptions, "a second pattern: --lines v or --lines both");
+    refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v"},
+                 "V is not traced; add --lines v or --lines both");
+  }
+  const bool picture = has(files, CurveOutput::picture);
+  if (!picture && !has(files, CurveOutput::drawing)) {
+    refuse_picture_options(command, "nothing is drawn; add --output FILE.svg or FILE.png");
+  }
+  if (!picture && !has(files, CurveOutput::tubes)) {
+    refuse_given(command, {"--tube-radius", "--tube-sides"},
+                 "no tubes are written; add --output with a mesh file or FILE.png");
   }
 }
 
-void run(const CLI::App& app, const CurvesArguments& arguments) {
+void run(const CLI::App& command, const CurvesArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
   const auto files = plan_files<CurveOutput>(
-      arguments.outputs, arguments.report,
+      inputs, arguments.outputs, arguments.report,
       [&](const std::string& path) { return planned(path, arguments.tube_radius.has_value()); });
-  check_effects(app, arguments, files);
+  check_options(command, arguments, files);
   if (is_points(arguments.surface)) {
     throw Error("curves need triangles, and '" + arguments.surface.mesh +
                 "' has points alone; 'brindle stripe' and 'brindle sample' take points");
@@ -367,9 +377,11 @@ void run(const CLI::App& app, const CurvesArguments& arguments) {
       files, arguments.quiet,
       [&](ProgressDisplay& display) { return make_result(arguments, display); },
       [&](CurveOutput kind, const std::string& path, const Result& made) {
-        write(kind, path, arguments, made);
+        write(kind, path, command, arguments, made);
       });
-  if (!arguments.quiet) print(std::cout, result);
+  if (arguments.quiet) return;
+  print(std::cout, result);
+  print_written(std::cout, files);
 }
 
 void add_curve_options(CLI::App& command, CurvesArguments& arguments) {

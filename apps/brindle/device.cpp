@@ -39,10 +39,15 @@ bool has_solver(DeviceKind device, Solver solver) {
   return device == DeviceKind::cpu || is_available_on_gpu(solver);
 }
 
-void check_solver(DeviceKind device, Solver solver) {
-  if (has_solver(device, solver)) return;
-  throw CLI::ValidationError("--device", "the GPU solves by multilevel or relaxation, not by " +
-                                             std::string(name_of(solver)));
+void check_solver(DeviceKind device, const SolverOptions& options) {
+  if (!has_solver(device, options.solver)) {
+    throw CLI::ValidationError("--device", "the GPU solves by multilevel or relaxation, not by " +
+                                               std::string(name_of(options.solver)));
+  }
+  if (device == DeviceKind::gpu && options.solver != Solver::multilevel && options.cycles > 0) {
+    throw CLI::ValidationError("--cycles",
+                               "the GPU has cycles for multilevel alone; solve on the processor");
+  }
 }
 
 Device::Device(DeviceKind kind) {

@@ -20,8 +20,8 @@ void add_device_option(CLI::App& app, DeviceKind& device);
 /// Whether the device has the solver.
 bool has_solver(DeviceKind device, Solver solver);
 
-/// Throws CLI::ValidationError if it does not.
-void check_solver(DeviceKind device, Solver solver);
+/// Throws CLI::ValidationError if it does not, or not with these options.
+void check_solver(DeviceKind device, const SolverOptions& options);
 
 /// Follows changing input, wherever that is done.
 class Animator {

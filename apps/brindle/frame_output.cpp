@@ -82,6 +82,13 @@ std::filesystem::path picture_path(const FrameOutput& output, int number) {
   return output.folder / (output.before + digits + output.after);
 }
 
+std::vector<std::filesystem::path> frame_files(const FrameOutput& output, int frames) {
+  if (output.is_video()) return {output.video};
+  std::vector<std::filesystem::path> files;
+  for (int number = 0; number < frames; ++number) files.push_back(picture_path(output, number));
+  return files;
+}
+
 void check_frame_output(const FrameOutput& output) {
   check_output_path(output.is_video() ? output.video : picture_path(output, 0));
   if (output.is_video()) check_video_available(output.video);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace brindle::tool {
 
@@ -24,6 +25,9 @@ FrameOutput frame_output_of(const std::string& option, const std::string& text);
 
 /// The file of picture `number`.
 std::filesystem::path picture_path(const FrameOutput& output, int number);
+
+/// The video, or all pictures of an animation.
+std::vector<std::filesystem::path> frame_files(const FrameOutput& output, int frames);
 
 /// Throws Error if the folder does not exist or cannot be written to, or the output is a video and
 /// the ffmpeg program is not to be found.

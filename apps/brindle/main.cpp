@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"
 #include "brindle/shapes.h"
@@ -24,26 +25,50 @@ constexpr const char* kExamples = R"(Examples:
   brindle sample horse.ply --output samples.csv
   brindle info horse.ply
 
-'brindle COMMAND --help' tells more of each command.)";
+'brindle COMMAND --help' tells more of each command. All end with 0 if the job is done, 1 if it
+failed, 2 if the command line is wrong and 130 if Ctrl-C ended it.)";
 
 ExitCode fail(ExitCode code, const std::string& message) {
   std::cerr << "brindle: " << message << '\n';
   return code;
 }
 
+// " (did you mean 'NAME'?)" of a mistyped word, or nothing.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+  const std::string meant = nearest(word, known);
+  return meant.empty() ? "" : " (did you mean '" + meant + "'?)";
+}
+
+// Of the first option in `words` that `app` does not know.
+std::string option_suggestion(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.starts_with("--")) return suggestion(name, known);
+  }
+  return "";
+}
+
 // What is wrong with the command line whose first word is `first`, and where help is.
 std::string explanation(const CLI::ParseError& error, const std::vector<Command>& commands,
-                        const std::string& first) {
+                        const CLI::App& app, const std::string& first) {
   std::string names;
+  std::vector<std::string> known;
   for (const Command& command : commands) {
     const std::string name = command.app->get_name();
     if (command.app->parsed()) {
-      return std::string(error.what()) + "\nbrindle: 'brindle " + name + " --help' tells more";
+      return error.what() + option_suggestion(*command.app, command.app->remaining()) +
+             "\nbrindle: 'brindle " + name + " --help' tells more";
     }
+    known.push_back(name);
     names += (names.empty() ? "" : ", ") + name;
   }
   std::string wrong = first.empty() ? "name a command" : "'" + first + "' is no command";
-  if (first.starts_with('-')) wrong = error.what();
+  wrong += suggestion(first, known);
+  if (first.starts_with('-')) wrong = error.what() + option_suggestion(app, {first});
   return wrong + "; commands are: " + names + "\nbrindle: 'brindle --help' tells more";
 }
 
@@ -87,7 +112,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success) == 0 ? kDone : kFailed;
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, explanation(error, commands, argc > 1 ? argv[1] : ""));
+    return fail(kWrongUsage, explanation(error, commands, app, argc > 1 ? argv[1] : ""));
   }
   return run(commands);
 }

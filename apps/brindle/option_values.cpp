@@ -10,15 +10,6 @@ void wrong_usage(const std::string& option, const std::string& expected, const s
   throw CLI::ValidationError(option, "expected " + expected + ", got '" + value + "'");
 }
 
-void refuse_idle(const CLI::App& app, std::initializer_list<const char*> options,
-                 const std::string& without) {
-  for (const char* name : options) {
-    const CLI::Option* option = app.get_option_no_throw(name);
-    if (option == nullptr || option->count() == 0) continue;
-    throw CLI::ValidationError(name, "has no effect without " + without);
-  }
-}
-
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
@@ -54,6 +45,13 @@ float number_of(const std::string& option, const std::string& text) {
 float not_negative_number_of(const std::string& option, const std::string& text) {
   const float value = number_of(option, text);
   if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
+  return value;
+}
+
+float weight_of(const std::string& option, const std::string& text) {
+  constexpr float kMost = 1e6f;
+  const float value = not_negative_number_of(option, text);
+  if (value > kMost) wrong_usage(option, "a number from 0 to 1000000", text);
   return value;
 }
 

@@ -16,16 +16,15 @@ namespace brindle::tool {
 [[noreturn]] void wrong_usage(const std::string& option, const std::string& expected,
                               const std::string& value);
 
-/// Refuses what was given of `options`, which have no effect `without` something. Options that the
-/// build does not have are passed over.
-void refuse_idle(const CLI::App& app, std::initializer_list<const char*> options,
-                 const std::string& without);
-
 /// A finite number and nothing else.
 float number_of(const std::string& option, const std::string& text);
 
 /// A finite number, zero or more.
 float not_negative_number_of(const std::string& option, const std::string& text);
+
+/// How much something counts beside the couplings of waves: zero to a million, beyond which nothing
+/// but rounding errors would be left of these.
+float weight_of(const std::string& option, const std::string& text);
 
 /// A finite number above zero.
 float positive_number_of(const std::string& option, const std::string& text);

@@ -1,5 +1,6 @@
 #include "outputs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <ostream>
@@ -11,6 +12,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/texture_coordinates.h"
+#include "command_line.h"
 
 namespace brindle::tool {
 namespace {
@@ -26,12 +28,13 @@ Output plan_output(const std::filesystem::path& path) {
     if (extension == mesh) return {path, OutputKind::mesh};
   }
   if (extension == ".stl" || extension == ".off") {
-    throw Error("cannot write '" + path.string() + "': '" + extension +
-                "' has no place for phases or texture coordinates; use .ply, .vtp or .glb");
+    refuse_output(path, "'" + extension +
+                            "' has no place for phases or texture coordinates; use .ply, .vtp or "
+                            ".glb");
   }
-  throw Error("cannot write '" + path.string() + "': unknown extension '" + extension +
-              "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, .json for "
-              "a report");
+  refuse_output(path, "unknown extension '" + extension +
+                          "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, "
+                          ".json for a report");
 }
 
 VertexAttribute vectors_attribute(const std::string& name, std::span<const Vec3> vectors) {
@@ -129,25 +132,40 @@ void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::s
   app.add_flag("-q,--quiet", quiet, "print nothing but errors");
 }
 
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool texture) {
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& report,
+                                 bool texture) {
   std::vector<Output> outputs;
-  for (const std::string& path : paths) {
-    outputs.push_back(plan_output(path));
-    check_output_path(path);
-    if (!texture || outputs.back().kind != OutputKind::mesh) continue;
-    for (const std::filesystem::path& file : textured_mesh_files(path)) check_output_path(file);
-  }
+  for (const std::string& path : paths) outputs.push_back(plan_output(path));
+  for (const UsedFile& file : files_of(outputs, texture)) check_output_path(file.path);
+  check_report("--report", report);
+  if (!report.empty()) outputs.push_back({report, OutputKind::report, "--report"});
+  std::stable_partition(outputs.begin(), outputs.end(),
+                        [](const Output& output) { return output.kind != OutputKind::report; });
   return outputs;
+}
+
+std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture) {
+  std::vector<UsedFile> files;
+  for (const Output& output : outputs) {
+    if (texture && output.kind == OutputKind::mesh) {
+      for (const std::filesystem::path& path : textured_mesh_files(output.path)) {
+        files.push_back({output.option, path, lower_extension(path) == ".png"});
+      }
+    } else {
+      files.push_back({output.option, output.path});
+    }
+  }
+  return files;
+}
+
+void refuse_picture_options(const CLI::App& command, std::string_view why) {
+  refuse_given(command, {"--camera", "--up", "--size", "--colors", "--view", "--stripe-width"},
+               why);
 }
 
 bool holds_points(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   return extension == ".ply" || extension == ".vtp";
-}
-
-Output plan_report(const std::string& path) {
-  check_output_path(path);
-  return {path, OutputKind::report};
 }
 
 void write_output(const Output& output, const Surface& surface, const StripeResult& result,
@@ -163,6 +181,18 @@ void write_output(const Output& output, const Surface& surface, const StripeResu
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }
+}
+
+void refuse_output(const std::filesystem::path& path, const std::string& why) {
+  throw CLI::ValidationError("--output", "cannot write '" + path.string() + "': " + why);
+}
+
+void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
+                  const nlohmann::ordered_json& report) {
+  nlohmann::ordered_json json = invocation_of(command);
+  json["kind"] = kind_of(mesh);
+  json.update(report);
+  write_json(path, json);
 }
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {

@@ -8,6 +8,7 @@
 #include "picture.h"
 #include "report.h"
 #include "stripe_result.h"
+#include "used_files.h"
 
 namespace brindle::tool {
 
@@ -16,6 +17,7 @@ enum class OutputKind { picture, mesh, report };
 struct Output {
   std::filesystem::path path;
   OutputKind kind;
+  std::string option = "--output";  ///< that asks for it
 };
 
 /// --output, --report and --quiet.
@@ -23,19 +25,31 @@ void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::s
                         bool& quiet);
 
 /// What each path asks for, by its extension: .png a picture, .obj .ply .vtp .gltf .glb a mesh,
-/// .json a report. Throws Error if an extension is unknown, this build cannot write it, or a file
+/// .json a report; reports last, `report` among them unless it is empty. Throws
+/// CLI::ValidationError if an extension is unknown, Error if this build cannot write it or a file
 /// could not be written there: better now than after a long job. With a texture, meshes may have
 /// files beside them (`textured_mesh_files`).
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths, bool texture);
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& report,
+                                 bool texture);
 
-/// As `plan_outputs`, for a path that is a report whatever its extension.
-Output plan_report(const std::string& path);
+/// All files that are written with the outputs, those beside meshes too.
+std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture);
+
+/// Throws CLI::ValidationError for options of pictures that were given: `why` there is none.
+void refuse_picture_options(const CLI::App& command, std::string_view why);
 
 /// Whether points without triangles can be written there.
 bool holds_points(const std::filesystem::path& path);
 
 void write_output(const Output& output, const Surface& surface, const StripeResult& result,
                   const Report& report, const PictureOptions& picture);
+
+/// The wrong use of --output: `path` cannot be written, and `why`.
+[[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);
+
+/// Writes a report behind `invocation_of` the command and the kind of surface that it worked on.
+void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
+                  const nlohmann::ordered_json& report);
 
 /// Writes indented JSON.
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);

@@ -16,10 +16,6 @@ namespace brindle::tool {
 
 struct PictureOptions;
 
-/// What `add_camera_options` adds, for commands that do without if no picture is asked for.
-inline constexpr std::initializer_list<const char*> kCameraOptions = {"--camera", "--up", "--size",
-                                                                      "--colors"};
-
 /// The options live as long as the pointer, which must outlive `app.parse`.
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
 

@@ -40,6 +40,14 @@ void prepare_points(Preparation& result, const SurfaceOptions& options, Progress
 
 }  // namespace
 
+WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
+                        ProgressDisplay& display) {
+  const WaveFigures figures = measure_waves(surface, waves);
+  check_waves(figures, source);
+  display.note(warnings(figures, source));
+  return figures;
+}
+
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
                     ProgressDisplay& display) {
   Preparation result;
@@ -52,7 +60,9 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
   WavesAndCrossing made = make_waves(result.surface, waves);
   result.waves = std::move(made.waves);
   result.frequencies_v = std::move(made.frequencies_v);
+  result.field_rows_nonfinite = made.field_rows_nonfinite;
   result.load_milliseconds += watch.lap();
+  result.figures = noted_waves(result.surface, result.waves, source_of(waves), display);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "progress_display.h"
 #include "surface_options.h"
+#include "wave_figures.h"
 #include "wave_options.h"
 
 namespace brindle::tool {
@@ -11,13 +12,21 @@ namespace brindle::tool {
 struct Preparation {
   Surface surface;
   WaveSet waves;
-  FrequencyField frequencies_v;      ///< of crossing stripes; empty: those of `waves`
-  double load_milliseconds = 0;      ///< reading or making the mesh and its field
-  double topology_milliseconds = 0;  ///< neighbourhood and normals
+  FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
+  WaveFigures figures;           ///< of `waves`
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file
+  double load_milliseconds = 0;                     ///< reading or making the mesh and its field
+  double topology_milliseconds = 0;                 ///< neighbourhood and normals
 };
 
-/// Loads the mesh and makes its waves. Notes on the display what had to be repaired.
+/// Loads the mesh and makes its waves. Notes on the display what had to be repaired and what is
+/// probably not meant. Throws Error if no vertex has a wave.
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
                     ProgressDisplay& display);
+
+/// Measures waves; throws and notes as `prepare` does. `source` says where they come from: "the
+/// field of V".
+WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
+                        ProgressDisplay& display);
 
 }  // namespace brindle::tool

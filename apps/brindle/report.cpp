@@ -41,6 +41,9 @@ void print_tiles(std::ostream& out, const TextureQuality& quality) {
       100 * quality.area_95th);
 }
 
+// As written, not with the last bits of a float: 0.02, not 0.01999999955.
+double rounded(double value) { return std::stod(formatted("%.6g", value)); }
+
 void print_branches(std::ostream& out, const Report& report) {
   const PatternQuality& quality = report.quality;
   if (report.triangles == 0) return;
@@ -67,6 +70,8 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
   report.milliseconds = pattern.milliseconds;
   report.milliseconds.load += prepared.load_milliseconds;
   report.milliseconds.topology += prepared.topology_milliseconds;
+  report.waves = prepared.figures;
+  report.field_rows_nonfinite = prepared.field_rows_nonfinite;
   return report;
 }
 
@@ -89,9 +94,36 @@ Report make_report(const Preparation& prepared, const CrossTexture& texture, Sol
   return report;
 }
 
+std::string_view kind_of(const Mesh& mesh) { return mesh.triangles.empty() ? "points" : "mesh"; }
+
+nlohmann::ordered_json to_json(const WaveFigures& waves,
+                               const std::optional<std::size_t>& field_rows_nonfinite) {
+  nlohmann::ordered_json json = {
+      {"frequency_min", rounded(waves.frequency_min)},
+      {"frequency_max", rounded(waves.frequency_max)},
+      {"stripes", rounded(waves.stripes)},
+      {"edges_per_period_min", rounded(waves.edges_per_period_min)},
+      {"edges_per_period_median", rounded(waves.edges_per_period_median)},
+      {"vertices_without_wave", waves.without_wave}};
+  if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
+  return json;
+}
+
+void print_waves(std::ostream& out, const WaveFigures& waves) {
+  out << formatted("waves     frequency %.4g", waves.frequency_min);
+  if (waves.frequency_max > waves.frequency_min) out << formatted(" to %.4g", waves.frequency_max);
+  out << formatted(", %.4g stripes along the diagonal, %.3g edges a period, %.3g at the fewest\n",
+                   waves.stripes, waves.edges_per_period_median, waves.edges_per_period_min);
+  if (waves.without_wave > 0) {
+    out << formatted("no wave   at %zu of %zu vertices\n", waves.without_wave, waves.used);
+  }
+}
+
 nlohmann::ordered_json to_json(const Report& report) {
   const StripeMilliseconds& time = report.milliseconds;
-  nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = report.invocation;
+  json.update(nlohmann::ordered_json{
+      {"kind", report.triangles == 0 ? "points" : "mesh"},
       {"vertices", report.vertices},
       {"triangles", report.triangles},
       {"edges", report.edges},
@@ -110,7 +142,9 @@ nlohmann::ordered_json to_json(const Report& report) {
         {"couple", time.couple},
         {"solve", time.solve},
         {"pattern", time.pattern}}},
-      {"device", report.device}};
+      {"device", report.device}});
+  json.update(to_json(report.waves, report.field_rows_nonfinite));
+  if (report.draw_milliseconds) json["milliseconds"]["draw"] = *report.draw_milliseconds;
   if (report.triangles == 0) {
     json.erase("branches");
     json.erase("field_singularities");
@@ -131,7 +165,9 @@ void print_report(std::ostream& out, const Report& report) {
       << formatted("solver    %s, %d iteration%s, %d thread%s\n", name_of(report.solver).data(),
                    report.iterations, report.iterations == 1 ? "" : "s", report.threads,
                    report.threads == 1 ? "" : "s")
-      << device_line(report.device) << formatted("energy    %.6f\n", report.energy);
+      << device_line(report.device);
+  print_waves(out, report.waves);
+  out << formatted("energy    %.6f\n", report.energy);
   print_branches(out, report);
   out << formatted(
       "errors    angle %.2f degrees on average, above 5 degrees in %.1f %%, "
@@ -143,8 +179,10 @@ void print_report(std::ostream& out, const Report& report) {
     print_tiles(out, report.texture->quality);
   }
   if (report.cross) print_tiles(out, *report.cross);
-  out << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f ms\n",
+  out << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
                    time.load, time.topology, time.couple, time.solve, time.pattern);
+  if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);
+  out << " ms\n";
 }
 
 void print_table(std::ostream& out, const std::vector<Report>& reports) {

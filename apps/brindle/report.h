@@ -23,6 +23,7 @@ struct TextureReport {
 
 /// The figures of one run.
 struct Report {
+  nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< as `invocation_of`
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
@@ -32,6 +33,9 @@ struct Report {
   double energy = 0;
   PatternQuality quality;
   StripeMilliseconds milliseconds;
+  std::optional<double> draw_milliseconds;  ///< if there were pictures
+  WaveFigures waves;
+  std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file
   nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
   std::optional<TextureReport> texture;
   std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
@@ -44,6 +48,16 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
 Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver);
 
 Report make_report(const Preparation& prepared, const CrossTexture& texture, Solver solver);
+
+/// "mesh" or "points".
+std::string_view kind_of(const Mesh& mesh);
+
+/// How dense the waves are and how many are missing, for any report.
+nlohmann::ordered_json to_json(const WaveFigures& waves,
+                               const std::optional<std::size_t>& field_rows_nonfinite);
+
+/// Lines for people about the same.
+void print_waves(std::ostream& out, const WaveFigures& waves);
 
 /// Without triangles there are no branches and singularities to count: those keys are left out.
 nlohmann::ordered_json to_json(const Report& report);

@@ -14,6 +14,7 @@
 #include "brindle/files.h"
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/points/point_tree.h"
+#include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
 #include "option_values.h"
@@ -66,9 +67,9 @@ SampleOutput planned(const std::string& path) {
     return SampleOutput::picture;
   }
   if (is_sample_format(path)) return SampleOutput::samples;
-  throw Error("cannot write '" + path + "': '" + kind +
-              "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, .json for a "
-              "report");
+  refuse_output(path, "'" + kind +
+                          "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, "
+                          ".json for a report");
 }
 
 struct Result {
@@ -79,6 +80,7 @@ struct Result {
   std::optional<SampleSpacing> spacing;
   double edges_milliseconds = 0;
   double extract_milliseconds = 0;
+  std::optional<double> draw_milliseconds;
 };
 
 WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surface,
@@ -98,10 +100,16 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   result.prepared = prepare(arguments.surface, arguments.waves, display);
   const Surface& surface = result.prepared.surface;
   WaveSet waves_v = make_second_waves(result.prepared, arguments.second);
+  if (is_other(arguments.second)) {
+    noted_waves(surface, waves_v, "the field of V", display);
+  }
   const StripeOptions& options = arguments.solving.stripes;
   result.u = stripe_pattern(surface, std::move(result.prepared.waves), options, display.progress());
   result.v = stripe_pattern(surface, std::move(waves_v), options, display.progress());
 
+  display.note(branch_warning(result.prepared.figures,
+                              std::max(result.u.quality.branches, result.v.quality.branches),
+                              surface.mesh.triangle_count()));
   display.stage("samples");
   Stopwatch watch;
   if (surface.mesh.triangles.empty()) {
@@ -135,6 +143,7 @@ nlohmann::ordered_json to_json(const Result& result) {
                                  {"doubles_left_out", result.doubles},
                                  {"branches_u", result.u.quality.branches},
                                  {"branches_v", result.v.quality.branches}};
+  json.update(to_json(result.prepared.figures, result.prepared.field_rows_nonfinite));
   if (result.spacing) {
     json["nearest_neighbour"] = {{"measured", result.spacing->samples},
                                  {"mean", result.spacing->mean},
@@ -149,10 +158,12 @@ nlohmann::ordered_json to_json(const Result& result) {
       {"solve", both(&StripeMilliseconds::solve)},
       {"pattern", both(&StripeMilliseconds::pattern)},
       {"extract", result.extract_milliseconds}};
+  if (result.draw_milliseconds) json["milliseconds"]["draw"] = *result.draw_milliseconds;
   return json;
 }
 
 void print(std::ostream& out, const Result& result) {
+  print_waves(out, result.prepared.figures);
   out << formatted("samples   %zu, %zu more left out as too near to others\n",
                    result.samples.size(), result.doubles)
       << formatted("branches  %zu of U, %zu of V\n", result.u.quality.branches,
@@ -184,8 +195,8 @@ void add_disc(const Sample& sample, Mesh& mesh) {
   }
 }
 
-void write(SampleOutput kind, const std::string& path, const SampleArguments& arguments,
-           const Result& result) {
+void write(SampleOutput kind, const std::string& path, const CLI::App& command,
+           const SampleArguments& arguments, const Result& result) {
   switch (kind) {
     case SampleOutput::samples:
       return write_samples(path, result.samples);
@@ -196,16 +207,28 @@ void write(SampleOutput kind, const std::string& path, const SampleArguments& ar
                              *arguments.picture);
     }
     case SampleOutput::report:
-      return write_json(path, to_json(result));
+      return write_report(path, command, result.prepared.surface.mesh, to_json(result));
   }
 }
 
-// What cannot be drawn or found of points.
-void check_points(const SampleArguments& arguments, const PlannedFiles<SampleOutput>& files) {
+// What would change nothing, and what cannot be drawn.
+void check(const CLI::App& command, const SampleArguments& arguments,
+           const PlannedFiles<SampleOutput>& files) {
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
+  if (!has(files, SampleOutput::picture)) {
+    refuse_picture_options(command, "no picture is written; add --output FILE.png");
+  }
+  if (!PointTree::available()) {
+    refuse_given(command, {"--min-distance"},
+                 "this build has no nanoflann; configure with -DBRINDLE_NANOFLANN=ON");
+  }
+  if (!is_points(arguments.surface)) return;
+  refuse_triangle_options(command);
   for (const auto& [kind, path] : files) {
-    if (kind != SampleOutput::picture) continue;
-    throw Error("cannot draw '" + path +
-                "': samples are drawn on meshes alone; write .csv, .ply or .vtp");
+    if (kind == SampleOutput::picture) {
+      refuse_output(path, "samples are drawn on meshes alone; write .csv, .ply or .vtp");
+    }
   }
   if (arguments.min_distance < kDoubleShare) {
     throw CLI::ValidationError("--min-distance",
@@ -214,20 +237,11 @@ void check_points(const SampleArguments& arguments, const PlannedFiles<SampleOut
   }
 }
 
-void check_effects(const CLI::App& app, const PlannedFiles<SampleOutput>& files) {
-  const bool draws = std::any_of(files.begin(), files.end(), [](const auto& file) {
-    return file.first == SampleOutput::picture;
-  });
-  if (!draws) refuse_idle(app, kCameraOptions, "a picture: --output FILE.png");
-  if (!PointTree::available()) {
-    refuse_idle(app, {"--min-distance"}, "nanoflann in the build: -DBRINDLE_NANOFLANN=ON");
-  }
-}
-
-void run(const CLI::App& app, const SampleArguments& arguments) {
-  const auto files = plan_files<SampleOutput>(arguments.outputs, arguments.report, planned);
-  check_effects(app, files);
-  if (is_points(arguments.surface)) check_points(arguments, files);
+void run(const CLI::App& command, const SampleArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
+  const auto files = plan_files<SampleOutput>(inputs, arguments.outputs, arguments.report, planned);
+  check(command, arguments, files);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
   const Result result = make_and_write(
@@ -238,9 +252,11 @@ void run(const CLI::App& app, const SampleArguments& arguments) {
         return made;
       },
       [&](SampleOutput kind, const std::string& path, const Result& made) {
-        write(kind, path, arguments, made);
+        write(kind, path, command, arguments, made);
       });
-  if (!arguments.quiet) print(std::cout, result);
+  if (arguments.quiet) return;
+  print(std::cout, result);
+  print_written(std::cout, files);
 }
 
 }  // namespace

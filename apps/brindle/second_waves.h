@@ -10,9 +10,6 @@
 
 namespace brindle::tool {
 
-inline constexpr std::initializer_list<const char*> kSecondWaveOptions = {
-    "--field-v", "--stripes-v", "--frequency-v"};
-
 struct SecondWaveOptions {
   std::string field;               ///< a file; empty: U's field turned by 90 degrees
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
@@ -21,6 +18,11 @@ struct SecondWaveOptions {
 
 /// --field-v, --stripes-v and --frequency-v.
 void add_second_wave_options(CLI::App& app, SecondWaveOptions& options);
+
+/// Whether V is more than U turned by 90 degrees.
+inline bool is_other(const SecondWaveOptions& options) {
+  return !options.field.empty() || options.stripes || options.frequency;
+}
 
 /// One wave per vertex, without phases. Its frequencies are those of the options, or of the file
 /// for V, or what U's file says of V, or U's. Throws Error if the file does not fit.

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "command_line.h"
 #include "option_values.h"
 
 namespace brindle::tool {
@@ -53,6 +54,22 @@ void add_solving_options(CLI::App& app, SolvingOptions& options) {
   app.add_option("--threads", options.threads, "0: all that the machine has (default)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
+}
+
+void check_solving_options(const CLI::App& command, const SolvingOptions& options) {
+  const Solver solver = options.stripes.solver.solver;
+  const std::string name(name_of(solver));
+  if (solver != Solver::relaxation && solver != Solver::averaged) {
+    refuse_given(command, {"--epsilon", "--momentum", "--seed"},
+                 "it is for --solver relaxation and averaged, not for " + name);
+  }
+  if (solver != Solver::global) {
+    refuse_given(command, {"--global-iterations"}, "it is for --solver global, not for " + name);
+  }
+  if (solver != Solver::multilevel && options.stripes.solver.cycles == 0) {
+    refuse_given(command, {"--sweeps"},
+                 "it is for --solver multilevel and for --cycles, not for " + name + " alone");
+  }
 }
 
 void add_solver_option(CLI::App& app, SolvingOptions& options) {

@@ -15,6 +15,9 @@ struct SolvingOptions {
 /// All options but --solver.
 void add_solving_options(CLI::App& app, SolvingOptions& options);
 
+/// Throws CLI::ValidationError for options of solvers other than the chosen one.
+void check_solving_options(const CLI::App& command, const SolvingOptions& options);
+
 void add_solver_option(CLI::App& app, SolvingOptions& options);
 
 }  // namespace brindle::tool

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "device.h"
 #include "outputs.h"
@@ -14,18 +17,27 @@
 #include "report.h"
 #include "solving_options.h"
 #include "texture_options.h"
+#include "written_files.h"
 
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kExamples =
+    R"(Stripes run ACROSS the direction: a wave runs along it, and stripes are the wave's crests. --along
+turns them.
+
+    --direction 1,0,0    |  |  |  |        --direction 1,0,0    -----------
+      or a field of      |  |  |  |          --along            -----------
+      arrows like ->     |  |  |  |                             -----------
+
+Examples:
   brindle stripe shape:torus --output torus.png
   brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
   brindle stripe scan.obj --field curvature --rotate 90 --output scan.glb --report scan.json
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
   brindle stripe horse.ply --device gpu --report horse.json
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
-  brindle stripe scan.obj --cross --texture plus_minus --output crosses.png
+  brindle stripe scan.obj --cross --texture plus --output crosses.png
   brindle stripe points.csv --output points.png --output points.ply
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
@@ -94,27 +106,32 @@ Job make_job(Preparation prepared, const StripeArguments& arguments,
 }
 
 // What cannot be laid over points or shown of crosses: better said before a long job.
-void check_points(const StripeArguments& arguments, const std::vector<Output>& outputs) {
-  const auto refuse = [](const std::string& what) {
-    throw Error("points have no triangles: " + what);
+void check_points(const CLI::App& command, const StripeArguments& arguments,
+                  const std::vector<Output>& outputs) {
+  const auto refuse = [](const std::string& option, const std::string& what) {
+    throw CLI::ValidationError(option, "points have no triangles: " + what);
   };
-  if (arguments.waves.cross) refuse("a cross field is drawn on meshes alone; leave out --cross");
+  if (arguments.waves.cross) {
+    refuse("--cross", "a cross field is drawn on meshes alone; leave out --cross");
+  }
   if (!arguments.texture.tile.empty()) {
-    refuse("a texture is drawn on meshes alone; leave out --texture");
+    refuse("--texture", "a texture is drawn on meshes alone; leave out --texture");
   }
   if (!shows_stripes(*arguments.picture)) {
-    refuse("branches and angle errors are not drawn; take --view stripes");
+    refuse("--view", "branches and angle errors are not drawn; take --view stripes");
   }
   for (const Output& output : outputs) {
     if (output.kind == OutputKind::mesh && !holds_points(output.path)) {
-      refuse("'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
+      refuse("--output", "'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
     }
   }
+  refuse_triangle_options(command);
 }
 
 void check_cross(const StripeArguments& arguments, const std::vector<Output>& outputs) {
   if (!shows_stripes(*arguments.picture)) {
-    throw Error("of a cross field, branches and angle errors are not drawn; take --view stripes");
+    throw CLI::ValidationError(
+        "--view", "of a cross field, branches and angle errors are not drawn; take --view stripes");
   }
   // The tile goes along with every mesh.
   for (const Output& output : outputs) {
@@ -132,29 +149,78 @@ Job solve(StripeArguments arguments, Preparation prepared, std::optional<Texture
   return job;
 }
 
-void run(const StripeArguments& arguments) {
-  check_solver(arguments.device, arguments.solving.stripes.solver.solver);
-  std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
-  std::vector<Output> outputs =
-      plan_outputs(arguments.outputs, tile.has_value() || arguments.waves.cross);
+bool has(const std::vector<Output>& outputs, OutputKind kind) {
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [kind](const Output& output) { return output.kind == kind; });
+}
+
+// Options that would change nothing.
+void check_options(const CLI::App& command, const StripeArguments& arguments,
+                   const std::vector<Output>& outputs, bool texture) {
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
+  const std::string no_picture = "no picture is written; add --output FILE.png";
+  if (!has(outputs, OutputKind::picture)) {
+    refuse_given(command, {"--camera", "--up", "--size", "--view", "--stripe-width"}, no_picture);
+    // Meshes carry the tile in these colours.
+    if (!texture || !has(outputs, OutputKind::mesh)) {
+      refuse_given(command, {"--colors"}, no_picture);
+    }
+  }
+  if (texture) refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+}
+
+std::vector<UsedFile> inputs_of(const StripeArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.texture.tile.empty()) inputs.push_back({"--texture", arguments.texture.tile});
+  return inputs;
+}
+
+// Everything that can be said before a long job.
+std::vector<Output> checked_outputs(const CLI::App& command, const StripeArguments& arguments) {
+  const bool texture = !arguments.texture.tile.empty() || arguments.waves.cross;
+  std::vector<Output> outputs = plan_outputs(arguments.outputs, arguments.report, texture);
+  check_files(inputs_of(arguments), files_of(outputs, texture));
+  check_options(command, arguments, outputs, texture);
   if (arguments.waves.cross) check_cross(arguments, outputs);
-  if (is_points(arguments.surface)) check_points(arguments, outputs);
+  if (is_points(arguments.surface)) check_points(command, arguments, outputs);
+  return outputs;
+}
+
+void write_outputs(const std::vector<Output>& outputs, Job& job, const PictureOptions& picture,
+                   ProgressDisplay& display) {
+  for (const Output& output : outputs) {
+    display.stage("writing " + output.path.string());
+    Stopwatch watch;
+    write_output(output, job.surface, job.result, job.report, picture);
+    if (output.kind == OutputKind::picture) {
+      job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
+    }
+  }
+}
+
+void run(const CLI::App& command, const StripeArguments& arguments) {
+  check_solver(arguments.device, arguments.solving.stripes.solver);
+  std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
+  const std::vector<Output> outputs = checked_outputs(command, arguments);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
-  if (!arguments.report.empty()) outputs.push_back(plan_report(arguments.report));
 
   const ThreadLimit threads(arguments.solving.threads);
+  const bool texture = tile.has_value() || arguments.waves.cross;
   Report report;
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    const Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
+    Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
+    job.report.invocation = invocation_of(command);
+    display.note(
+        branch_warning(job.report.waves, job.report.quality.branches, job.report.triangles));
+    write_outputs(outputs, job, *arguments.picture, display);
     report = job.report;
-    for (const Output& output : outputs) {
-      display.stage("writing " + output.path.string());
-      write_output(output, job.surface, job.result, report, *arguments.picture);
-    }
   }
-  if (!arguments.quiet) print_report(std::cout, report);
+  if (arguments.quiet) return;
+  print_report(std::cout, report);
+  for (const UsedFile& file : files_of(outputs, texture)) print_written(std::cout, file.path);
 }
 
 }  // namespace
@@ -173,7 +239,7 @@ Command add_stripe_command(CLI::App& app) {
   add_texture_options(*command, arguments->texture, arguments->waves, cross);
   add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
   arguments->picture = add_picture_options(*command);
-  return {command, [arguments] { run(*arguments); }};
+  return {command, [command, arguments] { run(*command, *arguments); }};
 }
 
 }  // namespace brindle::tool

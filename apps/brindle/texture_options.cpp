@@ -1,14 +1,27 @@
 #include "texture_options.h"
 
+#include <filesystem>
 #include <utility>
+#include <vector>
 
+#include "brindle/base/suggestion.h"
 #include "brindle/error.h"
+#include "option_values.h"
 
 namespace brindle::tool {
 namespace {
 
 bool suits_crosses(BuiltInTile tile) {
   return tile == BuiltInTile::checker || tile == BuiltInTile::dots || tile == BuiltInTile::plus;
+}
+
+// Neither a tile nor what looks like a file.
+[[noreturn]] void refuse_tile(const std::string& name) {
+  const std::string names(built_in_tile_names());
+  const std::string meant = nearest(name, split(names, '|'));
+  throw CLI::ValidationError("--texture",
+                             "'" + name + "' is no file and none of " + names +
+                                 (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
 }
 
 }  // namespace
@@ -41,6 +54,9 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) 
     }
     return *tile;
   }
+  const std::filesystem::path path(choice.tile);
+  std::error_code ignored;
+  if (!path.has_extension() && !std::filesystem::exists(path, ignored)) refuse_tile(choice.tile);
   try {
     return read_png(choice.tile);
   } catch (const Error& error) {

@@ -1,18 +1,26 @@
 #include "wave_options.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
+#include "brindle/base/suggestion.h"
 #include "brindle/curvature.h"
 #include "brindle/frequency_field.h"
 #include "brindle/smooth_field.h"
 #include "brindle/waves/orientation.h"
+#include "command_line.h"
 #include "option_values.h"
 
 namespace brindle::tool {
 namespace {
 
 constexpr float kDefaultStripes = 40;
+constexpr float kDefaultCurvatureAnchor = 0.1f;  // of --field curvature
+
+const std::vector<std::string> kMadeFields = {"smooth", "curvature", "raw-curvature"};
 
 std::optional<CurvatureDirection> curvature_direction_of(std::string_view name) {
   if (name == "max") return CurvatureDirection::maximum;
@@ -24,21 +32,39 @@ struct Field {
   DirectionField directions;
   FrequencyField frequencies;    // empty if the field says nothing of them
   FrequencyField frequencies_v;  // the same of crossing stripes
+  std::optional<std::size_t> rows_nonfinite = {};
 };
+
+bool is_smooth(const WaveOptions& options) {
+  return !options.direction && (options.field == "smooth" || options.field == "curvature");
+}
+
+float curvature_anchor(const WaveOptions& options) {
+  return options.curvature_anchor.value_or(options.field == "curvature" ? kDefaultCurvatureAnchor
+                                                                        : 0);
+}
+
+Field read_field(const Surface& surface, const WaveOptions& options) {
+  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
+  const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
+                                       [](const Vec3& vector) { return !vector.allFinite(); });
+  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
+          std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
+}
 
 Field make_field(const Surface& surface, const WaveOptions& options) {
   if (options.direction)
     return {projected_direction_field(*options.direction, surface.normals), {}, {}};
-  if (options.field == "smooth") {
+  if (is_smooth(options)) {
     SmoothFieldOptions smooth;
     smooth.symmetry = options.cross ? 4 : 2;
-    smooth.curvature_anchor = options.curvature_anchor;
+    smooth.curvature_anchor = curvature_anchor(options);
     smooth.curvature_direction = options.curvature_direction;
     smooth.feature_anchor = options.feature_anchor;
     smooth.feature_angle_deg = options.feature_angle_deg;
     return {smooth_direction_field(surface, smooth), {}, {}};
   }
-  if (options.field == "curvature") {
+  if (options.field == "raw-curvature") {
     const auto curvatures =
         principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
     DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
@@ -46,12 +72,67 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
     orient_alike(*surface.neighborhood, directions);
     return {std::move(directions), {}, {}};
   }
-  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
-  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
-          std::move(file.frequencies_v)};
+  return read_field(surface, options);
+}
+
+// What neither is a field nor looks like a file.
+void check_field_name(const WaveOptions& options) {
+  const std::filesystem::path path(options.field);
+  std::error_code ignored;
+  if (!is_field_file(options) || path.has_extension() || std::filesystem::exists(path, ignored)) {
+    return;
+  }
+  const std::string meant = nearest(options.field, kMadeFields);
+  throw CLI::ValidationError(
+      "--field", "'" + options.field + "' is no file and none of smooth, curvature, raw-curvature" +
+                     (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
 }
 
 }  // namespace
+
+bool is_field_file(const WaveOptions& options) {
+  return !options.direction &&
+         std::find(kMadeFields.begin(), kMadeFields.end(), options.field) == kMadeFields.end();
+}
+
+std::string source_of(const WaveOptions& options) {
+  if (options.direction) return "the direction";
+  return is_field_file(options) ? "the field '" + options.field + "'"
+                                : "the " + options.field + " field";
+}
+
+void check_field_options(const CLI::App& command, const WaveOptions& options) {
+  check_field_name(options);
+  if (options.cross) {
+    refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
+  }
+  if (!is_smooth(options)) {
+    refuse_given(command, {"--curvature-anchor", "--feature-anchor", "--feature-angle"},
+                 "only --field smooth and --field curvature are drawn to anything");
+    if (options.direction || options.field != "raw-curvature") {
+      refuse_given(command, {"--curvature-direction"},
+                   "the field does not follow curvature; --field curvature does");
+    }
+    return;
+  }
+  if (options.field == "curvature" && curvature_anchor(options) == 0) {
+    throw CLI::ValidationError("--curvature-anchor",
+                               "0 leaves nothing of --field curvature; take --field smooth");
+  }
+  if (curvature_anchor(options) == 0) {
+    refuse_given(command, {"--curvature-direction"},
+                 "the field does not follow curvature; take --field curvature or add "
+                 "--curvature-anchor");
+  }
+  if (options.feature_anchor == 0) {
+    refuse_given(command, {"--feature-angle"},
+                 "nothing draws the field to sharp edges; add --feature-anchor");
+  }
+}
+
+void refuse_triangle_options(const CLI::App& command) {
+  refuse_given(command, {"--feature-anchor", "--weights"}, "points have no triangles");
+}
 
 float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
   if (options.frequency) return *options.frequency;
@@ -61,8 +142,14 @@ float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
 
 CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options) {
   return add_parsed_option(app, "--direction", options.direction, direction_of,
-                           "one vector for all vertices, projected into the tangent planes")
+                           "one vector for all vertices, projected into the tangent planes; "
+                           "stripes run across it")
       ->type_name("X,Y,Z");
+}
+
+CLI::Option* add_along_option(CLI::App& app, WaveOptions& options) {
+  return app.add_flag("--along", options.along,
+                      "stripes run along the field, not across it: waves are turned by 90 degrees");
 }
 
 void add_frequency_options(CLI::App& app, WaveOptions& options) {
@@ -80,26 +167,30 @@ void add_frequency_options(CLI::App& app, WaveOptions& options) {
 void add_wave_options(CLI::App& app, WaveOptions& options) {
   CLI::Option* direction = add_direction_option(app, options);
   app.add_option("--field", options.field,
-                 "smooth (default), curvature, or a CSV file with one row a vertex: x,y,z, "
+                 "smooth (default); curvature, the smooth field drawn to principal curvature; "
+                 "raw-curvature, the latter alone; or a CSV file with one row a vertex: x,y,z, "
                  "x,y,z,frequency or x,y,z,frequency,frequency_v")
-      ->type_name("FILE|curvature|smooth")
+      ->type_name("FILE|smooth|curvature|raw-curvature")
       ->excludes(direction);
   add_named_option(app, "--curvature-direction", options.curvature_direction,
                    curvature_direction_of, "max|min",
-                   "principal direction of the larger (default) or smaller curvature");
-  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, not_negative_number_of,
-                    "how strongly curvature attracts the smooth field (default 0: not)")
+                   "principal direction of the larger (default) or smaller curvature, for fields "
+                   "that follow it");
+  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, weight_of,
+                    "how strongly curvature attracts the smooth field (default 0: not; 0.1 with "
+                    "--field curvature)")
       ->type_name("W");
-  add_parsed_option(app, "--feature-anchor", options.feature_anchor, not_negative_number_of,
+  add_parsed_option(app, "--feature-anchor", options.feature_anchor, weight_of,
                     "how strongly sharp edges and boundaries attract the smooth field, so that it "
                     "runs along them (default 0: not)")
       ->type_name("W");
   add_parsed_option(app, "--feature-angle", options.feature_angle_deg, not_negative_number_of,
-                    "bend from which an edge is sharp (default 40)")
+                    "bend from which an edge is sharp for --feature-anchor (default 40)")
       ->type_name("DEG");
   add_parsed_option(app, "--rotate", options.rotate_deg, number_of,
                     "turn the field about the normals, in degrees")
       ->type_name("DEG");
+  add_along_option(app, options);
   add_frequency_options(app, options);
 }
 
@@ -129,9 +220,10 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
 
 WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options) {
   Field field = make_field(surface, options);
-  if (options.rotate_deg != 0) {
-    field.directions = rotated(field.directions, surface.normals,
-                               options.rotate_deg * std::numbers::pi_v<float> / 180);
+  const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
+  if (turn_deg != 0) {
+    field.directions =
+        rotated(field.directions, surface.normals, turn_deg * std::numbers::pi_v<float> / 180);
   }
   const auto everywhere = [&](float frequency) {
     return constant_frequency_field(frequency, surface.mesh.vertex_count());
@@ -146,7 +238,8 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options) 
         everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
   }
   return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
-          std::move(field.frequencies_v)};
+          std::move(field.frequencies_v),
+          field.rows_nonfinite};
 }
 
 }  // namespace brindle::tool

@@ -15,12 +15,13 @@ namespace brindle::tool {
 
 struct WaveOptions {
   std::optional<Vec3> direction;  ///< a global vector, instead of `field`
-  std::string field = "smooth";   ///< "smooth", "curvature" or a file
+  std::string field = "smooth";   ///< "smooth", "curvature", "raw-curvature" or a file
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
-  float curvature_anchor = 0;  ///< of the smooth field
-  float feature_anchor = 0;    ///< of the smooth field
+  std::optional<float> curvature_anchor;  ///< of the smooth field; "curvature" has one anyway
+  float feature_anchor = 0;               ///< of the smooth field
   float feature_angle_deg = 40;
   bool cross = false;  ///< the field is a cross field
+  bool along = false;  ///< stripes run along the field, not across it
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
@@ -30,12 +31,22 @@ struct WaveOptions {
 
 /// Waves without phases, and the frequencies of those that cross them.
 struct WavesAndCrossing {
-  WaveSet waves;                 ///< one wave per vertex
-  FrequencyField frequencies_v;  ///< one per vertex; empty: those of `waves`
+  WaveSet waves;                                    ///< one wave per vertex
+  FrequencyField frequencies_v;                     ///< one per vertex; empty: those of `waves`
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file
 };
+
+/// Whether the field comes from a file.
+bool is_field_file(const WaveOptions& options);
+
+/// What a message calls the field: "the field 'wind.csv'".
+std::string source_of(const WaveOptions& options);
 
 /// --direction alone.
 CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
+
+/// --along alone.
+CLI::Option* add_along_option(CLI::App& app, WaveOptions& options);
 
 /// --stripes and --frequency.
 void add_frequency_options(CLI::App& app, WaveOptions& options);
@@ -49,6 +60,13 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
 
 /// All options but those of crossing stripes.
 void add_wave_options(CLI::App& app, WaveOptions& options);
+
+/// Throws CLI::ValidationError for options that the chosen field takes no notice of, and for a
+/// field that is neither known nor a file.
+void check_field_options(const CLI::App& command, const WaveOptions& options);
+
+/// Throws CLI::ValidationError for options that were given and need triangles: points have none.
+void refuse_triangle_options(const CLI::App& command);
 
 /// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);

@@ -111,17 +111,18 @@ INSTANTIATE_TEST_SUITE_P(
     Animate, AnimateUsage,
     testing::Values(Arguments{"--scene", "dream"}, Arguments{"--frames", "0"},
                     Arguments{"--frames", "-1"}, Arguments{"--frames", "many"},
-                    Arguments{"--lambda", "-1"}, Arguments{"--lambda", "nan"},
-                    Arguments{"--sweeps", "-1"}, Arguments{"--iterations", "0"},
-                    Arguments{"--solver", "global"}, Arguments{"--phase-shift", "common_source"},
-                    Arguments{"--fps", "0"}, Arguments{"--threads", "-1"},
-                    Arguments{"--direction", "0,0,0"}, Arguments{"--stripes", "0"},
-                    Arguments{"--output", "frames.png"}, Arguments{"--output", "%d"},
-                    Arguments{"--output", "%4d.png"}, Arguments{"--output", "%s.png"},
-                    Arguments{"--output", "%04x.png"}, Arguments{"--output", "%0999d.png"},
-                    Arguments{"--output", "%d%d.png"}, Arguments{"--output", "%%.png"},
-                    Arguments{"--output", "%.png"}, Arguments{"--output", "%d/a.png"},
-                    Arguments{"--output", "%04d.jpeg"}, Arguments{"--output", "a.gif"}));
+                    Arguments{"--lambda", "-1"}, Arguments{"--lambda", "1e30"},
+                    Arguments{"--lambda", "nan"}, Arguments{"--sweeps", "-1"},
+                    Arguments{"--iterations", "0"}, Arguments{"--solver", "global"},
+                    Arguments{"--phase-shift", "common_source"}, Arguments{"--fps", "0"},
+                    Arguments{"--threads", "-1"}, Arguments{"--direction", "0,0,0"},
+                    Arguments{"--stripes", "0"}, Arguments{"--output", "frames.png"},
+                    Arguments{"--output", "%d"}, Arguments{"--output", "%4d.png"},
+                    Arguments{"--output", "%s.png"}, Arguments{"--output", "%04x.png"},
+                    Arguments{"--output", "%0999d.png"}, Arguments{"--output", "%d%d.png"},
+                    Arguments{"--output", "%%.png"}, Arguments{"--output", "%.png"},
+                    Arguments{"--output", "%d/a.png"}, Arguments{"--output", "%04d.jpeg"},
+                    Arguments{"--output", "a.gif"}));
 
 TEST_F(Animate, ADirectionIsRefusedWhereItMeansNothing) {
   expect_refusal(2, "--direction", command({"--scene", "vortices", "--direction", "1,0,0"}));

@@ -73,25 +73,28 @@ TEST_F(BadInput, OnlyNanPositions) {
 }
 
 TEST_F(BadInput, MissingField) {
-  expect_refusal(1, "none.csv", {"stripe", kSmallTorus, "--field", "none.csv", "--report", "r"});
+  expect_refusal(1, "none.csv",
+                 {"stripe", kSmallTorus, "--field", "none.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithTooFewRows) {
   write_text(folder / "mesh.obj", kTriangleObj);
   write_text(folder / "short.csv", "1,0,0\n0,1,0\n");
-  expect_refusal(1, "short.csv", {"stripe", "mesh.obj", "--field", "short.csv", "--report", "r"});
+  expect_refusal(1, "short.csv",
+                 {"stripe", "mesh.obj", "--field", "short.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithAWord) {
   write_text(folder / "mesh.obj", kTriangleObj);
   write_text(folder / "word.csv", "1,0,0\n0,north,0\n1,0,0\n");
-  expect_refusal(1, "word.csv", {"stripe", "mesh.obj", "--field", "word.csv", "--report", "r"});
+  expect_refusal(1, "word.csv",
+                 {"stripe", "mesh.obj", "--field", "word.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithImpossibleFrequency) {
   write_text(folder / "mesh.obj", kTriangleObj);
   write_text(folder / "f.csv", "1,0,0,5\n1,0,0,-5\n1,0,0,5\n");
-  expect_refusal(1, "f.csv", {"stripe", "mesh.obj", "--field", "f.csv", "--report", "r"});
+  expect_refusal(1, "f.csv", {"stripe", "mesh.obj", "--field", "f.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, OutputFolderDoesNotExist) {
@@ -108,8 +111,8 @@ TEST_F(BadInput, OutputIsAFolder) {
 }
 
 TEST_F(BadInput, OutputOfUnknownExtension) {
-  expect_refusal(1, ".jpeg", {"stripe", kSmallTorus, "--output", "a.jpeg"});
-  expect_refusal(1, "a", {"stripe", kSmallTorus, "--output", "a"});
+  expect_refusal(2, ".jpeg", {"stripe", kSmallTorus, "--output", "a.jpeg"});
+  expect_refusal(2, "'a'", {"stripe", kSmallTorus, "--output", "a"});
 }
 
 TEST_F(BadInput, OutputsAreCheckedBeforeAnythingIsWritten) {
@@ -121,7 +124,9 @@ TEST_F(BadInput, FullDisk) {
   for (const char* name :
        {"full.png", "full.obj", "full.ply", "full.vtp", "full.gltf", "full.glb", "full.json"}) {
     fs::create_symlink("/dev/full", folder / name);
-    expect_refusal(1, name, {"stripe", kSmallTorus, "--output", name, "--size", "64x48"});
+    std::vector<std::string> arguments = {"stripe", kSmallTorus, "--output", name};
+    if (std::string(name) == "full.png") arguments.insert(arguments.end(), {"--size", "64x48"});
+    expect_refusal(1, name, arguments);
   }
   expect_refusal(1, "/dev/full", {"stripe", kSmallTorus, "--report", "/dev/full"});
   expect_refusal(1, "/dev/full", {"compare", kSmallTorus, "--json", "/dev/full"});
@@ -165,6 +170,8 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--global-iterations", "0"},
         std::vector<std::string>{"--seed", "-1"}, std::vector<std::string>{"--rotate", "inf"},
         std::vector<std::string>{"--curvature-anchor", "-1"},
+        std::vector<std::string>{"--curvature-anchor", "1e30"},
+        std::vector<std::string>{"--feature-anchor", "1e30"},
         std::vector<std::string>{"--curvature-direction", "x"},
         std::vector<std::string>{"--nonsense"}));
 
@@ -193,6 +200,9 @@ TEST_F(BadInput, CommandsThatAreNone) {
   expect_refusal(2, "paint", {"paint", "shape:torus"});
   expect_refusal(2, "MESH", {"stripe"});
   expect_refusal(2, "MESH", {"info"});
+  for (const char* command : {"stripe", "compare", "curves", "sample", "animate"}) {
+    expect_refusal(2, "MESH", {command, ""});
+  }
 }
 
 }  // namespace

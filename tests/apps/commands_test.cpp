@@ -14,11 +14,19 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_F(ToolTest, HelpHasExamples) {
   EXPECT_TRUE(has(run({"--help"}).out, "Examples:"));
-  for (const char* command : {"stripe", "compare", "animate", "info", "bench"}) {
+  for (const char* command :
+       {"stripe", "compare", "curves", "sample", "animate", "info", "bench"}) {
     const ToolResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;
     EXPECT_TRUE(has(result.out, "Examples:")) << result.out;
+  }
+}
+
+TEST_F(ToolTest, HelpSaysHowCommandsEnd) {
+  const std::string help = run({"--help"}).out;
+  for (const char* part : {"0 if the job is done", "130 if Ctrl-C"}) {
+    EXPECT_TRUE(has(help, part)) << help;
   }
 }
 

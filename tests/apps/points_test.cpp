@@ -78,7 +78,7 @@ TEST_F(PointsTool, AreSampledRegularly) {
   EXPECT_GT(report["samples"], 100);
   EXPECT_EQ(report["nearest_neighbour"]["isolated_double_share"], 0);
   EXPECT_GT(report["nearest_neighbour"]["mean"], 0.8);
-  expect_refusal(1, "a.png", {"sample", kPoints, "--points", "--output", "a.png"});
+  expect_refusal(2, "a.png", {"sample", kPoints, "--points", "--output", "a.png"});
   expect_refusal(2, "--min-distance", {"sample", kPoints, "--points", "--min-distance", "0.2"});
 }
 
@@ -91,8 +91,8 @@ TEST_F(PointsTool, NeedNanoflann) {
 #endif
 
 TEST_F(PointsTool, RefuseWhatNeedsTriangles) {
-  expect_refusal(1, "a.glb", {"stripe", kPoints, "--points", "--output", "a.glb"});
-  expect_refusal(1, "--cross", {"stripe", kPoints, "--points", "--cross"});
+  expect_refusal(2, "a.glb", {"stripe", kPoints, "--points", "--output", "a.glb"});
+  expect_refusal(2, "--cross", {"stripe", kPoints, "--points", "--cross"});
   expect_refusal(2, "--subdivide", {"stripe", kPoints, "--points", "--subdivide", "1"});
   expect_refusal(2, "--neighbors", {"stripe", kPoints, "--points", "--neighbors", "1"});
 }

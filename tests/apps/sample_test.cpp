@@ -81,7 +81,7 @@ TEST_F(SampleTool, SaysThatThereAreNone) {
 
 TEST_F(SampleTool, FormatsThatHoldNoSamplesNameOneThatDoes) {
   for (const char* name : {"a.obj", "a.glb", "a.svg", "a"}) {
-    expect_refusal(1, ".csv", {"sample", kSmallTorus, "-o", name});
+    expect_refusal(2, ".csv", {"sample", kSmallTorus, "-o", name});
   }
   expect_refusal(1, "none", {"sample", kSmallTorus, "-o", "none/a.csv"});
   expect_refusal(1, "none.csv", {"sample", kSmallTorus, "--field-v", "none.csv", "-o", "a.csv"});

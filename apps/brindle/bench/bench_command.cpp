@@ -11,12 +11,15 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/phases/coloring.h"
+#include "command_line.h"
 #include "commands.h"
 #include "device.h"
 #include "formatted.h"
 #include "option_values.h"
 #include "outputs.h"
 #include "preparation.h"
+#include "used_files.h"
+#include "written_files.h"
 
 namespace brindle::tool {
 namespace {
@@ -71,6 +74,7 @@ MeshFigures empty_figures(const Subject& subject) {
   figures.mesh = subject.name;
   figures.subdivided = subject.subdivided;
   figures.vertices = subject.vertex_count();
+  figures.triangles = subject.surface.mesh.triangle_count();
   figures.edges = neighborhood.edge_count();
   figures.luby_colors = luby_coloring(neighborhood).color_count;
   figures.greedy_colors = greedy_coloring(neighborhood).color_count;
@@ -148,11 +152,37 @@ BenchReport report_of(const Arguments& arguments) {
   return report;
 }
 
-void run(const Arguments& arguments) {
-  if (!arguments.json.empty()) check_output_path(arguments.json);
+void check(const CLI::App& command, const Arguments& arguments) {
+  check_report("--json", arguments.json);
+  std::vector<UsedFile> inputs;
+  if (is_field_file(arguments.waves)) inputs.push_back({"--field", arguments.waves.field});
+  for (const std::string& mesh : arguments.bench.meshes) {
+    for (UsedFile& file : input_files({.mesh = mesh}, arguments.waves)) {
+      inputs.push_back(std::move(file));
+    }
+  }
+  if (!arguments.json.empty()) check_files(inputs, {{"--json", arguments.json}});
+  check_field_options(command, arguments.waves);
+  if (arguments.bench.figure != 0) {
+    refuse_given(command, {"--subdivide"}, "figures have no finer copies");
+  }
+  const int figure = arguments.bench.figure;
+  if (arguments.device == DeviceKind::gpu || figure == 14 || figure == 16) {
+    refuse_given(command, {"--global-limit"}, "this run leaves the global solver out anyway");
+  }
+}
+
+void run(const CLI::App& command, const Arguments& arguments) {
+  check(command, arguments);
   const BenchReport report = report_of(arguments);
-  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
-  if (!arguments.quiet) print_bench_report(std::cout, report);
+  if (!arguments.json.empty()) {
+    nlohmann::ordered_json json = invocation_of(command);
+    json.update(to_json(report));
+    write_json(arguments.json, json);
+  }
+  if (arguments.quiet) return;
+  print_bench_report(std::cout, report);
+  if (!arguments.json.empty()) print_written(std::cout, std::filesystem::path(arguments.json));
 }
 
 double seconds_of(const std::string& option, const std::string& text) {
@@ -207,7 +237,7 @@ Command add_bench_command(CLI::App& app) {
             // As in the paper's measurements (5.2).
             WaveOptions& waves = arguments->waves;
             if (!waves.direction && command->count("--field") == 0) waves.direction = kDirection;
-            run(*arguments);
+            run(*command, *arguments);
           }};
 }
 

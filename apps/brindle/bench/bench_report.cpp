@@ -126,7 +126,9 @@ Json to_json(const FrameFigures& frame) {
 Json to_json(const MeshFigures& mesh) {
   Json json = {{"mesh", mesh.mesh},
                {"subdivided", mesh.subdivided},
+               {"kind", mesh.triangles == 0 ? "points" : "mesh"},
                {"vertices", mesh.vertices},
+               {"triangles", mesh.triangles},
                {"edges", mesh.edges},
                {"colors", {{"luby", mesh.luby_colors}, {"greedy", mesh.greedy_colors}}},
                {"fields", mesh.fields},

@@ -28,6 +28,7 @@ struct MeshFigures {
   std::string mesh;
   int subdivided = 0;
   std::size_t vertices = 0;
+  std::size_t triangles = 0;
   std::size_t edges = 0;
   Index luby_colors = 0;    ///< of the paper's colouring, which relaxation uses
   Index greedy_colors = 0;  ///< of the colouring that multilevel and the animator use

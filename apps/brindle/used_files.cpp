@@ -1,0 +1,89 @@
+#include "used_files.h"
+
+#include <fstream>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+
+namespace brindle::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_device(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+// One name for all ways to a file, whether or not it exists.
+fs::path place_of(const fs::path& path) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored) || place_of(a) == place_of(b);
+}
+
+// What a glTF file names beside itself; nothing of a file that cannot be read, which is for the
+// reader to say.
+std::vector<fs::path> buffers_of(const fs::path& gltf) {
+  std::vector<fs::path> paths;
+  std::ifstream in(gltf);
+  const auto json = nlohmann::json::parse(in, nullptr, false);
+  if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array()) return paths;
+  for (const auto& buffer : json["buffers"]) {
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
+    const std::string uri = buffer["uri"];
+    if (!uri.starts_with("data:")) paths.push_back(gltf.parent_path() / uri);
+  }
+  return paths;
+}
+
+}  // namespace
+
+std::vector<UsedFile> input_files(const SurfaceOptions& surface, const WaveOptions& waves) {
+  std::vector<UsedFile> files;
+  if (surface.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
+  if (!is_shape(surface)) {
+    files.push_back({"MESH", surface.mesh});
+    if (lower_extension(surface.mesh) == ".gltf") {
+      for (const fs::path& path : buffers_of(surface.mesh)) files.push_back({"MESH", path});
+    }
+  }
+  if (is_field_file(waves)) files.push_back({"--field", waves.field});
+  return files;
+}
+
+void check_files(const std::vector<UsedFile>& inputs, const std::vector<UsedFile>& outputs) {
+  std::map<fs::path, const UsedFile*> written;
+  for (const UsedFile& output : outputs) {
+    if (is_device(output.path)) continue;
+    const auto refuse = [&](const std::string& reason) {
+      throw CLI::ValidationError(output.option, "'" + output.path.string() + "' " + reason);
+    };
+    for (const UsedFile& input : inputs) {
+      if (is_same_file(output.path, input.path)) {
+        refuse("is read by " + input.option + " and would be lost; write to another file");
+      }
+    }
+    const auto [other, is_new] = written.emplace(place_of(output.path), &output);
+    if (!is_new && !(output.beside && other->second->beside)) {
+      refuse("would be written twice; write to another file");
+    }
+  }
+}
+
+void check_report(const std::string& option, const std::string& path) {
+  if (path.empty()) return;
+  if (lower_extension(path) != ".json" && !is_device(path)) {
+    throw CLI::ValidationError(option, "'" + path + "' is no name of a report; end it in .json");
+  }
+  check_output_path(path);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,132 @@
+#include "wave_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "brindle/error.h"
+#include "formatted.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr double kFewestEdges = 2;  // a period
+constexpr double kFewestEdgesAtAll = 1e-4;
+constexpr double kMostWithoutWave = 0.01;  // share of the vertices
+constexpr double kMostBranches = 0.1;      // share of the triangles
+constexpr int kMostSubdivisions = 3;       // that are worth proposing
+
+const char* const kRemedies =
+    "take fewer --stripes, or a lower --frequency, which counts stripes per unit of the mesh's own "
+    "length";
+
+double mean_length_along(const Surface& surface, Index vertex, const Vec3& direction) {
+  const std::span<const Index> neighbors = surface.neighborhood->of(vertex);
+  double sum = 0;
+  for (const Index neighbor : neighbors) {
+    const Vec3 edge = surface.mesh.positions[neighbor] - surface.mesh.positions[vertex];
+    sum += std::abs(static_cast<double>(edge.dot(direction)));
+  }
+  return sum / static_cast<double>(neighbors.size());
+}
+
+bool is_too_fine(const WaveFigures& figures) {
+  const double edges = figures.edges_per_period_median;
+  return edges > 0 && edges < kFewestEdges;  // 0: no edge runs along any wave
+}
+
+std::string subdivisions_proposed(double edges_per_period) {
+  const int times = static_cast<int>(std::ceil(std::log2(kFewestEdges / edges_per_period)));
+  return times <= kMostSubdivisions ? formatted("; or --subdivide %d", times) : "";
+}
+
+}  // namespace
+
+WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
+  WaveFigures figures;
+  figures.frequency_min = std::numeric_limits<double>::infinity();
+  double sum = 0;
+  std::vector<double> edges_per_period;
+  edges_per_period.reserve(waves.directions.size());
+  for (Index v = 0; v < waves.directions.size(); ++v) {
+    if (surface.neighborhood->of(v).empty()) continue;
+    ++figures.used;
+    if (waves.directions[v].isZero(0)) {
+      ++figures.without_wave;
+      continue;
+    }
+    const double frequency = waves.frequencies[v];
+    sum += frequency;
+    figures.frequency_min = std::min(figures.frequency_min, frequency);
+    figures.frequency_max = std::max(figures.frequency_max, frequency);
+    const double length = mean_length_along(surface, v, waves.directions[v]);
+    if (length > 0) edges_per_period.push_back(1 / (frequency * length));
+  }
+  const std::size_t with_wave = figures.used - figures.without_wave;
+  if (with_wave == 0) figures.frequency_min = 0;
+  if (with_wave == 0 || edges_per_period.empty()) return figures;
+  figures.stripes = sum / static_cast<double>(with_wave) *
+                    static_cast<double>(bounding_box(surface.mesh).diagonal());
+  const auto median =
+      edges_per_period.begin() + static_cast<std::ptrdiff_t>(edges_per_period.size() / 2);
+  std::nth_element(edges_per_period.begin(), median, edges_per_period.end());
+  figures.edges_per_period_median = *median;
+  figures.edges_per_period_min = *std::min_element(edges_per_period.begin(), median + 1);
+  return figures;
+}
+
+namespace {
+
+void refuse_nothing(const WaveFigures& figures, const std::string& source) {
+  if (figures.without_wave < figures.used || figures.used == 0) return;
+  throw Error("no vertex has a wave: " + source +
+              " is zero, not finite or normal to the surface at all of them; choose other "
+              "directions");
+}
+
+// Phases of stripes that fine would be rounding errors.
+void refuse_noise(const WaveFigures& figures) {
+  const double edges = figures.edges_per_period_median;
+  if (edges == 0 || edges > kFewestEdgesAtAll) return;
+  throw Error(
+      formatted("a wave passes %.2g edges a period: nothing can be told of such stripes; ", edges) +
+      kRemedies);
+}
+
+}  // namespace
+
+void check_waves(const WaveFigures& figures, const std::string& source) {
+  refuse_nothing(figures, source);
+  refuse_noise(figures);
+}
+
+std::string warnings(const WaveFigures& figures, const std::string& source) {
+  std::string text;
+  if (static_cast<double>(figures.without_wave) >
+      kMostWithoutWave * static_cast<double>(figures.used)) {
+    text += formatted("warning: %zu of %zu vertices have no wave: ", figures.without_wave,
+                      figures.used) +
+            source + " is zero, not finite or normal to the surface there\n";
+  }
+  if (is_too_fine(figures)) {
+    const double edges = figures.edges_per_period_median;
+    text +=
+        formatted("warning: at half of the vertices a wave passes %.3g edges a period or fewer; ",
+                  edges) +
+        "below two, stripes may come out as noise; " + kRemedies + subdivisions_proposed(edges) +
+        "\n";
+  }
+  return text;
+}
+
+std::string branch_warning(const WaveFigures& figures, std::size_t branches,
+                           std::size_t triangles) {
+  if (is_too_fine(figures)) return "";
+  if (static_cast<double>(branches) <= kMostBranches * static_cast<double>(triangles)) return "";
+  return formatted("warning: stripes begin or end in %zu of %zu triangles; ", branches, triangles) +
+         kRemedies + "; or a smoother --field\n";
+}
+
+}  // namespace brindle::tool

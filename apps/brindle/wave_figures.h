@@ -1,0 +1,39 @@
+/// How dense waves are on their surface, and where there are none.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "brindle/phase_graph.h"
+#include "brindle/surface.h"
+
+namespace brindle::tool {
+
+/// All but the counts are over the vertices with neighbours and a wave. Vertices without
+/// neighbours, which no triangle uses, have no say in anything.
+struct WaveFigures {
+  std::size_t used = 0;          ///< vertices with neighbours
+  std::size_t without_wave = 0;  ///< of these
+  double frequency_min = 0;      ///< stripes per unit length
+  double frequency_max = 0;
+  double stripes = 0;  ///< of the mean frequency, along the diagonal of the bounding box
+  // How many edges a wave passes within a period: the period over how far a vertex's edges run
+  // along its wave, on average. Below two, neighbours are more than half a period apart.
+  double edges_per_period_min = 0;
+  double edges_per_period_median = 0;
+};
+
+WaveFigures measure_waves(const Surface& surface, const WaveSet& waves);
+
+/// Throws Error if there is no wave at all, or waves are too fine for any number; `source` says
+/// where the waves come from: "the field 'wind.csv'".
+void check_waves(const WaveFigures& figures, const std::string& source);
+
+/// Lines for people about what is probably not meant: waves missing at more than a vertex in a
+/// hundred, stripes too fine for the mesh. Empty if there is nothing to say.
+std::string warnings(const WaveFigures& figures, const std::string& source);
+
+/// The same of more branches than a triangle in ten, unless stripes are too fine anyway.
+std::string branch_warning(const WaveFigures& figures, std::size_t branches, std::size_t triangles);
+
+}  // namespace brindle::tool

@@ -1,0 +1,121 @@
+// Every example that the program's help shows runs, with smaller pictures and fewer frames.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "tool.h"
+
+#if defined(BRINDLE_HAS_GL) && defined(BRINDLE_HAS_CHOLMOD) && defined(BRINDLE_TESTS_NANOFLANN)
+
+namespace brindle::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
+
+Arguments words_of(const std::string& line) {
+  std::istringstream in(line);
+  Arguments words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+// The lines of a help text that call the program, without its name.
+std::vector<Arguments> examples_in(const std::string& help) {
+  std::vector<Arguments> examples;
+  std::istringstream lines(help);
+  bool reached = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Examples:")) reached = true;
+    Arguments words = words_of(line);
+    if (!reached || words.empty() || words.front() != "brindle") continue;
+    examples.emplace_back(words.begin() + 1, words.end());
+  }
+  return examples;
+}
+
+void set_option(Arguments& arguments, const std::string& option, const std::string& value) {
+  const auto found = std::find(arguments.begin(), arguments.end(), option);
+  if (found != arguments.end()) {
+    *(found + 1) = value;
+  } else {
+    arguments.insert(arguments.end(), {option, value});
+  }
+}
+
+bool draws(const Arguments& arguments) {
+  const auto output = std::find(arguments.begin(), arguments.end(), "--output");
+  return output != arguments.end() &&
+         ((output + 1)->ends_with(".png") || (output + 1)->ends_with(".mp4"));
+}
+
+// The same command with less to do.
+Arguments shortened(Arguments arguments) {
+  if (draws(arguments)) set_option(arguments, "--size", "64x48");
+  if (arguments.front() == "animate") set_option(arguments, "--frames", "2");
+  if (arguments.front() == "bench") arguments.push_back("--quick");
+  return arguments;
+}
+
+struct Examples : ToolTest {
+  std::string path = std::getenv("PATH");
+
+  // The files that examples speak of.
+  void SetUp() override {
+    ToolTest::SetUp();
+    make({"stripe", "shape:torus,resolution=24", "-o", "horse.ply", "-o", "scan.obj"});
+    make({"stripe", "shape:torus,resolution=24", "--points", "-o", "points.ply"});
+    make({"stripe", "shape:torus,resolution=24", "--size", "32x32", "-o", "cloth.png"});
+    std::string field;
+    std::string points;
+    std::istringstream scan(content(folder / "scan.obj"));
+    for (std::string line; std::getline(scan, line);) {
+      const Arguments words = words_of(line);
+      if (words.size() < 4 || words.front() != "v") continue;
+      field += "-" + words[2] + "," + words[1] + ",0.1,12\n";
+      points += words[1] + "," + words[2] + "," + words[3] + "\n";
+    }
+    // "--1" where a coordinate is negative.
+    for (std::size_t at = 0; (at = field.find("--")) != std::string::npos;) field.erase(at, 2);
+    for (const char* name : {"wind.csv", "importance.csv"}) write_text(folder / name, field);
+    write_text(folder / "points.csv", points);
+    fs::create_directory(folder / "frames");
+    write_text(folder / "ffmpeg", "#!/bin/sh\nfor last; do :; done; cat > \"${last#file:}\"\n");
+    fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
+    setenv("PATH", (folder.string() + ":" + path).c_str(), 1);
+  }
+  void TearDown() override {
+    setenv("PATH", path.c_str(), 1);
+    ToolTest::TearDown();
+  }
+  void make(Arguments arguments) const {
+    arguments.push_back("--quiet");
+    const ToolResult result = run(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+};
+
+TEST_F(Examples, OfEveryHelpRun) {
+  std::size_t count = 0;
+  for (const char* command :
+       {"", "stripe", "compare", "curves", "sample", "animate", "info", "bench"}) {
+    const ToolResult help = *command == '\0' ? run({"--help"}) : run({command, "--help"});
+    const std::vector<Arguments> examples = examples_in(help.out);
+    EXPECT_FALSE(examples.empty()) << command;
+    for (const Arguments& example : examples) {
+      std::string line;
+      for (const std::string& word : example) line += ' ' + word;
+      const ToolResult result = run(shortened(example));
+      EXPECT_EQ(result.exit_code, 0) << "brindle" << line << '\n' << result.err;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 30u);
+}
+
+}  // namespace
+}  // namespace brindle::test
+
+#endif
