@@ -114,6 +114,7 @@ void check_outputs(const AnimateArguments& arguments) {
 }
 
 void run(AnimateArguments arguments) {
+  refuse_points(arguments.surface, "animate");
   check_outputs(arguments);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.threads);
@@ -122,7 +123,7 @@ void run(AnimateArguments arguments) {
     ProgressDisplay display(arguments.quiet);
     display.stage("loading " + arguments.surface.mesh);
     LoadedMesh loaded = load_mesh(arguments.surface);
-    display.note(describe(loaded.repair));
+    display.note(describe(loaded));
     const Surface surface = make_surface(std::move(loaded.mesh));
     AnimationOptions& animation = arguments.animation;
     animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);

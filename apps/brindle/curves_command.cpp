@@ -165,7 +165,8 @@ Result make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
   WaveSet& u = result.prepared.waves;
   WaveSet v;
   if (arguments.which != Which::u) {
-    v = make_second_waves(result.prepared.surface, u, arguments.second);
+    v = make_second_waves(result.prepared.surface, u, arguments.second,
+                          result.prepared.vertex_of_row);
   }
   const auto add = [&](const char* name, WaveSet&& waves) {
     result.families.push_back(make_family(arguments, result, name, std::move(waves), display));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,10 @@ Output plan_report(const std::string& path);
 /// Whether points without triangles can be written there.
 bool holds_points(const std::filesystem::path& path);
 
+/// Vertices that were joined with others are given what their `partners` (`Preparation`) have.
 void write_output(const Output& output, const Surface& surface, const StripeResult& result,
-                  const Report& report, const PictureOptions& picture);
+                  const Report& report, const PictureOptions& picture,
+                  std::span<const Index> partners = {});
 
 /// Writes indented JSON.
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);

@@ -11,7 +11,14 @@ namespace brindle::tool {
 struct Preparation {
   Surface surface;
   WaveSet waves;
-  FrequencyField frequencies_v;      ///< of crossing stripes; empty: those of `waves`
+  FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
+  bool points = false;           ///< the surface has no triangles
+  /// For every vertex of the mesh's file the vertex that triangles use in its place; empty if none
+  /// was joined with another. What rows of field files may stand for.
+  std::vector<Index> vertex_of_row;
+  /// The same for every vertex of the surface, up to the last that was joined: what files say of a
+  /// vertex is what its partner has.
+  std::vector<Index> partners;
   double load_milliseconds = 0;      ///< reading or making the mesh and its field
   double topology_milliseconds = 0;  ///< neighbourhood and normals
 };

@@ -87,7 +87,8 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   Result result;
   result.prepared = prepare(arguments.surface, arguments.waves, display);
   const Surface& surface = result.prepared.surface;
-  WaveSet waves_v = make_second_waves(surface, result.prepared.waves, arguments.second);
+  WaveSet waves_v = make_second_waves(surface, result.prepared.waves, arguments.second,
+                                      result.prepared.vertex_of_row);
   const StripeOptions& options = arguments.solving.stripes;
   result.u = stripe_pattern(surface, std::move(result.prepared.waves), options, display.progress());
   result.v = stripe_pattern(surface, std::move(waves_v), options, display.progress());
@@ -182,9 +183,10 @@ void write(SampleOutput kind, const std::string& path, const SampleArguments& ar
            const Result& result) {
   switch (kind) {
     case SampleOutput::samples:
-      return write_samples(path, result.samples);
+      return write_samples(path, result.samples, result.prepared.surface.mesh.origin);
     case SampleOutput::picture: {
       Ornament discs{{}, true};
+      discs.mesh.origin = result.prepared.surface.mesh.origin;
       for (const Sample& sample : result.samples) add_disc(sample, discs.mesh);
       return write_ornaments(path, result.prepared.surface, std::span(&discs, 1),
                              *arguments.picture);

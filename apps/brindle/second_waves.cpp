@@ -23,12 +23,12 @@ void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
 }
 
 WaveSet make_second_waves(const Surface& surface, const WaveSet& first,
-                          const SecondWaveOptions& options) {
+                          const SecondWaveOptions& options, std::span<const Index> vertex_of_row) {
   WaveSet waves{first.positions, {}, first.frequencies};
   if (options.field.empty()) {
     waves.directions = rotated(first.directions, surface.normals, std::numbers::pi_v<float> / 2);
   } else {
-    FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
+    FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count(), vertex_of_row);
     waves.directions = tangent_directions(file.vectors, surface.normals);
     if (!file.frequencies.empty()) waves.frequencies = std::move(file.frequencies);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -21,8 +22,10 @@ struct SecondWaveOptions {
 void add_second_wave_options(CLI::App& app, SecondWaveOptions& options);
 
 /// One wave per vertex, without phases: with U's frequencies unless the options or the file name
-/// others. Throws Error if the file does not fit.
+/// others. Rows of the file may stand for those of the mesh's file (`Preparation`). Throws Error if
+/// the file does not fit.
 WaveSet make_second_waves(const Surface& surface, const WaveSet& first,
-                          const SecondWaveOptions& options);
+                          const SecondWaveOptions& options,
+                          std::span<const Index> vertex_of_row = {});
 
 }  // namespace brindle::tool

@@ -147,11 +147,12 @@ void run(const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
+    const std::vector<Index> partners = std::move(prepared.partners);
     const Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
     report = job.report;
     for (const Output& output : outputs) {
       display.stage("writing " + output.path.string());
-      write_output(output, job.surface, job.result, report, *arguments.picture);
+      write_output(output, job.surface, job.result, report, *arguments.picture, partners);
     }
   }
   if (!arguments.quiet) print_report(std::cout, report);

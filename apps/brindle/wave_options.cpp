@@ -26,7 +26,8 @@ struct Field {
   FrequencyField frequencies_v;  // the same of crossing stripes
 };
 
-Field make_field(const Surface& surface, const WaveOptions& options) {
+Field make_field(const Surface& surface, const WaveOptions& options,
+                 std::span<const Index> vertex_of_row) {
   if (options.direction)
     return {projected_direction_field(*options.direction, surface.normals), {}, {}};
   if (options.field == "smooth") {
@@ -46,7 +47,7 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
     orient_alike(*surface.neighborhood, directions);
     return {std::move(directions), {}, {}};
   }
-  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
+  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count(), vertex_of_row);
   return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
           std::move(file.frequencies_v)};
 }
@@ -127,8 +128,9 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
       ->excludes(stripes);
 }
 
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options) {
-  Field field = make_field(surface, options);
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            std::span<const Index> vertex_of_row) {
+  Field field = make_field(surface, options, vertex_of_row);
   if (options.rotate_deg != 0) {
     field.directions = rotated(field.directions, surface.normals,
                                options.rotate_deg * std::numbers::pi_v<float> / 180);

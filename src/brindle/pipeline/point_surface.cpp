@@ -35,6 +35,7 @@ Surface make_point_surface(PointCloud cloud, int neighbors) {
         "points, or points with normals");
   }
   surface.mesh.positions = std::move(cloud.positions);
+  surface.mesh.origin = cloud.origin;
   return surface;
 }
 

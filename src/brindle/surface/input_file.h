@@ -55,8 +55,9 @@ class InputFile {
 std::string_view take_word(std::string_view& line);
 
 /// The number that `word` is, and nothing else; a leading + is allowed, and nan and inf are read.
-/// Numbers beyond the range of float become infinite or zero.
-std::optional<float> parse_float(std::string_view word);
+/// Rounded to float it is the float nearest to what `word` says. Numbers beyond the range of double
+/// become infinite or zero.
+std::optional<double> parse_number(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
 }  // namespace brindle

@@ -17,8 +17,11 @@ using Triangle = std::array<Index, 3>;
 /// or in pieces, and may have vertices that no triangle uses. Positions are finite and triangle
 /// corners in range and different from each other; `repair_mesh` (mesh_repair.h) sees to that.
 struct Mesh {
-  std::vector<Vec3> positions;
+  std::vector<Vec3> positions;  ///< relative to `origin`
   std::vector<Triangle> triangles;
+  /// Where the positions' zero stands. Floats lose the shape of what is small and far from zero, so
+  /// files with such coordinates are read relative to a point nearby and written back in place.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 
   std::size_t vertex_count() const { return positions.size(); }
   std::size_t triangle_count() const { return triangles.size(); }

@@ -15,6 +15,10 @@ namespace brindle {
 struct LoadedMesh {
   Mesh mesh;
   MeshRepair repair;  ///< what was wrong with the file's mesh
+  /// For every vertex of the file, in its order, the vertex that triangles use in its place:
+  /// itself, or the first at the same place. Empty if nothing was joined.
+  std::vector<Index> vertex_of_row;
+  bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
 };
 
 /// Reads OBJ, PLY, OFF, STL, glTF and GLB, told apart by the path's extension; polygons are cut
@@ -24,14 +28,18 @@ struct LoadedMesh {
 /// not a triangle uses them. In every format, triangles use the first of all vertices that stand
 /// at exactly one place: files often repeat vertices along seams of texture, or for every
 /// triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they are
-/// removed.
+/// removed. Coordinates that are large against the mesh's size are made relative to `Mesh::origin`.
 ///
-/// OBJ, PLY and OFF are read here and not by Assimp: its readers renumber vertices, and those for
-/// PLY and OFF crash or hang on damaged files (Assimp 5.2.5).
+/// All but glTF and GLB is read here and not by Assimp: its readers renumber vertices, know floats
+/// alone, and those for PLY and OFF crash or hang on damaged files (Assimp 5.2.5).
 ///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
 LoadedMesh read_mesh(const std::filesystem::path& path);
+
+/// The vertices that `read_mesh` reads, of a file with or without triangles. Coordinates that are
+/// no numbers stay so. Throws Error as `read_mesh` does.
+Mesh read_vertices(const std::filesystem::path& path);
 
 /// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
 /// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,14 @@ std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
 /// The others stay, in no triangle. Returns how many there are.
 std::size_t join_vertices(Mesh& mesh);
 
-/// Removes vertices that no triangle uses; the others are renumbered in order.
-void drop_unreferenced_vertices(Mesh& mesh);
+/// For every position the first that is exactly the same; itself for one that is no good.
+std::vector<Index> first_at_each_place(std::span<const Vec3> positions);
+
+/// As above, with what `first_at_each_place` found.
+std::size_t join_vertices(Mesh& mesh, std::span<const Index> first);
+
+/// Removes vertices that no triangle uses; the others are renumbered in order. Returns the new
+/// number of every vertex that is left.
+std::vector<Index> drop_unreferenced_vertices(Mesh& mesh);
 
 }  // namespace brindle

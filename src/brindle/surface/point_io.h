@@ -12,8 +12,7 @@ namespace brindle {
 bool is_point_file(const std::filesystem::path& path);
 
 /// Reads points, and normals if there are as many, from
-/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz; a first line of words and lines that begin with # are
-///   skipped;
+/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz (`read_csv`);
 /// - PLY and OBJ: the vertices, whether or not there are faces;
 /// - any other mesh file: the vertices, without normals.
 /// Throws Error naming the file, the line where there is one, and the remedy for a file that cannot
