@@ -205,6 +205,10 @@ TEST_F(Input, AFileTakenForPointsIsSpokenOf) {
     EXPECT_TRUE(contains(info.out, "1 points at the place of another")) << info.out;
   }
   EXPECT_TRUE(contains(run({"info", "shape:torus,resolution=32", "--points"}).out, "points"));
+  write_far_torus(folder / "far.ply");
+  report("far.ply", {"--points", "--direction", "1,2,3", "--output", "out.ply"});
+  EXPECT_TRUE(contains(content(folder / "out.ply"), "property double x"));
+  EXPECT_TRUE(contains(run({"info", "out.ply"}).out, "recentred about 500000 5800000 100"));
 #endif
 }
 

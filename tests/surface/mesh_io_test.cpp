@@ -177,6 +177,13 @@ TEST_F(MeshIo, ReadsObjWithAllKindsOfCorners) {
   EXPECT_EQ(loaded.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
+TEST_F(MeshIo, PassesOverAByteOrderMark) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(read("a.obj", mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\n").mesh.positions,
+            (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}));
+  EXPECT_EQ(read("a.off", mark + kPyramidOff).mesh.triangle_count(), 6u);
+}
+
 TEST_F(MeshIo, ReadsPolygons) {
   EXPECT_EQ(read("a.obj", kPyramidObj).mesh.triangle_count(), 6u);
   EXPECT_TRUE(same_shape(read("a.off", kPyramidOff).mesh, read("a.obj", kPyramidObj).mesh));
@@ -535,6 +542,8 @@ TEST_F(MeshIo, PlyWithAbsurdListsOrCornersIsAnError) {
   const std::string header = ply_header("ascii") + "0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_NAMES(error_of("a.ply", header + "3 0 1 3\n"), "a.ply:14: ");
   EXPECT_NAMES(error_of("a.ply", header + "3 0 1 -1\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "3 0 1 1.5\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "2.5 0 1 2\n"), "a.ply:14: ");
   EXPECT_NAMES(error_of("a.ply", header + "2000000000 0 1 2\n"), "a.ply:14: ");
   EXPECT_NAMES(error_of("a.ply", header + "nan 0 1 2\n"), "a.ply:14: ");
   std::string damaged = ply_header("binary_little_endian") + kTriangleBytes;

@@ -21,6 +21,9 @@ std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
+/// What some programs put before UTF-8.
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 /// Whether the value is as far from one float as from the next.
 bool halfway_between_floats(double value) {
   if (!(std::abs(value) <= std::numeric_limits<float>::max())) return false;
@@ -91,6 +94,7 @@ std::optional<std::string_view> InputFile::next_line() {
   ++line_;
   std::string_view line(start, line_end ? taken - 1 : taken);
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   return line;
 }
 

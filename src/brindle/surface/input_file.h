@@ -18,7 +18,8 @@ class InputFile {
   /// cannot be read, or is empty.
   explicit InputFile(const std::filesystem::path& path);
 
-  /// The next line without its end; nothing after the last. Valid until the next call.
+  /// The next line without its end and, of the first, a byte-order mark; nothing after the last.
+  /// Valid until the next call.
   std::optional<std::string_view> next_line();
 
   /// The next `count` bytes; valid until the next call. Throws Error if the file ends before.

@@ -34,6 +34,7 @@ class ObjReader {
 
   LoadedPoints read_points() {
     std::vector<Vec3> normals;
+    bool in_order = true;
     while (const auto line = next_whole_line()) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
@@ -41,10 +42,12 @@ class ObjReader {
         mesh_.add_vertex(three_numbers("vertex", rest));
       } else if (keyword == "vn") {
         normals.push_back(three_numbers("normal", rest).cast<float>());
+      } else if (keyword == "f") {
+        in_order = in_order && has_normals_of_their_own(rest);
       }
     }
-    // Only faces could say which normal belongs to which of another number of points.
-    if (normals.size() != mesh_.vertex_count()) normals.clear();
+    // Which normal belongs to which point is plain only where both have the same numbers.
+    if (!in_order || normals.size() != mesh_.vertex_count()) normals.clear();
     return make_placed_point_cloud(mesh_.positions(), std::move(normals));
   }
 
@@ -74,6 +77,16 @@ class ObjReader {
     }
     if (line) joined_.append(*line);
     return joined_;
+  }
+
+  /// Whether the face's corners that name a normal name the one with their vertex's number.
+  static bool has_normals_of_their_own(std::string_view rest) {
+    for (auto word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
+      const std::size_t first = word.find('/'), last = word.rfind('/');
+      if (first == last) continue;
+      if (word.substr(0, first) != word.substr(last + 1)) return false;
+    }
+    return true;
   }
 
   Eigen::Vector3d three_numbers(const char* what, std::string_view rest) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <ostream>
 #include <string>
@@ -293,7 +294,7 @@ class PlyReader {
       for (const Property& property : element.properties) {
         values_.clear();
         const double count = property.list ? body_.number(property.list_count) : 1;
-        if (!(count >= 0) || count > body_.most_entries()) {
+        if (!(count >= 0) || count > body_.most_entries() || count != std::floor(count)) {
           body_.fail("a list of " + in_quotes(element.name) +
                      " has an impossible number of entries; the file is damaged");
         }
@@ -347,7 +348,9 @@ class PlyReader {
           corners.clear();
           continue;
         }
-        if (!(corner >= 0) || corner >= static_cast<double>(mesh_.vertex_count())) {
+        const bool exists = corner >= 0 && corner < static_cast<double>(mesh_.vertex_count()) &&
+                            corner == std::floor(corner);
+        if (!exists) {
           body_.fail(what + std::to_string(face) + " has a corner that does not exist: there are " +
                      std::to_string(mesh_.vertex_count()) +
                      " vertices, counted from 0; the file is damaged, export it again");
