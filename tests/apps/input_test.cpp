@@ -230,8 +230,11 @@ TEST_F(Input, NamesNearToAShapeAreSuggested) {
 
 TEST_F(Input, ExtensionsMayBeOfAnyCase) {
   const char* shape = "shape:torus,resolution=32";
-  for (const char* name : {"a.Ply", "a.OBJ", "a.gLb", "a.Gltf"}) {
+  for (const std::string name : {"a.Ply", "a.OBJ", "a.gLb", "a.Gltf"}) {
     ASSERT_EQ(run({"stripe", shape, "--direction", "1,2,3", "--output", name}).exit_code, 0);
+#ifndef BRINDLE_TESTS_ASSIMP
+    if (name.starts_with("a.g") || name.starts_with("a.G")) continue;
+#endif
     EXPECT_EQ(run({"info", name}).exit_code, 0) << name;
   }
 }

@@ -344,6 +344,11 @@ TEST_F(MeshIo, MessagesShowNoBytesThatATerminalObeys) {
     longer.insert(longer.find(bad), 100000, 'x');
     EXPECT_LT(error_of(name, longer).size(), 1000u) << name;
   }
+#ifdef BRINDLE_TESTS_ASSIMP
+  const std::string escaped =
+      error_of("b.gltf", R"({"meshes":[{"primitives":[{"attributes":{"\u001b[2J":"x"}}]}]})");
+  EXPECT_NAMES(escaped, "'\\x1b[2J' must be");
+#endif
 }
 
 TEST_F(MeshIo, KnowsWhereEveryVertexOfTheFileWent) {

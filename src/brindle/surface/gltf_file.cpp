@@ -118,7 +118,7 @@ class GltfCheck {
     if (found == object.end() && standard >= 0) return static_cast<std::uint64_t>(standard);
     if (found == object.end() || !found->is_number_unsigned() ||
         found->get<std::uint64_t>() > (std::uint64_t{1} << 53)) {
-      fail(std::string("'") + name + "' must be a whole number");
+      fail(in_quotes(name) + " must be a whole number");
     }
     return found->get<std::uint64_t>();
   }
