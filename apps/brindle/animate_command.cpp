@@ -147,6 +147,7 @@ void check_options(const CLI::App& command, const AnimateArguments& arguments) {
 }
 
 void run(const CLI::App& command, AnimateArguments arguments) {
+  refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
   check_outputs(arguments);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
@@ -156,7 +157,7 @@ void run(const CLI::App& command, AnimateArguments arguments) {
     ProgressDisplay display(arguments.quiet);
     display.stage("loading " + arguments.surface.mesh);
     LoadedMesh loaded = load_mesh(arguments.surface);
-    display.note(describe(loaded.repair));
+    display.note(describe(loaded));
     const Surface surface = make_surface(std::move(loaded.mesh));
     AnimationOptions& animation = arguments.animation;
     animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);

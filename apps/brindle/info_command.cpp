@@ -2,6 +2,8 @@
 #include <memory>
 #include <sstream>
 
+#include "brindle/geometry/local_positions.h"
+#include "brindle/points/point_neighborhood.h"
 #include "commands.h"
 #include "mesh_statistics.h"
 #include "progress_display.h"
@@ -12,11 +14,26 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   brindle info horse.ply
-  brindle info shape:mobius)";
+  brindle info shape:mobius
+  brindle info points.csv)";
 
-std::string coordinates(const Vec3& point) {
+// Coordinates far from zero need the digits that tell them apart.
+std::string coordinates(const Vec3& point, const Eigen::Vector3d& origin) {
   std::ostringstream text;
-  text << point.x() << ' ' << point.y() << ' ' << point.z();
+  if (origin.isZero(0)) {
+    text << point.x() << ' ' << point.y() << ' ' << point.z();
+  } else {
+    const Eigen::Vector3d place = placed(point, origin);
+    text.precision(12);
+    text << place.x() << ' ' << place.y() << ' ' << place.z();
+  }
+  return text.str();
+}
+
+std::string box_line(const BoundingBox& box, const Eigen::Vector3d& origin) {
+  std::ostringstream text;
+  text << "bounding box  " << coordinates(box.lower, origin) << " to "
+       << coordinates(box.upper, origin) << ", diagonal " << box.diagonal() << '\n';
   return text.str();
 }
 
@@ -32,14 +49,44 @@ void print_statistics(std::ostream& out, const Mesh& mesh, const MeshStatistics&
       << " on a boundary, " << statistics.non_manifold_edges << " non-manifold\n"
       << "components    " << statistics.components << '\n'
       << "orientation   " << orientation(statistics) << '\n'
-      << "bounding box  " << coordinates(statistics.box.lower) << " to "
-      << coordinates(statistics.box.upper) << ", diagonal " << statistics.box.diagonal() << '\n'
-      << "edge lengths  " << statistics.edge_length_min << " to " << statistics.edge_length_max
-      << ", mean " << statistics.edge_length_mean << '\n'
+      << box_line(statistics.box, mesh.origin) << "edge lengths  " << statistics.edge_length_min
+      << " to " << statistics.edge_length_max << ", mean " << statistics.edge_length_mean << '\n'
       << "area          " << statistics.area << '\n';
 }
 
-void run(const SurfaceOptions& options) {
+void print_statistics(std::ostream& out, const PointCloud& cloud,
+                      const PointStatistics& statistics) {
+  out << "points        " << cloud.positions.size() << ", " << statistics.used << " in use\n"
+      << "normals       " << (cloud.normals.empty() ? "to be estimated" : "given") << '\n'
+      << "neighbours    " << statistics.neighbors_mean << " of a point on average\n"
+      << "components    " << statistics.components << '\n'
+      << box_line(statistics.box, cloud.origin)  //
+      << "spacing       " << statistics.spacing_min << " to " << statistics.spacing_max << ", mean "
+      << statistics.spacing_mean << '\n';
+}
+
+void print_repairs(const std::string& repairs) {
+  std::cout << (repairs.empty() ? "nothing had to be repaired\n" : repairs);
+}
+
+void run_points(const SurfaceOptions& options) {
+  LoadedPoints loaded;
+  PointStatistics statistics;
+  {
+    ProgressDisplay display(false);
+    display.stage("loading " + options.mesh);
+    loaded = load_points(options);
+    display.note(describe_kind(options));
+    display.stage("counting");
+    const int neighbors = options.neighbors.value_or(kDefaultNeighbors);
+    statistics = point_statistics(
+        loaded.cloud, point_neighborhood(loaded.cloud.positions, loaded.cloud.used, neighbors));
+  }
+  print_statistics(std::cout, loaded.cloud, statistics);
+  print_repairs(describe(loaded));
+}
+
+void run_mesh(const SurfaceOptions& options) {
   LoadedMesh loaded;
   MeshStatistics statistics;
   {
@@ -50,18 +97,18 @@ void run(const SurfaceOptions& options) {
     statistics = mesh_statistics(loaded.mesh);
   }
   print_statistics(std::cout, loaded.mesh, statistics);
-  const std::string repairs = describe(loaded.repair);
-  std::cout << (repairs.empty() ? "nothing had to be repaired\n" : repairs);
+  print_repairs(describe(loaded));
 }
 
 }  // namespace
 
 Command add_info_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("info", "What kind of surface a mesh is");
+  CLI::App* command = app.add_subcommand("info", "What kind of surface a mesh or a point cloud is");
   command->footer(kExamples);
   const auto options = std::make_shared<SurfaceOptions>();
   add_surface_options(*command, *options);
-  return {command, [options] { run(*options); }};
+  add_point_options(*command, *options);
+  return {command, [options] { is_points(*options) ? run_points(*options) : run_mesh(*options); }};
 }
 
 }  // namespace brindle::tool

@@ -138,4 +138,35 @@ MeshStatistics mesh_statistics(const Mesh& mesh) {
   return statistics;
 }
 
+PointStatistics point_statistics(const PointCloud& cloud, const Adjacency& neighborhood) {
+  PointStatistics statistics;
+  statistics.used = cloud.used.size();
+  if (cloud.used.empty()) return statistics;
+  statistics.edges = neighborhood.edge_count();
+  statistics.neighbors_mean =
+      2 * static_cast<double>(statistics.edges) / static_cast<double>(statistics.used);
+  statistics.box.lower = statistics.box.upper = cloud.positions[cloud.used[0]];
+  statistics.spacing_min = std::numeric_limits<double>::max();
+  ParitySets sets(cloud.positions.size());
+  std::size_t measured = 0;
+  for (const Index i : cloud.used) {
+    statistics.box.lower = statistics.box.lower.cwiseMin(cloud.positions[i]);
+    statistics.box.upper = statistics.box.upper.cwiseMax(cloud.positions[i]);
+    double nearest = std::numeric_limits<double>::max();
+    for (const Index j : neighborhood.of(i)) {
+      sets.unite(i, j, 0);
+      nearest = std::min(nearest, (cloud.positions[i] - cloud.positions[j]).cast<double>().norm());
+    }
+    if (neighborhood.of(i).empty()) continue;
+    ++measured;
+    statistics.spacing_mean += nearest;
+    statistics.spacing_min = std::min(statistics.spacing_min, nearest);
+    statistics.spacing_max = std::max(statistics.spacing_max, nearest);
+  }
+  if (measured == 0) statistics.spacing_min = 0;
+  statistics.spacing_mean /= static_cast<double>(std::max<std::size_t>(measured, 1));
+  for (const Index i : cloud.used) statistics.components += sets.is_root(i);
+  return statistics;
+}
+
 }  // namespace brindle::tool

@@ -1,9 +1,11 @@
-/// What kind of surface a mesh is.
+/// What kind of surface a mesh or a point cloud is.
 #pragma once
 
 #include <cstddef>
 
+#include "brindle/adjacency.h"
 #include "brindle/mesh.h"
+#include "brindle/points.h"
 
 namespace brindle::tool {
 
@@ -23,5 +25,19 @@ struct MeshStatistics {
 };
 
 MeshStatistics mesh_statistics(const Mesh& mesh);
+
+struct PointStatistics {
+  std::size_t used = 0;        ///< finite, and the first at their place
+  std::size_t edges = 0;       ///< between neighbours
+  double neighbors_mean = 0;   ///< of a point
+  std::size_t components = 0;  ///< connected over neighbours
+  double spacing_mean = 0;     ///< distances to the nearest neighbour
+  double spacing_min = 0;
+  double spacing_max = 0;
+  BoundingBox box;  ///< of the points used
+};
+
+/// `neighborhood` as `point_neighborhood` makes it.
+PointStatistics point_statistics(const PointCloud& cloud, const Adjacency& neighborhood);
 
 }  // namespace brindle::tool

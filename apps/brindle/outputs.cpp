@@ -74,7 +74,7 @@ VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corn
 bool holds_attributes(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
 
 void write_pattern_mesh(const std::filesystem::path& path, const Surface& surface,
-                        const StripePattern& pattern) {
+                        const StripePattern& pattern, std::span<const Index> partners) {
   const bool points = surface.mesh.triangles.empty();
   std::vector<VertexAttribute> attributes;
   if (points) attributes.push_back(vectors_attribute("normal", surface.normals));
@@ -82,6 +82,7 @@ void write_pattern_mesh(const std::filesystem::path& path, const Surface& surfac
     add_waves(attributes, pattern.waves, pattern.solution.z);
     if (!points) attributes.push_back(branches_of(surface.mesh, pattern.corners));
   }
+  copy_from_partners(attributes, partners);
   write_mesh(path, surface.mesh, attributes);
 }
 
@@ -104,7 +105,8 @@ VertexAttribute coordinates_attribute(const TexturedMesh& textured) {
 }
 
 void write_mesh_with_texture(const std::filesystem::path& path, const Surface& surface,
-                             const Texture& texture, const PictureOptions& picture) {
+                             const Texture& texture, const PictureOptions& picture,
+                             std::span<const Index> partners) {
   const TexturePattern& pattern = texture.pattern;
   const TexturedMesh textured =
       texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
@@ -117,6 +119,7 @@ void write_mesh_with_texture(const std::filesystem::path& path, const Surface& s
     add_carried_waves(attributes, textured, surface.mesh, pattern.u, "");
     add_carried_waves(attributes, textured, surface.mesh, pattern.v, "_v");
   }
+  copy_from_partners(attributes, partners);
   write_textured_mesh(path, textured.mesh, attributes, tile_png(texture.tile, picture));
 }
 
@@ -169,15 +172,16 @@ bool holds_points(const std::filesystem::path& path) {
 }
 
 void write_output(const Output& output, const Surface& surface, const StripeResult& result,
-                  const Report& report, const PictureOptions& picture) {
+                  const Report& report, const PictureOptions& picture,
+                  std::span<const Index> partners) {
   switch (output.kind) {
     case OutputKind::picture:
       return write_picture(output.path, surface, result, picture);
     case OutputKind::mesh:
       if (const Texture* texture = result.texture()) {
-        return write_mesh_with_texture(output.path, surface, *texture, picture);
+        return write_mesh_with_texture(output.path, surface, *texture, picture, partners);
       }
-      return write_pattern_mesh(output.path, surface, result.stripes());
+      return write_pattern_mesh(output.path, surface, result.stripes(), partners);
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,10 @@ void refuse_picture_options(const CLI::App& command, std::string_view why);
 /// Whether points without triangles can be written there.
 bool holds_points(const std::filesystem::path& path);
 
+/// Vertices that were joined with others are given what their `partners` (`Preparation`) have.
 void write_output(const Output& output, const Surface& surface, const StripeResult& result,
-                  const Report& report, const PictureOptions& picture);
+                  const Report& report, const PictureOptions& picture,
+                  std::span<const Index> partners = {});
 
 /// The wrong use of --output: `path` cannot be written, and `why`.
 [[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);

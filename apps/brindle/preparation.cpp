@@ -14,7 +14,10 @@ namespace {
 void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
   Stopwatch watch;
   LoadedMesh loaded = load_mesh(options);
-  display.note(describe(loaded.repair));
+  display.note(describe(loaded));
+  if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
+  // A row of a field for every vertex of the file says nothing of vertices that were added.
+  if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
   result.load_milliseconds = watch.lap();
   display.stage("neighbourhood and normals");
   result.surface = make_surface(std::move(loaded.mesh));
@@ -24,11 +27,14 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDi
 void prepare_points(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
   Stopwatch watch;
   LoadedPoints loaded = load_points(options);
-  display.note(describe(loaded.repair));
+  display.note(describe_kind(options) + describe(loaded));
+  result.points = true;
+  result.partners = std::move(loaded.first_at_place);
   result.load_milliseconds = watch.lap();
   display.stage("neighbours and normals of points");
   const std::size_t used = loaded.cloud.used.size();
-  result.surface = make_point_surface(std::move(loaded.cloud), options.neighbors);
+  result.surface =
+      make_point_surface(std::move(loaded.cloud), options.neighbors.value_or(kDefaultNeighbors));
   const auto with_normal = static_cast<std::size_t>(
       std::ranges::count_if(result.surface.normals, [](const Vec3& n) { return !n.isZero(0); }));
   if (with_normal < used) {
@@ -57,7 +63,7 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
 
   Stopwatch watch;
   display.stage("direction field");
-  WavesAndCrossing made = make_waves(result.surface, waves);
+  WavesAndCrossing made = make_waves(result.surface, waves, result.vertex_of_row);
   result.waves = std::move(made.waves);
   result.frequencies_v = std::move(made.frequencies_v);
   result.field_rows_nonfinite = made.field_rows_nonfinite;

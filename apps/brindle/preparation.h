@@ -15,8 +15,15 @@ struct Preparation {
   FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
   WaveFigures figures;           ///< of `waves`
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file
-  double load_milliseconds = 0;                     ///< reading or making the mesh and its field
-  double topology_milliseconds = 0;                 ///< neighbourhood and normals
+  bool points = false;                              ///< the surface has no triangles
+  /// For every vertex of the mesh's file the vertex that triangles use in its place; empty if none
+  /// was joined with another. What rows of field files may stand for.
+  std::vector<Index> vertex_of_row;
+  /// The same for every vertex of the surface, up to the last that was joined: what files say of a
+  /// vertex is what its partner has.
+  std::vector<Index> partners;
+  double load_milliseconds = 0;      ///< reading or making the mesh and its field
+  double topology_milliseconds = 0;  ///< neighbourhood and normals
 };
 
 /// Loads the mesh and makes its waves. Notes on the display what had to be repaired and what is

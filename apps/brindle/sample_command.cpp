@@ -199,9 +199,10 @@ void write(SampleOutput kind, const std::string& path, const CLI::App& command,
            const SampleArguments& arguments, const Result& result) {
   switch (kind) {
     case SampleOutput::samples:
-      return write_samples(path, result.samples);
+      return write_samples(path, result.samples, result.prepared.surface.mesh.origin);
     case SampleOutput::picture: {
       Ornament discs{{}, true};
+      discs.mesh.origin = result.prepared.surface.mesh.origin;
       for (const Sample& sample : result.samples) add_disc(sample, discs.mesh);
       return write_ornaments(path, result.prepared.surface, std::span(&discs, 1),
                              *arguments.picture);

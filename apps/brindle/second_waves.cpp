@@ -33,7 +33,8 @@ WaveSet make_second_waves(const Preparation& prepared, const SecondWaveOptions& 
   if (options.field.empty()) {
     waves.directions = rotated(first.directions, surface.normals, std::numbers::pi_v<float> / 2);
   } else {
-    FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
+    FieldFile file =
+        read_field_csv(options.field, surface.mesh.vertex_count(), prepared.vertex_of_row);
     waves.directions = tangent_directions(file.vectors, surface.normals);
     if (!file.frequencies.empty()) waves.frequencies = std::move(file.frequencies);
   }

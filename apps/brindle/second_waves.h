@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +26,8 @@ inline bool is_other(const SecondWaveOptions& options) {
 }
 
 /// One wave per vertex, without phases. Its frequencies are those of the options, or of the file
-/// for V, or what U's file says of V, or U's. Throws Error if the file does not fit.
+/// for V, or what U's file says of V, or U's. Rows of the file may stand for those of the mesh's
+/// file. Throws Error if the file does not fit.
 WaveSet make_second_waves(const Preparation& prepared, const SecondWaveOptions& options);
 
 }  // namespace brindle::tool

@@ -188,11 +188,11 @@ std::vector<Output> checked_outputs(const CLI::App& command, const StripeArgumen
 }
 
 void write_outputs(const std::vector<Output>& outputs, Job& job, const PictureOptions& picture,
-                   ProgressDisplay& display) {
+                   std::span<const Index> partners, ProgressDisplay& display) {
   for (const Output& output : outputs) {
     display.stage("writing " + output.path.string());
     Stopwatch watch;
-    write_output(output, job.surface, job.result, job.report, picture);
+    write_output(output, job.surface, job.result, job.report, picture, partners);
     if (output.kind == OutputKind::picture) {
       job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
     }
@@ -211,11 +211,12 @@ void run(const CLI::App& command, const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
+    const std::vector<Index> partners = std::move(prepared.partners);
     Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
     job.report.invocation = invocation_of(command);
     display.note(
         branch_warning(job.report.waves, job.report.quality.branches, job.report.triangles));
-    write_outputs(outputs, job, *arguments.picture, display);
+    write_outputs(outputs, job, *arguments.picture, partners, display);
     report = job.report;
   }
   if (arguments.quiet) return;

@@ -1,9 +1,13 @@
 #include "surface_options.h"
 
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "brindle/base/file_extension.h"
+#include "brindle/base/suggestion.h"
 #include "brindle/error.h"
+#include "brindle/geometry/local_positions.h"
 #include "brindle/mesh.h"
 #include "brindle/shapes.h"
 
@@ -18,6 +22,16 @@ Mesh make_named_shape(const SurfaceOptions& options) {
   } catch (const Error& error) {
     throw CLI::ValidationError("MESH", error.what());
   }
+}
+
+/// A path that is no file may be the name of a shape.
+void check_exists(const SurfaceOptions& options) {
+  std::error_code ignored;
+  if (is_shape(options) || std::filesystem::exists(options.mesh, ignored)) return;
+  const std::string shape = nearest(options.mesh.substr(0, options.mesh.find(',')), shape_names());
+  if (shape.empty()) return;
+  throw Error(options.mesh + ": there is no such file; did you mean " + std::string(kShapePrefix) +
+              shape + "?");
 }
 
 }  // namespace
@@ -42,11 +56,33 @@ void add_point_options(CLI::App& app, SurfaceOptions& options) {
       ->check(CLI::Range(3, 100));
 }
 
+void refuse_points(const SurfaceOptions& options, const std::string& command) {
+  if (!is_points(options)) return;
+  throw Error(
+      options.mesh + ": points have no triangles, and 'brindle " + command +
+      "' works on meshes alone; 'brindle stripe', 'compare', 'sample' and 'info' take points");
+}
+
+std::string describe_kind(const SurfaceOptions& options) {
+  // A CSV file could have none.
+  const bool given = options.points || is_shape(options) || lower_extension(options.mesh) == ".csv";
+  return given ? "" : options.mesh + " has no faces: its vertices are taken for points\n";
+}
+
+std::string describe(const LoadedPoints& loaded) {
+  return describe_origin(loaded.cloud.origin) + describe(loaded.repair);
+}
+
+std::string describe(const LoadedMesh& loaded) {
+  return describe_origin(loaded.mesh.origin) + describe(loaded.repair);
+}
+
 bool is_points(const SurfaceOptions& options) {
   return options.points || (!is_shape(options) && is_point_file(options.mesh));
 }
 
 LoadedPoints load_points(const SurfaceOptions& options) {
+  check_exists(options);
   if (options.subdivide > 0) {
     throw CLI::ValidationError("--subdivide", "points have no triangles to split");
   }
@@ -59,8 +95,18 @@ bool is_shape(const SurfaceOptions& options) {
 }
 
 LoadedMesh load_mesh(const SurfaceOptions& options) {
-  LoadedMesh loaded =
-      is_shape(options) ? LoadedMesh{make_named_shape(options), {}} : read_mesh(options.mesh);
+  if (options.neighbors) {
+    throw CLI::ValidationError("--neighbors",
+                               "a mesh's vertices are joined by its edges; add --points to take "
+                               "them as points");
+  }
+  check_exists(options);
+  LoadedMesh loaded;
+  if (is_shape(options)) {
+    loaded.mesh = make_named_shape(options);
+  } else {
+    loaded = read_mesh(options.mesh);
+  }
   if (options.subdivide > 0) loaded.mesh = subdivide(std::move(loaded.mesh), options.subdivide);
   return loaded;
 }

@@ -1,6 +1,7 @@
 /// The mesh that a command works on.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -9,11 +10,13 @@
 
 namespace brindle::tool {
 
+constexpr int kDefaultNeighbors = 8;
+
 struct SurfaceOptions {
-  std::string mesh;     ///< a file or shape:NAME,...
-  int subdivide = 0;    ///< how often every triangle is split in four
-  bool points = false;  ///< the vertices alone
-  int neighbors = 8;    ///< of a point
+  std::string mesh;              ///< a file or shape:NAME,...
+  int subdivide = 0;             ///< how often every triangle is split in four
+  bool points = false;           ///< the vertices alone
+  std::optional<int> neighbors;  ///< of a point, instead of `kDefaultNeighbors`
 };
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options);
@@ -25,6 +28,16 @@ void add_point_options(CLI::App& app, SurfaceOptions& options);
 /// others.
 bool is_points(const SurfaceOptions& options);
 
+/// Throws Error if a command that cannot work on points should. `command` is what users type.
+void refuse_points(const SurfaceOptions& options, const std::string& command);
+
+/// A line for the user if a file is taken for points because it has no faces; otherwise empty.
+std::string describe_kind(const SurfaceOptions& options);
+
+/// Lines on what was recentred and repaired; empty if there is nothing to say.
+std::string describe(const LoadedPoints& loaded);
+std::string describe(const LoadedMesh& loaded);
+
 /// Reads the points of a file or takes the vertices of a shape. Throws as `load_mesh` does.
 LoadedPoints load_points(const SurfaceOptions& options);
 
@@ -32,7 +45,7 @@ LoadedPoints load_points(const SurfaceOptions& options);
 bool is_shape(const SurfaceOptions& options);
 
 /// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a shape that is not
-/// spelt right, Error if a file cannot be read.
+/// spelt right and for neighbours of points, Error if a file cannot be read.
 LoadedMesh load_mesh(const SurfaceOptions& options);
 
 }  // namespace brindle::tool

@@ -44,15 +44,17 @@ float curvature_anchor(const WaveOptions& options) {
                                                                         : 0);
 }
 
-Field read_field(const Surface& surface, const WaveOptions& options) {
-  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count());
+Field read_field(const Surface& surface, const WaveOptions& options,
+                 std::span<const Index> vertex_of_row) {
+  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count(), vertex_of_row);
   const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
                                        [](const Vec3& vector) { return !vector.allFinite(); });
   return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
           std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
 }
 
-Field make_field(const Surface& surface, const WaveOptions& options) {
+Field make_field(const Surface& surface, const WaveOptions& options,
+                 std::span<const Index> vertex_of_row) {
   if (options.direction)
     return {projected_direction_field(*options.direction, surface.normals), {}, {}};
   if (is_smooth(options)) {
@@ -72,7 +74,7 @@ Field make_field(const Surface& surface, const WaveOptions& options) {
     orient_alike(*surface.neighborhood, directions);
     return {std::move(directions), {}, {}};
   }
-  return read_field(surface, options);
+  return read_field(surface, options, vertex_of_row);
 }
 
 // What neither is a field nor looks like a file.
@@ -218,8 +220,9 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
       ->excludes(stripes);
 }
 
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options) {
-  Field field = make_field(surface, options);
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            std::span<const Index> vertex_of_row) {
+  Field field = make_field(surface, options, vertex_of_row);
   const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
   if (turn_deg != 0) {
     field.directions =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -71,7 +72,9 @@ void refuse_triangle_options(const CLI::App& command);
 /// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);
 
-/// Throws Error if a field file does not fit.
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options);
+/// Rows of a field file may stand for those of the mesh's file (`Preparation`). Throws Error if a
+/// field file does not fit.
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            std::span<const Index> vertex_of_row = {});
 
 }  // namespace brindle::tool

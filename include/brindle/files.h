@@ -30,6 +30,20 @@ struct VertexAttribute {
   bool is_uv() const { return name == "uv" && components == 2; }
 };
 
+/// Gives every vertex v with an entry in `partner` the values of the vertex partner[v]; others keep
+/// theirs. For vertices that were joined with another at their place, and so have none of their
+/// own.
+inline void copy_from_partners(std::span<VertexAttribute> attributes,
+                               std::span<const Index> partner) {
+  for (VertexAttribute& attribute : attributes) {
+    const auto n = static_cast<std::size_t>(attribute.components);
+    for (std::size_t v = 0; v < partner.size(); ++v) {
+      std::copy_n(&attribute.values[n * partner[v]], partner[v] == v ? 0 : n,
+                  &attribute.values[n * v]);
+    }
+  }
+}
+
 /// A colour's level as files store it: 0 to 1 becomes 0 to 255; what is no number becomes 0.
 inline unsigned char color_byte(float level) {
   return static_cast<unsigned char>(std::lround(255 * (level > 0 ? std::min(level, 1.0f) : 0.0f)));
@@ -38,6 +52,10 @@ inline unsigned char color_byte(float level) {
 struct LoadedMesh {
   Mesh mesh;
   MeshRepair repair;  ///< what was wrong with the file's mesh
+  /// For every vertex of the file, in its order, the vertex that triangles use in its place:
+  /// itself, or the first at the same place. Empty if nothing was joined.
+  std::vector<Index> vertex_of_row;
+  bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
 };
 
 /// Reads OBJ, PLY, OFF, STL, glTF and GLB, told apart by the path's extension; polygons are cut
@@ -47,14 +65,18 @@ struct LoadedMesh {
 /// not a triangle uses them. In every format, triangles use the first of all vertices that stand
 /// at exactly one place: files often repeat vertices along seams of texture, or for every
 /// triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they are
-/// removed.
+/// removed. Coordinates that are large against the mesh's size are made relative to `Mesh::origin`.
 ///
-/// OBJ, PLY and OFF are read here and not by Assimp: its readers renumber vertices, and those for
-/// PLY and OFF crash or hang on damaged files (Assimp 5.2.5).
+/// All but glTF and GLB is read here and not by Assimp: its readers renumber vertices, know floats
+/// alone, and those for PLY and OFF crash or hang on damaged files (Assimp 5.2.5).
 ///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
 LoadedMesh read_mesh(const std::filesystem::path& path);
+
+/// The vertices that `read_mesh` reads, of a file with or without triangles. Coordinates that are
+/// no numbers stay so. Throws Error as `read_mesh` does.
+Mesh read_vertices(const std::filesystem::path& path);
 
 /// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
 /// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a
@@ -77,8 +99,7 @@ std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::pa
 bool is_point_file(const std::filesystem::path& path);
 
 /// Reads points, and normals if there are as many, from
-/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz; a first line of words and lines that begin with # are
-///   skipped;
+/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz (`read_csv`);
 /// - PLY and OBJ: the vertices, whether or not there are faces;
 /// - any other mesh file: the vertices, without normals.
 /// Throws Error naming the file, the line where there is one, and the remedy for a file that cannot
@@ -109,8 +130,10 @@ bool is_sample_format(const std::filesystem::path& path);
 
 /// Writes all that a Sample has, whole or not at all, by the path's extension: .csv a row per
 /// sample, .ply (binary) a vertex per sample, .vtp a point per sample. In .vtp the triangle's
-/// number is a float, exact up to 16,777,216 triangles. Throws Error for another extension and what
+/// number is a float, exact up to 16,777,216 triangles. Positions are relative to `origin`, which
+/// is that of the mesh, and written where they stand. Throws Error for another extension and what
 /// write_file throws.
-void write_samples(const std::filesystem::path& path, std::span<const Sample> samples);
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
+                   const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
 }  // namespace brindle

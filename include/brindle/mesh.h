@@ -19,8 +19,11 @@ using Triangle = std::array<Index, 3>;
 /// or in pieces, and may have vertices that no triangle uses. Positions are finite and triangle
 /// corners in range and different from each other; `repair_mesh` (mesh_repair.h) sees to that.
 struct Mesh {
-  std::vector<Vec3> positions;
+  std::vector<Vec3> positions;  ///< relative to `origin`
   std::vector<Triangle> triangles;
+  /// Where the positions' zero stands. Floats lose the shape of what is small and far from zero, so
+  /// files with such coordinates are read relative to a point nearby and written back in place.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 
   std::size_t vertex_count() const { return positions.size(); }
   std::size_t triangle_count() const { return triangles.size(); }
@@ -73,8 +76,15 @@ std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
 /// The others stay, in no triangle. Returns how many there are.
 std::size_t join_vertices(Mesh& mesh);
 
-/// Removes vertices that no triangle uses; the others are renumbered in order.
-void drop_unreferenced_vertices(Mesh& mesh);
+/// For every position the first that is exactly the same; itself for one that is no good.
+std::vector<Index> first_at_each_place(std::span<const Vec3> positions);
+
+/// As above, with what `first_at_each_place` found.
+std::size_t join_vertices(Mesh& mesh, std::span<const Index> first);
+
+/// Removes vertices that no triangle uses; the others are renumbered in order. Returns the new
+/// number of every vertex that is left.
+std::vector<Index> drop_unreferenced_vertices(Mesh& mesh);
 
 /// Splits every triangle in four at the midpoints of its edges, `times` times. Triangles that share
 /// an edge, however many, share its midpoint. Old vertices keep their numbers; the midpoints

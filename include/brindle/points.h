@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace BRINDLE_EXPORT brindle {
 
 /// Points keep their numbers, so that data per point match; `used` says which of them take part.
 struct PointCloud {
-  std::vector<Vec3> positions;  ///< finite
+  std::vector<Vec3> positions;  ///< finite, relative to `origin`
   std::vector<Vec3> normals;    ///< one unit vector per point, or empty if they are not known
   std::vector<Index> used;      ///< in ascending order: finite, and the first at their place
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< see `Mesh`
 };
 
 /// What was wrong with a list of points.
@@ -34,11 +36,17 @@ std::string describe(const PointRepair& repair);
 struct LoadedPoints {
   PointCloud cloud;
   PointRepair repair;
+  /// For every point the first at its place; empty if no two stand at one place.
+  std::vector<Index> first_at_place;
 };
 
 /// Makes a valid cloud of any positions and normals (one per position, of any length above zero;
 /// or none). Positions that are not finite are moved to the centroid of the others.
 LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> normals = {});
+
+/// The same of coordinates as a file has them, relative to `origin_near` (local_positions.h).
+LoadedPoints make_placed_point_cloud(std::span<const Eigen::Vector3d> positions,
+                                     std::vector<Vec3> normals = {});
 
 /// Joins every point to its `neighbors` nearest and, if the cloud has no normals, fits and orients
 /// them. Points that are not used, and those whose neighbours lie on a line, have a zero normal and

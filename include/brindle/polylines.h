@@ -15,10 +15,11 @@ namespace BRINDLE_EXPORT brindle {
 /// Line i runs through `points[offsets[i]] .. points[offsets[i + 1] - 1]`, and back to the first of
 /// them if it is closed (the first point is not repeated).
 struct Polylines {
-  std::vector<Vec3> points;
+  std::vector<Vec3> points;          ///< relative to `origin`
   std::vector<Vec3> normals;         ///< of the surface, unit vectors, one per point
   std::vector<Index> offsets{0};     ///< lines + 1 entries
   std::vector<std::uint8_t> closed;  ///< one per line: 1 or 0
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< that of the mesh, see `Mesh`
 
   std::size_t count() const { return closed.size(); }
   std::span<const Vec3> points_of(std::size_t line) const {

@@ -37,8 +37,8 @@ TexturePattern texture_pattern(const Surface& surface, WaveSet waves,
 TexturePattern texture_pattern(const Surface& surface, DirectionField field, float frequency,
                                const TextureOptions& options = {}, const Progress& progress = {});
 
-/// The surface with texture coordinates, for files and other programs. Throws Error for a pattern of
-/// another surface.
+/// The surface with texture coordinates, for files and other programs. Throws Error for a pattern
+/// of another surface.
 TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern);
 
 }  // namespace brindle

@@ -63,8 +63,8 @@ TEST_F(BadInput, EmptyFile) {
 }
 
 TEST_F(BadInput, MeshWithoutTriangles) {
-  write_text(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-  expect_refusal(1, "points.obj", {"info", "points.obj"});
+  write_text(folder / "points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+  expect_refusal(1, "points.off", {"info", "points.off"});
 }
 
 TEST_F(BadInput, OnlyNanPositions) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -6,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -174,6 +176,13 @@ TEST_F(MeshIo, ReadsObjWithAllKindsOfCorners) {
   EXPECT_EQ(loaded.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
+TEST_F(MeshIo, PassesOverAByteOrderMark) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(read("a.obj", mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\n").mesh.positions,
+            (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}));
+  EXPECT_EQ(read("a.off", mark + kPyramidOff).mesh.triangle_count(), 6u);
+}
+
 TEST_F(MeshIo, ReadsPolygons) {
   EXPECT_EQ(read("a.obj", kPyramidObj).mesh.triangle_count(), 6u);
   EXPECT_TRUE(same_shape(read("a.off", kPyramidOff).mesh, read("a.obj", kPyramidObj).mesh));
@@ -297,6 +306,160 @@ TEST_F(MeshIo, UnknownExtensionListsTheKnown) {
 
 TEST_F(MeshIo, ExtensionsAreReadInCapitalsToo) {
   EXPECT_EQ(read("A.OBJ", kPyramidObj).mesh.triangle_count(), 6u);
+  const Mesh plane = make_plane({.resolution = 2});
+  for (const std::string name : {"a.oBj", "a.Ply", "a.VTP", "a.Gltf", "a.gLB"}) {
+    write_mesh(folder / name, plane);
+  }
+  EXPECT_EQ(read_mesh(folder / "a.Ply").mesh.triangles, plane.triangles);
+#ifdef BRINDLE_TESTS_ASSIMP
+  EXPECT_EQ(read_mesh(folder / "a.Gltf").mesh.triangles, plane.triangles);
+  EXPECT_EQ(read_mesh(folder / "a.gLB").mesh.triangles, plane.triangles);
+#endif
+}
+
+TEST_F(MeshIo, MessagesShowNoBytesThatATerminalObeys) {
+  const std::string bad = "\x1b[2J\xff";
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"a.obj", "v 0 0 " + bad + "\n"},
+      {"b.obj", "v 0 0 0\nf 1 1 " + bad + "\n"},
+      {"a.off", "OFF\n1 1 0\n0 0 " + bad + "\n3 0 0 0\n"},
+      {"b.off", bad + "\n"},
+      {"c.off", "OFF\n1 1 0\n0 0 0\n3 0 0 " + bad + "\n"},
+      {"a.ply", "ply\n" + bad + "\n"},
+      {"b.ply", "ply\nformat " + bad + "\n"},
+      {"c.ply", "ply\nformat ascii 1.0\nelement v 1\nproperty " + bad + " x\n"},
+      {"d.ply", ply_header("ascii") + "0 0 " + bad + "\n"},
+      {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 " + bad + "\n"},
+#ifdef BRINDLE_TESTS_ASSIMP
+      {"a.gltf", "{\"" + bad + "\":}"},
+#endif
+  };
+  for (const auto& [name, content] : files) {
+    const std::string message = error_of(name, content);
+    EXPECT_NAMES(message, name);
+    for (const char c : message) EXPECT_TRUE(c >= 0x20 && c < 0x7f) << message;
+    // However long the word is.
+    std::string longer = content;
+    longer.insert(longer.find(bad), 100000, 'x');
+    EXPECT_LT(error_of(name, longer).size(), 1000u) << name;
+  }
+#ifdef BRINDLE_TESTS_ASSIMP
+  const std::string escaped =
+      error_of("b.gltf", R"({"meshes":[{"primitives":[{"attributes":{"\u001b[2J":"x"}}]}]})");
+  EXPECT_NAMES(escaped, "'\\x1b[2J' must be");
+#endif
+}
+
+TEST_F(MeshIo, KnowsWhereEveryVertexOfTheFileWent) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const LoadedMesh plain = read("a.obj", square + "f 1 2 3\n");
+  EXPECT_TRUE(plain.vertex_of_row.empty());
+  const LoadedMesh seam = read("b.obj", square + "v 1 0 0\nv 1 1 0\nf 1 2 3\nf 4 5 3\n");
+  EXPECT_EQ(seam.vertex_of_row, (std::vector<Index>{0, 1, 2, 1, 4}));
+  EXPECT_FALSE(seam.renumbered);
+
+  const Mesh torus = make_torus({.resolution = 20});
+  const LoadedMesh stl = read("a.stl", binary_stl(torus));
+  EXPECT_TRUE(stl.renumbered);
+  ASSERT_EQ(stl.vertex_of_row.size(), 3 * torus.triangle_count());
+  for (std::size_t t = 0; t < torus.triangle_count(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(stl.mesh.positions[stl.vertex_of_row[3 * t + c]],
+                torus.positions[torus.triangles[t][c]]);
+    }
+  }
+}
+
+// A mesh far from zero, as surveys have it. Its floats near zero are exact there, too.
+Mesh far_torus() {
+  Mesh mesh = make_torus({.resolution = 24});
+  mesh.origin = Eigen::Vector3d(500000.5, 5800000.25, 120);
+  return mesh;
+}
+
+double farthest(const Mesh& a, const Mesh& b) {
+  double distance = 0;
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+    const Eigen::Vector3d way =
+        (a.positions[v].cast<double>() + a.origin) - (b.positions[v].cast<double>() + b.origin);
+    distance = std::max(distance, way.norm());
+  }
+  return distance;
+}
+
+TEST_F(MeshIo, MeshesFarFromZeroKeepTheirShapeAndTheirPlace) {
+  const Mesh mesh = far_torus();
+  for (const std::string& name : kWritten) {
+    write_mesh(folder / name, mesh);
+    const LoadedMesh loaded = read_mesh(folder / name);
+    EXPECT_EQ(loaded.repair, MeshRepair{}) << name;
+    EXPECT_EQ(loaded.mesh.triangles, mesh.triangles) << name;
+    ASSERT_EQ(loaded.mesh.vertex_count(), mesh.vertex_count()) << name;
+    EXPECT_LT((loaded.mesh.origin - mesh.origin).norm(), 0.1) << name;
+    EXPECT_LT(farthest(loaded.mesh, mesh), 1e-6) << name;
+  }
+}
+
+TEST_F(MeshIo, TextOfOtherFormatsFarFromZeroKeepsItsShape) {
+  const Mesh far = far_torus();
+  std::ostringstream off, stl;
+  off.precision(12);
+  stl.precision(12);
+  off << "OFF\n" << far.vertex_count() << ' ' << far.triangle_count() << " 0\n";
+  const auto place = [&](std::ostream& out, Index v) {
+    const Eigen::Vector3d p = far.positions[v].cast<double>() + far.origin;
+    out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  };
+  for (Index v = 0; v < far.vertex_count(); ++v) place(off, v);
+  stl << "solid a\n";
+  for (const Triangle& t : far.triangles) {
+    off << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+    stl << "facet normal 0 0 0\nouter loop\n";
+    for (const Index v : t) place(stl << "vertex ", v);
+    stl << "endloop\nendfacet\n";
+  }
+  stl << "endsolid a\n";
+  for (const auto& [name, text] : {std::pair{"a.off", off.str()}, {"a.stl", stl.str()}}) {
+    const LoadedMesh loaded = read(name, text);
+    EXPECT_EQ(loaded.mesh.triangle_count(), far.triangle_count()) << name;
+    EXPECT_EQ(loaded.mesh.vertex_count(), far.vertex_count()) << name;
+    EXPECT_FALSE(loaded.repair.changed()) << name;
+    EXPECT_LT((loaded.mesh.origin - far.origin).norm(), 0.1) << name;
+    float difference = 0;
+    for (std::size_t t = 0; t < far.triangle_count(); ++t) {
+      const Vec3 side = loaded.mesh.positions[loaded.mesh.triangles[t][1]] -
+                        loaded.mesh.positions[loaded.mesh.triangles[t][0]];
+      const Vec3 expected = far.positions[far.triangles[t][1]] - far.positions[far.triangles[t][0]];
+      difference = std::max(difference, (side - expected).norm());
+    }
+    EXPECT_LT(difference, 3e-5f) << name;  // 12 digits
+  }
+}
+
+TEST_F(MeshIo, AVertexThatNoFaceUsesDoesNotHoldTheOriginBack) {
+  const LoadedMesh loaded = read("a.obj",
+                                 "v 0 0 0\nv 500000 5800000 0\nv 500000.1 5800000 0\n"
+                                 "v 500000 5800000.1 0\nf 2 3 4\n");
+  EXPECT_EQ(loaded.mesh.triangle_count(), 1u);
+  EXPECT_NEAR((loaded.mesh.positions[2] - loaded.mesh.positions[1]).norm(), 0.1, 1e-6);
+}
+
+TEST_F(MeshIo, PicturesBesideMeshesFarFromZeroStandThereToo) {
+  Mesh mesh = far_torus();
+  const VertexAttribute uv{"uv", 2, std::vector<float>(2 * mesh.vertex_count(), 0)};
+  write_textured_mesh(folder / "a.ply", mesh, std::span(&uv, 1), "png");
+  EXPECT_LT(farthest(read_mesh(folder / "a.ply").mesh, mesh), 1e-6);
+}
+
+TEST_F(MeshIo, NumbersBeyondFloatAreRoundedOrSetAside) {
+  const std::string rest = "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(read("a.obj", "v 1e-60 -1e-400 0\n" + rest).mesh.positions[0], Vec3::Zero());
+  for (const std::string huge : {"1e39", "1e300", "-1e400"}) {
+    EXPECT_NAMES(error_of("a.obj", "v 0 0 " + huge + "\n" + rest), "no numbers");
+    const LoadedMesh loaded = read("b.obj", "v 0 0 0\n" + rest + "v 0 0 " + huge + "\nf 1 2 4\n");
+    EXPECT_EQ(loaded.repair.vertices_not_finite, 1u);
+    EXPECT_EQ(loaded.mesh.triangle_count(), 1u);
+  }
 }
 
 TEST_F(MeshIo, EmptyFileIsAnErrorInEveryFormat) {
@@ -383,6 +546,8 @@ TEST_F(MeshIo, PlyWithAbsurdListsOrCornersIsAnError) {
   const std::string header = ply_header("ascii") + "0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_NAMES(error_of("a.ply", header + "3 0 1 3\n"), "a.ply:14: ");
   EXPECT_NAMES(error_of("a.ply", header + "3 0 1 -1\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "3 0 1 1.5\n"), "a.ply:14: ");
+  EXPECT_NAMES(error_of("a.ply", header + "2.5 0 1 2\n"), "a.ply:14: ");
   EXPECT_NAMES(error_of("a.ply", header + "2000000000 0 1 2\n"), "a.ply:14: ");
   EXPECT_NAMES(error_of("a.ply", header + "nan 0 1 2\n"), "a.ply:14: ");
   std::string damaged = ply_header("binary_little_endian") + kTriangleBytes;
@@ -443,7 +608,8 @@ std::string gltf_triangle(const std::string& old = "", const std::string& now = 
       "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
       "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],
       "max":[1,1,0]},{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}],
-      "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}],
+      "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3},
+      {"buffer":0,"byteLength":36,"byteStride":9007199254740992}],
       "buffers":[{"byteLength":40,"uri":"data:application/octet-stream;base64,)"
       "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAECAA==\"}]}";
   if (!old.empty()) {
@@ -480,6 +646,8 @@ TEST_F(MeshIo, ContradictoryGltfIsAnError) {
       {R"("byteLength":36)", R"("byteLength":35)"},
       {R"("byteLength":40)", R"("byteLength":30)"},
       {R"("byteOffset":36)", R"("byteOffset":9007199254740992)"},
+      {R"("bufferView":0,"componentType":5126,"count":3)",
+       R"("bufferView":2,"componentType":5126,"count":2049)"},
       {R"("POSITION":0)", R"("POSITION":1)"},
       {R"("POSITION":0)", R"("POSITION":2)"},
       {R"("indices":1)", R"("indices":0)"},

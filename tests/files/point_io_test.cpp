@@ -64,6 +64,39 @@ TEST_F(PointIo, ReadsObjWithAsManyNormalsAsPoints) {
   EXPECT_EQ(cloud.normals, (std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}}));
 }
 
+TEST_F(PointIo, TakesNoNormalsOfObjThatFacesGiveToOtherPoints) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\n";
+  for (const std::string face :
+       {"f 1//1 2//2 3//3\n", "f 1/7/1 2/8/2 3/9/3 # own\n", "f 1 2 3\n"}) {
+    EXPECT_EQ(read_points(file("a.obj", points + face)).cloud.normals.size(), 3u) << face;
+  }
+  for (const std::string face : {"f 1//3 2//2 3//1\n", "f 1/1/1 2/2/1 3/3/3\n"}) {
+    EXPECT_TRUE(read_points(file("b.obj", points + face)).cloud.normals.empty()) << face;
+  }
+}
+
+TEST_F(PointIo, SetsAsideWhatIsNoNumberInAnyFormat) {
+  const LoadedPoints loaded = read_points(file("a.off", "OFF\n3 0 0\n0 0 0\nnan 0 0\n0 2 0\n"));
+  EXPECT_EQ(loaded.repair.not_finite, 1u);
+  EXPECT_EQ(loaded.cloud.used, (std::vector<Index>{0, 2}));
+}
+
+TEST_F(PointIo, KnowsTheFirstOfAllPointsAtOnePlace) {
+  const LoadedPoints loaded = read_points(file("a.csv", "0,0,0\n1,0,0\n0,0,0\nnan,0,0\n1,0,0\n"));
+  EXPECT_EQ(loaded.first_at_place, (std::vector<Index>{0, 1, 0, 3, 1}));
+  EXPECT_TRUE(read_points(file("b.csv", "0,0,0\n1,0,0\n")).first_at_place.empty());
+}
+
+TEST_F(PointIo, PointsFarFromZeroKeepTheirDistances) {
+  for (const auto& [name, text] :
+       {std::pair{"a.csv", "500000.125,5800000.25,1\n500000.25,5800000.25,1\n"},
+        {"a.obj", "v 500000.125 5800000.25 1\nv 500000.25 5800000.25 1\n"}}) {
+    const PointCloud cloud = read_points(file(name, text)).cloud;
+    EXPECT_EQ(cloud.origin, Eigen::Vector3d(500000.1875, 5800000.25, 1)) << name;
+    EXPECT_EQ(cloud.positions, (std::vector<Vec3>{{-0.0625f, 0, 0}, {0.0625f, 0, 0}})) << name;
+  }
+}
+
 TEST_F(PointIo, ReadsWhatWriteMeshWrote) {
   const Mesh mesh{{{0, 1, 2}, {3, 4, 5}, {6, 7, 9}}, {}};
   const fs::path path = folder / "points.ply";

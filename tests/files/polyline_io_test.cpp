@@ -1,3 +1,5 @@
+#include <array>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -71,6 +73,23 @@ TEST_F(PolylineIo, VtpHasLinesWithTheirKind) {
   for (const char* name : {"normal", "kind", "closed", "length"}) {
     EXPECT_NE(file.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
   }
+}
+
+TEST_F(PolylineIo, LinesFarFromZeroAreWrittenWhereTheyAre) {
+  u.origin = v.origin = Eigen::Vector3d(500000.125, 5800000.25, 7);
+  EXPECT_NE(written("a.obj").find("v 500001.125 5800001.25 7\n"), std::string::npos);
+  EXPECT_NE(written("a.csv").find("v,1,0,500001.125,5800000.25,8,0,0,1\n"), std::string::npos);
+  const std::string ply = written("a.ply");
+  EXPECT_NE(ply.find("property double x\nproperty double y\nproperty double z\nproperty float nx"),
+            std::string::npos);
+  EXPECT_EQ(ply.size() - ply.find("end_header\n") - 11, 5 * (3 * 8 + 3 * 4 + 4 + 1) + 4 * 8u);
+  std::array<double, 3> first{};
+  std::memcpy(first.data(), ply.data() + ply.find("end_header\n") + 11, sizeof first);
+  EXPECT_EQ(first, (std::array<double, 3>{500000.125, 5800000.25, 7}));
+  EXPECT_NE(written("a.vtp").find("Float64"), std::string::npos);
+  // Changed lines stay there.
+  EXPECT_EQ(simplified(u, 0.1f).origin, u.origin);
+  EXPECT_EQ(resampled(u, 0.5f).origin, u.origin);
 }
 
 TEST_F(PolylineIo, OtherFormatsAreRefusedWithAnother) {

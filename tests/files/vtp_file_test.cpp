@@ -56,6 +56,14 @@ TEST(VtpFile, HoldsPointsLinesAndTriangles) {
   EXPECT_EQ(file.array<std::int64_t>("Polys", "offsets"), (Numbers{3, 6}));
 }
 
+TEST(VtpFile, HoldsPointsWithAnOriginAsDoubles) {
+  const Eigen::Vector3d origin(500000.125, 5800000.125, 1);
+  const std::vector<Vec3> points = {{0.5f, 0, 0}, {0, 0.25f, -1}};
+  const WrittenVtp file = written({.points = points, .origin = origin});
+  EXPECT_EQ(file.array<double>("Points", "Points"),
+            (std::vector<double>{500000.625, 5800000.125, 1, 500000.125, 5800000.375, 0}));
+}
+
 TEST(VtpFile, HoldsAttributesOfPointsAndCells) {
   const std::vector<Index> single = {0};
   const std::vector<VertexAttribute> of_points = {

@@ -322,6 +322,19 @@ TEST(SampleIo, EveryFormatHasEverySample) {
   vtp.read(head.data(), 400);
   EXPECT_NE(head.find("NumberOfVerts=\"" + std::to_string(samples.size()) + "\""),
             std::string::npos);
+  // Of an origin, all formats hold doubles.
+  const Eigen::Vector3d origin(500000, 5800000, 0);
+  write_samples(folder / "far.ply", samples, origin);
+  std::ifstream far(folder / "far.ply", std::ios::binary);
+  const std::string doubles{std::istreambuf_iterator<char>(far), {}};
+  EXPECT_EQ(doubles.size() - doubles.find("end_header\n") - 11,
+            samples.size() * (3 * 8 + 14 * 4 + 4));
+  write_samples(folder / "far.csv", samples, origin);
+  std::ifstream far_csv(folder / "far.csv");
+  double x = 0;
+  std::getline(far_csv, line);
+  far_csv >> x;
+  EXPECT_DOUBLE_EQ(x, origin.x() + static_cast<double>(samples[0].position.x()));
   EXPECT_THROW(write_samples(folder / "a.obj", samples), Error);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.obj"));
   std::filesystem::remove_all(folder);

@@ -38,6 +38,9 @@ TEST(DirectionField, LengthOfVectorsDoesNotMatter) {
       std::vector<Vec3>{Vec3(3e-20f, 4e-20f, 0), Vec3(3e15f, 4e15f, 0)}, normals);
   EXPECT_LT((d[0] - d[1]).norm(), 1e-6);
   EXPECT_NEAR(d[0].norm(), 1, 1e-6);
+  const auto extreme = tangent_directions(
+      std::vector<Vec3>{Vec3(3e-35f, 4e-35f, 0), Vec3(3e35f, 4e35f, 0)}, normals);
+  for (const Vec3& e : extreme) EXPECT_LT((e - d[1]).norm(), 1e-5);
 }
 
 TEST(DirectionField, RefusesAZeroAxis) {
@@ -58,13 +61,15 @@ struct FieldCsv : testing::Test {
       (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
   void TearDown() override { fs::remove(path); }
 
-  FieldFile read(const std::string& text, std::size_t vertices) {
+  FieldFile read(const std::string& text, std::size_t vertices,
+                 const std::vector<Index>& vertex_of_row = {}) {
     std::ofstream(path) << text;
-    return read_field_csv(path, vertices);
+    return read_field_csv(path, vertices, vertex_of_row);
   }
-  std::string error(const std::string& text, std::size_t vertices) {
+  std::string error(const std::string& text, std::size_t vertices,
+                    const std::vector<Index>& vertex_of_row = {}) {
     try {
-      read(text, vertices);
+      read(text, vertices, vertex_of_row);
     } catch (const Error& failure) {
       return failure.what();
     }
@@ -86,6 +91,42 @@ TEST_F(FieldCsv, ReadsTheFrequencyFromTheFourthColumn) {
 
 TEST_F(FieldCsv, NanMeansNoWave) {
   EXPECT_TRUE(std::isnan(read("nan,nan,nan\n", 1).vectors[0].x()));
+}
+
+TEST_F(FieldCsv, OfVectorsTheDirectionAloneCounts) {
+  const FieldFile field = read("3e300,4e300,0\n3e-60,4e-60,0\n0,0,0\n1e-60,1,0\n", 4);
+  for (const int i : {0, 1}) {
+    EXPECT_LT((field.vectors[i].normalized() - Vec3(0.6f, 0.8f, 0)).norm(), 1e-6) << i;
+  }
+  EXPECT_EQ(field.vectors[2], Vec3(0, 0, 0));
+  EXPECT_EQ(field.vectors[3], Vec3(0, 1, 0));
+  EXPECT_NE(error("1,0,0,1e39\n", 1).find("line 1: the frequency"), std::string::npos);
+  EXPECT_NE(error("1,0,0,1e-60\n", 1).find("line 1: the frequency"), std::string::npos);
+}
+
+TEST_F(FieldCsv, RowsMayStandForTheVerticesOfTheFile) {
+  const std::vector<Index> vertex_of_row = {1, 0, 1, 1, 0};
+  const FieldFile field = read("0,2,0,4\n1,0,0,8\n0,-1,0,4\n0,5,0,4\n1,0,0,8\n", 2, vertex_of_row);
+  EXPECT_EQ(field.vectors, (std::vector<Vec3>{{1, 0, 0}, {0, 2, 0}}));
+  EXPECT_EQ(field.frequencies, (std::vector<float>{8, 4}));
+  // As many as the mesh has, too.
+  EXPECT_EQ(read("1,0,0\n0,1,0\n", 2, vertex_of_row).vectors,
+            (std::vector<Vec3>{{1, 0, 0}, {0, 1, 0}}));
+  const std::string message = error("1,0,0\n0,1,0\n0,1,0\n", 2, vertex_of_row);
+  EXPECT_NE(message.find("3 rows, but the mesh has 2, or 5"), std::string::npos) << message;
+}
+
+TEST_F(FieldCsv, RowsThatDifferAreAveragedUpToSign) {
+  const FieldFile field = read("1,0.1,0,1\n-1,0.1,0,3\nnan,0,0,2\n0,0,0,2\n", 1, {0, 0, 0, 0});
+  ASSERT_EQ(field.vectors.size(), 1u);
+  EXPECT_LT((field.vectors[0] - Vec3(1, 0, 0)).norm(), 1e-6);
+  EXPECT_EQ(field.frequencies, std::vector<float>{2});
+  EXPECT_EQ(read("nan,0,0\n0,0,0\n", 1, {0, 0}).vectors, std::vector<Vec3>{Vec3::Zero()});
+}
+
+TEST_F(FieldCsv, VerticesThatKeepTheirNumbersHaveTheirOwnRows) {
+  EXPECT_EQ(read("1,0,0\n0,1,0\n0,0,1\n", 3, {0, 1, 1}).vectors,
+            (std::vector<Vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
 }
 
 TEST_F(FieldCsv, NamesFileLineAndRemedy) {

@@ -43,7 +43,11 @@ struct Arguments {
 
 Subject subject_of(const Arguments& arguments, const BenchPlan& plan, const std::string& mesh,
                    int subdivide, ProgressDisplay& display) {
-  Preparation prepared = prepare({mesh, subdivide}, arguments.waves, display);
+  SurfaceOptions surface;
+  surface.mesh = mesh;
+  surface.subdivide = subdivide;
+  refuse_points(surface, "bench");
+  Preparation prepared = prepare(surface, arguments.waves, display);
   Subject subject{mesh, subdivide, std::move(prepared.surface), {}, prepared.topology_milliseconds};
   subject.fields.push_back(std::move(prepared.waves));
   if (plan.two_fields) add_crossing_field(subject);

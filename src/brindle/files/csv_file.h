@@ -1,4 +1,4 @@
-/// Comma-separated files of numbers.
+/// Files of numbers in rows and columns.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,13 @@ struct CsvKind {
 /// Where a row stands, as messages begin: "'path', line 7: ".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
 
-/// Calls `use(line, values)` for every row of numbers, `line` counted from 1. A first line of
-/// words, empty lines and lines that begin with # are skipped; nan and inf are numbers. Throws
-/// Error naming the file, the line and the remedy if the file cannot be read or a row has a word in
-/// it, and whatever `use` throws.
+/// Calls `use(line, values)` for every row of numbers, `line` counted from 1. Columns are separated
+/// by commas, semicolons, tabs or spaces, and cells may stand in quotation marks. A byte-order
+/// mark, a first row of words, empty lines and lines that begin with # are skipped; nan and inf are
+/// numbers, and numbers beyond the range of double are infinite or zero. Throws Error naming the
+/// file, the line and the remedy if the file cannot be read or a row has a word in it, and whatever
+/// `use` throws.
 void read_csv(const std::filesystem::path& path, const CsvKind& kind,
-              const std::function<void(std::size_t line, std::span<const float> values)>& use);
+              const std::function<void(std::size_t line, std::span<const double> values)>& use);
 
 }  // namespace brindle

@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/base/file_extension.h"
+#include "brindle/base/printable.h"
 #include "brindle/files/input_file.h"
 
 namespace brindle {
@@ -48,8 +50,7 @@ Json parse(const InputFile& file, const char* text, std::size_t size) {
     if (!json.is_object()) file.fail_whole("is not a glTF file: its JSON is no object");
     return json;
   } catch (const Json::exception& error) {
-    file.fail_whole("holds damaged or truncated JSON, export it again: " +
-                    std::string(error.what()));
+    file.fail_whole("holds damaged or truncated JSON, export it again: " + printable(error.what()));
   }
 }
 
@@ -81,13 +82,14 @@ class GltfCheck {
   GltfCheck(const InputFile& file, const Document& document, bool binary)
       : file_(file), json_(document.json), data_size_(document.data_size), binary_(binary) {}
 
-  void run() {
+  GltfNode run() {
     for (const Json& view : list("bufferViews")) check_view(view);
     for (const Json& accessor : list("accessors")) check_accessor(accessor);
     for (const Json& mesh : list("meshes")) {
       for (const Json& primitive : member(mesh, "primitives")) check_primitive(primitive);
     }
     check_nodes();
+    return shown_nodes();
   }
 
  private:
@@ -116,7 +118,7 @@ class GltfCheck {
     if (found == object.end() && standard >= 0) return static_cast<std::uint64_t>(standard);
     if (found == object.end() || !found->is_number_unsigned() ||
         found->get<std::uint64_t>() > (std::uint64_t{1} << 53)) {
-      fail(std::string("'") + name + "' must be a whole number");
+      fail(in_quotes(name) + " must be a whole number");
     }
     return found->get<std::uint64_t>();
   }
@@ -184,8 +186,10 @@ class GltfCheck {
     if (!accessor.contains("bufferView")) return;
     const Json& view = item("bufferViews", number(accessor, "bufferView"));
     const std::uint64_t stride = std::max(number(view, "byteStride", 0), element);
-    if (number(accessor, "byteOffset", 0) + stride * (count - 1) + element >
-        number(view, "byteLength")) {
+    const std::uint64_t length = number(view, "byteLength");
+    const std::uint64_t first_end = number(accessor, "byteOffset", 0) + element;
+    // Divided, because the product of stride and count could wrap.
+    if (first_end > length || (length - first_end) / stride < count - 1) {
       fail("an accessor reaches beyond its view");
     }
   }
@@ -257,6 +261,40 @@ class GltfCheck {
       }
     }
     if (json_.contains("scene")) item("scenes", number(json_, "scene"));
+  }
+
+  GltfNode shown_nodes() const {
+    const Json& scenes = list("scenes");
+    const std::uint64_t shown = number(json_, "scene", 0);
+    GltfNode all;
+    if (shown >= scenes.size() || !scenes[shown].contains("nodes")) return all;
+    for (const std::uint64_t root : indices(scenes[shown]["nodes"])) {
+      all.children.push_back(tree(root));
+    }
+    return all.children.size() == 1 ? GltfNode(std::move(all.children[0])) : all;
+  }
+
+  GltfNode tree(std::uint64_t index) const {
+    const Json& node = list("nodes")[index];
+    GltfNode result;
+    result.translation = translation(node);
+    for (const std::uint64_t child : children(node)) result.children.push_back(tree(child));
+    return result;
+  }
+
+  /// Zero if there is none.
+  static Eigen::Vector3d translation(const Json& node) {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    const bool matrix = node.contains("matrix");
+    if (!matrix && !node.contains("translation")) return result;
+    const Json& numbers = node[matrix ? "matrix" : "translation"];
+    const std::size_t first = matrix ? 12 : 0;
+    if (!numbers.is_array() || numbers.size() < first + 3) return result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Json& number = numbers[first + axis];
+      if (number.is_number()) result[static_cast<Eigen::Index>(axis)] = number.get<double>();
+    }
+    return result;
   }
 
   std::vector<std::uint64_t> children(const Json& node) const {
@@ -372,6 +410,9 @@ Json describe(const Mesh& mesh, const std::vector<Block>& blocks, std::uint64_t 
   json["accessors"][1]["min"] = {lower[0], lower[1], lower[2]};
   json["accessors"][1]["max"] = {upper[0], upper[1], upper[2]};
   json["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", 0}}}}}};
+  if (!mesh.origin.isZero(0)) {
+    json["nodes"][0]["translation"] = {mesh.origin.x(), mesh.origin.y(), mesh.origin.z()};
+  }
   return json;
 }
 
@@ -448,9 +489,9 @@ void write_binary(std::ostream& out, const Json& json, const std::vector<Block>&
 
 }  // namespace
 
-void check_gltf(const std::filesystem::path& path) {
+GltfNode check_gltf(const std::filesystem::path& path) {
   InputFile file(path);
-  const bool binary = path.extension() != ".gltf" && path.extension() != ".GLTF";
+  const bool binary = lower_extension(path) != ".gltf";
   Document document;
   if (binary) {
     document = read_glb(file);
@@ -458,7 +499,7 @@ void check_gltf(const std::filesystem::path& path) {
     const auto size = static_cast<std::size_t>(file.remaining());
     document.json = parse(file, file.take(size), size);
   }
-  GltfCheck(file, document, binary).run();
+  return GltfCheck(file, document, binary).run();
 }
 
 void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
@@ -500,7 +541,7 @@ namespace {
 
 }  // namespace
 
-void check_gltf(const std::filesystem::path&) { refuse(); }
+GltfNode check_gltf(const std::filesystem::path&) { refuse(); }
 
 void write_gltf(std::ostream&, const Mesh&, std::span<const VertexAttribute>, GltfKind,
                 const std::string&) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <system_error>
 
 #include "brindle/error.h"
@@ -17,6 +19,26 @@ constexpr std::size_t kBufferSize = std::size_t{1} << 20;
 
 std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+/// What some programs put before UTF-8.
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+/// Whether the value is as far from one float as from the next.
+bool halfway_between_floats(double value) {
+  if (!(std::abs(value) <= std::numeric_limits<float>::max())) return false;
+  const double nearest = static_cast<float>(value);
+  const double other = 2 * value - nearest;
+  return other != nearest && static_cast<double>(static_cast<float>(other)) == other;
+}
+
+/// A word that was rounded to a double and then to a float could be rounded the wrong way; one step
+/// from the middle it is not.
+double towards_nearest_float(double value, std::string_view word) {
+  float nearest = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), nearest);
+  if (read.ec != std::errc() || static_cast<float>(value) == nearest) return value;
+  return std::nextafter(value, static_cast<double>(nearest));
 }
 
 }  // namespace
@@ -72,6 +94,7 @@ std::optional<std::string_view> InputFile::next_line() {
   ++line_;
   std::string_view line(start, line_end ? taken - 1 : taken);
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   return line;
 }
 
@@ -113,15 +136,15 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-std::optional<float> parse_float(std::string_view word) {
+std::optional<double> parse_number(std::string_view word) {
   word = without_plus(word);
-  float value = 0;
+  double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
-  // Too large or too small: strtof says which.
+  // Too large or too small: strtod says which.
   if (error == std::errc::result_out_of_range)
-    return std::strtof(std::string(word).c_str(), nullptr);
-  return value;
+    return std::strtod(std::string(word).c_str(), nullptr);
+  return halfway_between_floats(value) ? towards_nearest_float(value, word) : value;
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view word) {

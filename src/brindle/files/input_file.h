@@ -18,7 +18,8 @@ class InputFile {
   /// cannot be read, or is empty.
   explicit InputFile(const std::filesystem::path& path);
 
-  /// The next line without its end; nothing after the last. Valid until the next call.
+  /// The next line without its end and, of the first, a byte-order mark; nothing after the last.
+  /// Valid until the next call.
   std::optional<std::string_view> next_line();
 
   /// The next `count` bytes; valid until the next call. Throws Error if the file ends before.
@@ -55,8 +56,9 @@ class InputFile {
 std::string_view take_word(std::string_view& line);
 
 /// The number that `word` is, and nothing else; a leading + is allowed, and nan and inf are read.
-/// Numbers beyond the range of float become infinite or zero.
-std::optional<float> parse_float(std::string_view word);
+/// Rounded to float it is the float nearest to what `word` says. Numbers beyond the range of double
+/// become infinite or zero.
+std::optional<double> parse_number(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
 }  // namespace brindle

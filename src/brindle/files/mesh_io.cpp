@@ -29,17 +29,38 @@ Mesh read_raw(const fs::path& path) {
   if (kind == ".obj") return read_obj(path);
   if (kind == ".ply") return read_ply(path);
   if (kind == ".off") return read_off(path);
-  if (kind == ".stl") {
-    check_stl(path);
-    return read_with_assimp(path);
-  }
+  if (kind == ".stl") return read_stl(path);
   if (kind == ".gltf" || kind == ".glb") {
-    check_gltf(path);
-    return read_with_assimp(path);
+    return read_with_assimp(path, check_gltf(path));
   }
   readable.fail_whole("brindle cannot tell the format by the extension '" +
                       path.extension().string() +
                       "'; it reads .obj, .ply, .off, .stl, .gltf and .glb");
+}
+
+/// The same with vertices at one place joined, and removed where they have no numbers.
+LoadedMesh read_joined(const fs::path& path) {
+  LoadedMesh loaded;
+  loaded.mesh = read_raw(path);
+  std::vector<Index> first = first_at_each_place(loaded.mesh.positions);
+  loaded.repair.vertices_joined = join_vertices(loaded.mesh, first);
+  if (loaded.repair.vertices_joined == 0) return loaded;
+  if (lower_extension(path) == ".stl") {
+    const std::vector<Index> number = drop_unreferenced_vertices(loaded.mesh);
+    for (Index& v : first) v = number[v];
+    loaded.renumbered = true;
+  }
+  loaded.vertex_of_row = std::move(first);
+  return loaded;
+}
+
+template <class Read>
+auto with_memory(const fs::path& path, const Read& read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw Error(path.string() + ": there is not enough memory for this mesh");
+  }
 }
 
 void check_usable(const fs::path& path, const LoadedMesh& loaded) {
@@ -128,9 +149,10 @@ void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
   } else if (kind == ".ply") {
     write_ply(out, mesh, attributes, texture.picture);
   } else if (kind == ".vtp") {
-    write_vtp(
-        out,
-        {.points = mesh.positions, .triangles = mesh.triangles, .point_attributes = attributes});
+    write_vtp(out, {.points = mesh.positions,
+                    .triangles = mesh.triangles,
+                    .point_attributes = attributes,
+                    .origin = mesh.origin});
   } else {
     write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text,
                texture.png);
@@ -140,18 +162,19 @@ void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
 }  // namespace
 
 LoadedMesh read_mesh(const fs::path& path) {
-  LoadedMesh loaded;
-  try {
-    loaded.mesh = read_raw(path);
-    const std::size_t joined = join_vertices(loaded.mesh);
-    if (lower_extension(path) == ".stl") drop_unreferenced_vertices(loaded.mesh);
-    loaded.repair = repair_mesh(loaded.mesh);
-    loaded.repair.vertices_joined = joined;
-  } catch (const std::bad_alloc&) {
-    throw Error(path.string() + ": there is not enough memory for this mesh");
-  }
+  LoadedMesh loaded = with_memory(path, [&] {
+    LoadedMesh joined = read_joined(path);
+    const std::size_t count = joined.repair.vertices_joined;
+    joined.repair = repair_mesh(joined.mesh);
+    joined.repair.vertices_joined = count;
+    return joined;
+  });
   check_usable(path, loaded);
   return loaded;
+}
+
+Mesh read_vertices(const fs::path& path) {
+  return with_memory(path, [&] { return read_joined(path).mesh; });
 }
 
 void write_mesh(const fs::path& path, const Mesh& mesh,

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/base/text_output.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/mesh_builder.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {
@@ -22,29 +24,32 @@ class ObjReader {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
       if (keyword == "v") {
-        mesh_.positions.push_back(three_numbers("vertex", rest));
+        mesh_.add_vertex(three_numbers("vertex", rest));
       } else if (keyword == "f") {
         add_face(rest);
       }
     }
     check_forward_references();
-    return std::move(mesh_);
+    return mesh_.take();
   }
 
   LoadedPoints read_points() {
     std::vector<Vec3> normals;
+    bool in_order = true;
     while (const auto line = next_whole_line()) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
       if (keyword == "v") {
-        mesh_.positions.push_back(three_numbers("vertex", rest));
+        mesh_.add_vertex(three_numbers("vertex", rest));
       } else if (keyword == "vn") {
-        normals.push_back(three_numbers("normal", rest));
+        normals.push_back(three_numbers("normal", rest).cast<float>());
+      } else if (keyword == "f") {
+        in_order = in_order && has_normals_of_their_own(rest);
       }
     }
-    // Only faces could say which normal belongs to which of another number of points.
-    if (normals.size() != mesh_.vertex_count()) normals.clear();
-    return make_point_cloud(std::move(mesh_.positions), std::move(normals));
+    // Which normal belongs to which point is plain only where both have the same numbers.
+    if (!in_order || normals.size() != mesh_.vertex_count()) normals.clear();
+    return make_placed_point_cloud(mesh_.positions(), std::move(normals));
   }
 
   bool has_faces() {
@@ -75,14 +80,23 @@ class ObjReader {
     return joined_;
   }
 
-  Vec3 three_numbers(const char* what, std::string_view rest) {
-    Vec3 numbers;
-    for (float& number : numbers) {
+  /// Whether the face's corners that name a normal name the one with their vertex's number.
+  static bool has_normals_of_their_own(std::string_view rest) {
+    for (auto word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
+      const std::size_t first = word.find('/'), last = word.rfind('/');
+      if (first == last) continue;
+      if (word.substr(0, first) != word.substr(last + 1)) return false;
+    }
+    return true;
+  }
+
+  Eigen::Vector3d three_numbers(const char* what, std::string_view rest) {
+    Eigen::Vector3d numbers;
+    for (double& number : numbers) {
       const std::string_view word = take_word(rest);
-      const auto value = parse_float(word);
+      const auto value = parse_number(word);
       if (!value) {
-        file_.fail(std::string("a ") + what + " needs three numbers, not '" + std::string(word) +
-                   "'");
+        file_.fail(std::string("a ") + what + " needs three numbers, not " + in_quotes(word));
       }
       number = *value;
     }
@@ -101,11 +115,11 @@ class ObjReader {
     }
     const bool known = *std::max_element(corners_.begin(), corners_.end()) < mesh_.vertex_count();
     if (known) {
-      triangulate_polygon(mesh_.positions, corners_, mesh_.triangles);
+      mesh_.add_polygon(corners_);
       return;
     }
     for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-      mesh_.triangles.push_back({corners_[0], corners_[i], corners_[i + 1]});
+      mesh_.add_polygon(Triangle{corners_[0], corners_[i], corners_[i + 1]});
     }
   }
 
@@ -113,7 +127,7 @@ class ObjReader {
   Index corner(std::string_view word) {
     const auto number = parse_integer(word.substr(0, word.find('/')));
     const auto count = static_cast<std::int64_t>(mesh_.vertex_count());
-    if (!number) file_.fail("'" + std::string(word) + "' is not a face's corner");
+    if (!number) file_.fail(in_quotes(word) + " is not a face's corner");
     if (*number == 0 || *number < -count || *number > kMostVertices) {
       file_.fail(missing(*number));
     }
@@ -144,7 +158,7 @@ class ObjReader {
   static constexpr std::int64_t kMostVertices = 0xfffffffe;
 
   InputFile file_;
-  Mesh mesh_;
+  MeshBuilder mesh_;
   std::vector<Index> corners_;
   std::vector<ForwardReference> forward_;
   std::int64_t furthest_ = 0;
@@ -187,7 +201,7 @@ void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttrib
   TextOutput text(out);
   text << "# written by brindle\n";
   if (!materials.empty()) text << "mtllib " << materials << '\n';
-  for (const Vec3& p : mesh.positions) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  write_positions(text, "v", mesh.positions, mesh.origin);
   write_values(text, "vt", uv);
   write_values(text, "vn", normal);
   if (!materials.empty()) text << "usemtl " << kMaterial << '\n';

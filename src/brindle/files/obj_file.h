@@ -17,7 +17,8 @@ namespace brindle {
 /// three corners or with corners that do not exist.
 Mesh read_obj(const std::filesystem::path& path);
 
-/// The vertices alone, with normals if there are as many: one each, in the same order. Throws
+/// The vertices alone, with normals if there are as many, one each in the same order, and no face
+/// says otherwise. Throws
 /// Error, naming the line, for coordinates that are no numbers.
 LoadedPoints read_obj_points(const std::filesystem::path& path);
 

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/mesh_builder.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {
@@ -20,7 +22,7 @@ class OffReader {
     read_header();
     for (std::uint64_t v = 0; v < vertices_; ++v) read_vertex();
     for (std::uint64_t f = 0; f < faces_; ++f) read_face();
-    return std::move(mesh_);
+    return mesh_.take();
   }
 
  private:
@@ -42,8 +44,8 @@ class OffReader {
         keyword.substr(0, keyword.size() - 3).find_first_not_of("STCN") == std::string_view::npos;
     std::string_view after = line;
     if (!known || take_word(after) == "BINARY") {
-      file_.fail("brindle reads text OFF files in three dimensions, this begins with '" +
-                 std::string(keyword.substr(0, 20)) + "'; convert it to PLY or OBJ");
+      file_.fail("brindle reads text OFF files in three dimensions, this begins with " +
+                 in_quotes(keyword) + "; convert it to PLY or OBJ");
     }
     // The counts may share the line of the keyword.
     after = line;
@@ -55,8 +57,7 @@ class OffReader {
       file_.fail("the file is too short for " + std::to_string(vertices_) + " vertices and " +
                  std::to_string(faces_) + " faces" + std::string(kRemedy));
     }
-    mesh_.positions.reserve(vertices_);
-    mesh_.triangles.reserve(faces_);
+    mesh_.reserve_vertices(vertices_);
   }
 
   std::uint64_t read_count(std::string_view& line) {
@@ -70,17 +71,16 @@ class OffReader {
 
   void read_vertex() {
     std::string_view line = content();
-    Vec3 position;
-    for (float& coordinate : position) {
+    Eigen::Vector3d position;
+    for (double& coordinate : position) {
       const std::string_view word = take_word(line);
-      const auto value = parse_float(word);
+      const auto value = parse_number(word);
       if (!value) {
-        file_.fail("a vertex needs three numbers, not '" + std::string(word) + "'" +
-                   std::string(kRemedy));
+        file_.fail("a vertex needs three numbers, not " + in_quotes(word) + std::string(kRemedy));
       }
       coordinate = *value;
     }
-    mesh_.positions.push_back(position);
+    mesh_.add_vertex(position);
   }
 
   void read_face() {
@@ -94,16 +94,16 @@ class OffReader {
       const std::string_view word = take_word(line);
       const auto corner = parse_integer(word);
       if (!corner || *corner < 0 || static_cast<std::uint64_t>(*corner) >= vertices_) {
-        file_.fail("'" + std::string(word) + "' is no vertex: there are " +
-                   std::to_string(vertices_) + ", counted from 0" + std::string(kRemedy));
+        file_.fail(in_quotes(word) + " is no vertex: there are " + std::to_string(vertices_) +
+                   ", counted from 0" + std::string(kRemedy));
       }
       corners_.push_back(static_cast<Index>(*corner));
     }
-    triangulate_polygon(mesh_.positions, corners_, mesh_.triangles);
+    mesh_.add_polygon(corners_);
   }
 
   InputFile file_;
-  Mesh mesh_;
+  MeshBuilder mesh_;
   std::uint64_t vertices_ = 0, faces_ = 0;
   std::vector<Index> corners_;
 };

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/mesh_builder.h"
+#include "brindle/files/ply_positions.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {
@@ -79,7 +83,7 @@ class HeaderReader {
       } else if (keyword == "property") {
         read_property(rest);
       } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        file_.fail("'" + std::string(keyword.substr(0, 40)) + "' is unknown in a PLY header");
+        file_.fail(in_quotes(keyword) + " is unknown in a PLY header");
       }
     }
     if (!has_format_) file_.fail("the header names no format; export the file again");
@@ -96,7 +100,7 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.encoding = Encoding::big_endian;
     } else {
-      file_.fail("unknown format '" + std::string(name) + "'");
+      file_.fail("unknown format " + in_quotes(name));
     }
   }
 
@@ -129,7 +133,7 @@ class HeaderReader {
     for (const auto& [known, kind] : kNumbers) {
       if (known == name) return kind;
     }
-    file_.fail("unknown type of number '" + std::string(name.substr(0, 40)) + "'");
+    file_.fail("unknown type of number " + in_quotes(name));
   }
 
   InputFile& file_;
@@ -159,10 +163,10 @@ class Body {
       const std::string_view word = take_word(rest_);
       const bool whole = kind != Number::float64 && kind != Number::float32;
       auto value = whole ? to_double(parse_integer(word)) : std::nullopt;
-      if (!value) value = to_double(parse_float(word));
+      if (!value) value = to_double(parse_number(word));
       if (!value) {
-        file_.fail("a number is expected, not '" + std::string(word.substr(0, 40)) +
-                   "'; the file is damaged or truncated, export it again");
+        file_.fail("a number is expected, not " + in_quotes(word) +
+                   "; the file is damaged or truncated, export it again");
       }
       return *value;
     }
@@ -235,26 +239,31 @@ class PlyReader {
 
   Mesh read_mesh() {
     read_elements(true);
-    return std::move(mesh_);
+    return mesh_.take();
   }
 
   LoadedPoints read_points() {
     read_elements(false);
-    return make_point_cloud(std::move(mesh_.positions), std::move(normals_));
+    return make_placed_point_cloud(mesh_.positions(), std::move(normals_));
   }
 
   bool has_faces() const {
     return std::any_of(header_.elements.begin(), header_.elements.end(),
-                       [](const Element& e) { return e.name == "face" && e.count > 0; });
+                       [](const Element& e) { return holds_faces(e) && e.count > 0; });
   }
 
  private:
+  static bool is_strips(const Element& element) { return element.name == "tristrips"; }
+  static bool holds_faces(const Element& element) {
+    return element.name == "face" || is_strips(element);
+  }
+
   void read_elements(bool faces) {
     for (const Element& element : header_.elements) {
       check_size(element);
       if (element.name == "vertex") {
         read_vertices(element);
-      } else if (faces && element.name == "face") {
+      } else if (faces && holds_faces(element)) {
         read_faces(element);
       } else {
         read_rows(element, [](const Property&, std::span<const double>) {});
@@ -271,9 +280,9 @@ class PlyReader {
     const bool fits =
         element.count <= (file_.remaining() + 1) / std::max<std::uint64_t>(1, smallest_row);
     if (!fits || element.count > 0xfffffffe) {
-      file_.fail_whole("is too short for the " + std::to_string(element.count) + " elements '" +
-                       element.name +
-                       "' that its header names: it is truncated or damaged; "
+      file_.fail_whole("is too short for the " + std::to_string(element.count) + " elements " +
+                       in_quotes(element.name) +
+                       " that its header names: it is truncated or damaged; "
                        "copy or export it again");
     }
   }
@@ -286,9 +295,9 @@ class PlyReader {
       for (const Property& property : element.properties) {
         values_.clear();
         const double count = property.list ? body_.number(property.list_count) : 1;
-        if (!(count >= 0) || count > body_.most_entries()) {
-          body_.fail("a list of '" + element.name +
-                     "' has an impossible number of entries; the file is damaged");
+        if (!(count >= 0) || count > body_.most_entries() || count != std::floor(count)) {
+          body_.fail("a list of " + in_quotes(element.name) +
+                     " has an impossible number of entries; the file is damaged");
         }
         for (double i = 0; i < count; ++i) values_.push_back(body_.number(property.number));
         use(property, values_);
@@ -309,23 +318,25 @@ class PlyReader {
       }
     }
     const bool normals = wanted[3] && wanted[4] && wanted[5];
-    mesh_.positions.reserve(mesh_.positions.size() + element.count);
-    std::array<float, 6> values{};
+    mesh_.reserve_vertices(mesh_.vertex_count() + element.count);
+    std::array<double, 6> values{};
     const Property* last = &element.properties.back();
     read_rows(element, [&](const Property& property, std::span<const double> read) {
       for (std::size_t i = 0; i < values.size(); ++i) {
-        if (&property == wanted[i]) values[i] = static_cast<float>(read[0]);
+        if (&property == wanted[i]) values[i] = read[0];
       }
       if (&property != last) return;
-      mesh_.positions.emplace_back(values[0], values[1], values[2]);
-      if (normals) normals_.emplace_back(values[3], values[4], values[5]);
+      mesh_.add_vertex({values[0], values[1], values[2]});
+      if (normals) {
+        normals_.push_back(Eigen::Vector3d(values[3], values[4], values[5]).cast<float>());
+      }
     });
   }
 
   void read_faces(const Element& element) {
-    mesh_.triangles.reserve(mesh_.triangles.size() + element.count);
     std::uint64_t face = 0;
     std::vector<Index> corners;
+    const char* what = is_strips(element) ? "triangle strip " : "face ";
     read_rows(element, [&](const Property& property, std::span<const double> values) {
       if (!property.list ||
           (property.name != "vertex_indices" && property.name != "vertex_index")) {
@@ -333,23 +344,41 @@ class PlyReader {
       }
       corners.clear();
       for (const double corner : values) {
-        if (!(corner >= 0) || corner >= static_cast<double>(mesh_.vertex_count())) {
-          body_.fail("face " + std::to_string(face) +
-                     " has a corner that does not exist: there are " +
+        if (is_strips(element) && corner == kStripEnd) {
+          add_strip(corners);
+          corners.clear();
+          continue;
+        }
+        const bool exists = corner >= 0 && corner < static_cast<double>(mesh_.vertex_count()) &&
+                            corner == std::floor(corner);
+        if (!exists) {
+          body_.fail(what + std::to_string(face) + " has a corner that does not exist: there are " +
                      std::to_string(mesh_.vertex_count()) +
                      " vertices, counted from 0; the file is damaged, export it again");
         }
         corners.push_back(static_cast<Index>(corner));
       }
-      triangulate_polygon(mesh_.positions, corners, mesh_.triangles);
+      is_strips(element) ? add_strip(corners) : mesh_.add_polygon(corners);
       ++face;
     });
   }
 
+  /// Every corner makes a triangle with the two before it, wound the other way round each time.
+  /// Corners that repeat turn strips around or join them, and make no triangle of their own.
+  void add_strip(std::span<const Index> corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const Index a = corners[i - 2], b = corners[i - 1], c = corners[i];
+      if (a == b || b == c || c == a) continue;
+      mesh_.add_polygon(i % 2 == 0 ? Triangle{a, b, c} : Triangle{b, a, c});
+    }
+  }
+
+  static constexpr double kStripEnd = -1;
+
   InputFile file_;
   Header header_;
   Body body_;
-  Mesh mesh_;
+  MeshBuilder mesh_;
   std::vector<Vec3> normals_;
   std::vector<double> values_;
 };
@@ -358,8 +387,7 @@ void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAtt
                   const std::string& picture) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
   if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
-  out << "element vertex " << mesh.vertex_count()
-      << "\nproperty float x\nproperty float y\nproperty float z\n";
+  out << "element vertex " << mesh.vertex_count() << '\n' << position_properties(mesh.origin);
   for (const VertexAttribute& attribute : attributes) {
     if (attribute.is_normal()) {
       out << "property float nx\nproperty float ny\nproperty float nz\n";
@@ -395,7 +423,7 @@ void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttrib
   write_header(out, mesh, attributes, picture);
   BinaryOutput binary(out);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    binary.put(mesh.positions[v].data(), 3);
+    put_position(binary, mesh.positions[v], mesh.origin);
     for (const VertexAttribute& attribute : attributes) {
       const auto n = static_cast<std::size_t>(attribute.components);
       const float* values = &attribute.values[n * v];

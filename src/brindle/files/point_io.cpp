@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 LoadedPoints read_csv_points(const fs::path& path) {
-  std::vector<Vec3> positions, normals;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Vec3> normals;
   const CsvKind kind{"points", "x,y,z or x,y,z,nx,ny,nz"};
-  read_csv(path, kind, [&](std::size_t line, std::span<const float> row) {
+  read_csv(path, kind, [&](std::size_t line, std::span<const double> row) {
     if (row.size() != 3 && row.size() != 6) {
       throw Error(at_line(path, line) + std::to_string(row.size()) +
                   " columns; a row must have 3 (x,y,z) or 6 (x,y,z,nx,ny,nz)");
@@ -29,9 +30,11 @@ LoadedPoints read_csv_points(const fs::path& path) {
                   " columns where the rows before have another number; give all the same");
     }
     positions.emplace_back(row[0], row[1], row[2]);
-    if (row.size() == 6) normals.emplace_back(row[3], row[4], row[5]);
+    if (row.size() == 6) {
+      normals.push_back(Eigen::Vector3d(row[3], row[4], row[5]).cast<float>());
+    }
   });
-  return make_point_cloud(std::move(positions), std::move(normals));
+  return make_placed_point_cloud(positions, std::move(normals));
 }
 
 LoadedPoints read_any(const fs::path& path) {
@@ -39,7 +42,10 @@ LoadedPoints read_any(const fs::path& path) {
   if (kind == ".csv") return read_csv_points(path);
   if (kind == ".ply") return read_ply_points(path);
   if (kind == ".obj") return read_obj_points(path);
-  return make_point_cloud(read_mesh(path).mesh.positions);
+  Mesh mesh = read_vertices(path);
+  LoadedPoints loaded = make_point_cloud(std::move(mesh.positions));
+  loaded.cloud.origin = mesh.origin;
+  return loaded;
 }
 
 }  // namespace

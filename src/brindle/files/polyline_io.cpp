@@ -6,7 +6,9 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/binary_output.h"
+#include "brindle/files/ply_positions.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/geometry/local_positions.h"
 
 namespace brindle {
 namespace {
@@ -17,6 +19,17 @@ std::size_t point_count(Kinds kinds) {
   std::size_t count = 0;
   for (const NamedLines& kind : kinds) count += kind.lines.points.size();
   return count;
+}
+
+/// That of the first kind: all lines lie on one mesh.
+Eigen::Vector3d origin_of(Kinds kinds) {
+  return kinds.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : kinds[0].lines.origin;
+}
+
+/// A point relative to the origin of all.
+Vec3 moved(const Vec3& point, const Polylines& lines, Kinds kinds) {
+  if (lines.origin == origin_of(kinds)) return point;
+  return (placed(point, lines.origin) - origin_of(kinds)).cast<float>();
 }
 
 /// Calls `use(kind, line, first)` for every line; `first` counts points over all kinds from 0.
@@ -36,9 +49,7 @@ void write_obj_lines(std::ostream& out, Kinds kinds) {
   TextOutput text(out);
   text << "# written by brindle\n";
   for (const NamedLines& kind : kinds) {
-    for (const Vec3& p : kind.lines.points) {
-      text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    }
+    write_positions(text, "v", kind.lines.points, kind.lines.origin);
   }
   std::size_t group = kinds.size();
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
@@ -59,8 +70,9 @@ void write_ply_lines(std::ostream& out, Kinds kinds) {
     edges += lines.points_of(line).size() - 1 + lines.closed[line];
   });
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
-      << point_count(kinds)
-      << "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+      << point_count(kinds) << '\n'
+      << position_properties(origin_of(kinds))
+      << "property float nx\n"
          "property float ny\nproperty float nz\nproperty uint curve\nproperty uchar kind\n"
          "element edge "
       << edges << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
@@ -69,7 +81,7 @@ void write_ply_lines(std::ostream& out, Kinds kinds) {
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
     const Polylines& lines = kinds[kind].lines;
     for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
-      binary.put(lines.points_of(line)[i].data(), 3);
+      put_position(binary, moved(lines.points_of(line)[i], lines, kinds), origin_of(kinds));
       binary.put(lines.normals_of(line)[i].data(), 3);
       binary.put(number);
       binary.put(static_cast<unsigned char>(kind));
@@ -89,7 +101,7 @@ void write_vtp_lines(std::ostream& out, Kinds kinds) {
   std::vector<Index> offsets{0}, along;
   std::vector<VertexAttribute> cells = {{"kind", 1, {}}, {"closed", 1, {}}, {"length", 1, {}}};
   for (const NamedLines& kind : kinds) {
-    points.insert(points.end(), kind.lines.points.begin(), kind.lines.points.end());
+    for (const Vec3& p : kind.lines.points) points.push_back(moved(p, kind.lines, kinds));
     for (const Vec3& n : kind.lines.normals) {
       normals.values.insert(normals.values.end(), n.begin(), n.end());
     }
@@ -108,7 +120,8 @@ void write_vtp_lines(std::ostream& out, Kinds kinds) {
                   .line_offsets = offsets,
                   .line_points = along,
                   .point_attributes = std::span(&normals, 1),
-                  .cell_attributes = cells});
+                  .cell_attributes = cells,
+                  .origin = origin_of(kinds)});
 }
 
 void write_csv_lines(std::ostream& out, Kinds kinds) {
@@ -118,10 +131,10 @@ void write_csv_lines(std::ostream& out, Kinds kinds) {
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
     const Polylines& lines = kinds[kind].lines;
     for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
-      const Vec3& p = lines.points_of(line)[i];
       const Vec3& n = lines.normals_of(line)[i];
       text << kinds[kind].name << ',' << number << ',' << int{lines.closed[line]};
-      for (const float value : {p[0], p[1], p[2], n[0], n[1], n[2]}) text << ',' << value;
+      write_position(text, ',', lines.points_of(line)[i], lines.origin);
+      for (const float value : n) text << ',' << value;
       text << '\n';
     }
     ++number;

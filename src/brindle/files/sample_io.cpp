@@ -9,7 +9,9 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/binary_output.h"
+#include "brindle/files/ply_positions.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/geometry/local_positions.h"
 
 namespace brindle {
 namespace {
@@ -42,24 +44,34 @@ std::array<float, kNumbers> numbers_of(const Sample& s) {
           s.barycentric[1], s.barycentric[2]};
 }
 
-void write_csv(std::ostream& out, std::span<const Sample> samples) {
+void write_csv(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin) {
   TextOutput text(out);
   for (std::size_t i = 0; i < kNumbers; ++i) text << kColumns[i] << ',';
   text << "triangle\n";
   for (const Sample& sample : samples) {
-    for (const float number : numbers_of(sample)) text << number << ',';
+    const std::array<float, kNumbers> numbers = numbers_of(sample);
+    const Eigen::Vector3d place = placed(sample.position, origin);
+    for (std::size_t i = 0; i < kNumbers; ++i) {
+      if (i < 3 && !origin.isZero(0)) {
+        text << place[static_cast<Eigen::Index>(i)] << ',';
+      } else {
+        text << numbers[i] << ',';
+      }
+    }
     text << sample.triangle << '\n';
   }
 }
 
-void write_ply(std::ostream& out, std::span<const Sample> samples) {
+void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
-      << samples.size() << '\n';
-  for (std::size_t i = 0; i < kNumbers; ++i) out << "property float " << kColumns[i] << '\n';
+      << samples.size() << '\n'
+      << position_properties(origin);
+  for (std::size_t i = 3; i < kNumbers; ++i) out << "property float " << kColumns[i] << '\n';
   out << "property uint triangle\nend_header\n";
   BinaryOutput binary(out);
   for (const Sample& sample : samples) {
-    binary.put(numbers_of(sample).data(), kNumbers);
+    put_position(binary, sample.position, origin);
+    binary.put(numbers_of(sample).data() + 3, kNumbers - 3);
     binary.put(sample.triangle);
   }
 }
@@ -80,7 +92,8 @@ VertexAttribute vectors(const char* name, std::span<const Sample> samples, Vec3 
   return result;
 }
 
-void write_points(std::ostream& out, std::span<const Sample> samples) {
+void write_points(std::ostream& out, std::span<const Sample> samples,
+                  const Eigen::Vector3d& origin) {
   std::vector<Vec3> points;
   for (const Sample& sample : samples) points.push_back(sample.position);
   std::vector<Index> cells(samples.size());
@@ -93,7 +106,9 @@ void write_points(std::ostream& out, std::span<const Sample> samples) {
       attribute("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
       vectors("barycentric", samples, &Sample::barycentric),
       attribute("triangle", samples, [](const Sample& s) { return s.triangle; })};
-  write_vtp(out, {.points = points, .single_points = cells, .point_attributes = attributes});
+  write_vtp(
+      out,
+      {.points = points, .single_points = cells, .point_attributes = attributes, .origin = origin});
 }
 
 }  // namespace
@@ -103,16 +118,17 @@ bool is_sample_format(const std::filesystem::path& path) {
   return kind == ".csv" || kind == ".ply" || kind == ".vtp";
 }
 
-void write_samples(const std::filesystem::path& path, std::span<const Sample> samples) {
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
+                   const Eigen::Vector3d& origin) {
   const std::string kind = lower_extension(path);
   if (!is_sample_format(path)) {
     throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
   write_file(path, [&](std::ostream& out) {
-    if (kind == ".csv") return write_csv(out, samples);
-    if (kind == ".ply") return write_ply(out, samples);
-    write_points(out, samples);
+    if (kind == ".csv") return write_csv(out, samples, origin);
+    if (kind == ".ply") return write_ply(out, samples, origin);
+    write_points(out, samples, origin);
   });
 }
 

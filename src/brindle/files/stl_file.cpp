@@ -1,16 +1,20 @@
 #include "brindle/files/stl_file.h"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
 
+#include "brindle/base/printable.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/mesh_builder.h"
 
 namespace brindle {
 namespace {
 
 constexpr std::uint64_t kHeaderSize = 84;
 constexpr std::uint64_t kTriangleSize = 50;
+constexpr std::uint64_t kMostTriangles = 0xfffffffe / 3;
 
 /// The number of triangles that a binary file's header promises; 0 if there is no room for one.
 std::uint64_t promised_triangles(const std::filesystem::path& path) {
@@ -21,28 +25,61 @@ std::uint64_t promised_triangles(const std::filesystem::path& path) {
   return count;
 }
 
-void check_vertex(const InputFile& file, std::string_view rest) {
-  for (int i = 0; i < 3; ++i) {
-    const std::string_view word = take_word(rest);
-    if (!parse_float(word)) {
-      file.fail("a vertex needs three numbers, not '" + std::string(word.substr(0, 40)) +
-                "'; the file is damaged or truncated, export it again");
-    }
+/// Takes the last three vertices as a triangle.
+void add_triangle(const InputFile& file, MeshBuilder& mesh) {
+  if (mesh.vertex_count() > 3 * kMostTriangles) {
+    file.fail_whole("has more triangles than brindle can number; split it into parts");
   }
+  const auto end = static_cast<Index>(mesh.vertex_count());
+  mesh.add_polygon(Triangle{end - 3, end - 2, end - 1});
 }
 
-void check_text(const std::filesystem::path& path) {
+Mesh read_binary(const std::filesystem::path& path, std::uint64_t triangles) {
   InputFile file(path);
-  std::uint64_t vertices = 0, facets = 0;
+  file.take(kHeaderSize);
+  MeshBuilder mesh;
+  mesh.reserve_vertices(3 * triangles);
+  for (std::uint64_t t = 0; t < triangles; ++t) {
+    // A normal, three corners, and two bytes that mean nothing.
+    std::array<float, 12> numbers{};
+    std::memcpy(numbers.data(), file.take(kTriangleSize), sizeof numbers);
+    for (std::size_t c = 3; c < 12; c += 3) {
+      mesh.add_vertex(Vec3(numbers[c], numbers[c + 1], numbers[c + 2]).cast<double>());
+    }
+    add_triangle(file, mesh);
+  }
+  return mesh.take();
+}
+
+Eigen::Vector3d read_vertex(const InputFile& file, std::string_view rest) {
+  Eigen::Vector3d position;
+  for (double& coordinate : position) {
+    const std::string_view word = take_word(rest);
+    const auto value = parse_number(word);
+    if (!value) {
+      file.fail("a vertex needs three numbers, not " + in_quotes(word) +
+                "; the file is damaged or truncated, export it again");
+    }
+    coordinate = *value;
+  }
+  return position;
+}
+
+Mesh read_text(const std::filesystem::path& path) {
+  InputFile file(path);
+  MeshBuilder mesh;
+  std::uint64_t facets = 0;
   bool ended = false;
   while (const auto line = file.next_line()) {
     std::string_view rest = *line;
     const std::string_view keyword = take_word(rest);
     if (keyword == "vertex") {
-      check_vertex(file, rest);
-      ++vertices;
+      mesh.add_vertex(read_vertex(file, rest));
     } else if (keyword == "endfacet") {
-      if (vertices != 3 * ++facets) file.fail("a facet has three vertices; the file is damaged");
+      if (mesh.vertex_count() != 3 * ++facets) {
+        file.fail("a facet has three vertices; the file is damaged");
+      }
+      add_triangle(file, mesh);
     } else if (keyword == "endsolid") {
       ended = true;
     } else if (keyword == "solid") {
@@ -50,14 +87,15 @@ void check_text(const std::filesystem::path& path) {
     }
   }
   if (facets == 0) file.fail_whole("has no triangles, or is no STL file; export it again");
-  if (!ended || vertices != 3 * facets) {
+  if (!ended || mesh.vertex_count() != 3 * facets) {
     file.fail_whole("ends before its 'endsolid': it is truncated; copy or export it again");
   }
+  return mesh.take();
 }
 
 }  // namespace
 
-void check_stl(const std::filesystem::path& path) {
+Mesh read_stl(const std::filesystem::path& path) {
   InputFile file(path);
   const std::uint64_t size = file.remaining();
   const std::uint64_t triangles = promised_triangles(path);
@@ -66,14 +104,14 @@ void check_stl(const std::filesystem::path& path) {
   // Many programs let binary files begin with "solid" too; their size gives them away.
   if (whole_binary && (!starts_as_text || size == kHeaderSize + kTriangleSize * triangles)) {
     if (triangles == 0) file.fail_whole("has no triangles; export it again");
-    return;
+    return read_binary(path, triangles);
   }
   if (!starts_as_text) {
     file.fail_whole("is too short for the " + std::to_string(triangles) +
                     " triangles that its header names, or is no STL file: it is truncated or "
                     "damaged; copy or export it again");
   }
-  check_text(path);
+  return read_text(path);
 }
 
 }  // namespace brindle

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 
+#include "brindle/mesh.h"
+
 namespace brindle {
 
-/// Throws Error if the file is neither a whole text nor a whole binary STL file. Assimp, which
-/// reads them, takes half a text file for a whole one.
-void check_stl(const std::filesystem::path& path);
+/// Three vertices per triangle, in the file's order; normals and colours are ignored. Throws Error,
+/// naming the line in a text file, if the file is neither a whole text nor a whole binary STL file.
+Mesh read_stl(const std::filesystem::path& path);
 
 }  // namespace brindle

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brindle/files/binary_output.h"
+#include "brindle/geometry/local_positions.h"
 
 namespace brindle {
 namespace {
@@ -58,6 +59,19 @@ void add_attribute(AppendedArrays& arrays, const VertexAttribute& attribute) {
                     [&](BinaryOutput& out) { out.put(values.data(), values.size()); });
 }
 
+void add_points(AppendedArrays& arrays, const PolyData& data) {
+  const std::size_t count = 3 * data.points.size();
+  if (data.origin.isZero(0)) {
+    arrays.add<float>("Float32", "Points", 3, count, [&](BinaryOutput& binary) {
+      for (const Vec3& point : data.points) binary.put(point.data(), 3);
+    });
+    return;
+  }
+  arrays.add<double>("Float64", "Points", 3, count, [&](BinaryOutput& binary) {
+    for (const Vec3& point : data.points) binary.put(placed(point, data.origin).data(), 3);
+  });
+}
+
 /// The attributes of all points or all cells.
 void add_attributes(std::ostream& xml, AppendedArrays& arrays, std::string_view element,
                     std::span<const VertexAttribute> attributes) {
@@ -100,9 +114,7 @@ void write_vtp(std::ostream& out, const PolyData& data) {
   add_attributes(out, arrays, "PointData", data.point_attributes);
   add_attributes(out, arrays, "CellData", data.cell_attributes);
   out << "<Points>\n";
-  arrays.add<float>("Float32", "Points", 3, 3 * data.points.size(), [&](BinaryOutput& binary) {
-    for (const Vec3& point : data.points) binary.put(point.data(), 3);
-  });
+  add_points(arrays, data);
   out << "</Points>\n";
   add_cells(
       out, arrays, "Verts", data.single_points.size(), data.single_points.size(),

@@ -11,16 +11,18 @@ namespace brindle {
 
 /// What a VTP file holds. Cells are numbered from 0 in the order single points, lines, triangles.
 struct PolyData {
-  std::span<const Vec3> points = {};
+  std::span<const Vec3> points = {};          ///< relative to `origin`
   std::span<const Index> single_points = {};  ///< cells of one point each
   std::span<const Index> line_offsets = {};   ///< lines + 1 entries into `line_points`, or none
   std::span<const Index> line_points = {};    ///< the points along each line
   std::span<const Triangle> triangles = {};
   std::span<const VertexAttribute> point_attributes = {};  ///< values per point
   std::span<const VertexAttribute> cell_attributes = {};   ///< values per cell
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< see `Mesh`
 };
 
-/// Writes version 1.0 of the format with raw appended data, little endian. "normal" becomes the
+/// Writes version 1.0 of the format with raw appended data, little endian. Points are floats, or
+/// doubles if they have an origin. "normal" becomes the
 /// active normals, "uv" the texture coordinates, "color" bytes from 0 to 255; all else keeps its
 /// name. Attributes have values for every point or cell, and names of letters, digits and
 /// underscores.

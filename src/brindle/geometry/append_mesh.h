@@ -5,7 +5,8 @@
 
 namespace brindle {
 
-/// Adds all vertices and triangles of `other` behind those of `mesh`.
+/// Adds all vertices and triangles of `other` behind those of `mesh`, whose origin stays
+/// unless it is empty.
 void append(const Mesh& other, Mesh& mesh);
 
 }  // namespace brindle

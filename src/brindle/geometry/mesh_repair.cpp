@@ -129,26 +129,34 @@ MeshRepair repair_mesh(Mesh& mesh) {
   return repair;
 }
 
-std::size_t join_vertices(Mesh& mesh) {
+std::vector<Index> first_at_each_place(std::span<const Vec3> positions) {
   constexpr Index kFree = ~Index{0};
   // Open addressing: at most half of the places are taken.
-  std::vector<Index> table(std::bit_ceil(2 * mesh.vertex_count() + 1), kFree);
-  std::vector<Index> first(mesh.vertex_count());
-  std::size_t joined = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    std::size_t place = hash(mesh.positions[v]) & (table.size() - 1);
+  std::vector<Index> table(std::bit_ceil(2 * positions.size() + 1), kFree);
+  std::vector<Index> first(positions.size());
+  for (Index v = 0; v < positions.size(); ++v) {
+    std::size_t place = hash(positions[v]) & (table.size() - 1);
     // A NaN equals nothing, so it stays apart; all of one kind would share a place.
-    if (!usable(mesh.positions[v])) {
+    if (!usable(positions[v])) {
       first[v] = v;
       continue;
     }
-    while (table[place] != kFree && mesh.positions[table[place]] != mesh.positions[v]) {
+    while (table[place] != kFree && positions[table[place]] != positions[v]) {
       place = (place + 1) & (table.size() - 1);
     }
     if (table[place] == kFree) table[place] = v;
     first[v] = table[place];
-    joined += first[v] != v;
   }
+  return first;
+}
+
+std::size_t join_vertices(Mesh& mesh) {
+  return join_vertices(mesh, first_at_each_place(mesh.positions));
+}
+
+std::size_t join_vertices(Mesh& mesh, std::span<const Index> first) {
+  std::size_t joined = 0;
+  for (std::size_t v = 0; v < first.size(); ++v) joined += first[v] != v;
   if (joined == 0) return 0;
   for (Triangle& t : mesh.triangles) {
     for (Index& v : t) {
@@ -158,7 +166,7 @@ std::size_t join_vertices(Mesh& mesh) {
   return joined;
 }
 
-void drop_unreferenced_vertices(Mesh& mesh) {
+std::vector<Index> drop_unreferenced_vertices(Mesh& mesh) {
   const std::vector<char> referenced = referenced_vertices(mesh);
   std::vector<Index> number(mesh.vertex_count());
   Index kept = 0;
@@ -170,6 +178,7 @@ void drop_unreferenced_vertices(Mesh& mesh) {
   for (Triangle& t : mesh.triangles) {
     for (Index& v : t) v = number[v];
   }
+  return number;
 }
 
 std::string describe(const MeshRepair& repair) {

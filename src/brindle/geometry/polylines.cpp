@@ -74,6 +74,7 @@ double length_of(const Polylines& lines, std::size_t line) {
 
 Polylines simplified(const Polylines& lines, float tolerance) {
   Polylines result;
+  result.origin = lines.origin;
   std::vector<std::uint8_t> keep;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     const auto points = lines.points_of(line);
@@ -99,6 +100,7 @@ Polylines simplified(const Polylines& lines, float tolerance) {
 Polylines resampled(const Polylines& lines, float spacing) {
   if (!(spacing > 0)) throw Error("the spacing of points along curves must be above zero");
   Polylines result;
+  result.origin = lines.origin;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     const auto points = lines.points_of(line);
     const auto normals = lines.normals_of(line);

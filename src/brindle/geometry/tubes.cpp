@@ -143,7 +143,9 @@ Mesh tubes(const Polylines& lines, const TubeOptions& options) {
     const bool closed = lines.closed[line] && points.size() > 2;
     if (points.size() > 1) maker.add(points, closed);
   }
-  return maker.take();
+  Mesh mesh = maker.take();
+  mesh.origin = lines.origin;
+  return mesh;
 }
 
 }  // namespace brindle

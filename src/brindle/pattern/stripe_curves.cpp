@@ -415,7 +415,9 @@ std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
 }
 
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options) {
-  return Tracer(waves, options).trace();
+  StripeCurves curves = Tracer(waves, options).trace();
+  curves.lines.origin = waves.pattern().mesh.origin;
+  return curves;
 }
 
 StripeCurves longer_than(const StripeCurves& curves, double length) {
@@ -423,6 +425,7 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
   longer.joined_ends = curves.joined_ends;
   longer.ends_at_neighbors = curves.ends_at_neighbors;
   Polylines& lines = longer.lines;
+  lines.origin = curves.lines.origin;
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {
     if (length_of(curves.lines, line) < length) continue;
     const auto points = curves.lines.points_of(line);

@@ -232,6 +232,7 @@ TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, Ph
   TexturedMesh textured;
   textured.split_triangles = all.split.size();
   textured.mesh.positions = mesh.positions;
+  textured.mesh.origin = mesh.origin;
   for (Index v = 0; v < mesh.vertex_count(); ++v) textured.origins.push_back({v, v, v});
   for (const Index t : all.split) {
     const Triangle& triangle = mesh.triangles[t];

@@ -37,6 +37,7 @@ class CrossTriangles {
   CrossTriangles(const Mesh& mesh, const CrossPattern& cross, PhaseShiftKind kind)
       : cross_(cross), kind_(kind) {
     mesh_.positions = mesh.positions;
+    mesh_.origin = mesh.origin;
     const CrossCover& cover = cross.cover;
     for (std::size_t s = 0; s < cover.base.size(); ++s) {
       add(mesh.triangles[cover.base[s]],

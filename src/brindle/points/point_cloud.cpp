@@ -6,21 +6,28 @@
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/geometry/local_positions.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
 
 namespace brindle {
 namespace {
 
-/// The first of all points at one place, in ascending order.
+/// The first of all points at one place, in ascending order. `first` tells of every point which
+/// that is.
 std::vector<Index> first_at_their_place(const std::vector<Vec3>& positions,
-                                        std::vector<Index> points) {
+                                        std::vector<Index> points, std::vector<Index>& first) {
   const auto place = [&](Index i) {
     const Vec3& p = positions[i];
     return std::tuple(p.x(), p.y(), p.z());
   };
   std::sort(points.begin(), points.end(),
             [&](Index i, Index j) { return std::tuple(place(i), i) < std::tuple(place(j), j); });
+  first.resize(positions.size());
+  std::iota(first.begin(), first.end(), Index{0});
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (place(points[i]) == place(points[i - 1])) first[points[i]] = first[points[i - 1]];
+  }
   points.erase(std::unique(points.begin(), points.end(),
                            [&](Index i, Index j) { return place(i) == place(j); }),
                points.end());
@@ -55,9 +62,18 @@ LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> nor
   }
   loaded.repair.not_finite = cloud.positions.size() - cloud.used.size();
   const std::size_t count = cloud.used.size();
-  cloud.used = first_at_their_place(cloud.positions, std::move(cloud.used));
+  cloud.used = first_at_their_place(cloud.positions, std::move(cloud.used), loaded.first_at_place);
   loaded.repair.repeated = count - cloud.used.size();
+  if (loaded.repair.repeated == 0) loaded.first_at_place.clear();
   repair_normals(cloud, loaded.repair);
+  return loaded;
+}
+
+LoadedPoints make_placed_point_cloud(std::span<const Eigen::Vector3d> positions,
+                                     std::vector<Vec3> normals) {
+  const Eigen::Vector3d origin = origin_near(positions);
+  LoadedPoints loaded = make_point_cloud(positions_about(origin, positions), std::move(normals));
+  loaded.cloud.origin = origin;
   return loaded;
 }
 

@@ -57,6 +57,7 @@ Surface make_point_surface(PointCloud cloud, int neighbors) {
         "points, or points with normals");
   }
   surface.mesh.positions = std::move(cloud.positions);
+  surface.mesh.origin = cloud.origin;
   return surface;
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/shapes/implicit_shapes.h"
 #include "brindle/shapes/noise.h"
@@ -281,11 +282,21 @@ std::string list(const std::vector<Named>& items) {
   return text;
 }
 
+/// "did you mean 'torus'? ", or nothing.
+template <class Named>
+std::string did_you_mean(std::string_view name, const std::vector<Named>& items) {
+  std::vector<std::string> known;
+  for (const Named& item : items) known.emplace_back(item.name);
+  const std::string best = nearest(name, known);
+  return best.empty() ? "" : "did you mean '" + best + "'? ";
+}
+
 const Shape& find_shape(std::string_view name) {
   for (const Shape& shape : catalogue()) {
     if (shape.name == name) return shape;
   }
-  throw Error("unknown shape '" + std::string(name) + "'; known are: " + list(catalogue()));
+  throw Error("unknown shape '" + std::string(name) + "'; " + did_you_mean(name, catalogue()) +
+              "known are: " + list(catalogue()));
 }
 
 const Parameter& find_parameter(const Shape& shape, std::string_view name) {
@@ -293,7 +304,7 @@ const Parameter& find_parameter(const Shape& shape, std::string_view name) {
     if (parameter.name == name) return parameter;
   }
   throw Error("shape '" + std::string(shape.name) + "' has no parameter '" + std::string(name) +
-              "'; it has: " + list(shape.parameters));
+              "'; " + did_you_mean(name, shape.parameters) + "it has: " + list(shape.parameters));
 }
 
 std::string range(const Parameter& parameter) {

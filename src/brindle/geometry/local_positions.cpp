@@ -1,0 +1,50 @@
+#include "brindle/geometry/local_positions.h"
+
+#include <sstream>
+
+#include <Eigen/Geometry>
+
+namespace brindle {
+namespace {
+
+constexpr double kLargestCoordinate = 1e18;
+constexpr double kMostDiagonals = 64;
+
+}  // namespace
+
+Eigen::Vector3d origin_near(std::span<const Eigen::Vector3d> positions,
+                            std::span<const char> used) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const bool counts = used.empty() || used[v];
+    // False for NaN.
+    const bool usable = (positions[v].array().abs() <= kLargestCoordinate).all();
+    if (counts && usable) box.extend(positions[v]);
+  }
+  if (box.isEmpty()) return Eigen::Vector3d::Zero();
+  const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const double diagonal = box.diagonal().norm();
+  if (!(diagonal > 0) || farthest <= kMostDiagonals * diagonal) return Eigen::Vector3d::Zero();
+  return box.center();
+}
+
+std::vector<Vec3> positions_about(const Eigen::Vector3d& origin,
+                                  std::span<const Eigen::Vector3d> positions) {
+  std::vector<Vec3> result;
+  result.reserve(positions.size());
+  for (const Eigen::Vector3d& position : positions) {
+    result.emplace_back((position - origin).cast<float>());
+  }
+  return result;
+}
+
+std::string describe_origin(const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return "";
+  std::ostringstream text;
+  text.precision(12);
+  text << "coordinates are large against the size: recentred about " << origin.x() << ' '
+       << origin.y() << ' ' << origin.z() << "; files are written where it was\n";
+  return text.str();
+}
+
+}  // namespace brindle

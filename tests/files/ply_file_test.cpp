@@ -1,0 +1,133 @@
+#include "brindle/files/ply_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/files.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Strip = std::vector<int>;
+
+struct PlyFile : testing::Test {
+  fs::path path = fs::path(testing::TempDir()) /
+                  (std::string("ply_") +
+                   testing::UnitTest::GetInstance()->current_test_info()->name() + ".ply");
+  void TearDown() override { fs::remove(path); }
+
+  const fs::path& save(const std::string& content) const {
+    std::ofstream(path, std::ios::binary) << content;
+    return path;
+  }
+};
+
+/// Writes numbers as text, or as bytes of either order.
+struct Writer {
+  std::string format;
+  std::string content;
+
+  template <class Number>
+  void put(Number number) {
+    if (format == "ascii") {
+      content += std::to_string(number) + ' ';
+      return;
+    }
+    std::array<char, sizeof number> bytes{};
+    std::memcpy(bytes.data(), &number, sizeof number);
+    if (format == "binary_big_endian") std::reverse(bytes.begin(), bytes.end());
+    content.append(bytes.data(), bytes.size());
+  }
+  void end_row() {
+    if (format == "ascii") content += '\n';
+  }
+};
+
+const std::vector<std::string> kFormats = {"ascii", "binary_little_endian", "binary_big_endian"};
+
+/// Vertices in a zigzag, (0, 0), (0, 1), (1, 0), (1, 1), ...
+std::string zigzag(const std::string& format, int vertices, const std::vector<Strip>& lists) {
+  Writer file{format, "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) +
+                          "\nproperty float x\nproperty float y\nproperty float z\n"
+                          "element tristrips " +
+                          std::to_string(lists.size()) +
+                          "\nproperty list int int vertex_indices\nend_header\n"};
+  for (int v = 0; v < vertices; ++v) {
+    for (const int coordinate : {v / 2, v % 2, 0}) file.put(static_cast<float>(coordinate));
+    file.end_row();
+  }
+  for (const Strip& list : lists) {
+    file.put(static_cast<std::int32_t>(list.size()));
+    for (const int entry : list) file.put(static_cast<std::int32_t>(entry));
+    file.end_row();
+  }
+  return file.content;
+}
+
+TEST_F(PlyFile, ReadsTriangleStripsOfEveryEncoding) {
+  for (const std::string& format : kFormats) {
+    save(zigzag(format, 7, {{0, 1, 2, 3, 4, -1, 4, 5, 6, -1}}));
+    EXPECT_FALSE(is_point_file(path)) << format;
+    const LoadedMesh loaded = read_mesh(path);
+    EXPECT_EQ(loaded.mesh.triangles,
+              (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 5, 6}}))
+        << format;
+    EXPECT_EQ(loaded.repair, MeshRepair{}) << format;
+  }
+}
+
+TEST_F(PlyFile, ReadsSeveralListsAndPassesOverCornersThatRepeat) {
+  // The repeated 2 turns the strip around: the triangle behind it is wound as it would be without
+  // the two empty ones.
+  save(zigzag("ascii", 6, {{0, 1, 2, 2, 3, 4}, {-1, -1, 3, 4}, {}, {3, 5, 4}}));
+  EXPECT_EQ(read_mesh(path).mesh.triangles,
+            (std::vector<Triangle>{{0, 1, 2}, {3, 2, 4}, {3, 5, 4}}));
+}
+
+TEST_F(PlyFile, StripsWithCornersThatDoNotExistAreAnError) {
+  for (const Strip& strip : {Strip{0, 1, 9}, Strip{0, 1, -2}, Strip{0, 1, 2, 7, -1}}) {
+    for (const std::string& format : kFormats) {
+      EXPECT_THROW(read_mesh(save(zigzag(format, 5, {strip}))), Error);
+    }
+  }
+}
+
+TEST_F(PlyFile, ReadsDoublesFarFromZero) {
+  std::string header =
+      "1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const std::string& format : kFormats) {
+    Writer file{format, "ply\nformat " + format + ' ' + header};
+    for (const std::array<double, 2> p :
+         {std::array{500000.25, 5800000.25}, {500000.5, 5800000.25}, {500000.25, 5800000.5}}) {
+      for (const double coordinate : {p[0], p[1], 3.0}) file.put(coordinate);
+      file.end_row();
+    }
+    if (format == "ascii") {
+      file.content += "3 0 1 2\n";
+    } else {
+      file.content += '\3';
+      for (const std::int32_t corner : {0, 1, 2}) file.put(corner);
+    }
+    const Mesh mesh = read_mesh(save(file.content)).mesh;
+    EXPECT_EQ(mesh.origin, Eigen::Vector3d(500000.375, 5800000.375, 3)) << format;
+    EXPECT_EQ(
+        mesh.positions,
+        (std::vector<Vec3>{{-0.125f, -0.125f, 0}, {0.125f, -0.125f, 0}, {-0.125f, 0.125f, 0}}))
+        << format;
+  }
+}
+
+}  // namespace
+}  // namespace brindle
