@@ -49,20 +49,20 @@ struct AnimateArguments {
   bool quiet = false;
 };
 
-std::optional<FrameSolver> frame_solver_of(std::string_view name) {
+std::optional<FrameSolver> parse_frame_solver(std::string_view name) {
   if (name == "multilevel") return FrameSolver::multilevel;
   if (name == "relaxation") return FrameSolver::relaxation;
   return std::nullopt;
 }
 
-std::optional<PhaseShiftKind> smooth_phase_shift(std::string_view name) {
-  const auto kind = phase_shift_kind(name);
+std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
+  const auto kind = parse_phase_shift_kind(name);
   return kind == PhaseShiftKind::common_source ? std::nullopt : kind;
 }
 
 void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   AnimationOptions& animation = arguments.animation;
-  add_named_option(app, "--scene", animation.scene.kind, scene_kind,
+  add_named_option(app, "--scene", animation.scene.kind, parse_scene_kind,
                    "zoom|vortices|rotate|wobble|brush", "what changes (default zoom)");
   app.add_option("--frames", animation.frames, "how many (default 121: frames 0 to 120)")
       ->type_name("N")
@@ -74,9 +74,9 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
 }
 
 void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
-  add_named_option(app, "--solver", animator.solver, frame_solver_of, "multilevel|relaxation",
+  add_named_option(app, "--solver", animator.solver, parse_frame_solver, "multilevel|relaxation",
                    "multilevel (default), or the paper's iterations from the last frame's phases");
-  add_parsed_option(app, "--lambda", animator.lambda, weight_of,
+  add_parsed_option(app, "--lambda", animator.lambda, parse_weight,
                     "multilevel: how strongly a frame holds on to the last one; 0: not at all "
                     "(default " +
                         formatted("%g", animator.lambda) + ")")
@@ -87,12 +87,12 @@ void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
   app.add_option("--iterations", animator.iterations, "relaxation: iterations a frame (default 3)")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));
-  add_named_option(app, "--phase-shift", animator.phase_shift, smooth_phase_shift,
+  add_named_option(app, "--phase-shift", animator.phase_shift, parse_smooth_phase_shift,
                    "aligned|trapezoid", "distance between two waves");
 }
 
 void add_output_options(CLI::App& app, AnimateArguments& arguments) {
-  add_parsed_option(app, "-o,--output", arguments.output, frame_output_of,
+  add_parsed_option(app, "-o,--output", arguments.output, parse_frame_output,
                     "one picture a frame, or a video through the ffmpeg program")
       ->type_name("%04d.png|FILE.mp4");
   app.add_option("--fps", arguments.frames_per_second, "video: frames a second (default 30)")

@@ -42,7 +42,7 @@ more of fields and cameras.)";
 
 enum class Which { u, v, both };
 
-std::optional<Which> which_of(std::string_view name) {
+std::optional<Which> parse_which(std::string_view name) {
   if (name == "u") return Which::u;
   if (name == "v") return Which::v;
   if (name == "both") return Which::both;
@@ -385,28 +385,28 @@ void run(const CLI::App& command, const CurvesArguments& arguments) {
 }
 
 void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
-  add_named_option(command, "--lines", arguments.which, which_of, "u|v|both",
+  add_named_option(command, "--lines", arguments.which, parse_which, "u|v|both",
                    "across the field (u, default), along it (v: stripes of the field turned by 90 "
                    "degrees), or both");
-  add_parsed_option(command, "--offset", arguments.offset, number_of,
+  add_parsed_option(command, "--offset", arguments.offset, parse_number,
                     "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
       ->type_name("P");
   command.add_flag(
       "--join", arguments.join,
       "join curves that end in the same triangle in pairs, and let others run on into their "
       "neighbours");
-  add_parsed_option(command, "--min-length", arguments.min_length, length_of,
+  add_parsed_option(command, "--min-length", arguments.min_length, parse_length,
                     "leave out shorter curves")
       ->type_name("L|P%");
-  add_parsed_option(command, "--simplify", arguments.simplify, length_of,
+  add_parsed_option(command, "--simplify", arguments.simplify, parse_length,
                     "leave out points up to this far from the curve")
       ->type_name("L|P%");
   add_parsed_option(
-      command, "--resample", arguments.resample, positive_length_of,
+      command, "--resample", arguments.resample, parse_positive_length,
       "points at equal distances, about this far apart; --simplify then leaves out some of "
       "them")
       ->type_name("L|P%");
-  add_parsed_option(command, "--tube-radius", arguments.tube_radius, positive_length_of,
+  add_parsed_option(command, "--tube-radius", arguments.tube_radius, parse_positive_length,
                     "write mesh files of tubes, not lines (pictures show tubes anyway)")
       ->type_name("L|P%");
   command.add_option("--tube-sides", arguments.tube_sides, "3 to 64 (default 8)")

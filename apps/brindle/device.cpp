@@ -11,7 +11,7 @@
 namespace brindle::tool {
 namespace {
 
-std::optional<DeviceKind> device_kind_of(std::string_view name) {
+std::optional<DeviceKind> parse_device_kind(std::string_view name) {
   if (name == "cpu") return DeviceKind::cpu;
   if (name == "gpu") return DeviceKind::gpu;
   return std::nullopt;
@@ -31,7 +31,7 @@ class OnProcessor : public Animator {
 }  // namespace
 
 void add_device_option(CLI::App& app, DeviceKind& device) {
-  add_named_option(app, "--device", device, device_kind_of, "cpu|gpu",
+  add_named_option(app, "--device", device, parse_device_kind, "cpu|gpu",
                    "solve on the processor (default), or on the GPU by OpenGL 4.5");
 }
 

@@ -59,7 +59,7 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-FrameOutput frame_output_of(const std::string& option, const std::string& text) {
+FrameOutput parse_frame_output(const std::string& option, const std::string& text) {
   const std::filesystem::path path(text);
   const std::string extension = lower(path.extension().string());
   FrameOutput output;

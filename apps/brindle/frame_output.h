@@ -21,7 +21,7 @@ struct FrameOutput {
 
 /// Reads "name.mp4" or a pattern with one %d or %0Nd in the name of a PNG file, %% standing for a
 /// percent sign. Throws CLI::ValidationError for anything else, naming `option`.
-FrameOutput frame_output_of(const std::string& option, const std::string& text);
+FrameOutput parse_frame_output(const std::string& option, const std::string& text);
 
 /// The file of picture `number`.
 std::filesystem::path picture_path(const FrameOutput& output, int number);

@@ -36,32 +36,32 @@ std::optional<float> finite_number(const std::string& text) {
 
 }  // namespace
 
-float number_of(const std::string& option, const std::string& text) {
+float parse_number(const std::string& option, const std::string& text) {
   const auto value = finite_number(text);
   if (!value) wrong_usage(option, "a finite number", text);
   return *value;
 }
 
-float not_negative_number_of(const std::string& option, const std::string& text) {
-  const float value = number_of(option, text);
+float parse_not_negative_number(const std::string& option, const std::string& text) {
+  const float value = parse_number(option, text);
   if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
   return value;
 }
 
-float weight_of(const std::string& option, const std::string& text) {
+float parse_weight(const std::string& option, const std::string& text) {
   constexpr float kMost = 1e6f;
-  const float value = not_negative_number_of(option, text);
+  const float value = parse_not_negative_number(option, text);
   if (value > kMost) wrong_usage(option, "a number from 0 to 1000000", text);
   return value;
 }
 
-float positive_number_of(const std::string& option, const std::string& text) {
+float parse_positive_number(const std::string& option, const std::string& text) {
   const auto value = finite_number(text);
   if (!value || *value <= 0) wrong_usage(option, "a finite number above zero", text);
   return *value;
 }
 
-Length length_of(const std::string& option, const std::string& text) {
+Length parse_length(const std::string& option, const std::string& text) {
   const bool percent = text.ends_with('%');
   const auto value = finite_number(percent ? text.substr(0, text.size() - 1) : text);
   if (!value || *value < 0) {
@@ -70,13 +70,13 @@ Length length_of(const std::string& option, const std::string& text) {
   return {percent ? *value / 100 : *value, percent};
 }
 
-Length positive_length_of(const std::string& option, const std::string& text) {
-  const Length length = length_of(option, text);
+Length parse_positive_length(const std::string& option, const std::string& text) {
+  const Length length = parse_length(option, text);
   if (length.value <= 0) wrong_usage(option, "a length above zero", text);
   return length;
 }
 
-Vec3 direction_of(const std::string& option, const std::string& text) {
+Vec3 parse_direction(const std::string& option, const std::string& text) {
   const char* expected = "x,y,z: three finite numbers, not all zero";
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3) wrong_usage(option, expected, text);

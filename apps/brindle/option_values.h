@@ -17,20 +17,20 @@ namespace brindle::tool {
                               const std::string& value);
 
 /// A finite number and nothing else.
-float number_of(const std::string& option, const std::string& text);
+float parse_number(const std::string& option, const std::string& text);
 
 /// A finite number, zero or more.
-float not_negative_number_of(const std::string& option, const std::string& text);
+float parse_not_negative_number(const std::string& option, const std::string& text);
 
 /// How much something counts beside the couplings of waves: zero to a million, beyond which nothing
 /// but rounding errors would be left of these.
-float weight_of(const std::string& option, const std::string& text);
+float parse_weight(const std::string& option, const std::string& text);
 
 /// A finite number above zero.
-float positive_number_of(const std::string& option, const std::string& text);
+float parse_positive_number(const std::string& option, const std::string& text);
 
 /// "x,y,z", finite and not all zero.
-Vec3 direction_of(const std::string& option, const std::string& text);
+Vec3 parse_direction(const std::string& option, const std::string& text);
 
 /// A length in the mesh's units, or as a share of the bounding box's diagonal.
 struct Length {
@@ -41,10 +41,10 @@ struct Length {
 };
 
 /// "0.02" or "1.5%", zero or more.
-Length length_of(const std::string& option, const std::string& text);
+Length parse_length(const std::string& option, const std::string& text);
 
-/// As `length_of`, above zero.
-Length positive_length_of(const std::string& option, const std::string& text);
+/// As `parse_length`, above zero.
+Length parse_positive_length(const std::string& option, const std::string& text);
 
 /// The parts of "a,b,c".
 std::vector<std::string> split(const std::string& text, char separator);

@@ -15,21 +15,21 @@ namespace brindle::tool {
 
 namespace {
 
-std::optional<View> view_of(std::string_view name) {
+std::optional<View> parse_view(std::string_view name) {
   if (name == "stripes") return View::stripes;
   if (name == "branches") return View::branches;
   if (name == "angle_error") return View::angle_error;
   return std::nullopt;
 }
 
-std::optional<UpAxis> up_axis_of(std::string_view name) {
+std::optional<UpAxis> parse_up_axis(std::string_view name) {
   if (name == "y") return UpAxis::y;
   if (name == "z") return UpAxis::z;
   return std::nullopt;
 }
 
-float share_of(const std::string& option, const std::string& text) {
-  const float value = number_of(option, text);
+float parse_share(const std::string& option, const std::string& text) {
+  const float value = parse_number(option, text);
   if (value < 0 || value > 1) wrong_usage(option, "a number from 0 to 1", text);
   return value;
 }
@@ -97,7 +97,7 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   add_render_option(app, "--camera", render, set_camera,
                     "picture: where from, in degrees (default 30,20)")
       ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
-  add_named_option(app, "--up", options->up, up_axis_of, "y|z",
+  add_named_option(app, "--up", options->up, parse_up_axis, "y|z",
                    "picture: the axis that points up (default z for shapes, y for files)");
   add_render_option(app, "--size", render, set_size, "picture: pixels (default 1200x900)")
       ->type_name("WIDTHxHEIGHT");
@@ -109,10 +109,10 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
   auto options = add_camera_options(app);
   RenderOptions& render = options->render;
-  add_named_option(app, "--view", options->view, view_of, "stripes|branches|angle_error",
+  add_named_option(app, "--view", options->view, parse_view, "stripes|branches|angle_error",
                    "picture of the stripes (default), of branches, or of angle errors up to 30 "
                    "degrees");
-  add_parsed_option(app, "--stripe-width", render.stripe_width, share_of,
+  add_parsed_option(app, "--stripe-width", render.stripe_width, parse_share,
                     "picture: share of the period (default 0.5)")
       ->type_name("W");
   return options;

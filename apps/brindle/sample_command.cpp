@@ -270,7 +270,7 @@ Command add_sample_command(CLI::App& app) {
   add_point_options(*command, arguments->surface);
   add_wave_options(*command, arguments->waves);
   add_second_wave_options(*command, arguments->second);
-  add_parsed_option(*command, "--min-distance", arguments->min_distance, not_negative_number_of,
+  add_parsed_option(*command, "--min-distance", arguments->min_distance, parse_not_negative_number,
                     "leave out samples nearer to another, in spacings (default 0.25)")
       ->type_name("D");
   add_solver_option(*command, arguments->solving);

@@ -15,11 +15,11 @@ void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
                  "degrees)")
       ->type_name("FILE");
   CLI::Option* stripes =
-      add_parsed_option(app, "--stripes-v", options.stripes, positive_number_of,
+      add_parsed_option(app, "--stripes-v", options.stripes, parse_positive_number,
                         "V: as --stripes (default: frequency_v of --field's file, or U's "
                         "frequencies)")
           ->type_name("N");
-  add_parsed_option(app, "--frequency-v", options.frequency, positive_number_of,
+  add_parsed_option(app, "--frequency-v", options.frequency, parse_positive_number,
                     "V: as --frequency; either goes before the frequencies of a file")
       ->type_name("F")
       ->excludes(stripes);

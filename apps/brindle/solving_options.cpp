@@ -10,14 +10,14 @@
 namespace brindle::tool {
 namespace {
 
-std::optional<EdgeWeights> edge_weights_of(std::string_view name) {
+std::optional<EdgeWeights> parse_edge_weights(std::string_view name) {
   if (name == "paper") return EdgeWeights::paper;
   if (name == "cotangent") return EdgeWeights::cotangent;
   return std::nullopt;
 }
 
-float momentum_of(const std::string& option, const std::string& text) {
-  const float value = number_of(option, text);
+float parse_momentum(const std::string& option, const std::string& text) {
+  const float value = parse_number(option, text);
   if (value < 0 || value >= 1) wrong_usage(option, "a number from 0 to below 1", text);
   return value;
 }
@@ -26,16 +26,16 @@ float momentum_of(const std::string& option, const std::string& text) {
 
 void add_solving_options(CLI::App& app, SolvingOptions& options) {
   SolverOptions& solver = options.stripes.solver;
-  add_named_option(app, "--phase-shift", options.stripes.phase_shift, phase_shift_kind,
+  add_named_option(app, "--phase-shift", options.stripes.phase_shift, parse_phase_shift_kind,
                    "aligned|common_source|trapezoid",
                    "distance between two waves: closed form (default), the paper's Eq. 2, or "
                    "Knöppel et al.'s");
-  add_named_option(app, "--weights", options.stripes.weights, edge_weights_of, "paper|cotangent",
+  add_named_option(app, "--weights", options.stripes.weights, parse_edge_weights, "paper|cotangent",
                    "of edges: the paper's (default), or times cotangents of the triangles");
-  add_parsed_option(app, "--epsilon", solver.epsilon, not_negative_number_of,
+  add_parsed_option(app, "--epsilon", solver.epsilon, parse_not_negative_number,
                     "relaxation, averaged: stop at a smaller relative improvement (default 0.02)")
       ->type_name("E");
-  add_parsed_option(app, "--momentum", solver.momentum, momentum_of,
+  add_parsed_option(app, "--momentum", solver.momentum, parse_momentum,
                     "relaxation, averaged: momentum of Eq. 11 (default 0.2; 0: none)")
       ->type_name("M");
   app.add_option("--seed", solver.seed, "relaxation, averaged: seed of the random start")
@@ -73,7 +73,7 @@ void check_solving_options(const CLI::App& command, const SolvingOptions& option
 }
 
 void add_solver_option(CLI::App& app, SolvingOptions& options) {
-  add_named_option(app, "--solver", options.stripes.solver.solver, solver_of,
+  add_named_option(app, "--solver", options.stripes.solver.solver, parse_solver,
                    "multilevel|relaxation|averaged|global",
                    "multilevel (default), the paper's relaxation or averaged hierarchy, or the "
                    "global eigenvector");

@@ -45,7 +45,7 @@ void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& wave
 
 std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) {
   if (choice.tile.empty()) return std::nullopt;
-  if (const auto tile = built_in_tile(choice.tile)) {
+  if (const auto tile = parse_built_in_tile(choice.tile)) {
     if (cross && !suits_crosses(*tile)) {
       throw CLI::ValidationError("--texture", "'" + choice.tile +
                                                   "' does not look the same turned by 90 degrees; "

@@ -22,7 +22,7 @@ constexpr float kDefaultCurvatureAnchor = 0.1f;  // of --field curvature
 
 const std::vector<std::string> kMadeFields = {"smooth", "curvature", "raw-curvature"};
 
-std::optional<CurvatureDirection> curvature_direction_of(std::string_view name) {
+std::optional<CurvatureDirection> parse_curvature_direction(std::string_view name) {
   if (name == "max") return CurvatureDirection::maximum;
   if (name == "min") return CurvatureDirection::minimum;
   return std::nullopt;
@@ -143,7 +143,7 @@ float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
 }
 
 CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options) {
-  return add_parsed_option(app, "--direction", options.direction, direction_of,
+  return add_parsed_option(app, "--direction", options.direction, parse_direction,
                            "one vector for all vertices, projected into the tangent planes; "
                            "stripes run across it")
       ->type_name("X,Y,Z");
@@ -156,10 +156,10 @@ CLI::Option* add_along_option(CLI::App& app, WaveOptions& options) {
 
 void add_frequency_options(CLI::App& app, WaveOptions& options) {
   CLI::Option* stripes =
-      add_parsed_option(app, "--stripes", options.stripes, positive_number_of,
+      add_parsed_option(app, "--stripes", options.stripes, parse_positive_number,
                         "stripes along the diagonal of the bounding box (default 40)")
           ->type_name("N");
-  add_parsed_option(app, "--frequency", options.frequency, positive_number_of,
+  add_parsed_option(app, "--frequency", options.frequency, parse_positive_number,
                     "stripes per unit length, instead of --stripes; either goes before the "
                     "frequencies of a field file")
       ->type_name("F")
@@ -175,21 +175,21 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
       ->type_name("FILE|smooth|curvature|raw-curvature")
       ->excludes(direction);
   add_named_option(app, "--curvature-direction", options.curvature_direction,
-                   curvature_direction_of, "max|min",
+                   parse_curvature_direction, "max|min",
                    "principal direction of the larger (default) or smaller curvature, for fields "
                    "that follow it");
-  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, weight_of,
+  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, parse_weight,
                     "how strongly curvature attracts the smooth field (default 0: not; 0.1 with "
                     "--field curvature)")
       ->type_name("W");
-  add_parsed_option(app, "--feature-anchor", options.feature_anchor, weight_of,
+  add_parsed_option(app, "--feature-anchor", options.feature_anchor, parse_weight,
                     "how strongly sharp edges and boundaries attract the smooth field, so that it "
                     "runs along them (default 0: not)")
       ->type_name("W");
-  add_parsed_option(app, "--feature-angle", options.feature_angle_deg, not_negative_number_of,
+  add_parsed_option(app, "--feature-angle", options.feature_angle_deg, parse_not_negative_number,
                     "bend from which an edge is sharp for --feature-anchor (default 40)")
       ->type_name("DEG");
-  add_parsed_option(app, "--rotate", options.rotate_deg, number_of,
+  add_parsed_option(app, "--rotate", options.rotate_deg, parse_number,
                     "turn the field about the normals, in degrees")
       ->type_name("DEG");
   add_along_option(app, options);
@@ -207,12 +207,12 @@ CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {
 void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture,
                                     CLI::Option* cross) {
   CLI::Option* stripes =
-      add_parsed_option(app, "--stripes-v", options.stripes_v, positive_number_of,
+      add_parsed_option(app, "--stripes-v", options.stripes_v, parse_positive_number,
                         "texture: tiles across the field along the diagonal (default: as along it)")
           ->type_name("N")
           ->needs(texture)
           ->excludes(cross);
-  add_parsed_option(app, "--frequency-v", options.frequency_v, positive_number_of,
+  add_parsed_option(app, "--frequency-v", options.frequency_v, parse_positive_number,
                     "texture: tiles across the field per unit length, instead of --stripes-v")
       ->type_name("F")
       ->needs(texture)

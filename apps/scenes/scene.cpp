@@ -120,7 +120,7 @@ void wobble(const SceneOptions& options, const BoundingBox& box, std::span<const
 
 }  // namespace
 
-std::optional<SceneKind> scene_kind(std::string_view name) {
+std::optional<SceneKind> parse_scene_kind(std::string_view name) {
   const auto found = std::ranges::find(kNames, name);
   if (found == kNames.end()) return std::nullopt;
   return static_cast<SceneKind>(found - kNames.begin());

@@ -21,7 +21,7 @@ enum class SceneKind {
 };
 
 /// Reads "zoom", "vortices", "rotate", "wobble" or "brush".
-std::optional<SceneKind> scene_kind(std::string_view name);
+std::optional<SceneKind> parse_scene_kind(std::string_view name);
 std::string_view name_of(SceneKind kind);
 
 struct SceneOptions {

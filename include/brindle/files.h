@@ -67,9 +67,6 @@ struct LoadedMesh {
 /// triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they are
 /// removed. Coordinates that are large against the mesh's size are made relative to `Mesh::origin`.
 ///
-/// All but glTF and GLB is read here and not by Assimp: its readers renumber vertices, know floats
-/// alone, and those for PLY and OFF crash or hang on damaged files (Assimp 5.2.5).
-///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
 LoadedMesh read_mesh(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/arrays.h"
 #include "brindle/export.h"
 #include "brindle/types.h"
 
@@ -40,6 +41,14 @@ struct BoundingBox {
 };
 
 BoundingBox bounding_box(const Mesh& mesh);
+
+/// A mesh of another program's arrays: three coordinates per vertex, three vertex numbers from 0
+/// per triangle, signed or not. Vertices and triangles keep their numbers. Coordinates that are
+/// large against the mesh's size are made relative to `Mesh::origin`. Throws Error, naming the
+/// first vertex or triangle, for coordinates that are not finite or beyond 1e18, corners that are
+/// no vertices, and arrays that have not three columns or no whole numbers where these are asked
+/// for.
+Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles);
 
 /// What was wrong with a mesh. Apart from `vertices_unreferenced`, nothing of it is left.
 struct MeshRepair {

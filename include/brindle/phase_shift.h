@@ -20,7 +20,7 @@ enum class PhaseShiftKind {
 };
 
 /// Reads "aligned", "common_source" or "trapezoid".
-std::optional<PhaseShiftKind> phase_shift_kind(std::string_view name);
+std::optional<PhaseShiftKind> parse_phase_shift_kind(std::string_view name);
 std::string_view name_of(PhaseShiftKind kind);
 
 /// A wave without its phase: where it is, where it runs (unit or zero), stripes per unit length.

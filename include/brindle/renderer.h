@@ -59,7 +59,7 @@ enum class BuiltInTile {
 };
 
 /// Reads the names above. Empty if there is no such tile.
-std::optional<BuiltInTile> built_in_tile(std::string_view name);
+std::optional<BuiltInTile> parse_built_in_tile(std::string_view name);
 
 /// The names above, separated by `|`.
 std::string_view built_in_tile_names();

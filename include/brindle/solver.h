@@ -19,7 +19,7 @@ enum class Solver {
   global       ///< smallest eigenvector (Knöppel et al. 2015); needs a build with CHOLMOD
 };
 
-std::optional<Solver> solver_of(std::string_view name);
+std::optional<Solver> parse_solver(std::string_view name);
 std::string_view name_of(Solver solver);
 
 /// Whether this build has the solver: all but `global` are always there.

@@ -126,7 +126,7 @@ bool same_shape(const Mesh& a, const Mesh& b) {
   return true;
 }
 
-#ifdef BRINDLE_HAS_ASSIMP
+#ifdef BRINDLE_HAS_JSON
 const std::vector<std::string> kWritten = {"a.obj", "a.ply", "a.gltf", "a.glb"};
 #else
 const std::vector<std::string> kWritten = {"a.obj", "a.ply"};
@@ -311,7 +311,7 @@ TEST_F(MeshIo, ExtensionsAreReadInCapitalsToo) {
     write_mesh(folder / name, plane);
   }
   EXPECT_EQ(read_mesh(folder / "a.Ply").mesh.triangles, plane.triangles);
-#ifdef BRINDLE_TESTS_ASSIMP
+#ifdef BRINDLE_HAS_JSON
   EXPECT_EQ(read_mesh(folder / "a.Gltf").mesh.triangles, plane.triangles);
   EXPECT_EQ(read_mesh(folder / "a.gLB").mesh.triangles, plane.triangles);
 #endif
@@ -330,7 +330,7 @@ TEST_F(MeshIo, MessagesShowNoBytesThatATerminalObeys) {
       {"c.ply", "ply\nformat ascii 1.0\nelement v 1\nproperty " + bad + " x\n"},
       {"d.ply", ply_header("ascii") + "0 0 " + bad + "\n"},
       {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 " + bad + "\n"},
-#ifdef BRINDLE_TESTS_ASSIMP
+#ifdef BRINDLE_HAS_JSON
       {"a.gltf", "{\"" + bad + "\":}"},
 #endif
   };
@@ -343,7 +343,7 @@ TEST_F(MeshIo, MessagesShowNoBytesThatATerminalObeys) {
     longer.insert(longer.find(bad), 100000, 'x');
     EXPECT_LT(error_of(name, longer).size(), 1000u) << name;
   }
-#ifdef BRINDLE_TESTS_ASSIMP
+#ifdef BRINDLE_HAS_JSON
   const std::string escaped =
       error_of("b.gltf", R"({"meshes":[{"primitives":[{"attributes":{"\u001b[2J":"x"}}]}]})");
   EXPECT_NAMES(escaped, "'\\x1b[2J' must be");
@@ -580,7 +580,7 @@ TEST_F(MeshIo, TruncatedStlIsAnError) {
   }
 }
 
-#ifdef BRINDLE_HAS_ASSIMP
+#ifdef BRINDLE_HAS_JSON
 
 TEST_F(MeshIo, JoinsTheCornersOfStl) {
   const Mesh mesh = make_torus({.resolution = 20});

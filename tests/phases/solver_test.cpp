@@ -311,9 +311,9 @@ TEST(Solver, IsCancelledByItsProgressCallback) {
 }
 
 TEST(Solver, IsFoundByName) {
-  EXPECT_EQ(solver_of("global"), Solver::global);
+  EXPECT_EQ(parse_solver("global"), Solver::global);
   EXPECT_EQ(name_of(Solver::averaged), "averaged");
-  EXPECT_FALSE(solver_of("magic"));
+  EXPECT_FALSE(parse_solver("magic"));
 }
 
 }  // namespace

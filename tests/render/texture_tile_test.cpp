@@ -25,10 +25,10 @@ void at_many_points(const Body& body) {
 }
 
 TEST(TextureTile, NamesAreReadBack) {
-  EXPECT_EQ(built_in_tile("checker"), BuiltInTile::checker);
-  EXPECT_EQ(built_in_tile("plusminus"), BuiltInTile::plus_minus);
-  EXPECT_FALSE(built_in_tile("cheker"));
-  EXPECT_FALSE(built_in_tile(""));
+  EXPECT_EQ(parse_built_in_tile("checker"), BuiltInTile::checker);
+  EXPECT_EQ(parse_built_in_tile("plusminus"), BuiltInTile::plus_minus);
+  EXPECT_FALSE(parse_built_in_tile("cheker"));
+  EXPECT_FALSE(parse_built_in_tile(""));
   EXPECT_NE(built_in_tile_names().find("|hatch|"), std::string_view::npos);
 }
 

@@ -24,7 +24,7 @@ SceneOptions options_of(SceneKind kind, float frequency = 5) {
 
 struct EveryScene : testing::TestWithParam<SceneKind> {};
 
-TEST_P(EveryScene, HasAName) { EXPECT_EQ(scene_kind(name_of(GetParam())), GetParam()); }
+TEST_P(EveryScene, HasAName) { EXPECT_EQ(parse_scene_kind(name_of(GetParam())), GetParam()); }
 
 TEST_P(EveryScene, GivesUnitTangentDirectionsAndFiniteWavesOnAnySurface) {
   for (const char* spec : {"torus,resolution=32", "mobius,resolution=8", "sheets,resolution=6",
@@ -182,7 +182,7 @@ TEST(Scene, RefusesOptionsOutOfRange) {
   EXPECT_THROW(Scene(surface, {.frequency = INFINITY}), Error);
   EXPECT_THROW(Scene(surface, {.direction = Vec3::Zero(), .frequency = 1}), Error);
   EXPECT_THROW(Scene(surface, {.frequency = 1}).frame(-1), Error);
-  EXPECT_FALSE(scene_kind("dream"));
+  EXPECT_FALSE(parse_scene_kind("dream"));
 }
 
 }  // namespace

@@ -119,9 +119,9 @@ TEST(PhaseShiftKinds, AreFiniteForWavesInOnePlace) {
 TEST(PhaseShiftKinds, AreFoundByName) {
   for (const auto kind :
        {PhaseShiftKind::aligned, PhaseShiftKind::common_source, PhaseShiftKind::trapezoid}) {
-    EXPECT_EQ(phase_shift_kind(name_of(kind)), kind);
+    EXPECT_EQ(parse_phase_shift_kind(name_of(kind)), kind);
   }
-  EXPECT_FALSE(phase_shift_kind("alined"));
+  EXPECT_FALSE(parse_phase_shift_kind("alined"));
 }
 
 }  // namespace

@@ -189,8 +189,8 @@ void run(const CLI::App& command, const Arguments& arguments) {
   if (!arguments.json.empty()) print_written(std::cout, std::filesystem::path(arguments.json));
 }
 
-double seconds_of(const std::string& option, const std::string& text) {
-  return static_cast<double>(positive_number_of(option, text));
+double parse_seconds(const std::string& option, const std::string& text) {
+  return static_cast<double>(parse_positive_number(option, text));
 }
 
 void add_bench_options(CLI::App& app, BenchArguments& bench) {
@@ -215,7 +215,7 @@ void add_bench_options(CLI::App& app, BenchArguments& bench) {
                  "of each measurement, after one to warm up (default 20)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  add_parsed_option(app, "--seconds", bench.budget_seconds, seconds_of,
+  add_parsed_option(app, "--seconds", bench.budget_seconds, parse_seconds,
                     "begin no further repetition of a measurement after S seconds (default 2)")
       ->type_name("S");
   app.add_option("--global-limit", bench.global_limit,

@@ -17,6 +17,10 @@ std::string printable(std::string_view text, std::size_t most) {
   return result;
 }
 
-std::string in_quotes(std::string_view text) { return "'" + printable(text, 40) + "'"; }
+std::string in_quotes(std::string_view text) {
+  std::string quoted = "'";
+  quoted += printable(text, 40);
+  return quoted += '\'';
+}
 
 }  // namespace brindle

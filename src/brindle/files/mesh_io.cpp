@@ -8,8 +8,8 @@
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/assimp_file.h"
-#include "brindle/files/gltf_file.h"
+#include "brindle/files/gltf_reader.h"
+#include "brindle/files/gltf_writer.h"
 #include "brindle/files/input_file.h"
 #include "brindle/files/obj_file.h"
 #include "brindle/files/off_file.h"
@@ -30,9 +30,7 @@ Mesh read_raw(const fs::path& path) {
   if (kind == ".ply") return read_ply(path);
   if (kind == ".off") return read_off(path);
   if (kind == ".stl") return read_stl(path);
-  if (kind == ".gltf" || kind == ".glb") {
-    return read_with_assimp(path, check_gltf(path));
-  }
+  if (kind == ".gltf" || kind == ".glb") return read_gltf(path);
   readable.fail_whole("brindle cannot tell the format by the extension '" +
                       path.extension().string() +
                       "'; it reads .obj, .ply, .off, .stl, .gltf and .glb");

@@ -9,16 +9,16 @@ namespace {
 constexpr Index kCoarseBlock = 1536;
 
 /// Members in the order of coarse slots.
-void arrange_members(Aggregation& aggregation, const Matching& matching,
+void arrange_members(Aggregation& aggregation, const Aggregates& aggregates,
                      const SlicedLayout& coarse) {
   aggregation.member_begin.assign(1, 0);
   aggregation.member_begin.reserve(coarse.slot_count() + 1);
-  aggregation.member.reserve(matching.member.size());
+  aggregation.member.reserve(aggregates.member.size());
   for (const Index aggregate : coarse.node_at) {
     if (aggregate != kNone) {
       aggregation.member.insert(aggregation.member.end(),
-                                matching.member.begin() + matching.begin[aggregate],
-                                matching.member.begin() + matching.begin[aggregate + 1]);
+                                aggregates.member.begin() + aggregates.begin[aggregate],
+                                aggregates.member.begin() + aggregates.begin[aggregate + 1]);
     }
     aggregation.member_begin.push_back(static_cast<Index>(aggregation.member.size()));
   }
@@ -26,28 +26,28 @@ void arrange_members(Aggregation& aggregation, const Matching& matching,
 
 }  // namespace
 
-SlicedLayout coarse_layout(const Matching& matching, const Adjacency& adjacency) {
+SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency) {
   std::vector<Index> block_ends;
   Index begin = 0;
-  for (const Index end : std::span(matching.block_begin).subspan(1)) {
-    if (end - begin < kCoarseBlock && end < matching.count()) continue;
+  for (const Index end : std::span(aggregates.block_begin).subspan(1)) {
+    if (end - begin < kCoarseBlock && end < aggregates.count()) continue;
     block_ends.push_back(end);
     begin = end;
-    if (end == matching.count()) break;
+    if (end == aggregates.count()) break;
   }
   return sliced_layout(adjacency, greedy_coloring(adjacency), {}, block_ends);
 }
 
-Aggregation arrange(const SlicedLayout& fine, const Matching& matching, const Adjacency& adjacency,
-                    const SlicedLayout& coarse) {
+Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,
+                    const Adjacency& adjacency, const SlicedLayout& coarse) {
   Aggregation aggregation;
-  arrange_members(aggregation, matching, coarse);
-  aggregation.coarse_slot = matching.aggregate;
+  arrange_members(aggregation, aggregates, coarse);
+  aggregation.coarse_slot = aggregates.aggregate;
   for (Index& slot : aggregation.coarse_slot) {
     slot = slot == kNone ? coarse.slot_count() : coarse.slot_of[slot];
   }
-  aggregation.gauges = gauge_rounds(fine, matching);
-  aggregation.sources = source_rounds(fine, matching, adjacency, coarse);
+  aggregation.gauges = gauge_rounds(fine, aggregates);
+  aggregation.sources = source_rounds(fine, aggregates, adjacency, coarse);
   return aggregation;
 }
 

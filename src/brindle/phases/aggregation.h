@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "brindle/phases/aggregates.h"
 #include "brindle/phases/gauge_rounds.h"
-#include "brindle/phases/matching.h"
 #include "brindle/phases/source_rounds.h"
 
 namespace brindle {
@@ -21,11 +21,11 @@ struct Aggregation {
 
 /// The layout of the coarser level: its blocks hold the aggregates of a few whole blocks of the
 /// finer one.
-SlicedLayout coarse_layout(const Matching& matching, const Adjacency& adjacency);
+SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency);
 
-/// Arranges a matching for the kernels; `adjacency` is its coarse adjacency and `coarse` the layout
-/// of that.
-Aggregation arrange(const SlicedLayout& fine, const Matching& matching, const Adjacency& adjacency,
-                    const SlicedLayout& coarse);
+/// Arranges a aggregates for the kernels; `adjacency` is its coarse adjacency and `coarse` the
+/// layout of that.
+Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,
+                    const Adjacency& adjacency, const SlicedLayout& coarse);
 
 }  // namespace brindle

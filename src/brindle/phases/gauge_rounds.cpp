@@ -8,11 +8,11 @@ namespace brindle {
 namespace {
 
 /// Place of every slot in its aggregate.
-std::vector<Index> ranks(const SlicedLayout& layout, const Matching& matching) {
+std::vector<Index> ranks(const SlicedLayout& layout, const Aggregates& aggregates) {
   std::vector<Index> rank_of(layout.slot_count(), 0);
-  for (Index a = 0; a < matching.count(); ++a) {
-    for (Index m = matching.begin[a]; m < matching.begin[a + 1]; ++m) {
-      rank_of[matching.member[m]] = m - matching.begin[a];
+  for (Index a = 0; a < aggregates.count(); ++a) {
+    for (Index m = aggregates.begin[a]; m < aggregates.begin[a + 1]; ++m) {
+      rank_of[aggregates.member[m]] = m - aggregates.begin[a];
     }
   }
   return rank_of;
@@ -21,9 +21,9 @@ std::vector<Index> ranks(const SlicedLayout& layout, const Matching& matching) {
 /// Arranges the gauges of one chunk.
 class ChunkArranger {
  public:
-  ChunkArranger(const SlicedLayout& layout, const Matching& matching,
+  ChunkArranger(const SlicedLayout& layout, const Aggregates& aggregates,
                 const std::vector<Index>& rank_of)
-      : layout_(layout), matching_(matching), rank_of_(rank_of) {}
+      : layout_(layout), matching_(aggregates), rank_of_(rank_of) {}
 
   GaugeRounds arrange(Index first, Index end) {
     for (Index rank = 1; collect_members(first, end, rank); ++rank) add_range();
@@ -83,7 +83,7 @@ class ChunkArranger {
   }
 
   const SlicedLayout& layout_;
-  const Matching& matching_;
+  const Aggregates& matching_;
   const std::vector<Index>& rank_of_;
   std::vector<Index> members_;
   std::vector<Index> entries_;
@@ -107,15 +107,15 @@ void append(GaugeRounds& all, const GaugeRounds& chunk) {
 
 }  // namespace
 
-GaugeRounds gauge_rounds(const SlicedLayout& layout, const Matching& matching) {
-  const std::vector<Index> rank_of = ranks(layout, matching);
-  std::vector<GaugeRounds> chunks(matching.block_begin.size() - 1);
+GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates) {
+  const std::vector<Index> rank_of = ranks(layout, aggregates);
+  std::vector<GaugeRounds> chunks(aggregates.block_begin.size() - 1);
   parallel_for(
       chunks.size(),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
-          chunks[c] = ChunkArranger(layout, matching, rank_of)
-                          .arrange(matching.block_begin[c], matching.block_begin[c + 1]);
+          chunks[c] = ChunkArranger(layout, aggregates, rank_of)
+                          .arrange(aggregates.block_begin[c], aggregates.block_begin[c + 1]);
         }
       },
       1);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/phases/matching.h"
+#include "brindle/phases/aggregates.h"
 
 namespace brindle {
 
@@ -28,6 +28,6 @@ struct GaugeRounds {
   }
 };
 
-GaugeRounds gauge_rounds(const SlicedLayout& layout, const Matching& matching);
+GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates);
 
 }  // namespace brindle

@@ -250,13 +250,13 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
     Level& fine = hierarchy.levels.back();
     progress.report("hierarchy", 1 - static_cast<double>(fine.z.size()) /
                                          static_cast<double>(hierarchy.levels[0].z.size()));
-    const Matching matching = grow_aggregates(fine.layout(), fine.couplings);
-    if (matching.count() == 0) break;
-    const Adjacency adjacency = coarse_adjacency(fine.layout(), matching);
+    const Aggregates aggregates = grow_aggregates(fine.layout(), fine.couplings);
+    if (aggregates.count() == 0) break;
+    const Adjacency adjacency = coarse_adjacency(fine.layout(), aggregates);
     Level coarse =
-        make_level({std::make_shared<SlicedLayout>(coarse_layout(matching, adjacency)), nullptr});
-    fine.topology.aggregation =
-        std::make_shared<Aggregation>(arrange(fine.layout(), matching, adjacency, coarse.layout()));
+        make_level({std::make_shared<SlicedLayout>(coarse_layout(aggregates, adjacency)), nullptr});
+    fine.topology.aggregation = std::make_shared<Aggregation>(
+        arrange(fine.layout(), aggregates, adjacency, coarse.layout()));
     hierarchy.levels.push_back(std::move(coarse));
     hierarchy.scratch.reserve(hierarchy.levels);
     hierarchy.topology_milliseconds += watch.lap();

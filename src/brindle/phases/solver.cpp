@@ -46,7 +46,7 @@ void run_multilevel(const PhaseGraph& graph, const SolverOptions& options, const
 
 }  // namespace
 
-std::optional<Solver> solver_of(std::string_view name) {
+std::optional<Solver> parse_solver(std::string_view name) {
   for (const auto& [known, solver] : kNames) {
     if (known == name) return solver;
   }

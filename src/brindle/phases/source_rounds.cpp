@@ -10,10 +10,10 @@ namespace {
 /// Arranges the sums of one coarse block.
 class BlockArranger {
  public:
-  BlockArranger(const SlicedLayout& fine, const Matching& matching, const Adjacency& adjacency,
+  BlockArranger(const SlicedLayout& fine, const Aggregates& aggregates, const Adjacency& adjacency,
                 const SlicedLayout& coarse)
       : fine_(fine),
-        matching_(matching),
+        matching_(aggregates),
         adjacency_(adjacency),
         coarse_(coarse),
         place_of_(fine.slice_count()) {}
@@ -97,7 +97,7 @@ class BlockArranger {
   }
 
   const SlicedLayout& fine_;
-  const Matching& matching_;
+  const Aggregates& matching_;
   const Adjacency& adjacency_;
   const SlicedLayout& coarse_;
   std::vector<Index> place_of_;  // of a slice's first entry; set for those of this block's runs
@@ -118,13 +118,13 @@ void append(SourceRounds& all, const SourceRounds& block) {
 
 }  // namespace
 
-SourceRounds source_rounds(const SlicedLayout& fine, const Matching& matching,
+SourceRounds source_rounds(const SlicedLayout& fine, const Aggregates& aggregates,
                            const Adjacency& adjacency, const SlicedLayout& coarse) {
   std::vector<SourceRounds> blocks(coarse.block_count());
   parallel_for(
       blocks.size(),
       [&](std::size_t begin, std::size_t end) {
-        BlockArranger arranger(fine, matching, adjacency, coarse);
+        BlockArranger arranger(fine, aggregates, adjacency, coarse);
         for (std::size_t b = begin; b < end; ++b) {
           blocks[b] = arranger.arrange(coarse.block(static_cast<Index>(b)));
         }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/phases/matching.h"
+#include "brindle/phases/aggregates.h"
 
 namespace brindle {
 
@@ -25,8 +25,8 @@ struct SourceRounds {
   }
 };
 
-/// `adjacency` is the coarse adjacency of `matching` and `coarse` the layout of that.
-SourceRounds source_rounds(const SlicedLayout& fine, const Matching& matching,
+/// `adjacency` is the coarse adjacency of `aggregates` and `coarse` the layout of that.
+SourceRounds source_rounds(const SlicedLayout& fine, const Aggregates& aggregates,
                            const Adjacency& adjacency, const SlicedLayout& coarse);
 
 /// What stands at every place of a block's scratch space: an entry of the finer level, kNone below

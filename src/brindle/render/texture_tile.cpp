@@ -166,7 +166,7 @@ Image over(Image picture, const Vec3& ground) {
 
 }  // namespace
 
-std::optional<BuiltInTile> built_in_tile(std::string_view name) {
+std::optional<BuiltInTile> parse_built_in_tile(std::string_view name) {
   for (const auto& [known, tile] : kTiles) {
     if (known == name) return tile;
   }

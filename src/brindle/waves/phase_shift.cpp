@@ -68,7 +68,7 @@ Distance distance(PhaseShiftKind kind, const Wave& j, const Wave& i) {
 
 }  // namespace
 
-std::optional<PhaseShiftKind> phase_shift_kind(std::string_view name) {
+std::optional<PhaseShiftKind> parse_phase_shift_kind(std::string_view name) {
   for (const auto& [known, kind] : kNames) {
     if (known == name) return kind;
   }

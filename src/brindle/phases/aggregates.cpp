@@ -1,4 +1,4 @@
-#include "brindle/phases/matching.h"
+#include "brindle/phases/aggregates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,15 +183,15 @@ class BlockGrower {
 };
 
 /// Puts the aggregates of all blocks together, numbered one after the other.
-Matching put_together(const SlicedLayout& layout, const std::vector<BlockGrower>& growers,
-                      std::vector<Index> aggregate) {
-  Matching matching;
+Aggregates put_together(const SlicedLayout& layout, const std::vector<BlockGrower>& growers,
+                        std::vector<Index> aggregate) {
+  Aggregates aggregates;
   for (const BlockGrower& grower : growers) {
-    const auto first = static_cast<Index>(matching.member.size());
+    const auto first = static_cast<Index>(aggregates.member.size());
     const auto& [begin, slots] = grower.members();
-    matching.member.insert(matching.member.end(), slots.begin(), slots.end());
-    for (std::size_t a = 1; a < begin.size(); ++a) matching.begin.push_back(first + begin[a]);
-    matching.block_begin.push_back(matching.count());
+    aggregates.member.insert(aggregates.member.end(), slots.begin(), slots.end());
+    for (std::size_t a = 1; a < begin.size(); ++a) aggregates.begin.push_back(first + begin[a]);
+    aggregates.block_begin.push_back(aggregates.count());
   }
   parallel_for(
       growers.size(),
@@ -199,21 +199,21 @@ Matching put_together(const SlicedLayout& layout, const std::vector<BlockGrower>
         for (std::size_t b = begin; b < end; ++b) {
           const SliceRange block = layout.block(static_cast<Index>(b));
           for (Index slot = block.begin * kLanes; slot < block.end * kLanes; ++slot) {
-            if (aggregate[slot] != kNone) aggregate[slot] += matching.block_begin[b];
+            if (aggregate[slot] != kNone) aggregate[slot] += aggregates.block_begin[b];
           }
         }
       },
       1);
-  matching.aggregate = std::move(aggregate);
-  return matching;
+  aggregates.aggregate = std::move(aggregate);
+  return aggregates;
 }
 
 /// Joins a stranded slot to a neighbour's aggregate in another block, or makes one of it and a
 /// neighbour that is stranded like itself.
 class StrandedJoiner {
  public:
-  StrandedJoiner(const Ground& ground, Matching& matching)
-      : ground_(ground), matching_(matching), members_{matching.begin, matching.member} {}
+  StrandedJoiner(const Ground& ground, Aggregates& aggregates)
+      : ground_(ground), matching_(aggregates), members_{aggregates.begin, aggregates.member} {}
 
   void join(Index slot) {
     if (matching_.aggregate[slot] != kNone) return;
@@ -246,17 +246,17 @@ class StrandedJoiner {
 
  private:
   const Ground& ground_;
-  Matching& matching_;
+  Aggregates& matching_;
   Members members_;
   std::vector<Join> joins_;
 };
 
 void join_stranded(const Ground& ground, const std::vector<BlockGrower>& growers,
-                   Matching& matching) {
+                   Aggregates& aggregates) {
   if (std::ranges::all_of(growers, [](const auto& grower) { return grower.stranded().empty(); })) {
     return;
   }
-  StrandedJoiner joiner(ground, matching);
+  StrandedJoiner joiner(ground, aggregates);
   for (const BlockGrower& grower : growers) {
     for (const Index slot : grower.stranded()) joiner.join(slot);
   }
@@ -264,14 +264,14 @@ void join_stranded(const Ground& ground, const std::vector<BlockGrower>& growers
 }
 
 /// Neighbouring aggregates of one, ascending, into `row`.
-void collect_row(const SlicedLayout& layout, const Matching& matching, Index aggregate,
+void collect_row(const SlicedLayout& layout, const Aggregates& aggregates, Index aggregate,
                  std::vector<Index>& row) {
   row.clear();
-  for (Index m = matching.begin[aggregate]; m < matching.begin[aggregate + 1]; ++m) {
-    const Index slot = matching.member[m];
+  for (Index m = aggregates.begin[aggregate]; m < aggregates.begin[aggregate + 1]; ++m) {
+    const Index slot = aggregates.member[m];
     std::size_t entry = layout.first_entry(slot);
     for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
-      const Index other = matching.aggregate[layout.neighbor[entry]];
+      const Index other = aggregates.aggregate[layout.neighbor[entry]];
       if (other != kNone && other != aggregate) row.push_back(other);
     }
   }
@@ -281,7 +281,7 @@ void collect_row(const SlicedLayout& layout, const Matching& matching, Index agg
 
 }  // namespace
 
-Matching grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings) {
+Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings) {
   const Ground ground{layout, couplings, inverse_root_degrees(layout, couplings)};
   std::vector<Index> aggregate(layout.slot_count(), kNone);
   std::vector<BlockGrower> growers;
@@ -294,13 +294,13 @@ Matching grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& coup
         for (std::size_t block = begin; block < end; ++block) growers[block].grow();
       },
       1);
-  Matching matching = put_together(layout, growers, std::move(aggregate));
-  join_stranded(ground, growers, matching);
-  return matching;
+  Aggregates aggregates = put_together(layout, growers, std::move(aggregate));
+  join_stranded(ground, growers, aggregates);
+  return aggregates;
 }
 
-Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching) {
-  const std::size_t blocks = matching.block_begin.size() - 1;
+Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggregates) {
+  const std::size_t blocks = aggregates.block_begin.size() - 1;
   std::vector<Adjacency> parts(blocks);
   parallel_for(
       blocks,
@@ -308,8 +308,9 @@ Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching)
         std::vector<Index> row;
         for (std::size_t block = begin; block < end; ++block) {
           Adjacency& part = parts[block];
-          for (Index a = matching.block_begin[block]; a < matching.block_begin[block + 1]; ++a) {
-            collect_row(layout, matching, a, row);
+          for (Index a = aggregates.block_begin[block]; a < aggregates.block_begin[block + 1];
+               ++a) {
+            collect_row(layout, aggregates, a, row);
             part.neighbors.insert(part.neighbors.end(), row.begin(), row.end());
             part.offsets.push_back(static_cast<Index>(part.neighbors.size()));
           }
@@ -317,7 +318,7 @@ Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching)
       },
       1);
   Adjacency adjacency;
-  adjacency.offsets.reserve(matching.begin.size());
+  adjacency.offsets.reserve(aggregates.begin.size());
   for (const Adjacency& part : parts) {
     const auto first = static_cast<Index>(adjacency.neighbors.size());
     adjacency.neighbors.insert(adjacency.neighbors.end(), part.neighbors.begin(),

@@ -13,7 +13,7 @@ inline constexpr Index kAggregateSize = 4;
 
 /// Which aggregate each slot belongs to; aggregates are numbered in the order in which they grew,
 /// block by block of the layout.
-struct Matching {
+struct Aggregates {
   std::vector<Index> aggregate;       ///< slot -> aggregate or kNone
   std::vector<Index> begin{0};        ///< aggregate a has members begin[a] .. begin[a+1] - 1
   std::vector<Index> member;          ///< slots, in the order in which they joined
@@ -28,9 +28,9 @@ struct Matching {
 /// sums stay in the cache, and blocks grow at the same time. Nodes left alone join the neighbour's
 /// aggregate that they are most strongly coupled to, in their block if there is one; nodes without
 /// any coupling stay outside.
-Matching grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings);
+Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings);
 
 /// Aggregates are neighbours if some of their members are.
-Adjacency coarse_adjacency(const SlicedLayout& layout, const Matching& matching);
+Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggregates);
 
 }  // namespace brindle
