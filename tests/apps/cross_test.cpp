@@ -52,7 +52,7 @@ TEST_F(Cross, TakesEveryFieldAndSolver) {
                                                          {"--solver", "relaxation"},
                                                          {"--solver", "averaged"},
                                                          {"--weights", "cotangent"}}) {
-    EXPECT_LT(report(options)["energy"].get<double>(), 0.2) << options[1];
+    EXPECT_LT(report(options)["energy"].get<double>(), 0.08) << options[1];
   }
 }
 

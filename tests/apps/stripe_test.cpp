@@ -117,7 +117,7 @@ struct AcceptedOption : Stripe, testing::WithParamInterface<Arguments> {};
 
 TEST_P(AcceptedOption, GivesAPattern) {
   const Json report = this->report(GetParam());
-  EXPECT_LT(report["energy"].get<double>(), 0.2);
+  EXPECT_LT(report["energy"].get<double>(), 0.08);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -49,12 +49,12 @@ Judged judge(const SceneFrame& frame, const PhaseGraph& graph, std::span<const C
 
 /// Plays 60 frames on both devices. Two descents that round differently part ways where two phases
 /// are as good, and anchors carry that on from frame to frame: single frames are compared loosely,
-/// those that hang on the last ones more so, and their sums as the issue asks.
-void expect_same_scene(const GpuSolver& solver, SceneKind parse_scene_kind,
+/// those that hang on the last ones more so, and their sums closely.
+void expect_same_scene(const GpuSolver& solver, SceneKind kind,
                        const AnimatorOptions& options) {
   const Surface surface = make_surface(make_shape("torus,resolution=100"));
   const float frequency = 25 / bounding_box(surface.mesh).diagonal();
-  Scene scene(surface, {.kind = parse_scene_kind, .frequency = frequency});
+  Scene scene(surface, {.kind = kind, .frequency = frequency});
   StripeAnimator cpu(surface.neighborhood, options);
   GpuAnimator gpu(solver.kernels(), surface.neighborhood, options);
   const double alike = options.lambda > 0 ? 0.1 : 0.05;

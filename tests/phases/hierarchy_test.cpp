@@ -103,12 +103,14 @@ TEST(Hierarchy, EveryLevelHasAtMostAboutHalfTheNodesOfTheOneBefore) {
 TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
   const auto surface = wavy_surface("pieces,count=5,resolution=6", Vec3(0.1f, 1, 0.2f), 10);
   const Hierarchy hierarchy = build_hierarchy(surface.graph());
-  std::size_t survivors = 0;
-  for (const Level& level : hierarchy.levels) {
-    if (!level.topology.aggregation) survivors += level.layout().slot_of.size();
+  std::size_t ends = hierarchy.levels.back().layout().slot_of.size();
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    const Index outside = hierarchy.levels[l + 1].layout().slot_count();
+    for (const Index slot : hierarchy.levels[l].layout().slot_of) {
+      ends += hierarchy.levels[l].aggregation().coarse_slot[slot] == outside;
+    }
   }
-  EXPECT_LE(survivors, 5u);
-  EXPECT_GE(survivors, 1u);
+  EXPECT_EQ(ends, 5u) << "nodes that belong to no coarser one";
 }
 
 TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {

@@ -54,7 +54,7 @@ TEST_P(EverySolver, ReportsTheEnergyOfItsPhases) {
   const auto surface = wavy_surface("torus,resolution=40", kAxis, 12);
   const PhaseSolution solution = solve(surface, options);
   EXPECT_DOUBLE_EQ(solution.energy, energy(surface.graph(), solution.z));
-  EXPECT_LT(solution.energy, 0.2);
+  EXPECT_LT(solution.energy, 0.06);
   EXPECT_GT(solution.iterations, 0);
 }
 

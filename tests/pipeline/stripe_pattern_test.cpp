@@ -42,7 +42,7 @@ StripeOptions with_solver(Solver solver, float epsilon = 0.02f) {
 /// solutions differ, though not in kind.
 void expect_like_quality(const PatternQuality& a, const PatternQuality& b) {
   EXPECT_NEAR(static_cast<double>(a.branches), static_cast<double>(b.branches),
-              0.2 * static_cast<double>(b.branches));
+              0.1 * static_cast<double>(b.branches));
   EXPECT_NEAR(a.angle_error_mean_deg, b.angle_error_mean_deg, 0.1 * b.angle_error_mean_deg);
   EXPECT_NEAR(a.spacing_error_mean, b.spacing_error_mean, 0.1 * b.spacing_error_mean);
 }
@@ -200,7 +200,80 @@ TEST(StripePattern, RefusesWavesOfAnotherSurface) {
   EXPECT_THROW(stripe_pattern(plane, waves), Error);
 }
 
-/// Bounds on real models (issue "First light").
+/// Surfaces that are hard for stripes: the field's lines converge and part, thin limbs, rims, noise.
+/// Bounds are a tenth above what the multilevel solver leaves at 40 stripes.
+struct HardShape {
+  const char* shape;
+  double energy;
+  std::size_t branches;
+  double angle_error_mean_deg;
+};
+
+struct Hard : testing::TestWithParam<HardShape> {
+  Surface surface = make_surface(make_shape(GetParam().shape));
+};
+
+TEST_P(Hard, StaysWithinItsBounds) {
+  const StripePattern pattern = pattern_of(surface, 40);
+  EXPECT_LE(pattern.solution.energy, GetParam().energy);
+  EXPECT_LE(pattern.quality.branches, GetParam().branches);
+  EXPECT_LE(pattern.quality.angle_error_mean_deg, GetParam().angle_error_mean_deg);
+}
+
+TEST_P(Hard, FollowsTheFieldBetterThanTheGlobalEigenvector) {
+  if (!is_available(Solver::global)) GTEST_SKIP() << "this build has no CHOLMOD";
+  const StripePattern ours = pattern_of(surface, 40);
+  const StripePattern global = pattern_of(surface, 40, with_solver(Solver::global));
+  EXPECT_LE(ours.solution.energy, global.solution.energy);
+  EXPECT_LE(ours.quality.angle_error_mean_deg, global.quality.angle_error_mean_deg);
+}
+
+TEST_P(Hard, AveragedLevelsRemoveAFifthOfTheBranchesOfRelaxation) {
+  const auto relaxed = pattern_of(surface, 40, with_solver(Solver::relaxation)).quality.branches;
+  const auto averaged = pattern_of(surface, 40, with_solver(Solver::averaged)).quality.branches;
+  EXPECT_LE(static_cast<double>(averaged), 0.8 * static_cast<double>(relaxed));
+}
+
+TEST_P(Hard, HasFewerBranchesForASmallerEpsilon) {
+  std::size_t last = surface.mesh.triangle_count();
+  for (const float epsilon : {0.1f, 0.02f, 0.001f}) {
+    const auto now =
+        pattern_of(surface, 40, with_solver(Solver::relaxation, epsilon)).quality.branches;
+    EXPECT_LT(now, last) << epsilon;
+    last = now;
+  }
+}
+
+TEST_P(Hard, IsTheSameForOneAndTwoThreads) {
+  const ThreadLimit two(2);
+  const StripePattern together = pattern_of(surface, 40);
+  const ThreadLimit one(1);
+  const StripePattern alone = pattern_of(surface, 40);
+  EXPECT_EQ(together.solution.z, alone.solution.z);
+  EXPECT_EQ(together.solution.energy, alone.solution.energy);
+  EXPECT_EQ(together.quality.angle_error_mean_deg, alone.quality.angle_error_mean_deg);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    BuiltIn, Hard,
+    testing::Values(HardShape{"trefoil,resolution=40", 0.0159, 197, 3.5},
+                    HardShape{"vessels,resolution=60", 0.0104, 204, 5.6},
+                    HardShape{"box,resolution=40", 0.0092, 116, 2.2},
+                    HardShape{"torus,resolution=150,noise=0.3", 0.0106, 170, 3.2}),
+    [](const auto& param) {
+      const std::string shape = param.param.shape;
+      return shape.substr(0, shape.find(','));
+    });
+
+TEST(StripePattern, DoesNotChangeByABitWhenTheSurfaceIsTwiceAsLarge) {
+  const Mesh mesh = make_shape("torus,resolution=100,noise=0.2");
+  Mesh larger = mesh;
+  for (Vec3& p : larger.positions) p *= 2;
+  EXPECT_EQ(pattern_of(make_surface(larger), 30).solution.z,
+            pattern_of(make_surface(mesh), 30).solution.z);
+}
+
+/// Bounds on scanned models, where they are at hand.
 struct Model : testing::TestWithParam<const char*> {
   Surface surface;
   void SetUp() override {

@@ -23,7 +23,7 @@ struct Aggregation {
 /// finer one.
 SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency);
 
-/// Arranges a aggregates for the kernels; `adjacency` is its coarse adjacency and `coarse` the
+/// Arranges aggregates for the kernels; `adjacency` is its coarse adjacency and `coarse` the
 /// layout of that.
 Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,
                     const Adjacency& adjacency, const SlicedLayout& coarse);
