@@ -13,10 +13,10 @@ namespace brindle::tool {
 constexpr int kDefaultNeighbors = 8;
 
 struct SurfaceOptions {
-  std::string mesh;              ///< a file or shape:NAME,...
-  int subdivide = 0;             ///< how often every triangle is split in four
-  bool points = false;           ///< the vertices alone
-  std::optional<int> neighbors;  ///< of a point, instead of `kDefaultNeighbors`
+  std::string mesh;                   ///< a file or shape:NAME,...
+  int subdivide = 0;                  ///< how often every triangle is split in four
+  bool points = false;                ///< the vertices alone
+  std::optional<int> neighbors = {};  ///< of a point, instead of `kDefaultNeighbors`
 };
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options);

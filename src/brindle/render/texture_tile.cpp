@@ -176,7 +176,10 @@ std::optional<BuiltInTile> parse_built_in_tile(std::string_view name) {
 std::string_view built_in_tile_names() {
   static const std::string names = [] {
     std::string all;
-    for (const auto& [name, tile] : kTiles) all += (all.empty() ? "" : "|") + std::string(name);
+    for (const auto& [name, tile] : kTiles) {
+      if (!all.empty()) all += '|';
+      all += name;
+    }
     return all;
   }();
   return names;
