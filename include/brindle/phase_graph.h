@@ -1,4 +1,4 @@
-/// The phase graph: all that a solver has to know (DESIGN section 2).
+/// The phase graph: all that a solver has to know (docs/method.md, "Phase graph").
 #pragma once
 
 #include <memory>

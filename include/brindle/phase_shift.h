@@ -14,7 +14,7 @@ namespace BRINDLE_EXPORT brindle {
 
 /// How the distance between two points along their waves is measured.
 enum class PhaseShiftKind {
-  aligned,        ///< closed form, exact for circular wave fronts (DESIGN section 2)
+  aligned,        ///< closed form, exact for circular wave fronts (docs/method.md)
   common_source,  ///< the paper's Eq. 2 and 7 to the letter
   trapezoid       ///< mean of both directions (Knöppel et al. 2015)
 };

@@ -1,4 +1,4 @@
-/// Smooth direction fields by the multilevel phase solver (DESIGN section 2).
+/// Smooth direction fields by the multilevel phase solver (docs/method.md).
 #pragma once
 
 #include <memory>

@@ -13,7 +13,7 @@
 namespace BRINDLE_EXPORT brindle {
 
 enum class Solver {
-  multilevel,  ///< DESIGN section 3: carries phases up the hierarchy; the default
+  multilevel,  ///< carries phases up a hierarchy (docs/method.md); the default
   relaxation,  ///< the paper's local optimisation (3.2, 3.3, section 4)
   averaged,    ///< the paper's hierarchy of averaged inputs (3.4)
   global       ///< smallest eigenvector (Knöppel et al. 2015); needs a build with CHOLMOD

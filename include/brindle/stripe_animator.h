@@ -1,4 +1,4 @@
-/// Stripes that follow changing input, frame by frame (DESIGN section 3, "Changing input").
+/// Stripes that follow changing input, frame by frame (docs/method.md).
 #pragma once
 
 #include <memory>

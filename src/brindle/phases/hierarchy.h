@@ -1,5 +1,5 @@
-/// The multilevel hierarchy: coarser phase graphs whose couplings are exact sums (DESIGN section
-/// 3).
+/// The multilevel hierarchy: coarser phase graphs whose couplings are exact sums (docs/method.md,
+/// "Multilevel solver").
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// The multilevel solver: descends a hierarchy of exact sums (DESIGN section 3).
+/// The multilevel solver: descends a hierarchy of exact sums (docs/method.md).
 #pragma once
 
 #include "brindle/phases/hierarchy.h"

@@ -1,4 +1,4 @@
-/// Smooth direction fields as a phase graph (DESIGN section 2; Knöppel et al. 2013).
+/// Smooth direction fields as a phase graph (docs/method.md; Knöppel et al. 2013).
 #pragma once
 
 #include <memory>
