@@ -183,23 +183,24 @@ void run(const CLI::App& command, AnimateArguments arguments) {
   if (!arguments.report.empty()) print_written(std::cout, std::filesystem::path(arguments.report));
 }
 
+void add_options(CLI::App& command, AnimateArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_scene_options(command, arguments);
+  add_animator_options(command, arguments.animation.animator);
+  add_device_option(command, arguments.device);
+  command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  add_output_options(command, arguments);
+  arguments.picture = add_picture_options(command);
+  command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+}
+
 }  // namespace
 
 Command add_animate_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("animate", "Let stripes follow changing input");
-  command->footer(kExamples);
-  const auto arguments = std::make_shared<AnimateArguments>();
-  add_surface_options(*command, arguments->surface);
-  add_scene_options(*command, *arguments);
-  add_animator_options(*command, arguments->animation.animator);
-  add_device_option(*command, arguments->device);
-  command->add_option("--threads", arguments->threads, "0: all that the machine has (default)")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
-  add_output_options(*command, *arguments);
-  arguments->picture = add_picture_options(*command);
-  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
-  return {command, [command, arguments] { run(*command, *arguments); }};
+  return add_command<AnimateArguments>(app, "animate", "Let stripes follow changing input",
+                                       kExamples, add_options, run);
 }
 
 }  // namespace brindle::tool

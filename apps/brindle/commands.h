@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +13,18 @@ struct Command {
   CLI::App* app;
   std::function<void()> run;
 };
+
+/// Adds a command with arguments of its own. `add_options(app, arguments)` adds its options,
+/// `run(app, arguments)` does the work; both are given the command and what was parsed into.
+template <class Arguments, class AddOptions, class Run>
+Command add_command(CLI::App& app, const std::string& name, const std::string& description,
+                    const std::string& examples, const AddOptions& add_options, const Run& run) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->footer(examples);
+  const auto arguments = std::make_shared<Arguments>();
+  add_options(*command, *arguments);
+  return {command, [command, arguments, run] { run(*command, *arguments); }};
+}
 
 Command add_stripe_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);

@@ -77,20 +77,21 @@ void run(const CLI::App& command, const CompareArguments& arguments) {
   if (!arguments.json.empty()) print_written(std::cout, std::filesystem::path(arguments.json));
 }
 
+void add_options(CLI::App& command, CompareArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_point_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_solving_options(command, arguments.solving);
+  command.add_option("--json", arguments.json, "write the reports here, as a list")
+      ->type_name("FILE.json");
+  command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+}
+
 }  // namespace
 
 Command add_compare_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("compare", "All solvers on the same input, in one table");
-  command->footer(kExamples);
-  const auto arguments = std::make_shared<CompareArguments>();
-  add_surface_options(*command, arguments->surface);
-  add_point_options(*command, arguments->surface);
-  add_wave_options(*command, arguments->waves);
-  add_solving_options(*command, arguments->solving);
-  command->add_option("--json", arguments->json, "write the reports here, as a list")
-      ->type_name("FILE.json");
-  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
-  return {command, [command, arguments] { run(*command, *arguments); }};
+  return add_command<CompareArguments>(
+      app, "compare", "All solvers on the same input, in one table", kExamples, add_options, run);
 }
 
 }  // namespace brindle::tool

@@ -414,21 +414,22 @@ void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
       ->check(CLI::Range(3, 64));
 }
 
+void add_options(CLI::App& command, CurvesArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_second_wave_options(command, arguments.second);
+  add_curve_options(command, arguments);
+  add_solver_option(command, arguments.solving);
+  add_solving_options(command, arguments.solving);
+  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  arguments.picture = add_camera_options(command);
+}
+
 }  // namespace
 
 Command add_curves_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("curves", "Trace the stripes as curves");
-  command->footer(kExamples);
-  const auto arguments = std::make_shared<CurvesArguments>();
-  add_surface_options(*command, arguments->surface);
-  add_wave_options(*command, arguments->waves);
-  add_second_wave_options(*command, arguments->second);
-  add_curve_options(*command, *arguments);
-  add_solver_option(*command, arguments->solving);
-  add_solving_options(*command, arguments->solving);
-  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
-  arguments->picture = add_camera_options(*command);
-  return {command, [command, arguments] { run(*command, *arguments); }};
+  return add_command<CurvesArguments>(app, "curves", "Trace the stripes as curves", kExamples,
+                                      add_options, run);
 }
 
 }  // namespace brindle::tool

@@ -100,15 +100,20 @@ void run_mesh(const SurfaceOptions& options) {
   print_repairs(describe(loaded));
 }
 
+void run(const CLI::App& /*command*/, const SurfaceOptions& options) {
+  is_points(options) ? run_points(options) : run_mesh(options);
+}
+
+void add_options(CLI::App& command, SurfaceOptions& arguments) {
+  add_surface_options(command, arguments);
+  add_point_options(command, arguments);
+}
+
 }  // namespace
 
 Command add_info_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("info", "What kind of surface a mesh or a point cloud is");
-  command->footer(kExamples);
-  const auto options = std::make_shared<SurfaceOptions>();
-  add_surface_options(*command, *options);
-  add_point_options(*command, *options);
-  return {command, [options] { is_points(*options) ? run_points(*options) : run_mesh(*options); }};
+  return add_command<SurfaceOptions>(app, "info", "What kind of surface a mesh or a point cloud is",
+                                     kExamples, add_options, run);
 }
 
 }  // namespace brindle::tool

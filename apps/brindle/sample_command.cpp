@@ -260,24 +260,25 @@ void run(const CLI::App& command, const SampleArguments& arguments) {
   print_written(std::cout, files);
 }
 
+void add_options(CLI::App& command, SampleArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_point_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_second_wave_options(command, arguments.second);
+  add_parsed_option(command, "--min-distance", arguments.min_distance, parse_not_negative_number,
+                    "leave out samples nearer to another, in spacings (default 0.25)")
+      ->type_name("D");
+  add_solver_option(command, arguments.solving);
+  add_solving_options(command, arguments.solving);
+  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  arguments.picture = add_camera_options(command);
+}
+
 }  // namespace
 
 Command add_sample_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("sample", "Sample a surface where two patterns cross");
-  command->footer(kExamples);
-  const auto arguments = std::make_shared<SampleArguments>();
-  add_surface_options(*command, arguments->surface);
-  add_point_options(*command, arguments->surface);
-  add_wave_options(*command, arguments->waves);
-  add_second_wave_options(*command, arguments->second);
-  add_parsed_option(*command, "--min-distance", arguments->min_distance, parse_not_negative_number,
-                    "leave out samples nearer to another, in spacings (default 0.25)")
-      ->type_name("D");
-  add_solver_option(*command, arguments->solving);
-  add_solving_options(*command, arguments->solving);
-  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
-  arguments->picture = add_camera_options(*command);
-  return {command, [command, arguments] { run(*command, *arguments); }};
+  return add_command<SampleArguments>(app, "sample", "Sample a surface where two patterns cross",
+                                      kExamples, add_options, run);
 }
 
 }  // namespace brindle::tool

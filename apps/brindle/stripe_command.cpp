@@ -224,23 +224,24 @@ void run(const CLI::App& command, const StripeArguments& arguments) {
   for (const UsedFile& file : files_of(outputs, texture)) print_written(std::cout, file.path);
 }
 
+void add_options(CLI::App& command, StripeArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_point_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  CLI::Option* cross = add_cross_option(command, arguments.waves);
+  add_solver_option(command, arguments.solving);
+  add_solving_options(command, arguments.solving);
+  add_device_option(command, arguments.device);
+  add_texture_options(command, arguments.texture, arguments.waves, cross);
+  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  arguments.picture = add_picture_options(command);
+}
+
 }  // namespace
 
 Command add_stripe_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("stripe", "Lay stripes over a surface or a point cloud");
-  command->footer(kExamples);
-  const auto arguments = std::make_shared<StripeArguments>();
-  add_surface_options(*command, arguments->surface);
-  add_point_options(*command, arguments->surface);
-  add_wave_options(*command, arguments->waves);
-  CLI::Option* cross = add_cross_option(*command, arguments->waves);
-  add_solver_option(*command, arguments->solving);
-  add_solving_options(*command, arguments->solving);
-  add_device_option(*command, arguments->device);
-  add_texture_options(*command, arguments->texture, arguments->waves, cross);
-  add_output_options(*command, arguments->outputs, arguments->report, arguments->quiet);
-  arguments->picture = add_picture_options(*command);
-  return {command, [command, arguments] { run(*command, *arguments); }};
+  return add_command<StripeArguments>(app, "stripe", "Lay stripes over a surface or a point cloud",
+                                      kExamples, add_options, run);
 }
 
 }  // namespace brindle::tool

@@ -225,24 +225,27 @@ void add_bench_options(CLI::App& app, BenchArguments& bench) {
   app.add_flag("--quick", bench.quick, "small shapes and two repetitions: does it work at all?");
 }
 
+void run_measurements(const CLI::App& command, Arguments& arguments) {
+  // As in the paper's measurements (5.2).
+  WaveOptions& waves = arguments.waves;
+  if (!waves.direction && command.count("--field") == 0) waves.direction = kDirection;
+  run(command, arguments);
+}
+
+void add_options(CLI::App& command, Arguments& arguments) {
+  add_bench_options(command, arguments.bench);
+  add_wave_options(command, arguments.waves);
+  add_device_option(command, arguments.device);
+  command.add_option("--json", arguments.json, "write all figures here")->type_name("FILE.json");
+  command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+}
+
 }  // namespace
 
 Command add_bench_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("bench", "Times of all solvers and of frames that follow changing input");
-  command->footer(kExamples);
-  const auto arguments = std::make_shared<Arguments>();
-  add_bench_options(*command, arguments->bench);
-  add_wave_options(*command, arguments->waves);
-  add_device_option(*command, arguments->device);
-  command->add_option("--json", arguments->json, "write all figures here")->type_name("FILE.json");
-  command->add_flag("-q,--quiet", arguments->quiet, "print nothing but errors");
-  return {command, [command, arguments] {
-            // As in the paper's measurements (5.2).
-            WaveOptions& waves = arguments->waves;
-            if (!waves.direction && command->count("--field") == 0) waves.direction = kDirection;
-            run(*command, *arguments);
-          }};
+  return add_command<Arguments>(app, "bench",
+                                "Times of all solvers and of frames that follow changing input",
+                                kExamples, add_options, run_measurements);
 }
 
 }  // namespace brindle::tool
