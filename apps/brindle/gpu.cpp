@@ -59,7 +59,8 @@ Device::Gpu::Gpu() : state_(std::make_unique<State>()) {}
 Device::Gpu::~Gpu() = default;
 
 SolvePhases Device::Gpu::solver() const {
-  return [this](const PhaseGraph& graph, const SolverOptions& options, const Progress& progress) {
+  return [this](const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
+                const SolverData& /*data*/) {
     PhaseSolution solution = state_->solver.solve(graph, options, progress);
     check_errors("solving on the GPU");
     return solution;

@@ -12,8 +12,6 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-struct AveragedLevel;
-
 /// Unknown phases z_i = exp(i Phi_i) on nodes and one coupling per directed edge j -> i. Node i is
 /// drawn towards its target
 ///
@@ -26,8 +24,6 @@ struct PhaseGraph {
   std::vector<Complex> coupling;         ///< one per directed edge, in the row of its head i
   std::vector<std::uint8_t> reflecting;  ///< one per directed edge: 1 if `coupling` is a B_ij
   std::vector<Complex> anchor;           ///< T_i, one per node; empty for none
-  std::vector<float> mass;               ///< one per node, above 0, for the global solver; empty: 1
-  std::shared_ptr<const AveragedLevel> averaged;  ///< next coarser input, for the averaged solver
 
   std::size_t node_count() const { return adjacency->node_count(); }
 };
@@ -35,7 +31,7 @@ struct PhaseGraph {
 /// A coarser graph whose inputs are averages of a finer one's (paper, 3.4).
 struct AveragedLevel {
   PhaseGraph graph;
-  std::vector<Index> parent;      ///< for every fine node its node in `graph`
+  std::vector<Index> parent;      ///< for every node of the finer graph its node in `graph`
   std::vector<Complex> transfer;  ///< z_i = transfer_i z_parent, or transfer_i conj(z_parent)...
   std::vector<std::uint8_t> transfer_reflects;  ///< ...where this is 1
 };

@@ -58,9 +58,16 @@ struct PhaseSolution {
   double solve_milliseconds = 0;
 };
 
-/// Throws Error for options out of range, a graph without `averaged` levels for Solver::averaged,
-/// or a build without CHOLMOD for Solver::global; Cancelled if `progress` asks for it.
+/// What single solvers ask for besides the graph.
+struct SolverData {
+  std::vector<float> mass;              ///< of Solver::global: one per node, above 0; empty: 1
+  std::vector<AveragedLevel> averaged;  ///< of Solver::averaged: the graph's coarser and coarser
+                                        ///< levels
+};
+
+/// Throws Error for options out of range, no averaged levels for Solver::averaged, or a build
+/// without CHOLMOD for Solver::global; Cancelled if `progress` asks for it.
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options = {},
-                           const Progress& progress = {});
+                           const Progress& progress = {}, const SolverData& data = {});
 
 }  // namespace brindle

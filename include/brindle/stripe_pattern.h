@@ -23,8 +23,8 @@ enum class EdgeWeights {
 };
 
 /// Turns a phase graph into phases, as `solve_phases` and `GpuSolver::solve` of brindle/gpu do.
-using SolvePhases =
-    std::function<PhaseSolution(const PhaseGraph&, const SolverOptions&, const Progress&)>;
+using SolvePhases = std::function<PhaseSolution(const PhaseGraph&, const SolverOptions&,
+                                                const Progress&, const SolverData&)>;
 
 struct StripeOptions {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;

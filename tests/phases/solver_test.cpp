@@ -22,12 +22,13 @@ using testing_support::WavySurface;
 const Vec3 kAxis(0.3f, 0.9f, 0.2f);
 
 PhaseSolution solve(const WavySurface& surface, const SolverOptions& options) {
-  PhaseGraph graph = surface.graph();
+  SolverData data;
   if (options.solver == Solver::averaged) {
-    attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
-                           PhaseShiftKind::aligned);
+    data.averaged =
+        averaged_levels(*surface.neighborhood, surface.waves,
+                        {surface.normals, vertex_areas(surface.mesh)}, PhaseShiftKind::aligned);
   }
-  return solve_phases(graph, options);
+  return solve_phases(surface.graph(), options, {}, data);
 }
 
 SolverOptions options_for(Solver solver) {

@@ -13,28 +13,28 @@ using testing_support::wavy_surface;
 
 TEST(AveragedLevels, HaveFewerAndFewerNodes) {
   const auto surface = wavy_surface("sphere,resolution=20", Vec3(0, 1, 0.2f), 8);
-  PhaseGraph graph = surface.graph();
-  attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
-                         PhaseShiftKind::aligned, 6);
-  int levels = 0;
-  const PhaseGraph* level = &graph;
-  for (; level->averaged; level = &level->averaged->graph, ++levels) {
+  const auto levels =
+      averaged_levels(*surface.neighborhood, surface.waves,
+                      {surface.normals, vertex_areas(surface.mesh)}, PhaseShiftKind::aligned, 6);
+  ASSERT_EQ(levels.size(), 6u);
+  std::size_t finer = surface.mesh.vertex_count();
+  for (const AveragedLevel& level : levels) {
+    EXPECT_EQ(level.parent.size(), finer);
     // Pairs at most, so never less than half.
-    EXPECT_GE(2 * level->averaged->graph.node_count(), level->node_count());
+    EXPECT_GE(2 * level.graph.node_count(), finer);
+    finer = level.graph.node_count();
   }
-  EXPECT_EQ(levels, 6);
-  EXPECT_LT(8 * level->node_count(), graph.node_count());
+  EXPECT_LT(8 * finer, surface.mesh.vertex_count());
 }
 
 /// All couplings of all levels but the finest.
 std::vector<Complex> coarse_couplings(const testing_support::WavySurface& surface,
                                       std::span<const float> edge_weights) {
-  PhaseGraph graph = surface.graph();
-  attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
-                         PhaseShiftKind::aligned, 4, edge_weights);
   std::vector<Complex> couplings;
-  for (const PhaseGraph* g = &graph; g->averaged; g = &g->averaged->graph) {
-    const auto& more = g->averaged->graph.coupling;
+  for (const AveragedLevel& level : averaged_levels(*surface.neighborhood, surface.waves,
+                                                    {surface.normals, vertex_areas(surface.mesh)},
+                                                    PhaseShiftKind::aligned, 4, edge_weights)) {
+    const auto& more = level.graph.coupling;
     couplings.insert(couplings.end(), more.begin(), more.end());
   }
   return couplings;
@@ -58,12 +58,13 @@ TEST(AveragedLevels, WeighEdgesThatAreNotAlike) {
       weights.push_back(0.5f + 0.1f * static_cast<float>((i * j) % 17));
     }
   }
-  PhaseGraph graph = surface.graph(), weighted = graph;
   const SurfaceElements elements{surface.normals, vertex_areas(surface.mesh)};
-  attach_averaged_levels(graph, surface.waves, elements, PhaseShiftKind::aligned, 1);
-  attach_averaged_levels(weighted, surface.waves, elements, PhaseShiftKind::aligned, 1, weights);
-  const std::vector<Index>& parent = weighted.averaged->parent;
-  const PhaseGraph &coarse = graph.averaged->graph, &ours = weighted.averaged->graph;
+  const Adjacency& fine = *surface.neighborhood;
+  const auto plain = averaged_levels(fine, surface.waves, elements, PhaseShiftKind::aligned, 1);
+  const auto weighted =
+      averaged_levels(fine, surface.waves, elements, PhaseShiftKind::aligned, 1, weights);
+  const std::vector<Index>& parent = weighted[0].parent;
+  const PhaseGraph &coarse = plain[0].graph, &ours = weighted[0].graph;
   for (Index a = 0; a < coarse.node_count(); ++a) {
     for (Index edge = coarse.adjacency->offsets[a]; edge < coarse.adjacency->offsets[a + 1];
          ++edge) {
@@ -86,19 +87,18 @@ TEST(AveragedLevels, WeighEdgesThatAreNotAlike) {
 
 TEST(AveragedLevels, RefuseWeightsOfAnotherSurface) {
   const auto surface = wavy_surface("plane,resolution=5", Vec3(0, 1, 0.2f), 4);
-  PhaseGraph graph = surface.graph();
-  EXPECT_THROW(
-      attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
-                             PhaseShiftKind::aligned, 4, std::vector<float>(3, 1.0f)),
-      Error);
+  EXPECT_THROW(averaged_levels(*surface.neighborhood, surface.waves,
+                               {surface.normals, vertex_areas(surface.mesh)},
+                               PhaseShiftKind::aligned, 4, std::vector<float>(3, 1.0f)),
+               Error);
 }
 
 TEST(AveragedLevels, PassAPlaneWaveDownExactly) {
   const auto surface = wavy_surface("plane,resolution=20", Vec3(1, 0.5f, 0), 8);
-  PhaseGraph graph = surface.graph();
-  attach_averaged_levels(graph, surface.waves, {surface.normals, vertex_areas(surface.mesh)},
-                         PhaseShiftKind::aligned, 1);
-  const AveragedLevel& level = *graph.averaged;
+  const auto levels =
+      averaged_levels(*surface.neighborhood, surface.waves,
+                      {surface.normals, vertex_areas(surface.mesh)}, PhaseShiftKind::aligned, 1);
+  const AveragedLevel& level = levels[0];
   // A plane wave sampled at the averaged positions: recovered here from any one child.
   std::vector<Complex> coarse(level.graph.node_count(), Complex(0));
   std::vector<Complex> exact;

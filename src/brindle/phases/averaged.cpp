@@ -1,5 +1,8 @@
 #include "brindle/phases/averaged.h"
 
+#include <utility>
+
+#include "brindle/error.h"
 #include "brindle/phases/relaxation.h"
 
 namespace brindle {
@@ -14,26 +17,24 @@ std::vector<Complex> passed_down(const AveragedLevel& level, const std::vector<C
   return z;
 }
 
-PhaseSolution solve_level(const PhaseGraph& graph, const SolverOptions& options,
-                          const Progress& progress) {
-  if (!graph.averaged) return relax(graph, options, {}, progress);
-  const PhaseSolution coarse = solve_level(graph.averaged->graph, options, progress);
-  PhaseSolution solution = relax(graph, options, passed_down(*graph.averaged, coarse.z), progress);
-  solution.topology_milliseconds += coarse.topology_milliseconds;
-  solution.solve_milliseconds += coarse.solve_milliseconds;
-  return solution;
-}
-
 }  // namespace
 
-PhaseSolution solve_averaged(const PhaseGraph& graph, const SolverOptions& options,
-                             const Progress& progress) {
-  if (!graph.averaged) {
+PhaseSolution solve_averaged(const PhaseGraph& graph, std::span<const AveragedLevel> levels,
+                             const SolverOptions& options, const Progress& progress) {
+  if (levels.empty()) {
     throw Error(
-        "the averaged solver needs a phase graph with averaged levels; "
-        "build it with attach_averaged_levels (waves/averaged_levels.h)");
+        "the averaged solver needs averaged levels of its phase graph; averaged_levels "
+        "(waves/averaged_levels.h) makes them");
   }
-  return solve_level(graph, options, progress);
+  PhaseSolution solution = relax(levels.back().graph, options, {}, progress);
+  for (std::size_t l = levels.size(); l-- > 0;) {
+    const PhaseGraph& finer = l > 0 ? levels[l - 1].graph : graph;
+    const PhaseSolution coarse = std::move(solution);
+    solution = relax(finer, options, passed_down(levels[l], coarse.z), progress);
+    solution.topology_milliseconds += coarse.topology_milliseconds;
+    solution.solve_milliseconds += coarse.solve_milliseconds;
+  }
+  return solution;
 }
 
 }  // namespace brindle

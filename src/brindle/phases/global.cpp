@@ -4,7 +4,8 @@
 
 namespace brindle {
 
-PhaseSolution solve_global(const PhaseGraph&, const SolverOptions&, const Progress&) {
+PhaseSolution solve_global(const PhaseGraph&, std::span<const float>, const SolverOptions&,
+                           const Progress&) {
   throw Error(
       "this build of brindle has no CHOLMOD; install libsuitesparse-dev and configure with "
       "-DBRINDLE_CHOLMOD=ON, or use another solver");
@@ -54,25 +55,25 @@ std::vector<double> weight_sums(const PhaseGraph& graph) {
   return sums;
 }
 
-double mass_of(const PhaseGraph& graph, Index node) {
-  return graph.mass.empty() ? 1.0 : static_cast<double>(graph.mass[node]);
+double mass_of(std::span<const float> mass, Index node) {
+  return mass.empty() ? 1.0 : static_cast<double>(mass[node]);
 }
 
 /// The quadratic form of the energy, shifted by a multiple of the mass.
-Matrix energy_matrix(const PhaseGraph& graph) {
+Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass) {
   const std::vector<double> weights = weight_sums(graph);
   const auto nodes = static_cast<Index>(graph.node_count());
   double total_weight = 0, total_mass = 0;
   for (Index i = 0; i < nodes; ++i) {
     total_weight += weights[i];
-    total_mass += mass_of(graph, i);
+    total_mass += mass_of(mass, i);
   }
   const double shift = kShift * total_weight / total_mass;
   std::vector<Eigen::Triplet<double, SuiteSparse_long>> entries;
   entries.reserve(2 * nodes + 2 * graph.coupling.size());
   for (Index i = 0; i < nodes; ++i) {
     // A node without couplings stands alone, whatever its phase.
-    const double diagonal = weights[i] > 0 ? weights[i] + shift * mass_of(graph, i) : 1.0;
+    const double diagonal = weights[i] > 0 ? weights[i] + shift * mass_of(mass, i) : 1.0;
     entries.emplace_back(2 * i, 2 * i, diagonal);
     entries.emplace_back(2 * i + 1, 2 * i + 1, diagonal);
     for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
@@ -85,12 +86,12 @@ Matrix energy_matrix(const PhaseGraph& graph) {
   return matrix;
 }
 
-Vector mass_vector(const PhaseGraph& graph) {
-  Vector mass(2 * graph.node_count());
+Vector mass_vector(const PhaseGraph& graph, std::span<const float> mass) {
+  Vector doubled(2 * graph.node_count());
   for (Index i = 0; i < graph.node_count(); ++i) {
-    mass[2 * i] = mass[2 * i + 1] = mass_of(graph, i);
+    doubled[2 * i] = doubled[2 * i + 1] = mass_of(mass, i);
   }
-  return mass;
+  return doubled;
 }
 
 Vector start_vector(const PhaseGraph& graph, std::uint32_t seed) {
@@ -115,13 +116,17 @@ std::vector<Complex> unit_numbers(const Vector& x) {
 
 }  // namespace
 
-PhaseSolution solve_global(const PhaseGraph& graph, const SolverOptions& options,
-                           const Progress& progress) {
+PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
+                           const SolverOptions& options, const Progress& progress) {
   PhaseSolution solution;
   if (graph.node_count() == 0) return solution;
+  if (!mass.empty() && mass.size() != graph.node_count()) {
+    throw Error("the global solver needs one mass for each of " +
+                std::to_string(graph.node_count()) + " nodes, or none");
+  }
   Stopwatch watch;
   progress.report("global: energy matrix", 0);
-  const Matrix matrix = energy_matrix(graph);
+  const Matrix matrix = energy_matrix(graph, mass);
   progress.report("global: Cholesky factor", 0);
   const SerialBlas one_thread;
   Eigen::CholmodDecomposition<Matrix, Eigen::Lower> factor;
@@ -132,13 +137,13 @@ PhaseSolution solve_global(const PhaseGraph& graph, const SolverOptions& options
                 std::to_string(graph.node_count()) +
                 " nodes; free some memory or use the multilevel solver");
   }
-  const Vector mass = mass_vector(graph);
+  const Vector masses = mass_vector(graph, mass);
   Vector x = start_vector(graph, options.seed);
   for (; solution.iterations < options.global_iterations; ++solution.iterations) {
     progress.report("global: inverse iteration",
                     static_cast<double>(solution.iterations) / options.global_iterations);
-    x = factor.solve(mass.cwiseProduct(x).eval()).eval();
-    x /= std::sqrt(x.dot(mass.cwiseProduct(x)));
+    x = factor.solve(masses.cwiseProduct(x).eval()).eval();
+    x /= std::sqrt(x.dot(masses.cwiseProduct(x)));
   }
   solution.z = unit_numbers(x);
   solution.solve_milliseconds = watch.lap();

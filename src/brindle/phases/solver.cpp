@@ -74,7 +74,7 @@ void check(const SolverOptions& options) {
 }
 
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,
-                           const Progress& progress) {
+                           const Progress& progress, const SolverData& data) {
   check(options);
   PhaseSolution solution;
   switch (options.solver) {
@@ -82,10 +82,10 @@ PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options
       solution = relax(graph, options, {}, progress);
       break;
     case Solver::averaged:
-      solution = solve_averaged(graph, options, progress);
+      solution = solve_averaged(graph, data.averaged, options, progress);
       break;
     case Solver::global:
-      solution = solve_global(graph, options, progress);
+      solution = solve_global(graph, data.mass, options, progress);
       break;
     case Solver::multilevel:
       break;

@@ -170,7 +170,8 @@ FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& p
   FrameMilliseconds milliseconds;
   couple_next();
   milliseconds.couple = watch.lap();
-  if (s.hierarchy.levels.size() == 1) {
+  const bool builds = s.hierarchy.levels.size() == 1;
+  if (builds) {
     coarsen(s.hierarchy, progress);
     s.topology_milliseconds += watch.lap();
   }
@@ -179,7 +180,7 @@ FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& p
       level.couplings.anchor.reserve(level.layout().slot_count());
     }
   }
-  if (s.descends()) renew(s.hierarchy);
+  if (s.descends() && !builds) renew(s.hierarchy);
   milliseconds.sum = watch.lap();
   if (s.descends()) {
     descend(s.hierarchy, s.options.sweeps);

@@ -16,7 +16,7 @@
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
-#include "brindle/stripe_animator.h"
+#include "brindle/phases/multilevel_waves.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/wave_check.h"
 
@@ -40,45 +40,47 @@ std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights) {
   return cotangent_weights(surface.mesh, *surface.neighborhood);
 }
 
-/// One frame of an animator, which couples straight into the solver's order.
-void solve_as_frame(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
-                    const Progress& progress, StripePattern& result) {
-  Stopwatch watch;
-  AnimatorOptions animator_options;
-  animator_options.lambda = 0;
-  animator_options.sweeps = options.solver.sweeps;
-  animator_options.cycles = options.solver.cycles;
-  animator_options.phase_shift = options.phase_shift;
-  animator_options.edge_weights = edge_weights(surface, options.weights);
-  result.milliseconds.couple = watch.lap();
-  StripeAnimator animator(surface.neighborhood, animator_options);
-  const FrameResult frame =
-      animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
-  result.solution.topology_milliseconds = animator.topology_milliseconds();
-  result.solution.solve_milliseconds = frame.milliseconds.sum + frame.milliseconds.solve;
-  result.milliseconds.topology = result.solution.topology_milliseconds;
-  result.milliseconds.couple += frame.milliseconds.couple;
-  result.milliseconds.solve = result.solution.solve_milliseconds;
-  result.solution.z.assign(frame.z.begin(), frame.z.end());
-  result.solution.energy = animator.energy();
-  result.solution.iterations = options.solver.sweeps * (1 + options.solver.cycles);
+SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
+                    PhaseShiftKind kind, std::span<const float> edge_weights) {
+  if (solver == Solver::global) return {positive_areas(surface.mesh), {}};
+  if (solver != Solver::averaged) return {};
+  constexpr int kLevels = 10;
+  return {
+      {},
+      averaged_levels(*surface.neighborhood, waves, {surface.normals, positive_areas(surface.mesh)},
+                      kind, kLevels, edge_weights)};
 }
 
 void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
-                    const Progress& progress, StripePattern& result) {
+                    std::span<const float> weights, const Progress& progress,
+                    StripePattern& result) {
+  Stopwatch watch;
+  const PhaseGraph graph =
+      build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
+  result.milliseconds.couple = watch.lap();
+  const SolverData data =
+      data_for(options.solver.solver, surface, waves, options.phase_shift, weights);
+  result.milliseconds.topology = watch.lap();
+  const SolvePhases solve = options.solve ? options.solve : solve_phases;
+  result.solution = solve(graph, options.solver, progress, data);
+}
+
+/// From waves to phases. The multilevel solver needs no phase graph between them.
+void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
+           const Progress& progress, StripePattern& result) {
   Stopwatch watch;
   const std::vector<float> weights = edge_weights(surface, options.weights);
-  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
-  result.milliseconds.couple = watch.lap();
-  if (options.solver.solver == Solver::global) graph.mass = positive_areas(surface.mesh);
-  if (options.solver.solver == Solver::averaged) {
-    constexpr int kLevels = 10;
-    attach_averaged_levels(graph, waves, {surface.normals, positive_areas(surface.mesh)},
-                           options.phase_shift, kLevels, weights);
+  const double weigh_milliseconds = watch.lap();
+  if (!options.solve && options.solver.solver == Solver::multilevel &&
+      options.phase_shift != PhaseShiftKind::common_source) {
+    WaveSolution solved = solve_multilevel_waves(*surface.neighborhood, waves, options.phase_shift,
+                                                 weights, options.solver, progress);
+    result.solution = std::move(solved.solution);
+    result.milliseconds.couple = solved.couple_milliseconds;
+  } else {
+    solve_as_graph(surface, waves, options, weights, progress, result);
   }
-  result.milliseconds.topology = watch.lap();
-  result.solution = options.solve ? options.solve(graph, options.solver, progress)
-                                  : solve_phases(graph, options.solver, progress);
+  result.milliseconds.couple += weigh_milliseconds;
   result.milliseconds.topology += result.solution.topology_milliseconds;
   result.milliseconds.solve = result.solution.solve_milliseconds;
 }
@@ -107,13 +109,7 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   StripePattern result;
   result.phase_shift = options.phase_shift;
   progress.report("couple", 0);
-  const bool as_frame = !options.solve && options.solver.solver == Solver::multilevel &&
-                        options.phase_shift != PhaseShiftKind::common_source;
-  if (as_frame) {
-    solve_as_frame(surface, waves, options, progress, result);
-  } else {
-    solve_as_graph(surface, waves, options, progress, result);
-  }
+  solve(surface, waves, options, progress, result);
 
   Stopwatch watch;
   progress.report("pattern", 0);

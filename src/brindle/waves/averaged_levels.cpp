@@ -145,31 +145,32 @@ void set_transfer(AveragedLevel& level, const Nodes& fine, const Nodes& coarse,
   }
 }
 
-std::shared_ptr<const AveragedLevel> averaged_level(const Adjacency& adjacency,
-                                                    std::span<const float> edge_weights,
-                                                    const Nodes& fine, PhaseShiftKind kind,
-                                                    int levels) {
-  Merge merge = merge_neighbors(adjacency, fine.elements);
-  if (levels <= 0 || merge.count == adjacency.node_count()) return nullptr;
-  const Nodes coarse = averaged_nodes(fine, merge);
-  auto level = std::make_shared<AveragedLevel>();
-  const WeightedEdges edges = merge_edges(adjacency, edge_weights, merge);
-  level->graph = build_phase_graph(edges.adjacency, coarse.waves, kind, edges.weights);
-  level->parent = std::move(merge.parent);
-  set_transfer(*level, fine, coarse, kind);
-  level->graph.averaged = averaged_level(*edges.adjacency, edges.weights, coarse, kind, levels - 1);
-  return level;
-}
-
 }  // namespace
 
-void attach_averaged_levels(PhaseGraph& graph, const WaveSet& waves,
-                            const SurfaceElements& elements, PhaseShiftKind kind, int levels,
-                            std::span<const float> edge_weights) {
-  if (!edge_weights.empty() && edge_weights.size() != graph.adjacency->directed_edge_count()) {
+std::vector<AveragedLevel> averaged_levels(const Adjacency& adjacency, const WaveSet& waves,
+                                           const SurfaceElements& elements, PhaseShiftKind kind,
+                                           int levels, std::span<const float> edge_weights) {
+  if (!edge_weights.empty() && edge_weights.size() != adjacency.directed_edge_count()) {
     throw Error("averaged levels: there must be one edge weight per directed edge");
   }
-  graph.averaged = averaged_level(*graph.adjacency, edge_weights, {waves, elements}, kind, levels);
+  std::vector<AveragedLevel> result;
+  const Adjacency* fine_adjacency = &adjacency;
+  WeightedEdges edges{nullptr, {edge_weights.begin(), edge_weights.end()}};
+  Nodes fine{waves, elements};
+  for (int l = 0; l < levels; ++l) {
+    Merge merge = merge_neighbors(*fine_adjacency, fine.elements);
+    if (merge.count == fine_adjacency->node_count()) break;
+    Nodes coarse = averaged_nodes(fine, merge);
+    edges = merge_edges(*fine_adjacency, edges.weights, merge);
+    AveragedLevel level;
+    level.graph = build_phase_graph(edges.adjacency, coarse.waves, kind, edges.weights);
+    level.parent = std::move(merge.parent);
+    set_transfer(level, fine, coarse, kind);
+    result.push_back(std::move(level));
+    fine_adjacency = result.back().graph.adjacency.get();
+    fine = std::move(coarse);
+  }
+  return result;
 }
 
 }  // namespace brindle
