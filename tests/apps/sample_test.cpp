@@ -71,8 +71,11 @@ TEST_F(SampleTool, FrequenciesOfTheFieldFileGiveTheDensity) {
 }
 
 TEST_F(SampleTool, SaysThatThereAreNone) {
+  // One corner's wave alone reaches through no triangle.
+  write_text(folder / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  write_text(folder / "one.csv", "1,0,0\n0,0,0\n0,0,0\n0,0,0\n");
   const ToolResult result =
-      run({"sample", "shape:plane", "--direction", "0,0,1", "--report", "report.json"});
+      run({"sample", "mesh.obj", "--field", "one.csv", "--report", "report.json"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.err.find("no samples"), std::string::npos) << result.err;
   EXPECT_EQ(result.out.find("nearest"), std::string::npos) << result.out;
