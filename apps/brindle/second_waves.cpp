@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "brindle/direction_field.h"
+#include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "option_values.h"
 

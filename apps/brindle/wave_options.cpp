@@ -8,6 +8,7 @@
 
 #include "brindle/base/suggestion.h"
 #include "brindle/curvature.h"
+#include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "brindle/smooth_field.h"
 #include "brindle/waves/orientation.h"

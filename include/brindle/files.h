@@ -133,4 +133,24 @@ bool is_sample_format(const std::filesystem::path& path);
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
+/// What a field file holds: one row per vertex.
+struct FieldFile {
+  std::vector<Vec3> vectors;
+  std::vector<float> frequencies;    ///< stripes per unit length; empty if the file has 3 columns
+  std::vector<float> frequencies_v;  ///< of the crossing stripes; empty below 5 columns
+};
+
+/// Reads a CSV file (`read_csv`) of 3 columns x,y,z, 4 with the frequency, or 5 with the frequency
+/// of the stripes that cross the others where a texture is laid along both. `nan` is a value: no
+/// wave here. Of vectors the direction alone counts, however long or short they are.
+///
+/// A row stands for a vertex of the mesh or, if there are as many rows as entries in
+/// `vertex_of_row`, for a vertex of the mesh's file (`LoadedMesh`). Of the rows of one vertex the
+/// mean of their directions counts, up to sign, and the mean of their frequencies.
+/// Throws Error naming the file, the line and the remedy if the file cannot be read, a row has
+/// another number of columns or a word in it, a frequency is not above zero, or the number of rows
+/// is neither of both.
+FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
+                         std::span<const Index> vertex_of_row = {});
+
 }  // namespace brindle

@@ -5,111 +5,16 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/files/csv_file.h"
 
 namespace brindle {
 namespace {
 
 /// A vector closer to the normal than this (as a sine) has no direction in the tangent plane.
 constexpr float kParallelToNormal = 1e-4f;
-
-/// A vector of floats in the same direction.
-Vec3 with_length_of_floats(const Eigen::Vector3d& vector) {
-  const double size = vector.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-  const bool extreme = std::isfinite(size) && size > 0 && (size < 1e-18 || size > 1e18);
-  return (extreme ? Eigen::Vector3d(vector / size) : vector).cast<float>();
-}
-
-void append_row(FieldFile& field, std::span<const double> row, const std::string& where) {
-  if (row.size() < 3 || row.size() > 5) {
-    throw Error(where + std::to_string(row.size()) +
-                " columns; a row must have 3 (x,y,z), 4 (x,y,z,frequency) or 5 "
-                "(x,y,z,frequency,frequency_v)");
-  }
-  const std::size_t columns =
-      3 + (field.frequencies.empty() ? 0 : 1) + (field.frequencies_v.empty() ? 0 : 1);
-  if (!field.vectors.empty() && row.size() != columns) {
-    throw Error(where + std::to_string(row.size()) + " columns where the rows before have " +
-                std::to_string(columns) + "; give all rows the same number");
-  }
-  for (std::size_t column = 3; column < row.size(); ++column) {
-    const auto frequency = static_cast<float>(row[column]);
-    if (!(frequency > 0) || !std::isfinite(frequency)) {
-      throw Error(where + "the frequency must be a finite number above zero");
-    }
-  }
-  field.vectors.push_back(with_length_of_floats({row[0], row[1], row[2]}));
-  if (row.size() > 3) field.frequencies.push_back(static_cast<float>(row[3]));
-  if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
-}
-
-/// Rows of one vertex, gathered.
-class RowMean {
- public:
-  void add(const Vec3& vector) {
-    const Vec3 unit = vector.stableNormalized();
-    if (!unit.allFinite() || unit.isZero(0)) return;
-    if (first_.isZero(0)) first_ = vector, unit_ = unit;
-    alike_ = alike_ && (unit == unit_ || unit == -unit_);
-    const Eigen::Vector3d exact = unit.cast<double>();
-    sum_ += exact * exact.transpose();
-  }
-
-  /// The first vector if all have its direction, otherwise the axis that is nearest to them all, on
-  /// the first one's side; zero if there is none.
-  Vec3 mean() const {
-    if (alike_) return first_;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(sum_);
-    const Vec3 axis = axes.eigenvectors().col(2).cast<float>();
-    return axis.dot(unit_) < 0 ? Vec3(-axis) : axis;
-  }
-
- private:
-  Vec3 first_ = Vec3::Zero(), unit_ = Vec3::Zero();
-  bool alike_ = true;
-  Eigen::Matrix3d sum_ = Eigen::Matrix3d::Zero();
-};
-
-std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
-                         std::span<const Index> vertex_of_row) {
-  if (rows.empty()) return {};
-  std::vector<double> sums(vertex_count, 0), counts(vertex_count, 0);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    sums[vertex_of_row[row]] += rows[row];
-    ++counts[vertex_of_row[row]];
-  }
-  std::vector<float> result;
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    result.push_back(static_cast<float>(sums[v] / counts[v]));
-  }
-  return result;
-}
-
-/// The field of a mesh's vertices from that of its file's.
-FieldFile of_vertices(const FieldFile& rows, std::size_t vertex_count,
-                      std::span<const Index> vertex_of_row) {
-  std::vector<RowMean> gathered(vertex_count);
-  for (std::size_t row = 0; row < rows.vectors.size(); ++row) {
-    gathered[vertex_of_row[row]].add(rows.vectors[row]);
-  }
-  FieldFile field;
-  for (const RowMean& vertex : gathered) field.vectors.push_back(vertex.mean());
-  field.frequencies = means(rows.frequencies, vertex_count, vertex_of_row);
-  field.frequencies_v = means(rows.frequencies_v, vertex_count, vertex_of_row);
-  return field;
-}
-
-/// "83", or "83, or 240 with those at one place".
-std::string counts(std::size_t vertices, std::size_t rows) {
-  std::string text = std::to_string(vertices);
-  if (rows > vertices) text += ", or " + std::to_string(rows) + " in its file";
-  return text;
-}
 
 }  // namespace
 
@@ -160,27 +65,6 @@ DirectionField rotated(std::span<const Vec3> directions, std::span<const Vec3> n
     turned[i] = cosine * directions[i] + sine * normals[i].cross(directions[i]);
   }
   return turned;
-}
-
-FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
-                         std::span<const Index> vertex_of_row) {
-  const std::size_t most = std::max(vertex_count, vertex_of_row.size());
-  FieldFile field;
-  const CsvKind kind{"field", "x,y,z or x,y,z,frequency"};
-  read_csv(path, kind, [&](std::size_t line, std::span<const double> row) {
-    if (field.vectors.size() == most) {
-      throw Error(at_line(path, line) + "more rows than the mesh has vertices (" +
-                  counts(vertex_count, vertex_of_row.size()) + "); give one row per vertex");
-    }
-    append_row(field, row, at_line(path, line));
-  });
-  if (field.vectors.size() == vertex_count) return field;
-  if (!vertex_of_row.empty() && field.vectors.size() == vertex_of_row.size()) {
-    return of_vertices(field, vertex_count, vertex_of_row);
-  }
-  throw Error("'" + path.string() + "' has " + std::to_string(field.vectors.size()) +
-              " rows, but the mesh has " + counts(vertex_count, vertex_of_row.size()) +
-              " vertices; give one row per vertex");
 }
 
 }  // namespace brindle
