@@ -14,6 +14,7 @@
 #include "brindle/adjacency.h"
 #include "brindle/arrays.h"
 #include "brindle/corner_phases.h"
+#include "brindle/cross_cover.h"
 #include "brindle/cross_texture.h"
 #include "brindle/curvature.h"
 #include "brindle/curves.h"

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/cross_texture.h"
+#include "brindle/cross_cover.h"
 #include "brindle/error.h"
 #include "phase_graphs.h"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "brindle/base/printable.h"
-#include "brindle/base/text_output.h"
 #include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
+#include "brindle/files/text_positions.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {

@@ -2,11 +2,11 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/ply_positions.h"
+#include "brindle/files/text_positions.h"
 #include "brindle/files/vtp_file.h"
 #include "brindle/geometry/local_positions.h"
 

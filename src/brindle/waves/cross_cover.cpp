@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/cross_texture.h"
+#include "brindle/cross_cover.h"
 #include "brindle/error.h"
 
 namespace brindle {
