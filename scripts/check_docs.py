@@ -15,8 +15,9 @@ may say more behind its "sh":
 Commands of other programs that build or check (./dev, cmake, ctest, scripts/) are left out.
 
 Also checked: a picture in a page is made by a command of that page; no picture is larger than
-300 kB or without a page; links lead somewhere; a C++ block is part of the example program that
-its page names; docs/report.md explains every key of the reports that its commands write.
+300 kB or without a page; links lead somewhere, and so do sources that cite a page and a section;
+a C++ block is part of the example program that its page names; docs/report.md explains every key
+of the reports that its commands write.
 
 --small draws thumbnails, which is enough to see that commands work. --pictures copies the pictures
 to docs/images. Ends with 0 if all is well and 1 if not.
@@ -45,6 +46,8 @@ RUN = ("brindle", "awk")
 MARKS = {"models", "no-run"}
 MISSING_FILE = 1  # what the tool ends with
 OPEN_KEYS = {"options", "limits"}  # of reports: what they hold depends on the command, the driver
+
+CITATION = re.compile(r'docs/(\w+\.md)(?:,\s*(?:///?\s*)?"([^"]+)")?')
 
 Command = collections.namedtuple("Command", "line text mark")
 Block = collections.namedtuple("Block", "line language marks lines")
@@ -221,6 +224,21 @@ def check_links(page):
             page.fail(line, f"no such section: {target}")
 
 
+def check_citations():
+    """Sections that comments in headers and sources name by their titles are there."""
+    failures = []
+    for folder in ("include", "src", "apps"):
+        for path in sorted((ROOT / folder).rglob("*.[hc]*")):
+            for match in CITATION.finditer(path.read_text(errors="replace")):
+                page, title = ROOT / "docs" / match[1], match[2] and " ".join(match[2].split())
+                cited = f"{path.relative_to(ROOT)} cites docs/{match[1]}"
+                if not page.exists():
+                    failures.append(f"{cited}, which is no page")
+                elif title and not re.search(rf"^#+ {re.escape(title)}$", page.read_text(), re.M):
+                    failures.append(f'{cited}, "{title}", which is no section')
+    return failures
+
+
 def check_examples(page):
     """C++ in a page that names an example program is part of that program."""
     names = re.findall(r"docs/examples/(\w+\.cpp)", page.prose)
@@ -284,7 +302,7 @@ def check(arguments, folder):
         jobs = [pool.submit(check_page, page, arguments, folder / page.path.stem)
                 for page in pages]
         failures = [failure for job in jobs for failure in job.result().failures]
-    failures += check_picture_files(every_page)
+    failures += check_picture_files(every_page) + check_citations()
     for failure in failures:
         print(failure)
     commands = sum(1 for page in pages for command in page.commands() if command.mark != "no-run")
