@@ -4,7 +4,7 @@
 usage: check_rooms.py [ROOT]
 
 The table whose first column is 'room' has, in a row per room, what is in it, its public headers and
-the rooms that it may include, which stand for all that these may include, too. Fails if a file
+the rooms that it may include, which stand for all that these may include, too. The README's program must be that of tests/consumer. Fails if a file
 includes what its room may not, if a room, a public header or a permission is missing from the
 table, or if the table has one that the sources do not.
 """
@@ -78,9 +78,16 @@ def check(root):
     return complaints
 
 
+def check_program(root):
+    program = (root / 'tests/consumer/main.cpp').read_text()
+    if f'```cpp\n{program}```' in (root / 'README.md').read_text():
+        return []
+    return ['the program in README.md is not tests/consumer/main.cpp']
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
-    complaints = check(root)
+    complaints = check(root) + check_program(root)
     print('\n'.join(complaints) or 'the rooms are as drawn')
     return 1 if complaints else 0
 
