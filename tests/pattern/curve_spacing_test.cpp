@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "phase_graphs.h"
 
 namespace brindle {
@@ -11,6 +12,8 @@ namespace {
 
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
+
+#ifdef BRINDLE_HAS_NANOFLANN
 
 constexpr float kTwoPi = 6.2831853f;
 
@@ -76,6 +79,18 @@ TEST(CurveSpacing, NoCurvesMeasureNothing) {
   const std::vector<Complex> z(surface.mesh.vertex_count(), Complex(1));
   EXPECT_EQ(spacing_of(surface, z).measured, 0u);
 }
+
+#else
+
+TEST(CurveSpacing, IsAnErrorInABuildWithoutNanoflann) {
+  const WavySurface surface = wavy_surface("plane,resolution=20", Vec3(1, 0.4f, 0), 30);
+  const std::vector<Complex> z(surface.mesh.vertex_count(), Complex(1));
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  const WavePattern pattern{surface.mesh, edges, surface.normals, surface.waves, z};
+  EXPECT_THROW(measure_curve_spacing(pattern, stripe_curves(LiftedWaves(pattern))), Error);
+}
+
+#endif
 
 }  // namespace
 }  // namespace brindle

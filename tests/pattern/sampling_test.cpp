@@ -179,6 +179,7 @@ TEST(WaveSamples, OnEdgesAndVerticesAreFoundOnce) {
   EXPECT_EQ(places.size(), 16u);
 }
 
+#ifdef BRINDLE_HAS_NANOFLANN
 TEST(WaveSamples, CrossingsOfLinesAreEvenInNumberAlongClosedCurves) {
   // On a sphere two closed curves cross an even number of times; with branches and singularities
   // only a count over all is known: that neighbouring triangles neither lose nor repeat one shows
@@ -194,6 +195,7 @@ TEST(WaveSamples, CrossingsOfLinesAreEvenInNumberAlongClosedCurves) {
   EXPECT_LT(dropped, before / 50);
   EXPECT_EQ(measure_sample_spacing(samples).double_share, 0);
 }
+#endif
 
 TEST(WaveSamples, DoNotCareWhichWayDirectionsPointNorForThreads) {
   Crossed crossed = solved(wavy_surface("torus,resolution=48", Vec3(0.2f, 0.3f, 1), 30));
@@ -257,6 +259,7 @@ TEST(WaveSamples, NoneWhereAPatternHasNoWaves) {
   EXPECT_TRUE(crossed.samples().empty());
 }
 
+#ifdef BRINDLE_HAS_NANOFLANN
 TEST(SampleSpacing, OfAPerfectGridIsOne) {
   const SampleSpacing spacing = measure_sample_spacing(grid(Vec3(1, 0.5f, 0), 30, 1.5f).samples());
   EXPECT_GT(spacing.samples, 100u);
@@ -297,6 +300,7 @@ TEST(SampleSpacing, OfRealModelsHasNoDoubles) {
     EXPECT_NEAR(spacing.mean, 0.93, 0.07);
   }
 }
+#endif
 
 TEST(SampleIo, EveryFormatHasEverySample) {
   const std::vector<Sample> samples = grid(Vec3(1, 0.5f, 0), 10, 1).samples();
