@@ -50,8 +50,7 @@ Judged judge(const SceneFrame& frame, const PhaseGraph& graph, std::span<const C
 /// Plays 60 frames on both devices. Two descents that round differently part ways where two phases
 /// are as good, and anchors carry that on from frame to frame: single frames are compared loosely,
 /// those that hang on the last ones more so, and their sums closely.
-void expect_same_scene(const GpuSolver& solver, SceneKind kind,
-                       const AnimatorOptions& options) {
+void expect_same_scene(const GpuSolver& solver, SceneKind kind, const AnimatorOptions& options) {
   const Surface surface = make_surface(make_shape("torus,resolution=100"));
   const float frequency = 25 / bounding_box(surface.mesh).diagonal();
   Scene scene(surface, {.kind = kind, .frequency = frequency});

@@ -1,3 +1,5 @@
+#include "brindle/cross_cover.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -5,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/cross_cover.h"
 #include "brindle/error.h"
 #include "phase_graphs.h"
 

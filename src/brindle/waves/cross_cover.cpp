@@ -1,3 +1,5 @@
+#include "brindle/cross_cover.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/cross_cover.h"
 #include "brindle/error.h"
 
 namespace brindle {
