@@ -130,7 +130,8 @@ void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::s
   app.add_option("-o,--output", outputs, "what to write, by extension; repeatable")
       ->type_name("FILE")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);  // what follows is MESH
   app.add_option("--report", report, "write the report here")->type_name("FILE.json");
   app.add_flag("-q,--quiet", quiet, "print nothing but errors");
 }

@@ -40,7 +40,10 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
   app.add_option("MESH", options.mesh,
                  "a file (.obj .ply .stl .off .gltf .glb) or a built-in shape, such as shape:torus "
                  "or shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
-      ->required();
+      ->required()
+      ->check([](const std::string& mesh) {
+        return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");
+      });
   app.add_option("--subdivide", options.subdivide, "split every triangle in four, K times")
       ->type_name("K")
       ->check(CLI::Range(0, 10));

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -93,6 +94,23 @@ TEST_F(ToolTest, InfoReportsRepairs) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "triangles     1\n")) << result.out;
   EXPECT_FALSE(has(result.out, "none needed")) << result.out;
+}
+
+TEST_F(ToolTest, OutputsMayComeBeforeTheMesh) {
+  for (const char* command : {"stripe", "curves", "sample"}) {
+    const ToolResult result = run({command, "-o", "a.ply", "--output", "b.ply",
+                                   "shape:torus,resolution=48", "--direction", "0,0,1", "-q"});
+    EXPECT_EQ(result.exit_code, 0) << command << ": " << result.err;
+    for (const char* name : {"a.ply", "b.ply"}) {
+      EXPECT_TRUE(std::filesystem::remove(folder / name)) << command << ", " << name;
+    }
+  }
+}
+
+TEST_F(ToolTest, AnEmptyNameIsNoMesh) {
+  for (const char* command : {"stripe", "compare", "curves", "sample", "animate", "info"}) {
+    expect_refusal(2, "MESH", {command, ""});
+  }
 }
 
 }  // namespace
