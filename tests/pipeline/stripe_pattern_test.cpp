@@ -223,6 +223,26 @@ TEST(StripePattern, IsThatOfTheFirstFrameAndOfThePhaseGraph) {
               0.02 * pattern.solution.energy);
 }
 
+void expect_the_same_for_one_and_two_threads(const Surface& surface) {
+  const ThreadLimit two(2);
+  const StripePattern together = pattern_of(surface, 40);
+  const ThreadLimit one(1);
+  const StripePattern alone = pattern_of(surface, 40);
+  EXPECT_EQ(together.solution.z, alone.solution.z);
+  EXPECT_EQ(together.solution.energy, alone.solution.energy);
+  EXPECT_EQ(together.quality.angle_error_mean_deg, alone.quality.angle_error_mean_deg);
+}
+
+void expect_fewer_branches_for_a_smaller_epsilon(const Surface& surface) {
+  std::size_t last = surface.mesh.triangle_count();
+  for (const float epsilon : {0.1f, 0.02f, 0.001f}) {
+    const auto now =
+        pattern_of(surface, 40, with_solver(Solver::relaxation, epsilon)).quality.branches;
+    EXPECT_LT(now, last) << epsilon;
+    last = now;
+  }
+}
+
 /// Surfaces that are hard for stripes: the field's lines converge and part, thin limbs, rims,
 /// noise. Bounds are a tenth above what the multilevel solver leaves at 40 stripes.
 struct HardShape {
@@ -260,24 +280,10 @@ TEST_P(Hard, AveragedLevelsRemoveATenthOfTheBranchesOfRelaxation) {
 }
 
 TEST_P(Hard, HasFewerBranchesForASmallerEpsilon) {
-  std::size_t last = surface.mesh.triangle_count();
-  for (const float epsilon : {0.1f, 0.02f, 0.001f}) {
-    const auto now =
-        pattern_of(surface, 40, with_solver(Solver::relaxation, epsilon)).quality.branches;
-    EXPECT_LT(now, last) << epsilon;
-    last = now;
-  }
+  expect_fewer_branches_for_a_smaller_epsilon(surface);
 }
 
-TEST_P(Hard, IsTheSameForOneAndTwoThreads) {
-  const ThreadLimit two(2);
-  const StripePattern together = pattern_of(surface, 40);
-  const ThreadLimit one(1);
-  const StripePattern alone = pattern_of(surface, 40);
-  EXPECT_EQ(together.solution.z, alone.solution.z);
-  EXPECT_EQ(together.solution.energy, alone.solution.energy);
-  EXPECT_EQ(together.quality.angle_error_mean_deg, alone.quality.angle_error_mean_deg);
-}
+TEST_P(Hard, IsTheSameForOneAndTwoThreads) { expect_the_same_for_one_and_two_threads(surface); }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, Hard,
                          testing::Values(HardShape{"trefoil,resolution=40", 0.0159, 197, 3.5},
@@ -319,24 +325,10 @@ TEST_P(Model, MultilevelIsAsGoodAsGlobal) {
   }
 }
 
-TEST_P(Model, IsTheSameForOneAndTwoThreads) {
-  const ThreadLimit two(2);
-  const StripePattern together = pattern_of(surface, 40);
-  const ThreadLimit one(1);
-  const StripePattern alone = pattern_of(surface, 40);
-  EXPECT_EQ(together.solution.z, alone.solution.z);
-  EXPECT_EQ(together.solution.energy, alone.solution.energy);
-  EXPECT_EQ(together.quality.angle_error_mean_deg, alone.quality.angle_error_mean_deg);
-}
+TEST_P(Model, IsTheSameForOneAndTwoThreads) { expect_the_same_for_one_and_two_threads(surface); }
 
 TEST_P(Model, HasFewerBranchesForASmallerEpsilon) {
-  std::size_t last = surface.mesh.triangle_count();
-  for (const float epsilon : {0.1f, 0.02f, 0.001f}) {
-    const auto now =
-        pattern_of(surface, 40, with_solver(Solver::relaxation, epsilon)).quality.branches;
-    EXPECT_LT(now, last) << epsilon;
-    last = now;
-  }
+  expect_fewer_branches_for_a_smaller_epsilon(surface);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, Model,

@@ -213,40 +213,40 @@ Aggregates put_together(const SlicedLayout& layout, const std::vector<BlockGrowe
 class StrandedJoiner {
  public:
   StrandedJoiner(const Ground& ground, Aggregates& aggregates)
-      : ground_(ground), matching_(aggregates), members_{aggregates.begin, aggregates.member} {}
+      : ground_(ground), aggregates_(aggregates), members_{aggregates.begin, aggregates.member} {}
 
   void join(Index slot) {
-    if (matching_.aggregate[slot] != kNone) return;
+    if (aggregates_.aggregate[slot] != kNone) return;
     Index strongest = kNone;
     float greatest = 0;
     ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
-      const bool joined = matching_.aggregate[neighbor] != kNone;
-      const bool better = strongest == kNone || matching_.aggregate[strongest] == kNone;
+      const bool joined = aggregates_.aggregate[neighbor] != kNone;
+      const bool better = strongest == kNone || aggregates_.aggregate[strongest] == kNone;
       if (joined ? (better || s > greatest) : (strongest == kNone)) {
         strongest = neighbor;
         greatest = s;
       }
     });
     if (strongest == kNone) return;
-    if (matching_.aggregate[strongest] == kNone) {
-      matching_.aggregate[strongest] = members_.count();
+    if (aggregates_.aggregate[strongest] == kNone) {
+      aggregates_.aggregate[strongest] = members_.count();
       members_.slots.push_back(strongest);
       members_.begin.push_back(static_cast<Index>(members_.slots.size()));
     }
-    matching_.aggregate[slot] = matching_.aggregate[strongest];
-    joins_.push_back({matching_.aggregate[slot], slot});
+    aggregates_.aggregate[slot] = aggregates_.aggregate[strongest];
+    joins_.push_back({aggregates_.aggregate[slot], slot});
   }
 
   void finish() {
     Members joined = with_joins(members_, std::move(joins_));
-    matching_.begin = std::move(joined.begin);
-    matching_.member = std::move(joined.slots);
-    matching_.block_begin.back() = matching_.count();
+    aggregates_.begin = std::move(joined.begin);
+    aggregates_.member = std::move(joined.slots);
+    aggregates_.block_begin.back() = aggregates_.count();
   }
 
  private:
   const Ground& ground_;
-  Aggregates& matching_;
+  Aggregates& aggregates_;
   Members members_;
   std::vector<Join> joins_;
 };

@@ -23,7 +23,7 @@ class ChunkArranger {
  public:
   ChunkArranger(const SlicedLayout& layout, const Aggregates& aggregates,
                 const std::vector<Index>& rank_of)
-      : layout_(layout), matching_(aggregates), rank_of_(rank_of) {}
+      : layout_(layout), aggregates_(aggregates), rank_of_(rank_of) {}
 
   GaugeRounds arrange(Index first, Index end) {
     for (Index rank = 1; collect_members(first, end, rank); ++rank) add_range();
@@ -36,8 +36,8 @@ class ChunkArranger {
   bool collect_members(Index first, Index end, Index rank) {
     members_.clear();
     for (Index a = first; a < end; ++a) {
-      const Index m = matching_.begin[a] + rank;
-      if (m < matching_.begin[a + 1]) members_.push_back(matching_.member[m]);
+      const Index m = aggregates_.begin[a] + rank;
+      if (m < aggregates_.begin[a + 1]) members_.push_back(aggregates_.member[m]);
     }
     std::ranges::sort(members_);
     while (members_.size() % kLanes != 0) members_.push_back(kNone);
@@ -76,14 +76,14 @@ class ChunkArranger {
     std::size_t entry = layout_.first_entry(slot);
     for (Index k = 0; k < layout_.width(slot); ++k, entry += kLanes) {
       const Index j = layout_.neighbor[entry];
-      if (matching_.aggregate[j] == matching_.aggregate[slot] && rank_of_[j] < rank_of_[slot]) {
+      if (aggregates_.aggregate[j] == aggregates_.aggregate[slot] && rank_of_[j] < rank_of_[slot]) {
         entries_.push_back(static_cast<Index>(entry));
       }
     }
   }
 
   const SlicedLayout& layout_;
-  const Aggregates& matching_;
+  const Aggregates& aggregates_;
   const std::vector<Index>& rank_of_;
   std::vector<Index> members_;
   std::vector<Index> entries_;

@@ -13,7 +13,7 @@ class BlockArranger {
   BlockArranger(const SlicedLayout& fine, const Aggregates& aggregates, const Adjacency& adjacency,
                 const SlicedLayout& coarse)
       : fine_(fine),
-        matching_(aggregates),
+        aggregates_(aggregates),
         adjacency_(adjacency),
         coarse_(coarse),
         place_of_(fine.slice_count()) {}
@@ -53,8 +53,8 @@ class BlockArranger {
          ++coarse_slot) {
       const Index a = coarse_.node_at[coarse_slot];
       if (a == kNone) continue;
-      for (Index m = matching_.begin[a]; m < matching_.begin[a + 1]; ++m) {
-        visit(coarse_slot, matching_.member[m]);
+      for (Index m = aggregates_.begin[a]; m < aggregates_.begin[a + 1]; ++m) {
+        visit(coarse_slot, aggregates_.member[m]);
       }
     }
   }
@@ -80,13 +80,13 @@ class BlockArranger {
   template <class Visit>
   void for_each_source(const Visit& visit) const {
     for_each_member([&](Index coarse_slot, Index slot) {
-      const Index aggregate = matching_.aggregate[slot];
+      const Index aggregate = aggregates_.aggregate[slot];
       const auto row = adjacency_.of(aggregate);
       const std::size_t row_begin = coarse_.first_entry(coarse_slot) - first_entry();
       const Index slice = slot / kLanes;
       std::size_t entry = fine_.first_entry(slot);
       for (Index k = 0; k < fine_.width(slot); ++k, entry += kLanes) {
-        const Index other = matching_.aggregate[fine_.neighbor[entry]];
+        const Index other = aggregates_.aggregate[fine_.neighbor[entry]];
         if (other == kNone || other == aggregate) continue;
         const auto position = std::ranges::lower_bound(row, other) - row.begin();
         visit(row_begin + static_cast<std::size_t>(position) * kLanes,
@@ -97,7 +97,7 @@ class BlockArranger {
   }
 
   const SlicedLayout& fine_;
-  const Aggregates& matching_;
+  const Aggregates& aggregates_;
   const Adjacency& adjacency_;
   const SlicedLayout& coarse_;
   std::vector<Index> place_of_;  // of a slice's first entry; set for those of this block's runs
