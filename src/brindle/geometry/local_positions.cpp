@@ -7,7 +7,6 @@
 namespace brindle {
 namespace {
 
-constexpr double kLargestCoordinate = 1e18;
 constexpr double kMostDiagonals = 64;
 
 }  // namespace

@@ -9,11 +9,14 @@
 
 namespace brindle {
 
+/// Coordinates beyond count as none: squares of greater lengths leave the range of float.
+inline constexpr double kLargestCoordinate = 1e18;
+
 /// Where positions are to be measured from so that floats keep their shape: the centre of the box
 /// around them if a coordinate exceeds 64 of the box's diagonals, otherwise zero. Up to there
 /// floats tell points apart that are a 260,000th of the diagonal from each other. Positions whose
 /// entry in `used` is 0 make no difference (none are left out if it is empty), nor do those that
-/// are not finite or beyond 1e18.
+/// are not finite or beyond `kLargestCoordinate`.
 Eigen::Vector3d origin_near(std::span<const Eigen::Vector3d> positions,
                             std::span<const char> used = {});
 

@@ -27,11 +27,10 @@ std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
   if (positions.rows() >= std::numeric_limits<Index>::max()) {
     throw Error("positions: more vertices than brindle can number; split the mesh into parts");
   }
-  constexpr double kLargest = 1e18;
   std::vector<Eigen::Vector3d> result(positions.rows());
   for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
     const auto coordinate = static_cast<double>(number);
-    if (!(std::abs(coordinate) <= kLargest)) {
+    if (!(std::abs(coordinate) <= kLargestCoordinate)) {
       throw Error("positions: a coordinate of vertex " + std::to_string(vertex) + " is " +
                   std::to_string(coordinate) + "; correct it or leave the vertex out");
     }

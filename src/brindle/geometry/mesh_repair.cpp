@@ -9,20 +9,20 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/geometry/local_positions.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
 namespace {
 
-/// Squares of greater lengths leave the range of float.
-constexpr float kLargestCoordinate = 1e18f;
+constexpr auto kLargestFloat = static_cast<float>(kLargestCoordinate);
 /// Twice the area over the square of the longest edge below which a triangle has no area. What
 /// rounding of float coordinates leaves of it is far larger.
 constexpr double kSmallestArea = 1e-12;
 
 bool usable(const Vec3& position) {
-  return (position.array().abs() <= kLargestCoordinate).all();  // false for NaN
+  return (position.array().abs() <= kLargestFloat).all();  // false for NaN
 }
 
 bool has_area(const Mesh& mesh, const Triangle& t) {

@@ -1,10 +1,8 @@
 #include "brindle/phases/multilevel_waves.h"
 
-#include <string>
 #include <vector>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
@@ -12,21 +10,6 @@
 
 namespace brindle {
 namespace {
-
-void check_input(const Adjacency& adjacency, const WaveSet& waves,
-                 std::span<const float> edge_weights) {
-  const std::size_t nodes = adjacency.node_count();
-  if (waves.positions.size() != nodes || waves.directions.size() != nodes ||
-      waves.frequencies.size() != nodes) {
-    throw Error("waves: there must be one position, direction and frequency for each of " +
-                std::to_string(nodes) + " vertices");
-  }
-  check_waves(waves.positions, waves.directions, waves.frequencies);
-  if (!edge_weights.empty() && edge_weights.size() != adjacency.directed_edge_count()) {
-    throw Error("waves: there must be one edge weight per directed edge");
-  }
-  check_edge_weights(edge_weights);
-}
 
 void couple_finest(const Adjacency& adjacency, const WaveSet& waves, PhaseShiftKind kind,
                    std::span<const float> edge_weights, Level& finest) {
@@ -45,7 +28,7 @@ WaveSolution solve_multilevel_waves(const Adjacency& adjacency, const WaveSet& w
                                     PhaseShiftKind kind, std::span<const float> edge_weights,
                                     const SolverOptions& options, const Progress& progress) {
   check(options);
-  check_input(adjacency, waves, edge_weights);
+  check_coupled_waves(adjacency, waves, edge_weights);
   WaveSolution result;
   Hierarchy hierarchy = finest_level(adjacency);
   Stopwatch watch;

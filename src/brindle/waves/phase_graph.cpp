@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "brindle/base/parallel.h"
-#include "brindle/error.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -20,16 +19,7 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
                              PhaseShiftKind kind, std::span<const float> edge_weights) {
   const std::size_t nodes = adjacency->node_count();
   const std::size_t edges = adjacency->directed_edge_count();
-  if (waves.positions.size() != nodes || waves.directions.size() != nodes ||
-      waves.frequencies.size() != nodes ||
-      (!edge_weights.empty() && edge_weights.size() != edges)) {
-    throw Error(
-        "phase graph: positions, directions and frequencies must have one entry for each of " +
-        std::to_string(nodes) + " nodes, weights one for each of " + std::to_string(edges) +
-        " directed edges");
-  }
-  check_waves(waves.positions, waves.directions, waves.frequencies);
-  check_edge_weights(edge_weights);
+  check_coupled_waves(*adjacency, waves, edge_weights);
   PhaseGraph graph;
   graph.coupling.resize(edges);
   graph.reflecting.resize(edges);

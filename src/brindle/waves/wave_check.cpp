@@ -123,4 +123,19 @@ void check_edge_weights(std::span<const float> weights) {
   throw Error(text.str());
 }
 
+void check_coupled_waves(const Adjacency& adjacency, const WaveSet& waves,
+                         std::span<const float> edge_weights) {
+  const std::size_t nodes = adjacency.node_count();
+  const std::size_t edges = adjacency.directed_edge_count();
+  if (waves.positions.size() != nodes || waves.directions.size() != nodes ||
+      waves.frequencies.size() != nodes ||
+      (!edge_weights.empty() && edge_weights.size() != edges)) {
+    throw Error("waves: positions, directions and frequencies must have one entry for each of " +
+                std::to_string(nodes) + " nodes, weights one for each of " + std::to_string(edges) +
+                " directed edges");
+  }
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+  check_edge_weights(edge_weights);
+}
+
 }  // namespace brindle

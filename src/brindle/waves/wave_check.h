@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "brindle/adjacency.h"
+#include "brindle/phase_graph.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -17,5 +19,10 @@ void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directio
 /// Throws Error unless each of the edge weights is finite and not negative, naming the first that
 /// is not.
 void check_edge_weights(std::span<const float> weights);
+
+/// Throws Error unless `waves` has one entry per node and `edge_weights` one per directed edge, or
+/// none, and for what `check_waves` and `check_edge_weights` refuse.
+void check_coupled_waves(const Adjacency& adjacency, const WaveSet& waves,
+                         std::span<const float> edge_weights);
 
 }  // namespace brindle
