@@ -18,6 +18,7 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDi
   if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
   // A row of a field for every vertex of the file says nothing of vertices that were added.
   if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
+  result.arrays = std::move(loaded.arrays);
   result.load_milliseconds = watch.lap();
   display.stage("neighbourhood and normals");
   result.surface = make_surface(std::move(loaded.mesh));

@@ -14,6 +14,7 @@ struct Preparation {
   WaveSet waves;
   FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
   WaveFigures figures;           ///< of `waves`
+  DataArrays arrays;  ///< of the mesh's file: a row per vertex of the surface, and per triangle
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file
   bool points = false;                              ///< the surface has no triangles
   /// For every vertex of the mesh's file the vertex that triangles use in its place; empty if none

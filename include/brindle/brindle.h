@@ -18,6 +18,7 @@
 #include "brindle/cross_texture.h"
 #include "brindle/curvature.h"
 #include "brindle/curves.h"
+#include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
@@ -55,6 +56,8 @@ struct LoadedMesh {
   /// For every vertex of the file, in its order, the vertex that triangles use in its place:
   /// itself, or the first at the same place. Empty if nothing was joined.
   std::vector<Index> vertex_of_row;
+  /// What the file says of the mesh: a row per vertex of `mesh` and per triangle.
+  DataArrays arrays = {};
   bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
 };
 
