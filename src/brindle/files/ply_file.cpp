@@ -21,7 +21,7 @@ namespace {
 
 enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-constexpr std::array<std::pair<std::string_view, Number>, 16> kNumbers = {
+constexpr std::array<std::pair<std::string_view, Number>, 16> kNumberNames = {
     {{"char", Number::int8},
      {"int8", Number::int8},
      {"uchar", Number::uint8},
@@ -130,7 +130,7 @@ class HeaderReader {
   }
 
   Number number(std::string_view name) {
-    for (const auto& [known, kind] : kNumbers) {
+    for (const auto& [known, kind] : kNumberNames) {
       if (known == name) return kind;
     }
     file_.fail("unknown type of number " + in_quotes(name));
