@@ -25,6 +25,7 @@
 #include "brindle/fragment_phase.h"
 #include "brindle/frequency_field.h"
 #include "brindle/mesh.h"
+#include "brindle/nearest.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phase_shift.h"
 #include "brindle/points.h"
