@@ -5,7 +5,7 @@
 /// Fields: `smooth_direction_field`, `projected_direction_field`, `curvature_direction_field`,
 /// `tangent_directions`. Patterns: `stripe_pattern`, `texture_pattern`, `cross_pattern`. From
 /// patterns: `stripe_curves`, `stripe_samples`, `texture_coordinates`. Moving input:
-/// `StripeAnimator`, `SmoothFieldAnimator`.
+/// `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`.
 ///
 /// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
 /// threads may do at the same time stands in threads.h.
@@ -13,6 +13,7 @@
 
 #include "brindle/adjacency.h"
 #include "brindle/arrays.h"
+#include "brindle/carried_phases.h"
 #include "brindle/corner_phases.h"
 #include "brindle/cross_cover.h"
 #include "brindle/cross_texture.h"
