@@ -27,6 +27,8 @@
 #include "brindle/frequency_field.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
+#include "brindle/nearby_data.h"
+#include "brindle/nearest.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phase_shift.h"
 #include "brindle/points.h"
