@@ -158,8 +158,7 @@ BenchReport report_of(const Arguments& arguments) {
 
 void check(const CLI::App& command, const Arguments& arguments) {
   check_report("--json", arguments.json);
-  std::vector<UsedFile> inputs;
-  if (is_field_file(arguments.waves)) inputs.push_back({"--field", arguments.waves.field});
+  std::vector<UsedFile> inputs = field_files(arguments.waves);
   for (const std::string& mesh : arguments.bench.meshes) {
     for (UsedFile& file : input_files({.mesh = mesh}, arguments.waves)) {
       inputs.push_back(std::move(file));

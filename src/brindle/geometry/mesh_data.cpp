@@ -113,6 +113,10 @@ void subdivide(Mesh& mesh, DataArrays& arrays, int times) {
   for (const DataArray& array : arrays.cells) {
     check_rows_per_triangle(array, mesh.triangle_count());
   }
+  if (arrays == DataArrays{}) {
+    mesh = subdivide(std::move(mesh), times);
+    return;
+  }
   Mesh result = mesh;
   DataArrays data = arrays;
   for (int i = 0; i < times && !mesh.triangles.empty(); ++i) {
