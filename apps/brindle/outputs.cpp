@@ -37,71 +37,69 @@ Output plan_output(const std::filesystem::path& path) {
                           ".json for a report");
 }
 
-VertexAttribute vectors_attribute(const std::string& name, std::span<const Vec3> vectors) {
-  VertexAttribute attribute{name, 3, {}};
-  for (const Vec3& vector : vectors) {
-    attribute.values.insert(attribute.values.end(), vector.begin(), vector.end());
-  }
-  return attribute;
-}
-
-VertexAttribute phases_attribute(const std::string& name, std::span<const Complex> z) {
-  VertexAttribute attribute{name, 1, {}};
-  for (const Complex& phase : z) attribute.values.push_back(std::arg(phase));
-  return attribute;
+std::vector<float> phases_of(std::span<const Complex> z) {
+  std::vector<float> phases;
+  for (const Complex& value : z) phases.push_back(std::arg(value));
+  return phases;
 }
 
 // Phase, direction and frequency of every vertex; `suffix` sets two sets of waves apart.
-void add_waves(std::vector<VertexAttribute>& attributes, const WaveSet& waves,
-               std::span<const Complex> z, const std::string& suffix = "") {
-  attributes.push_back(phases_attribute("phase" + suffix, z));
-  attributes.push_back(vectors_attribute("direction" + suffix, waves.directions));
-  attributes.push_back({"frequency" + suffix, 1, waves.frequencies});
+void add_waves(std::vector<DataArray>& arrays, const WaveSet& waves, std::span<const Complex> z,
+               const std::string& suffix = "") {
+  arrays.push_back(make_data_array("phase" + suffix, 1, phases_of(z)));
+  arrays.push_back(make_data_array("direction" + suffix, waves.directions));
+  arrays.push_back(make_data_array("frequency" + suffix, 1, waves.frequencies));
 }
 
 // 1 at the corners of triangles where a stripe begins or ends.
-VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corners) {
-  VertexAttribute attribute{"branch", 1, std::vector<float>(mesh.vertex_count())};
+std::vector<float> branches_of(const Mesh& mesh, std::span<const CornerPhases> corners) {
+  std::vector<float> flags(mesh.vertex_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const TriangleKind kind = corners[t].kind;
     if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
-    for (const Index vertex : mesh.triangles[t]) attribute.values[vertex] = 1;
+    for (const Index vertex : mesh.triangles[t]) flags[vertex] = 1;
   }
-  return attribute;
+  return flags;
 }
 
-// OBJ has no place for attributes.
-bool holds_attributes(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
+// OBJ has no place for waves.
+bool holds_waves(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
 
 void write_pattern_mesh(const std::filesystem::path& path, const Surface& surface,
                         const StripePattern& pattern, std::span<const Index> partners) {
   const bool points = surface.mesh.triangles.empty();
-  std::vector<VertexAttribute> attributes;
-  if (points) attributes.push_back(vectors_attribute("normal", surface.normals));
-  if (holds_attributes(path)) {
-    add_waves(attributes, pattern.waves, pattern.solution.z);
-    if (!points) attributes.push_back(branches_of(surface.mesh, pattern.corners));
+  std::vector<DataArray> arrays;
+  if (points) arrays.push_back(make_data_array("normal", surface.normals));
+  if (holds_waves(path)) {
+    add_waves(arrays, pattern.waves, pattern.solution.z);
+    if (!points) {
+      arrays.push_back(make_data_array("branch", 1, branches_of(surface.mesh, pattern.corners)));
+    }
   }
-  copy_from_partners(attributes, partners);
-  write_mesh(path, surface.mesh, attributes);
+  copy_from_partners(arrays, partners);
+  write_mesh(path, surface.mesh, arrays);
 }
 
-void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedMesh& textured,
+void add_carried_waves(std::vector<DataArray>& arrays, const TexturedMesh& textured,
                        const Mesh& mesh, const StripePattern& pattern, const std::string& suffix) {
   const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
-  add_waves(attributes, waves, z, suffix);
-  std::vector<float> flags = carried_values(textured, branches_of(mesh, pattern.corners).values, 1);
+  add_waves(arrays, waves, z, suffix);
+  std::vector<float> flags = carried_values(textured, branches_of(mesh, pattern.corners), 1);
   // A barycentre is at a branch if all corners are.
   for (float& flag : flags) flag = std::floor(flag);
-  attributes.push_back({"branch" + suffix, 1, std::move(flags)});
+  arrays.push_back(make_data_array("branch" + suffix, 1, flags));
 }
 
-VertexAttribute coordinates_attribute(const TexturedMesh& textured) {
-  VertexAttribute attribute{"uv", 2, {}};
-  for (const auto& uv : textured.coordinates) {
-    attribute.values.insert(attribute.values.end(), {uv.x(), uv.y()});
-  }
-  return attribute;
+DataArray normals_of(const Surface& surface, const TexturedMesh& textured) {
+  const std::span<const float> numbers(reinterpret_cast<const float*>(surface.normals.data()),
+                                       3 * surface.normals.size());
+  return make_data_array("normal", 3, carried_values(textured, numbers, 3));
+}
+
+DataArray coordinates_of(const TexturedMesh& textured) {
+  std::vector<float> numbers;
+  for (const auto& uv : textured.coordinates) numbers.insert(numbers.end(), {uv.x(), uv.y()});
+  return make_data_array("uv", 2, numbers);
 }
 
 void write_mesh_with_texture(const std::filesystem::path& path, const Surface& surface,
@@ -110,17 +108,13 @@ void write_mesh_with_texture(const std::filesystem::path& path, const Surface& s
   const TexturePattern& pattern = texture.pattern;
   const TexturedMesh textured =
       texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
-  const VertexAttribute normals = vectors_attribute("normal", surface.normals);
-  std::vector<VertexAttribute> attributes = {
-      {normals.name, normals.components,
-       carried_values(textured, normals.values, normals.components)},
-      coordinates_attribute(textured)};
-  if (holds_attributes(path)) {
-    add_carried_waves(attributes, textured, surface.mesh, pattern.u, "");
-    add_carried_waves(attributes, textured, surface.mesh, pattern.v, "_v");
+  std::vector<DataArray> arrays = {normals_of(surface, textured), coordinates_of(textured)};
+  if (holds_waves(path)) {
+    add_carried_waves(arrays, textured, surface.mesh, pattern.u, "");
+    add_carried_waves(arrays, textured, surface.mesh, pattern.v, "_v");
   }
-  copy_from_partners(attributes, partners);
-  write_textured_mesh(path, textured.mesh, attributes, tile_png(texture.tile, picture));
+  copy_from_partners(arrays, partners);
+  write_textured_mesh(path, textured.mesh, arrays, tile_png(texture.tile, picture));
 }
 
 }  // namespace

@@ -96,15 +96,12 @@ void write_ply_lines(std::ostream& out, Kinds kinds) {
 }
 
 void write_vtp_lines(std::ostream& out, Kinds kinds) {
-  std::vector<Vec3> points;
-  VertexAttribute normals{"normal", 3, {}};
+  std::vector<Vec3> points, normals;
   std::vector<Index> offsets{0}, along;
-  std::vector<VertexAttribute> cells = {{"kind", 1, {}}, {"closed", 1, {}}, {"length", 1, {}}};
+  std::vector<float> kind_of_line, closed, length;
   for (const NamedLines& kind : kinds) {
     for (const Vec3& p : kind.lines.points) points.push_back(moved(p, kind.lines, kinds));
-    for (const Vec3& n : kind.lines.normals) {
-      normals.values.insert(normals.values.end(), n.begin(), n.end());
-    }
+    normals.insert(normals.end(), kind.lines.normals.begin(), kind.lines.normals.end());
   }
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
     const Polylines& lines = kinds[kind].lines;
@@ -112,15 +109,19 @@ void write_vtp_lines(std::ostream& out, Kinds kinds) {
     for (Index i = 0; i < size; ++i) along.push_back(first + i);
     if (lines.closed[line]) along.push_back(first);
     offsets.push_back(static_cast<Index>(along.size()));
-    cells[0].values.push_back(static_cast<float>(kind));
-    cells[1].values.push_back(lines.closed[line]);
-    cells[2].values.push_back(static_cast<float>(length_of(lines, line)));
+    kind_of_line.push_back(static_cast<float>(kind));
+    closed.push_back(lines.closed[line]);
+    length.push_back(static_cast<float>(length_of(lines, line)));
   });
+  const std::vector<DataArray> of_points = {make_data_array("normal", normals)};
+  const std::vector<DataArray> of_lines = {make_data_array("kind", 1, kind_of_line),
+                                           make_data_array("closed", 1, closed),
+                                           make_data_array("length", 1, length)};
   write_vtp(out, {.points = points,
                   .line_offsets = offsets,
                   .line_points = along,
-                  .point_attributes = std::span(&normals, 1),
-                  .cell_attributes = cells,
+                  .point_arrays = of_points,
+                  .cell_arrays = of_lines,
                   .origin = origin_of(kinds)});
 }
 

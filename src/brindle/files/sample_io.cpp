@@ -77,19 +77,16 @@ void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::
 }
 
 template <class Value>
-VertexAttribute attribute(const char* name, std::span<const Sample> samples, const Value& value) {
-  VertexAttribute result{name, 1, {}};
-  for (const Sample& sample : samples) result.values.push_back(static_cast<float>(value(sample)));
-  return result;
+DataArray numbers(const char* name, std::span<const Sample> samples, const Value& value) {
+  std::vector<float> result;
+  for (const Sample& sample : samples) result.push_back(static_cast<float>(value(sample)));
+  return make_data_array(name, 1, result);
 }
 
-VertexAttribute vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
-  VertexAttribute result{name, 3, {}};
-  for (const Sample& sample : samples) {
-    const Vec3& v = sample.*member;
-    result.values.insert(result.values.end(), v.begin(), v.end());
-  }
-  return result;
+DataArray vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
+  std::vector<Vec3> result;
+  for (const Sample& sample : samples) result.push_back(sample.*member);
+  return make_data_array(name, result);
 }
 
 void write_points(std::ostream& out, std::span<const Sample> samples,
@@ -98,17 +95,16 @@ void write_points(std::ostream& out, std::span<const Sample> samples,
   for (const Sample& sample : samples) points.push_back(sample.position);
   std::vector<Index> cells(samples.size());
   std::iota(cells.begin(), cells.end(), Index{0});
-  const std::vector<VertexAttribute> attributes = {
+  const std::vector<DataArray> arrays = {
       vectors("normal", samples, &Sample::normal),
       vectors("direction_u", samples, &Sample::direction_u),
       vectors("direction_v", samples, &Sample::direction_v),
-      attribute("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
-      attribute("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
+      numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
+      numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
       vectors("barycentric", samples, &Sample::barycentric),
-      attribute("triangle", samples, [](const Sample& s) { return s.triangle; })};
-  write_vtp(
-      out,
-      {.points = points, .single_points = cells, .point_attributes = attributes, .origin = origin});
+      numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
+  write_vtp(out,
+            {.points = points, .single_points = cells, .point_arrays = arrays, .origin = origin});
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+/// How arrays are stored in files.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/files/binary_output.h"
+
+namespace brindle {
+
+/// The same numbers in another type; nothing unless all are what they were.
+std::optional<DataArray> exactly_as(const DataArray& array, NumberType type);
+
+/// Letters, digits and underscores; anything else is an underscore.
+std::string one_word(std::string_view name);
+
+/// A name for each component: NAME alone, NAME_x to NAME_z of three, NAME_0 and on of others.
+std::vector<std::string> column_names(const DataArray& array);
+
+/// An array whose name makes columns that are not `taken` yet, with underscores at its end; then
+/// they are.
+DataArray with_free_columns(DataArray array, std::vector<std::string>& taken);
+
+/// The header's lines for one array of fitting names and types.
+void put_ply_properties(std::ostream& out, const DataArray& array);
+
+inline void put_row(BinaryOutput& binary, const DataArray& array, std::size_t row) {
+  const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
+  binary.put(array.bytes.data() + row * size, size);
+}
+
+}  // namespace brindle
