@@ -45,9 +45,10 @@ struct FittedArrays {
 /// .gltf .glb   arrays of points with 1 to 4 components of finite numbers, as 32-bit floats, if
 /// that
 ///              is exact; names are in capitals after an underscore;
-/// .obj         "normal" and "uv" of points.
-/// Names that are the same then, or taken, get underscores at their end. Numbers of components are
-/// 1 or more.
+/// .obj         "normal" and "uv" of points;
+/// .csv         everything, for lines and samples.
+/// Names that are the same then, or taken, get underscores at their end. What was fitted fits: it
+/// stays as it is. Numbers of components are 1 or more.
 FittedArrays fitted_arrays(const std::filesystem::path& path, DataArrays arrays);
 
 /// A colour's level as files store it: 0 to 1 becomes 0 to 255; what is no number becomes 0.
@@ -118,6 +119,7 @@ LoadedPoints read_points(const std::filesystem::path& path);
 struct NamedLines {
   std::string name;
   const Polylines& lines;
+  std::vector<DataArray> arrays = {};  ///< a row per point
 };
 
 /// Whether `write_polylines` knows the path's extension.
@@ -129,20 +131,25 @@ bool is_polyline_format(const std::filesystem::path& path);
 /// .vtp  lines, with the number of their kind, whether they are closed and their length;
 /// .csv  a row per point: kind, line, closed, x, y, z, nx, ny, nz.
 /// A closed line comes back to its first point, which is not repeated but in .vtp and .obj's lists.
-/// Throws Error for another extension, for more points than an Index can count, and what write_file
-/// throws.
+/// All but .obj hold the arrays too, which are the same of all kinds but for their numbers; in .ply
+/// and .csv they are columns, NAME or, of three components, NAME_x, NAME_y, NAME_z, of other
+/// numbers of them NAME_0 and so on. Names that are taken get underscores at their end.
+/// Throws Error for another extension, for more points than an Index can count, for arrays with
+/// other numbers of rows or that differ between kinds or do not fit (`fitted_arrays`), and what
+/// write_file throws.
 void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds);
 
 /// Whether `write_samples` knows the path's extension.
 bool is_sample_format(const std::filesystem::path& path);
 
 /// Writes all that a Sample has, whole or not at all, by the path's extension: .csv a row per
-/// sample, .ply (binary) a vertex per sample, .vtp a point per sample. In .vtp the triangle's
-/// number is a float, exact up to 16,777,216 triangles. Positions are relative to `origin`, which
-/// is that of the mesh, and written where they stand. Throws Error for another extension and what
-/// write_file throws.
+/// sample, .ply (binary) a vertex per sample, .vtp a point per sample; and `arrays` of a row per
+/// sample, as `write_polylines` does. Positions are relative to `origin`, which is that of the
+/// mesh, and written where they stand. Throws Error for another extension, for arrays as
+/// `write_polylines` does, and what write_file throws.
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
-                   const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+                   const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
+                   std::span<const DataArray> arrays = {});
 
 /// What a field file holds: one row per vertex.
 struct FieldFile {

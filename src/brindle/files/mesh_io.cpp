@@ -13,6 +13,7 @@
 #include "brindle/files/ply_file.h"
 #include "brindle/files/stl_file.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/written_arrays.h"
 
 namespace brindle {
 namespace {
@@ -70,20 +71,6 @@ void check_usable(const fs::path& path, const LoadedMesh& loaded) {
   throw Error(path.string() + ": " + why + "; export the mesh again, as a surface with faces");
 }
 
-void check_rows(const fs::path& path, std::span<const DataArray> arrays, std::size_t rows,
-                const char* of) {
-  for (const DataArray& array : arrays) {
-    const auto fail = [&](const std::string& what) {
-      throw Error("cannot write '" + path.string() + "': array '" + array.name + "' " + what);
-    };
-    if (array.components < 1) fail("has no components");
-    const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
-    if (array.bytes.size() == rows * row) continue;
-    fail("has " + std::to_string(array.rows()) + " rows, not " + std::to_string(rows) +
-         ", one for every " + of);
-  }
-}
-
 /// The arrays as the file holds them, if it holds them all.
 DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
                           std::span<const DataArray> point_arrays,
@@ -98,10 +85,7 @@ DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
   check_rows(path, cell_arrays, mesh.triangle_count(), "triangle");
   FittedArrays fitted = fitted_arrays(
       path, {{point_arrays.begin(), point_arrays.end()}, {cell_arrays.begin(), cell_arrays.end()}});
-  if (!fitted.left_out.empty()) {
-    throw Error("cannot write '" + path.string() + "': " + fitted.left_out.front() +
-                "; write .vtp or .ply, or leave it out");
-  }
+  if (!fitted.left_out.empty()) refuse_array(path, fitted.left_out.front());
   return std::move(fitted.arrays);
 }
 

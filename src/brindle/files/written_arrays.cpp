@@ -13,6 +13,7 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
+#include "brindle/error.h"
 #include "brindle/files.h"
 
 namespace brindle {
@@ -123,7 +124,9 @@ class Fitting {
     for (std::vector<DataArray>* of : {&arrays.points, &arrays.cells}) {
       for (DataArray& array : *of) array.name = array.name.empty() ? "array" : array.name;
     }
-    if (kind_ == ".vtp") {
+    if (kind_ == ".csv") {
+      result_.arrays = std::move(arrays);
+    } else if (kind_ == ".vtp") {
       fit_vtp(arrays.points, result_.arrays.points);
       fit_vtp(arrays.cells, result_.arrays.cells);
     } else if (kind_ == ".ply") {
@@ -218,7 +221,8 @@ class Fitting {
   }
 
   static std::string gltf_name(std::string_view name) {
-    std::string result = "_" + one_word(name);
+    std::string result = one_word(name);
+    if (!result.starts_with('_')) result.insert(0, 1, '_');
     std::transform(result.begin(), result.end(), result.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return result;
@@ -304,6 +308,59 @@ DataArray with_free_columns(DataArray array, std::vector<std::string>& taken) {
   }
   taken.insert(taken.end(), names.begin(), names.end());
   return array;
+}
+
+std::vector<DataArray> fitted_columns(const std::filesystem::path& path,
+                                      std::span<const DataArray> arrays, std::size_t rows,
+                                      std::vector<std::string> taken) {
+  check_rows(path, arrays, rows, "point");
+  FittedArrays fitted = fitted_arrays(path, {{arrays.begin(), arrays.end()}, {}});
+  if (!fitted.left_out.empty()) refuse_array(path, fitted.left_out.front());
+  for (DataArray& array : fitted.arrays.points) {
+    if (is_normal(array)) array.name += '_';
+    if (lower_extension(path) == ".vtp") {
+      array.name = free_name(std::move(array.name), taken);
+    } else {
+      array = with_free_columns(std::move(array), taken);
+    }
+  }
+  return std::move(fitted.arrays.points);
+}
+
+void check_rows(const std::filesystem::path& path, std::span<const DataArray> arrays,
+                std::size_t rows, const char* of) {
+  for (const DataArray& array : arrays) {
+    const auto fail = [&](const std::string& what) {
+      throw Error("cannot write '" + path.string() + "': array '" + array.name + "' " + what);
+    };
+    if (array.components < 1) fail("has no components");
+    const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
+    if (array.bytes.size() == rows * row) continue;
+    fail("has " + std::to_string(array.rows()) + " rows, not " + std::to_string(rows) +
+         ", one for every " + of);
+  }
+}
+
+void refuse_array(const std::filesystem::path& path, const std::string& left_out) {
+  throw Error("cannot write '" + path.string() + "': " + left_out +
+              "; write .vtp or .ply, or leave it out");
+}
+
+std::string csv_name(std::string_view name) {
+  if (name.find_first_of(",;\"\t\r\n ") == std::string_view::npos) return std::string(name);
+  std::string quoted = "\"";
+  for (const char c : name) {
+    if (c == '"') quoted += c;
+    quoted += c == '\n' || c == '\r' ? '_' : c;
+  }
+  return quoted + '"';
+}
+
+void put_csv_row(TextOutput& text, const DataArray& array, std::size_t row) {
+  const ArrayView view = array.view();
+  for_each_number(ArrayView(view.address(row, 0), view.type(), 1, view.columns(), 0,
+                            static_cast<std::ptrdiff_t>(size_of(array.type))),
+                  [&](std::size_t, std::size_t, auto number) { text << ',' << number; });
 }
 
 void put_ply_properties(std::ostream& out, const DataArray& array) {
