@@ -29,9 +29,10 @@ struct Preparation {
   /// The number in the file or shape of every vertex of the surface: of several that were joined
   /// to one, the first; -1 of those that were added.
   std::vector<std::int64_t> original_ids;
-  std::size_t vertices_joined = 0;   ///< with others at their place
-  double load_milliseconds = 0;      ///< reading or making the mesh and its field
-  double topology_milliseconds = 0;  ///< neighbourhood and normals
+  std::size_t vertices_joined = 0;      ///< with others at their place
+  std::size_t vertices_not_finite = 0;  ///< moved to the others' centroid
+  double load_milliseconds = 0;         ///< reading or making the mesh and its field
+  double topology_milliseconds = 0;     ///< neighbourhood and normals
 };
 
 /// Loads the mesh and makes its waves. Notes on the display what had to be repaired and what is

@@ -36,6 +36,20 @@ nlohmann::ordered_json to_json(const MissingWaves& missing) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const FollowedReport& followed) {
+  return {{"previous", followed.previous},
+          {"lambda", std::stod(formatted("%g", followed.lambda))},  // 0.02, not 0.01999999955
+          {"matched_by", name_of(followed.matched_by)},
+          {"vertices_unmatched", followed.vertices_unmatched},
+          {"phase_step", followed.phase_step}};
+}
+
+void print_followed(std::ostream& out, const FollowedReport& followed) {
+  out << formatted("follows   %s, matched by %s, %zu vertices unmatched, phase step %.4f\n",
+                   followed.previous.c_str(), name_of(followed.matched_by).data(),
+                   followed.vertices_unmatched, followed.phase_step);
+}
+
 void print_texture(std::ostream& out, const TextureReport& texture) {
   out << formatted(
       "texture   %zu branches across the field; turned round at %zu edges, mirrored at "
@@ -168,6 +182,7 @@ nlohmann::ordered_json to_json(const Report& report) {
     json["texture"].update(to_json(report.texture->quality));
   }
   if (report.cross) json["cross"] = to_json(*report.cross);
+  if (report.followed) json.update(to_json(*report.followed));
   return json;
 }
 
@@ -193,6 +208,7 @@ void print_report(std::ostream& out, const Report& report) {
     print_tiles(out, report.texture->quality);
   }
   if (report.cross) print_tiles(out, *report.cross);
+  if (report.followed) print_followed(out, *report.followed);
   out << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
                    time.load, time.topology, time.couple, time.solve, time.pattern);
   if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);

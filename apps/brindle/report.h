@@ -3,12 +3,14 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "brindle/cross_texture.h"
 #include "brindle/texture_pattern.h"
+#include "carried_pattern.h"
 #include "preparation.h"
 
 namespace brindle::tool {
@@ -19,6 +21,15 @@ struct TextureReport {
   std::size_t branches_v = 0;
   TextureSeams seams;
   TextureQuality quality;
+};
+
+/// How a pattern follows another one.
+struct FollowedReport {
+  std::string previous;  ///< its file
+  float lambda = 0;
+  Matching matched_by = Matching::number;
+  std::size_t vertices_unmatched = 0;  ///< waves without a last phase
+  double phase_step = 0;               ///< how far phases moved on average, in radians
 };
 
 /// The figures of one run.
@@ -41,6 +52,7 @@ struct Report {
   std::optional<TextureReport> texture;
   std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
                                         ///< waves together
+  std::optional<FollowedReport> followed;
 };
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);

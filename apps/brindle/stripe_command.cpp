@@ -8,9 +8,12 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
+#include "carried_pattern.h"
 #include "command_line.h"
 #include "commands.h"
 #include "device.h"
+#include "formatted.h"
+#include "option_values.h"
 #include "outputs.h"
 #include "picture.h"
 #include "preparation.h"
@@ -42,6 +45,7 @@ Examples:
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
   brindle stripe scan.obj --uv --output scan.vtp --output scan.ply
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
+  brindle stripe step2.vtp --field array:velocity --previous step1_stripes.vtp --output step2.png
 
 Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
 where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,
@@ -55,6 +59,8 @@ struct StripeArguments {
   WaveOptions waves;
   SolvingOptions solving;
   DeviceKind device = DeviceKind::cpu;
+  std::string previous;  ///< file of the pattern to stay near to; empty: none
+  MatchOptions match;
   TextureChoice texture;
   std::shared_ptr<PictureOptions> picture;
   bool uv = false;
@@ -150,13 +156,34 @@ void check_cross(const StripeArguments& arguments, const std::vector<Output>& ou
   }
 }
 
+// The phases of the pattern that this one stays near to.
+CarriedPattern carried_pattern(const StripeArguments& arguments, const Preparation& prepared) {
+  const Follower follower{arguments.surface.mesh, prepared.surface.mesh, prepared.waves,
+                          prepared.arrays.points};
+  return carry(read_pattern(arguments.previous), follower, arguments.match);
+}
+
+FollowedReport followed_report(const StripeArguments& arguments, const CarriedPattern& carried,
+                               const StripePattern& pattern) {
+  const PhaseStep step = phase_step(pattern.waves, pattern.solution.z, carried.z);
+  return {arguments.previous, arguments.solving.stripes.lambda, carried.matched_by,
+          carried.unmatched, step.mean};
+}
+
 /// Solves on the device, which is given back before anything is drawn.
 Job solve(StripeArguments arguments, Preparation prepared, std::optional<TextureTile> tile,
           const Progress& progress) {
+  std::optional<CarriedPattern> carried;
+  if (!arguments.previous.empty()) {
+    progress.report("reading " + arguments.previous, 0);
+    carried = carried_pattern(arguments, prepared);
+    arguments.solving.stripes.last_phases = carried->z;
+  }
   const Device device(arguments.device);
   arguments.solving.stripes.solve = device.solver();
   Job job = make_job(std::move(prepared), arguments, std::move(tile), progress);
   job.report.device = device.description();
+  if (carried) job.report.followed = followed_report(arguments, *carried, job.result.stripes());
   return job;
 }
 
@@ -165,11 +192,25 @@ bool has(const std::vector<Output>& outputs, OutputKind kind) {
                      [kind](const Output& output) { return output.kind == kind; });
 }
 
+void check_previous(const CLI::App& command, const StripeArguments& arguments, bool texture) {
+  if (arguments.previous.empty()) {
+    refuse_given(command, {"--lambda", "--match"}, "no pattern is followed; add --previous FILE");
+    return;
+  }
+  if (texture) {
+    refuse_given(command, {"--previous"}, "it is for stripes, not for textures and cross fields");
+  }
+  if (arguments.solving.stripes.solver.solver != Solver::multilevel) {
+    refuse_given(command, {"--previous"}, "it is for --solver multilevel");
+  }
+}
+
 // Options that would change nothing.
 void check_options(const CLI::App& command, const StripeArguments& arguments,
                    const std::vector<Output>& outputs, bool texture) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
+  check_previous(command, arguments, texture);
   const std::string no_picture = "no picture is written; add --output FILE.png";
   if (!has(outputs, OutputKind::picture)) {
     refuse_given(command, {"--camera", "--up", "--size", "--view", "--stripe-width"}, no_picture);
@@ -191,6 +232,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
 std::vector<UsedFile> inputs_of(const StripeArguments& arguments) {
   std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
   if (!arguments.texture.tile.empty()) inputs.push_back({"--texture", arguments.texture.tile});
+  if (!arguments.previous.empty()) inputs.push_back({"--previous", arguments.previous});
   return inputs;
 }
 
@@ -243,6 +285,20 @@ void run(const CLI::App& command, const StripeArguments& arguments) {
   for (const UsedFile& file : files_of(outputs, texture)) print_written(std::cout, file.path);
 }
 
+void add_previous_options(CLI::App& command, StripeArguments& arguments) {
+  StripeOptions& stripes = arguments.solving.stripes;
+  command
+      .add_option("--previous", arguments.previous,
+                  "stay near to the stripes of this file, which an earlier run has written (.vtp, "
+                  ".ply): one step of a time series at a time")
+      ->type_name("FILE");
+  add_parsed_option(
+      command, "--lambda", stripes.lambda, parse_weight,
+      "--previous: how near; 0: not at all (default " + formatted("%g", stripes.lambda) + ")")
+      ->type_name("L");
+  add_match_option(command, arguments.match);
+}
+
 void add_options(CLI::App& command, StripeArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_point_options(command, arguments.surface);
@@ -251,6 +307,7 @@ void add_options(CLI::App& command, StripeArguments& arguments) {
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
   add_device_option(command, arguments.device);
+  add_previous_options(command, arguments);
   add_texture_options(command, arguments.texture, arguments.waves, cross);
   command.add_flag("--uv", arguments.uv,
                    "meshes with texture coordinates: U across the stripes, one unit a period; "
