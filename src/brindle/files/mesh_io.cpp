@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cctype>
-#include <functional>
-#include <set>
 #include <string>
 
 #include "brindle/base/file_extension.h"
@@ -17,6 +14,7 @@
 #include "brindle/files/stl_file.h"
 #include "brindle/files/vtk_file.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/written_arrays.h"
 
 namespace brindle {
 namespace {
@@ -85,50 +83,22 @@ void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::str
   throw Error(path.string() + ": " + why + "; export the mesh again, as a surface with faces");
 }
 
-void check_attribute(const fs::path& path, const Mesh& mesh, const VertexAttribute& attribute) {
-  const auto fail = [&](const std::string& what) {
-    throw Error("cannot write '" + path.string() + "': attribute '" + attribute.name + "' " + what);
-  };
-  const bool named = !attribute.name.empty() &&
-                     std::all_of(attribute.name.begin(), attribute.name.end(),
-                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  if (!named) fail("must be named by letters, digits and underscores only");
-  const bool plain = attribute.components == 1 || attribute.components == 3;
-  if (!plain && !attribute.is_uv()) {
-    fail("must have 1 or 3 components, not " + std::to_string(attribute.components));
-  }
-  const std::size_t expected = static_cast<std::size_t>(attribute.components) * mesh.vertex_count();
-  if (attribute.values.size() != expected) {
-    fail("has " + std::to_string(attribute.values.size()) + " values, not " +
-         std::to_string(expected));
-  }
-}
-
-void check_attributes(const fs::path& path, const Mesh& mesh,
-                      std::span<const VertexAttribute> attributes) {
-  std::set<std::string> names = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
-  for (const VertexAttribute& attribute : attributes) {
-    check_attribute(path, mesh, attribute);
-    if (!names.insert(attribute.name).second) {
-      throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
-                  "' is already taken; rename it");
-    }
-    if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
-      throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
-                  attribute.name + "'; write .ply, .vtp, .gltf or .glb");
-    }
-  }
-}
-
-void check_output(const fs::path& path, const Mesh& mesh,
-                  std::span<const VertexAttribute> attributes) {
+/// The arrays as the file holds them, if it holds them all.
+DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
+                          std::span<const DataArray> point_arrays,
+                          std::span<const DataArray> cell_arrays) {
   const std::string kind = lower_extension(path);
   if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
     throw Error("cannot write '" + path.string() + "': the extension '" +
                 path.extension().string() +
                 "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
   }
-  check_attributes(path, mesh, attributes);
+  check_rows(path, point_arrays, mesh.vertex_count(), "vertex");
+  check_rows(path, cell_arrays, mesh.triangle_count(), "triangle");
+  FittedArrays fitted = fitted_arrays(
+      path, {{point_arrays.begin(), point_arrays.end()}, {cell_arrays.begin(), cell_arrays.end()}});
+  if (!fitted.left_out.empty()) refuse_array(path, fitted.left_out.front());
+  return std::move(fitted.arrays);
 }
 
 /// `path` with another ending.
@@ -153,18 +123,19 @@ struct TextureNames {
 };
 
 void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
-              std::span<const VertexAttribute> attributes, const TextureNames& texture) {
+              const DataArrays& arrays, const TextureNames& texture) {
   if (kind == ".obj") {
-    write_obj(out, mesh, attributes, texture.materials);
+    write_obj(out, mesh, arrays.points, texture.materials);
   } else if (kind == ".ply") {
-    write_ply(out, mesh, attributes, texture.picture);
+    write_ply(out, mesh, arrays, texture.picture);
   } else if (kind == ".vtp") {
     write_vtp(out, {.points = mesh.positions,
                     .triangles = mesh.triangles,
-                    .point_attributes = attributes,
+                    .point_arrays = arrays.points,
+                    .cell_arrays = arrays.cells,
                     .origin = mesh.origin});
   } else {
-    write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text,
+    write_gltf(out, mesh, arrays.points, kind == ".glb" ? GltfKind::binary : GltfKind::text,
                texture.png);
   }
 }
@@ -197,18 +168,19 @@ Mesh read_vertices(const fs::path& path) {
   });
 }
 
-void write_mesh(const fs::path& path, const Mesh& mesh,
-                std::span<const VertexAttribute> attributes) {
-  check_output(path, mesh, attributes);
-  write_file(
-      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, attributes, {}); });
+void write_mesh(const fs::path& path, const Mesh& mesh, std::span<const DataArray> point_arrays,
+                std::span<const DataArray> cell_arrays) {
+  const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
+  write_file(path,
+             [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, arrays, {}); });
 }
 
 void write_textured_mesh(const fs::path& path, const Mesh& mesh,
-                         std::span<const VertexAttribute> attributes, const std::string& png) {
-  check_output(path, mesh, attributes);
-  if (std::none_of(attributes.begin(), attributes.end(), std::mem_fn(&VertexAttribute::is_uv))) {
-    throw Error("cannot write '" + path.string() + "': a textured mesh needs the attribute 'uv'");
+                         std::span<const DataArray> point_arrays, const std::string& png,
+                         std::span<const DataArray> cell_arrays) {
+  const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
+  if (std::none_of(arrays.points.begin(), arrays.points.end(), is_uv)) {
+    throw Error("cannot write '" + path.string() + "': a textured mesh needs the array 'uv'");
   }
   const fs::path picture = picture_path(path);
   const fs::path materials = materials_path(path);
@@ -216,7 +188,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
   if (!holds_picture(kind)) write_whole(picture, png);
   if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
   const TextureNames names{picture.filename().string(), materials.filename().string(), png};
-  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, attributes, names); });
+  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, arrays, names); });
 }
 
 std::vector<fs::path> textured_mesh_files(const fs::path& path) {

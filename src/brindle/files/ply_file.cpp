@@ -20,6 +20,7 @@
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_positions.h"
+#include "brindle/files/written_arrays.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {
@@ -477,29 +478,23 @@ class PlyReader {
   std::vector<Index> corners_;
 };
 
-void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_header(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
                   const std::string& picture) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
   if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
   out << "element vertex " << mesh.vertex_count() << '\n' << position_properties(mesh.origin);
-  for (const VertexAttribute& attribute : attributes) {
-    if (attribute.is_normal()) {
-      out << "property float nx\nproperty float ny\nproperty float nz\n";
-    } else if (attribute.is_color()) {
-      out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    } else if (attribute.is_uv()) {
-      out << "property float texture_u\nproperty float texture_v\nproperty float s\n"
-             "property float t\n";
-    } else if (attribute.components == 3) {
-      for (const char axis : {'x', 'y', 'z'}) {
-        out << "property float " << attribute.name << '_' << axis << '\n';
-      }
-    } else {
-      out << "property float " << attribute.name << '\n';
-    }
+  for (const DataArray& array : arrays.points) put_ply_properties(out, array);
+  out << "element face " << mesh.triangle_count() << "\nproperty list uchar uint vertex_indices\n";
+  for (const DataArray& array : arrays.cells) put_ply_properties(out, array);
+  out << "end_header\n";
+}
+
+/// The row of every array.
+void put_rows(BinaryOutput& binary, std::span<const DataArray> arrays, std::size_t row) {
+  for (const DataArray& array : arrays) {
+    put_row(binary, array, row);
+    if (is_uv(array)) put_row(binary, array, row);
   }
-  out << "element face " << mesh.triangle_count()
-      << "\nproperty list uchar uint vertex_indices\nend_header\n";
 }
 
 }  // namespace
@@ -512,27 +507,19 @@ LoadedPoints read_ply_points(const std::filesystem::path& path) {
 
 bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).has_faces(); }
 
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_ply(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture) {
-  write_header(out, mesh, attributes, picture);
+  write_header(out, mesh, arrays, picture);
   BinaryOutput binary(out);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     put_position(binary, mesh.positions[v], mesh.origin);
-    for (const VertexAttribute& attribute : attributes) {
-      const auto n = static_cast<std::size_t>(attribute.components);
-      const float* values = &attribute.values[n * v];
-      if (!attribute.is_color()) {
-        binary.put(values, n);
-        if (attribute.is_uv()) binary.put(values, n);
-        continue;
-      }
-      for (int i = 0; i < 3; ++i) binary.put(color_byte(values[i]));
-    }
+    put_rows(binary, arrays.points, v);
   }
-  for (const Triangle& t : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     constexpr unsigned char kThree = 3;
     binary.put(&kThree, 1);
-    binary.put(t.data(), 3);
+    binary.put(mesh.triangles[t].data(), 3);
+    put_rows(binary, arrays.cells, t);
   }
 }
 

@@ -26,12 +26,11 @@ LoadedPoints read_ply_points(const std::filesystem::path& path);
 /// Whether the header names faces. Throws as `read_ply` does for what is wrong with the header.
 bool ply_has_faces(const std::filesystem::path& path);
 
-/// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
-/// "color" red, green, blue from 0 to 255; others with their name, and with three components
-/// name_x, name_y, name_z; "uv" texture_u, texture_v (which VTK and MeshLab read) and the same
-/// again as s, t (Blender). `picture` names the file that these refer to, in a comment that MeshLab
-/// introduced.
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+/// Binary, little endian. Arrays, as `fitted_arrays` makes them, become properties of vertices and
+/// faces: "normal" nx, ny, nz; "color" red, green, blue; others with the names of `column_names`;
+/// "uv" texture_u, texture_v (which VTK and MeshLab read) and the same again as s, t (Blender).
+/// `picture` names the file that these refer to, in a comment that MeshLab introduced.
+void write_ply(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture = "");
 
 }  // namespace brindle
