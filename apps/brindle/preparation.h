@@ -1,6 +1,9 @@
 /// The stages that come before the stripes, the same for every command.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "progress_display.h"
 #include "surface_options.h"
 #include "wave_figures.h"
@@ -23,6 +26,10 @@ struct Preparation {
   /// The same for every vertex of the surface, up to the last that was joined: what files say of a
   /// vertex is what its partner has.
   std::vector<Index> partners;
+  /// The number in the file or shape of every vertex of the surface: of several that were joined
+  /// to one, the first; -1 of those that were added.
+  std::vector<std::int64_t> original_ids;
+  std::size_t vertices_joined = 0;   ///< with others at their place
   double load_milliseconds = 0;      ///< reading or making the mesh and its field
   double topology_milliseconds = 0;  ///< neighbourhood and normals
 };

@@ -73,6 +73,7 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
   report.vertices = surface.mesh.vertex_count();
   report.triangles = surface.mesh.triangle_count();
   report.edges = surface.neighborhood->edge_count();
+  report.vertices_joined = prepared.vertices_joined;
   report.solver = solver;
   report.threads = ThreadLimit::current();
   report.iterations = pattern.solution.iterations;
@@ -139,6 +140,7 @@ nlohmann::ordered_json to_json(const Report& report) {
       {"vertices", report.vertices},
       {"triangles", report.triangles},
       {"edges", report.edges},
+      {"vertices_joined", report.vertices_joined},
       {"solver", name_of(report.solver)},
       {"threads", report.threads},
       {"iterations", report.iterations},

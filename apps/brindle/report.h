@@ -27,6 +27,7 @@ struct Report {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
+  std::size_t vertices_joined = 0;  ///< with others at their place, when the file was read
   Solver solver = Solver::multilevel;
   int threads = 0;
   int iterations = 0;

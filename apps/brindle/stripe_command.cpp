@@ -40,15 +40,18 @@ Examples:
   brindle stripe scan.obj --cross --texture plus --output crosses.png
   brindle stripe points.csv --output points.png --output points.ply
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
+  brindle stripe scan.obj --uv --output scan.vtp --output scan.ply
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
   brindle stripe flow.vtp --field array:velocity --frequency-by array:speed --output flow.png
   brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
   brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
 
-Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians), direction,
-frequency and branch (1 at the corners of triangles where a stripe begins or ends) at every vertex;
-.obj the mesh alone; .json a report. With --texture, meshes have texture coordinates and show the
-tile: .gltf and .glb hold it, others have it beside them.)";
+Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
+where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,
+branch (1 at the corners of triangles where a stripe begins or ends) and original_id (the number in
+MESH) at every vertex, and all arrays that MESH has; .obj the mesh alone; .json a report. With
+--texture, meshes have texture coordinates and show the tile: .gltf and .glb hold it, others have it
+beside them; --uv gives coordinates alone.)";
 
 struct StripeArguments {
   SurfaceOptions surface;
@@ -57,6 +60,7 @@ struct StripeArguments {
   DeviceKind device = DeviceKind::cpu;
   TextureChoice texture;
   std::shared_ptr<PictureOptions> picture;
+  bool uv = false;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
@@ -82,6 +86,7 @@ struct Job {
   Surface surface;
   StripeResult result;
   Report report;
+  FileData data;
 };
 
 Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTile tile,
@@ -90,8 +95,12 @@ Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTi
   const CrossPattern cross = cross_pattern(prepared.surface, prepared.waves, options, progress);
   CrossTexture texture = cross_texture(prepared.surface, cross, options.phase_shift);
   const Report report = make_report(prepared, texture, options.solver.solver);
-  return {
-      std::move(texture.surface), {Texture{std::move(texture.pattern), std::move(tile)}}, report};
+  FileData data =
+      on_cross_texture(take_file_data(prepared), prepared.surface.mesh.triangles, cross.cover);
+  return {std::move(texture.surface),
+          {Texture{std::move(texture.pattern), std::move(tile)}},
+          report,
+          std::move(data)};
 }
 
 Job make_job(Preparation prepared, const StripeArguments& arguments,
@@ -105,7 +114,8 @@ Job make_job(Preparation prepared, const StripeArguments& arguments,
   const Report report = result.texture() != nullptr
                             ? make_report(prepared, result.texture()->pattern, solver)
                             : make_report(prepared, result.stripes(), solver);
-  return {std::move(prepared.surface), std::move(result), report};
+  FileData data = take_file_data(prepared);
+  return {std::move(prepared.surface), std::move(result), report, std::move(data)};
 }
 
 // What cannot be laid over points or shown of crosses: better said before a long job.
@@ -128,6 +138,7 @@ void check_points(const CLI::App& command, const StripeArguments& arguments,
       refuse("--output", "'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
     }
   }
+  refuse_given(command, {"--uv"}, "points have no triangles, and so no texture coordinates");
   refuse_triangle_options(command);
 }
 
@@ -170,7 +181,14 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
       refuse_given(command, {"--colors"}, no_picture);
     }
   }
-  if (texture) refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+  if (texture) {
+    refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+    refuse_given(command, {"--uv"}, "meshes with a texture have coordinates anyway");
+  }
+  if (!has(outputs, OutputKind::mesh)) {
+    refuse_given(command, {"--uv"},
+                 "no mesh is written; add --output FILE.vtp, .ply, .glb or .obj");
+  }
 }
 
 std::vector<UsedFile> inputs_of(const StripeArguments& arguments) {
@@ -190,12 +208,14 @@ std::vector<Output> checked_outputs(const CLI::App& command, const StripeArgumen
   return outputs;
 }
 
-void write_outputs(const std::vector<Output>& outputs, Job& job, const PictureOptions& picture,
-                   std::span<const Index> partners, ProgressDisplay& display) {
+void write_outputs(const std::vector<Output>& outputs, Job& job, const StripeArguments& arguments,
+                   ProgressDisplay& display) {
+  const MadeMesh made{job.surface, job.result, job.data, arguments.solving.stripes.phase_shift,
+                      arguments.uv};
   for (const Output& output : outputs) {
     display.stage("writing " + output.path.string());
     Stopwatch watch;
-    write_output(output, job.surface, job.result, job.report, picture, partners);
+    write_output(output, made, job.report, *arguments.picture, display);
     if (output.kind == OutputKind::picture) {
       job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
     }
@@ -214,12 +234,11 @@ void run(const CLI::App& command, const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    const std::vector<Index> partners = std::move(prepared.partners);
     Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
     job.report.invocation = invocation_of(command);
     display.note(
         branch_warning(job.report.waves, job.report.quality.branches, job.report.triangles));
-    write_outputs(outputs, job, *arguments.picture, partners, display);
+    write_outputs(outputs, job, arguments, display);
     report = job.report;
   }
   if (arguments.quiet) return;
@@ -236,6 +255,9 @@ void add_options(CLI::App& command, StripeArguments& arguments) {
   add_solving_options(command, arguments.solving);
   add_device_option(command, arguments.device);
   add_texture_options(command, arguments.texture, arguments.waves, cross);
+  command.add_flag("--uv", arguments.uv,
+                   "meshes with texture coordinates: U across the stripes, one unit a period; "
+                   "vertices are split where it needs that (original_id: their number in MESH)");
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_picture_options(command);
 }

@@ -98,19 +98,20 @@ bool is_shape(const SurfaceOptions& options) {
   return std::string_view(options.mesh).starts_with(kShapePrefix);
 }
 
-LoadedMesh load_mesh(const SurfaceOptions& options) {
+LoadedSurface load_mesh(const SurfaceOptions& options) {
   if (options.neighbors) {
     throw CLI::ValidationError("--neighbors",
                                "a mesh's vertices are joined by its edges; add --points to take "
                                "them as points");
   }
   check_exists(options);
-  LoadedMesh loaded;
+  LoadedSurface loaded;
   if (is_shape(options)) {
     loaded.mesh = make_named_shape(options);
   } else {
-    loaded = read_mesh(options.mesh);
+    static_cast<LoadedMesh&>(loaded) = read_mesh(options.mesh);
   }
+  loaded.own_vertices = loaded.mesh.vertex_count();
   if (options.subdivide > 0) subdivide(loaded.mesh, loaded.arrays, options.subdivide);
   return loaded;
 }
