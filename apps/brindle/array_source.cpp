@@ -104,6 +104,7 @@ OtherMesh read_other(const std::string& file) {
       other.mesh.positions.push_back(loaded.cloud.positions[i]);
     }
     other.mesh.origin = loaded.cloud.origin;
+    other.arrays.points = rows_of(loaded.arrays, loaded.cloud.used);
   } else {
     LoadedMesh loaded = read_mesh(file);
     other.notes = describe(loaded);

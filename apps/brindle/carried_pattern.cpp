@@ -163,6 +163,7 @@ KeptPattern read_pattern(const std::filesystem::path& path) {
     LoadedPoints loaded = read_points(path);
     pattern.mesh.positions = std::move(loaded.cloud.positions);
     pattern.mesh.origin = loaded.cloud.origin;
+    pattern.arrays = std::move(loaded.arrays);
   } else {
     LoadedMesh loaded = read_mesh(path);
     pattern.mesh = std::move(loaded.mesh);

@@ -51,6 +51,7 @@ void prepare_points(Preparation& result, const SurfaceOptions& options, Progress
   result.vertices_joined = loaded.repair.repeated;
   result.original_ids.resize(loaded.cloud.positions.size());
   std::iota(result.original_ids.begin(), result.original_ids.end(), std::int64_t{0});
+  result.arrays.points = std::move(loaded.arrays);
   result.load_milliseconds = watch.lap();
   display.stage("neighbours and normals of points");
   const std::size_t used = loaded.cloud.used.size();

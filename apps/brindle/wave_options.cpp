@@ -146,6 +146,7 @@ void drop_waves(const ArrayOptions& options, Field& field) {
 
 // What neither is a field nor looks like a file.
 void check_field_name(const WaveOptions& options) {
+  if (is_array(options.field)) parse_array("--field", options.field);  // which may be mistyped
   const std::filesystem::path path(options.field);
   std::error_code ignored;
   if (!is_field_file(options) || path.has_extension() || std::filesystem::exists(path, ignored)) {

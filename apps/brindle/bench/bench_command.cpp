@@ -28,6 +28,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle bench --json bench.json
   brindle bench horse.ply --direction 0.31,0.9,0.27
   brindle bench horse.ply --direction 0.31,0.9,0.27 --device gpu
+  brindle bench flow.vtp --field array:velocity
   brindle bench --figure 13)";
 
 // Along no symmetry of any built-in shape.
