@@ -65,6 +65,8 @@ struct LoadedMesh {
   /// What the file says of the mesh: a row per vertex of `mesh` and per triangle.
   DataArrays arrays = {};
   bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
+  /// A line, as for a report to the user, per kind of thing in the file that is not here.
+  std::string left_out = {};
 };
 
 /// Reads OBJ, PLY, OFF, STL, glTF and GLB, told apart by the path's extension; polygons are cut
@@ -151,6 +153,16 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
                    std::span<const DataArray> arrays = {});
 
+/// The columns of a CSV file whose first row names them, as arrays of float64 with a row each.
+/// Commas, semicolons, tabs or spaces part the columns, and cells may stand in quotation marks;
+/// empty cells are NaN, and columns of words are left out. Columns NAME:0 to NAME:k-1 (so
+/// ParaView writes them), NAME_0 to NAME_k-1, or NAME with :x, :y, :z or _x, _y, _z, in any order,
+/// become one array NAME; so do xx, yy, zz, xy, yz, xz, and xx, xy, xz, yx and so on to zz. Throws
+/// Error naming the file, the line, the column and the remedy if the file cannot be read or does
+/// not name its columns, a word stands in a column of numbers, or a row has more or fewer cells
+/// than there are names.
+std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path);
+
 /// What a field file holds: one row per vertex.
 struct FieldFile {
   std::vector<Vec3> vectors;
@@ -159,8 +171,11 @@ struct FieldFile {
 };
 
 /// Reads a CSV file (`read_csv`) of 3 columns x,y,z, 4 with the frequency, or 5 with the frequency
-/// of the stripes that cross the others where a texture is laid along both. `nan` is a value: no
-/// wave here. Of vectors the direction alone counts, however long or short they are.
+/// of the stripes that cross the others where a texture is laid along both. Of a file whose first
+/// row names columns x, y and z, these and, if there are such names, `frequency` and `frequency_v`
+/// are taken wherever they stand; unless x,y,z come first, of five columns or fewer, and the others
+/// have other names: then these are the frequencies. `nan` is a value: no wave here. Of vectors the
+/// direction alone counts, however long or short they are.
 ///
 /// A row stands for a vertex of the mesh or, if there are as many rows as entries in
 /// `vertex_of_row`, for a vertex of the mesh's file (`LoadedMesh`). Of the rows of one vertex the

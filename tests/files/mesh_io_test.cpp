@@ -303,7 +303,7 @@ TEST_F(MeshIo, DeviceIsRefused) {
 }
 
 TEST_F(MeshIo, UnknownExtensionListsTheKnown) {
-  EXPECT_NAMES(error_of("a.docx", kPyramidObj), ".obj, .ply, .off, .stl, .gltf and .glb");
+  EXPECT_NAMES(error_of("a.docx", kPyramidObj), ".vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb");
   EXPECT_NAMES(error_of("noextension", kPyramidObj), ".ply");
 }
 

@@ -12,6 +12,7 @@
 #include "brindle/files/off_file.h"
 #include "brindle/files/ply_file.h"
 #include "brindle/files/stl_file.h"
+#include "brindle/files/vtk_file.h"
 #include "brindle/files/vtp_file.h"
 #include "brindle/files/written_arrays.h"
 
@@ -20,34 +21,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Positions and triangles as the file has them.
-Mesh read_raw(const fs::path& path) {
+constexpr const char* kReadable =
+    "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
+
+/// What the file holds, as it has it.
+RawMesh read_raw(const fs::path& path) {
   const InputFile readable(path);
   const std::string kind = lower_extension(path);
-  if (kind == ".obj") return read_obj(path);
+  if (kind == ".obj") return {read_obj(path)};
   if (kind == ".ply") return read_ply(path);
-  if (kind == ".off") return read_off(path);
-  if (kind == ".stl") return read_stl(path);
+  if (kind == ".off") return {read_off(path)};
+  if (kind == ".stl") return {read_stl(path)};
   if (kind == ".gltf" || kind == ".glb") return read_gltf(path);
+  if (is_vtk_format(path)) return read_vtk(path);
   readable.fail_whole("brindle cannot tell the format by the extension '" +
-                      path.extension().string() +
-                      "'; it reads .obj, .ply, .off, .stl, .gltf and .glb");
+                      path.extension().string() + "'; " + kReadable);
 }
 
-/// The same with vertices at one place joined, and removed where they have no numbers.
-LoadedMesh read_joined(const fs::path& path) {
-  LoadedMesh loaded;
-  loaded.mesh = read_raw(path);
+/// Lets triangles use one of the vertices at one place, and removes the others where they have no
+/// numbers.
+void join(const fs::path& path, LoadedMesh& loaded) {
   std::vector<Index> first = first_at_each_place(loaded.mesh.positions);
   loaded.repair.vertices_joined = join_vertices(loaded.mesh, first);
-  if (loaded.repair.vertices_joined == 0) return loaded;
+  if (loaded.repair.vertices_joined == 0) return;
   if (lower_extension(path) == ".stl") {
     const std::vector<Index> number = drop_unreferenced_vertices(loaded.mesh);
     for (Index& v : first) v = number[v];
     loaded.renumbered = true;
   }
   loaded.vertex_of_row = std::move(first);
-  return loaded;
+}
+
+/// Drops triangles that cannot be used, with their rows.
+void repair(LoadedMesh& loaded) {
+  const std::size_t joined = loaded.repair.vertices_joined, count = loaded.mesh.triangle_count();
+  std::vector<Index> kept;
+  loaded.repair = repair_mesh(loaded.mesh, kept);
+  loaded.repair.vertices_joined = joined;
+  if (kept.size() < count) loaded.arrays.cells = rows_of(loaded.arrays.cells, kept);
 }
 
 template <class Read>
@@ -59,8 +70,9 @@ auto with_memory(const fs::path& path, const Read& read) {
   }
 }
 
-void check_usable(const fs::path& path, const LoadedMesh& loaded) {
+void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::string& why_empty) {
   if (!loaded.mesh.triangles.empty()) return;
+  if (!why_empty.empty()) throw Error(path.string() + ": " + why_empty);
   const MeshRepair& repair = loaded.repair;
   std::string why = "has no triangles";
   if (repair.triangles_not_finite > 0) {
@@ -131,19 +143,29 @@ void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
 }  // namespace
 
 LoadedMesh read_mesh(const fs::path& path) {
+  std::string why_empty;
   LoadedMesh loaded = with_memory(path, [&] {
-    LoadedMesh joined = read_joined(path);
-    const std::size_t count = joined.repair.vertices_joined;
-    joined.repair = repair_mesh(joined.mesh);
-    joined.repair.vertices_joined = count;
-    return joined;
+    RawMesh raw = read_raw(path);
+    why_empty = std::move(raw.why_empty);
+    LoadedMesh result;
+    result.mesh = std::move(raw.mesh);
+    result.arrays = std::move(raw.arrays);
+    result.left_out = std::move(raw.left_out);
+    join(path, result);
+    repair(result);
+    return result;
   });
-  check_usable(path, loaded);
+  check_usable(path, loaded, why_empty);
   return loaded;
 }
 
 Mesh read_vertices(const fs::path& path) {
-  return with_memory(path, [&] { return read_joined(path).mesh; });
+  return with_memory(path, [&] {
+    LoadedMesh loaded;
+    loaded.mesh = read_raw(path).mesh;
+    join(path, loaded);
+    return std::move(loaded.mesh);
+  });
 }
 
 void write_mesh(const fs::path& path, const Mesh& mesh, std::span<const DataArray> point_arrays,

@@ -7,14 +7,18 @@
 #include <string>
 
 #include "brindle/files.h"
+#include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
 
 namespace brindle {
 
-/// Reads positions and faces; vertices keep the file's order, all else is passed over. Throws
-/// Error, naming the line where there is one, if the file is not as its header says.
-Mesh read_ply(const std::filesystem::path& path);
+/// Reads positions and faces; vertices keep the file's order. Further properties that are one
+/// number become arrays of that name and type, some together one array of several components: nx,
+/// ny, nz "normal"; red, green, blue and, where there is one, alpha "color"; texture_u, texture_v
+/// or s, t "uv"; and what `grouped_columns` joins. Throws Error, naming the line where there is
+/// one, if the file is not as its header says.
+RawMesh read_ply(const std::filesystem::path& path);
 
 /// The vertices alone, with their normals if each has nx, ny and nz. Throws as `read_ply` does.
 LoadedPoints read_ply_points(const std::filesystem::path& path);
