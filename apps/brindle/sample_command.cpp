@@ -36,6 +36,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
   brindle sample shape:torus --output samples.png
   brindle sample points.ply --stripes 50 --output samples.csv
+  brindle sample flow.vtp --frequency-by array:speed --output samples.csv
 
 Files by extension: .csv .ply .vtp samples, each with position, normal, both directions and
 spacings, triangle and barycentric coordinates; .png a picture; .json a report. A field file's
