@@ -8,12 +8,10 @@
 
 #include "animation.h"
 #include "brindle/base/parallel.h"
-#include "brindle/files/pvd_file.h"
 #include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
 #include "frame_output.h"
-#include "mesh_output.h"
 #include "moving_picture.h"
 #include "option_values.h"
 #include "outputs.h"
@@ -21,6 +19,7 @@
 #include "progress_display.h"
 #include "series.h"
 #include "series_player.h"
+#include "step_files.h"
 #include "surface_options.h"
 #include "used_files.h"
 #include "wave_options.h"
@@ -38,7 +37,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle animate shape:trefoil --scene brush --frames 150 --output brush.mp4
   brindle animate --series 'v%04d.vtp' --field array:velocity --output out.mp4
   brindle animate --series run.pvd --field array:velocity --output 'out%04d.vtp'
-  brindle animate plate.obj --series 'wind%04d.csv' --between 3 --output frames/%04d.png
+  brindle animate scan.obj --series 'wind%04d.csv' --between 3 --output frames/%04d.png
 
 A series has a file per step: a mesh each, or fields (.csv) over MESH. Its stripes stay near to
 those of the step before, also where the mesh changes. .vtp files are written per step, with a .pvd
@@ -142,9 +141,8 @@ void add_output_options(CLI::App& app, AnimateArguments& arguments) {
              arguments.outputs.push_back(parse_frame_output("--output", text));
            }
          },
-         "one picture a frame, a video through the ffmpeg program, or, of a series, one mesh a "
-         "step; "
-         "repeatable")
+         "one picture a frame, a video through the ffmpeg program, or one mesh for each step of a "
+         "series; repeatable")
       ->type_name("%04d.png|FILE.mp4|%04d.vtp")
       ->expected(1)
       ->take_all()
@@ -276,57 +274,17 @@ AnimationReport play_scene(const AnimateArguments& arguments, const Device& devi
   return play(surface, animation, device, show, display);
 }
 
-/// Writes a step's mesh, with its arrays and its waves.
-void write_step(const std::filesystem::path& path, const SeriesStep& step,
-                const SolvedFrame& solved, const AnimateArguments& arguments,
-                ProgressDisplay& display) {
-  const PhaseShiftKind phase_shift = arguments.animation.animator.phase_shift;
-  StripePattern pattern;
-  pattern.waves = solved.scene.waves;
-  pattern.phase_shift = phase_shift;
-  pattern.solution.z.assign(solved.z.begin(), solved.z.end());
-  pattern.corners.assign(solved.corners.begin(), solved.corners.end());
-  const StripeResult result{std::move(pattern)};
-  const KeptData data{step.prepared.arrays, step.prepared.original_ids, step.prepared.partners};
-  write_made_mesh(path, {step.prepared.surface, result, data, phase_shift}, *arguments.picture,
-                  display);
+std::vector<FrameOutput> of_kind(const std::vector<FrameOutput>& outputs, bool meshes) {
+  std::vector<FrameOutput> result;
+  std::ranges::copy_if(outputs, std::back_inserter(result),
+                       [&](const FrameOutput& output) { return output.meshes == meshes; });
+  return result;
 }
-
-/// The meshes of steps, and what lists them.
-class StepFiles {
- public:
-  StepFiles(const AnimateArguments& arguments, ProgressDisplay& display)
-      : arguments_(arguments), display_(display) {}
-
-  void add(const SeriesStep& step, const SolvedFrame& solved) {
-    for (const FrameOutput& output : arguments_.outputs) {
-      if (!output.meshes) continue;
-      const auto path = frame_path(output, times_.size());
-      write_step(path, step, solved, arguments_, display_);
-    }
-    times_.push_back(step.source.time);
-  }
-
-  void finish() const {
-    for (const FrameOutput& output : arguments_.outputs) {
-      if (!output.meshes) continue;
-      std::vector<TimedFile> files;
-      for (std::size_t n = 0; n < times_.size(); ++n) {
-        files.push_back({times_[n], frame_path(output, n)});
-      }
-      write_pvd(collection_path(output), files);
-    }
-  }
-
- private:
-  const AnimateArguments& arguments_;
-  ProgressDisplay& display_;
-  std::vector<double> times_;
-};
 
 AnimationReport play_series(const AnimateArguments& arguments, Series& series,
                             const ShowFrame& show, ProgressDisplay& display) {
-  StepFiles files(arguments, display);
+  StepFiles files(of_kind(arguments.outputs, true), arguments.animation.animator.phase_shift,
+                  *arguments.picture, display);
   const SeriesPlay options{arguments.series, arguments.animation.animator, arguments.match,
                            arguments.animation.compare_from_scratch};
   AnimationReport report = play(
@@ -334,13 +292,6 @@ AnimationReport play_series(const AnimateArguments& arguments, Series& series,
       [&](const SeriesStep& step, const SolvedFrame& solved) { files.add(step, solved); }, display);
   files.finish();
   return report;
-}
-
-std::vector<FrameOutput> drawn(const std::vector<FrameOutput>& outputs) {
-  std::vector<FrameOutput> result;
-  std::ranges::copy_if(outputs, std::back_inserter(result),
-                       [](const FrameOutput& output) { return !output.meshes; });
-  return result;
 }
 
 void run(const CLI::App& command, AnimateArguments arguments) {
@@ -358,8 +309,8 @@ void run(const CLI::App& command, AnimateArguments arguments) {
     std::optional<MovingPicture> picture;
     ShowFrame show;
     if (draws(arguments)) {
-      picture.emplace(drawn(arguments.outputs), *arguments.picture, arguments.frames_per_second,
-                      !device.has_context());
+      picture.emplace(of_kind(arguments.outputs, false), *arguments.picture,
+                      arguments.frames_per_second, !device.has_context());
       show = [&](const SolvedFrame& frame) { picture->add(frame); };
     }
     report = series ? play_series(arguments, *series, show, display)

@@ -20,7 +20,10 @@ using Arguments = std::vector<std::string>;
 Arguments words_of(const std::string& line) {
   std::istringstream in(line);
   Arguments words;
-  for (std::string word; in >> word;) words.push_back(word);
+  for (std::string word; in >> word;) {
+    std::erase(word, '\'');
+    words.push_back(word);
+  }
   return words;
 }
 
@@ -56,7 +59,8 @@ bool draws(const Arguments& arguments) {
 // The same command with less to do.
 Arguments shortened(Arguments arguments) {
   if (draws(arguments)) set_option(arguments, "--size", "64x48");
-  if (arguments.front() == "animate") set_option(arguments, "--frames", "2");
+  const bool series = std::ranges::find(arguments, "--series") != arguments.end();
+  if (arguments.front() == "animate" && !series) set_option(arguments, "--frames", "2");
   if (arguments.front() == "bench") arguments.push_back("--quick");
   return arguments;
 }
@@ -88,6 +92,21 @@ struct Examples : ToolTest {
     for (const char* name : {"flow.vtp", "plate.vtp"}) write_text(folder / name, vtp_text(mesh));
   }
 
+  // Two steps of each kind.
+  void write_series() const {
+    for (const char* step : {"v0000.vtp", "v0001.vtp", "step2.vtp"}) {
+      fs::copy_file(folder / "flow.vtp", folder / step);
+    }
+    for (const char* step : {"wind0000.csv", "wind0001.csv"}) {
+      fs::copy_file(folder / "wind.csv", folder / step);
+    }
+    write_text(folder / "run.pvd",
+               "<VTKFile type=\"Collection\"><Collection>"
+               "<DataSet timestep=\"0\" file=\"v0000.vtp\"/>"
+               "<DataSet timestep=\"1\" file=\"v0001.vtp\"/></Collection></VTKFile>");
+    make({"stripe", "flow.vtp", "-o", "step1_stripes.vtp"});
+  }
+
   // The files that examples speak of.
   void SetUp() override {
     ToolTest::SetUp();
@@ -108,6 +127,7 @@ struct Examples : ToolTest {
     write_data();
     for (const char* name : {"wind.csv", "importance.csv"}) write_text(folder / name, field);
     write_text(folder / "points.csv", points);
+    write_series();
     fs::create_directory(folder / "frames");
     write_text(folder / "ffmpeg", "#!/bin/sh\nfor last; do :; done; cat > \"${last#file:}\"\n");
     fs::permissions(folder / "ffmpeg", fs::perms::owner_all);

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <ostream>
 #include <string>
-#include <string_view>
 
 #include "brindle/base/output_file.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/xml_text.h"
 
 #ifdef BRINDLE_HAS_VTK
 #include <pugixml.hpp>
@@ -22,27 +22,6 @@ namespace {
 std::string name_beside(const std::filesystem::path& path, const std::filesystem::path& file) {
   const auto relative = file.lexically_relative(path.parent_path());
   return (relative.empty() ? file : relative).generic_string();
-}
-
-/// As the value of an XML attribute.
-std::string xml_value(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 #ifdef BRINDLE_HAS_VTK
@@ -99,7 +78,7 @@ void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> fil
            "byte_order=\"LittleEndian\">\n<Collection>\n";
     for (const TimedFile& timed : files) {
       out << "<DataSet timestep=\"" << timed.time << "\" part=\"0\" file=\""
-          << xml_value(name_beside(path, timed.file)) << "\"/>\n";
+          << xml_text(name_beside(path, timed.file)) << "\"/>\n";
     }
     out << "</Collection>\n</VTKFile>\n";
   });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "brindle/files/binary_output.h"
+#include "brindle/files/xml_text.h"
 #include "brindle/geometry/local_positions.h"
 
 namespace brindle {
@@ -56,29 +57,6 @@ class AppendedArrays {
 constexpr std::array<std::string_view, 10> kTypeNames = {
     "Float32", "Float64", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64"};
 
-std::string escaped(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
-  }
-  return text;
-}
-
 void add_points(AppendedArrays& arrays, const PolyData& data) {
   const std::size_t count = 3 * data.points.size();
   if (data.origin.isZero(0)) {
@@ -103,7 +81,7 @@ void add_data(std::ostream& xml, AppendedArrays& appended, std::string_view elem
   }
   xml << ">\n";
   for (const DataArray& array : arrays) {
-    appended.add(kTypeNames.at(static_cast<std::size_t>(array.type)), escaped(array.name),
+    appended.add(kTypeNames.at(static_cast<std::size_t>(array.type)), xml_text(array.name),
                  array.components, std::uint64_t{array.bytes.size()},
                  [&](BinaryOutput& binary) { binary.put(array.bytes.data(), array.bytes.size()); });
   }
