@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +17,9 @@
 #include "outputs.h"
 #include "picture.h"
 #include "progress_display.h"
+#include "series.h"
+#include "series_player.h"
+#include "step_files.h"
 #include "surface_options.h"
 #include "used_files.h"
 #include "wave_options.h"
@@ -30,6 +35,13 @@ constexpr const char* kExamples = R"(Examples:
   brindle animate horse.ply --scene rotate --solver relaxation --iterations 3 --output paper.mp4
   brindle animate horse.ply --scene vortices --device gpu --output gpu.mp4
   brindle animate shape:trefoil --scene brush --frames 150 --output brush.mp4
+  brindle animate --series 'v%04d.vtp' --field array:velocity --output out.mp4
+  brindle animate --series run.pvd --field array:velocity --output 'out%04d.vtp'
+  brindle animate scan.obj --series 'wind%04d.csv' --between 3 --output frames/%04d.png
+
+A series has a file per step: a mesh each, or fields (.csv) over MESH. Its stripes stay near to
+those of the step before, also where the mesh changes. .vtp files are written per step, with a .pvd
+that lists them for ParaView.
 
 Scenes: zoom, the frequency grows by 1 % a frame; vortices, two vortex cores orbit the surface;
 rotate, the direction turns by 1 degree a frame; wobble, a wave moves the vertices; brush, a stroke
@@ -44,7 +56,9 @@ struct AnimateArguments {
   int threads = 0;
   int frames_per_second = 30;
   std::shared_ptr<PictureOptions> picture;
-  std::optional<FrameOutput> output;
+  SeriesOptions series;
+  MatchOptions match;
+  std::vector<FrameOutput> outputs;
   std::string report;
   bool quiet = false;
 };
@@ -60,6 +74,13 @@ std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
   return kind == PhaseShiftKind::common_source ? std::nullopt : kind;
 }
 
+// What only series have.
+constexpr const char* kFieldOptions[] = {
+    "--field",          "--curvature-direction", "--curvature-anchor",
+    "--feature-anchor", "--feature-angle",       "--rotate",
+    "--tensor",         "--frequency-by",        "--frequency-range",
+    "--field-mesh",     "--max-distance"};
+
 void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   AnimationOptions& animation = arguments.animation;
   add_named_option(app, "--scene", animation.scene.kind, parse_scene_kind,
@@ -67,10 +88,31 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   app.add_option("--frames", animation.frames, "how many (default 121: frames 0 to 120)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
-  add_direction_option(app, arguments.waves)
-      ->description("zoom, rotate, wobble: the global vector (default 0.31,0.9,0.27)");
-  add_along_option(app, arguments.waves);
-  add_frequency_options(app, arguments.waves);
+  add_wave_options(app, arguments.waves);
+  app.get_option("--direction")
+      ->description(
+          "zoom, rotate, wobble: the global vector (default 0.31,0.9,0.27); series: one vector for "
+          "all vertices, instead of --field");
+  for (const char* option : kFieldOptions) {
+    CLI::Option* added = app.get_option(option);
+    added->description("series: " + added->get_description());
+  }
+}
+
+void add_series_options(CLI::App& app, AnimateArguments& arguments) {
+  app.get_option("MESH")->required(false);
+  app.add_option("--series", arguments.series.name,
+                 "the files of a time series instead of a scene: names with a number or a wildcard "
+                 "(in quotes), or a .pvd; with MESH, .csv files with a field each")
+      ->type_name("'v%04d.vtp'|'v*.vtp'|FILE.pvd")
+      ->check([](const std::string& name) {
+        return std::string(name.empty() ? "expected names of files, got an empty one" : "");
+      });
+  app.add_option("--between", arguments.series.between,
+                 "series: K frames between two steps, interpolated (default 0)")
+      ->type_name("K")
+      ->check(CLI::Range(0, 1000));
+  add_match_option(app, arguments.match);
 }
 
 void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
@@ -92,9 +134,19 @@ void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
 }
 
 void add_output_options(CLI::App& app, AnimateArguments& arguments) {
-  add_parsed_option(app, "-o,--output", arguments.output, parse_frame_output,
-                    "one picture a frame, or a video through the ffmpeg program")
-      ->type_name("%04d.png|FILE.mp4");
+  app.add_option_function<std::vector<std::string>>(
+         "-o,--output",
+         [&arguments](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) {
+             arguments.outputs.push_back(parse_frame_output("--output", text));
+           }
+         },
+         "one picture a frame, a video through the ffmpeg program, or one mesh for each step of a "
+         "series; repeatable")
+      ->type_name("%04d.png|FILE.mp4|%04d.vtp")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);  // what follows is MESH
   app.add_option("--fps", arguments.frames_per_second, "video: frames a second (default 30)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
@@ -104,21 +156,87 @@ void add_output_options(CLI::App& app, AnimateArguments& arguments) {
       ->type_name("FILE.json");
 }
 
-std::vector<std::filesystem::path> files_of(const AnimateArguments& arguments) {
-  if (!arguments.output) return {};
-  return frame_files(*arguments.output, arguments.animation.frames);
+bool is_series(const AnimateArguments& arguments) { return !arguments.series.name.empty(); }
+
+/// How many frames and steps there will be.
+struct Counts {
+  std::size_t frames = 0, steps = 0;
+};
+
+Counts counts_of(const AnimateArguments& arguments, const std::optional<Series>& series) {
+  if (!series) return {static_cast<std::size_t>(arguments.animation.frames), 0};
+  const std::size_t steps = series->step_count();
+  return {1 + (steps - 1) * (1 + static_cast<std::size_t>(arguments.series.between)), steps};
 }
 
-void check_outputs(const AnimateArguments& arguments) {
+std::vector<std::filesystem::path> files_of(const FrameOutput& output, const Counts& counts) {
+  return frame_files(output, output.meshes ? counts.steps : counts.frames);
+}
+
+bool draws(const AnimateArguments& arguments) {
+  return std::ranges::any_of(arguments.outputs,
+                             [](const FrameOutput& output) { return !output.meshes; });
+}
+
+std::vector<UsedFile> inputs_of(const AnimateArguments& arguments,
+                                const std::optional<Series>& series) {
+  if (!series) return input_files(arguments.surface, {});
+  std::vector<UsedFile> inputs;
+  if (!arguments.surface.mesh.empty()) inputs = input_files(arguments.surface, {});
+  for (const TimedFile& step : series->files()) inputs.push_back({"--series", step.file});
+  inputs.push_back({"--series", arguments.series.name});
+  const std::string& field_mesh = arguments.waves.arrays.mesh;
+  if (!field_mesh.empty()) inputs.push_back({"--field-mesh", field_mesh});
+  return inputs;
+}
+
+void check_outputs(const AnimateArguments& arguments, const std::optional<Series>& series) {
   std::vector<UsedFile> outputs;
-  for (const auto& path : files_of(arguments)) outputs.push_back({"--output", path});
-  if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
-  check_files(input_files(arguments.surface, {}), outputs);
-  if (arguments.output) {
-    check_pictures_available();
-    check_frame_output(*arguments.output);
+  for (const FrameOutput& output : arguments.outputs) {
+    for (const auto& path : files_of(output, counts_of(arguments, series))) {
+      outputs.push_back({"--output", path});
+    }
   }
+  if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
+  check_files(inputs_of(arguments, series), outputs);
+  if (draws(arguments)) check_pictures_available();
+  for (const FrameOutput& output : arguments.outputs) check_frame_output(output);
   check_report("--report", arguments.report);
+}
+
+void check_series_options(const CLI::App& command, const AnimateArguments& arguments) {
+  refuse_given(command, {"--scene", "--frames"}, "the files of --series are what changes");
+  if (arguments.device != DeviceKind::cpu) {
+    throw CLI::ValidationError("--device", "series are solved on the processor");
+  }
+  if (arguments.series.between > 0) {
+    refuse_given(command, {"--match"}, "--between interpolates vertices by their number");
+  }
+  if (!arguments.surface.mesh.empty()) {
+    refuse_given(command, {"--field", "--direction"}, "the files of --series are the field");
+  }
+  WaveOptions waves = arguments.waves;
+  if (!arguments.surface.mesh.empty()) waves.field = arguments.series.name;
+  check_field_options(command, waves);
+}
+
+void check_scene_options(const CLI::App& command, const AnimateArguments& arguments) {
+  refuse_given(command, {"--between", "--match"}, "it is for --series");
+  refuse_given(command, {std::begin(kFieldOptions), std::end(kFieldOptions)},
+               "scenes have fields of their own; add --series");
+  if (!arguments.waves.arrays.frequency.empty()) {
+    throw CLI::ValidationError("--frequency", "arrays are for --series");
+  }
+  for (const FrameOutput& output : arguments.outputs) {
+    if (output.meshes) {
+      throw CLI::ValidationError("--output", "meshes are written of a --series alone");
+    }
+  }
+  const SceneKind kind = arguments.animation.scene.kind;
+  if (arguments.waves.direction && (kind == SceneKind::vortices || kind == SceneKind::brush)) {
+    throw CLI::ValidationError(
+        "--direction", "the scene '" + std::string(name_of(kind)) + "' has a field of its own");
+  }
 }
 
 // Options that would change nothing.
@@ -133,45 +251,70 @@ void check_options(const CLI::App& command, const AnimateArguments& arguments) {
       refuse_given(command, {"--sweeps"}, "it is for --solver multilevel");
     }
   }
-  if (!arguments.output) {
+  if (!draws(arguments)) {
     refuse_picture_options(command, "no picture is written; add --output");
   }
-  if (!arguments.output || !arguments.output->is_video()) {
+  if (std::ranges::none_of(arguments.outputs, &FrameOutput::is_video)) {
     refuse_given(command, {"--fps"}, "no video is written; add --output FILE.mp4");
   }
-  const SceneKind kind = arguments.animation.scene.kind;
-  if (arguments.waves.direction && (kind == SceneKind::vortices || kind == SceneKind::brush)) {
-    throw CLI::ValidationError(
-        "--direction", "the scene '" + std::string(name_of(kind)) + "' has a field of its own");
-  }
+  is_series(arguments) ? check_series_options(command, arguments)
+                       : check_scene_options(command, arguments);
+}
+
+AnimationReport play_scene(const AnimateArguments& arguments, const Device& device,
+                           const ShowFrame& show, ProgressDisplay& display) {
+  display.stage("loading " + arguments.surface.mesh);
+  LoadedMesh loaded = load_mesh(arguments.surface);
+  display.note(describe(loaded));
+  const Surface surface = make_surface(std::move(loaded.mesh));
+  AnimationOptions animation = arguments.animation;
+  animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
+  animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
+  animation.along = arguments.waves.along;
+  return play(surface, animation, device, show, display);
+}
+
+std::vector<FrameOutput> of_kind(const std::vector<FrameOutput>& outputs, bool meshes) {
+  std::vector<FrameOutput> result;
+  std::ranges::copy_if(outputs, std::back_inserter(result),
+                       [&](const FrameOutput& output) { return output.meshes == meshes; });
+  return result;
+}
+
+AnimationReport play_series(const AnimateArguments& arguments, Series& series,
+                            const ShowFrame& show, ProgressDisplay& display) {
+  StepFiles files(of_kind(arguments.outputs, true), arguments.animation.animator.phase_shift,
+                  *arguments.picture, display);
+  const SeriesPlay options{arguments.series, arguments.animation.animator, arguments.match,
+                           arguments.animation.compare_from_scratch};
+  AnimationReport report = play(
+      series, options, show,
+      [&](const SeriesStep& step, const SolvedFrame& solved) { files.add(step, solved); }, display);
+  files.finish();
+  return report;
 }
 
 void run(const CLI::App& command, AnimateArguments arguments) {
-  refuse_points(arguments.surface, "animate");
+  if (!is_series(arguments)) refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
-  check_outputs(arguments);
+  std::optional<Series> series;
+  if (is_series(arguments)) series.emplace(arguments.series, arguments.surface, arguments.waves);
+  check_outputs(arguments, series);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.threads);
   AnimationReport report;
   {
     ProgressDisplay display(arguments.quiet);
-    display.stage("loading " + arguments.surface.mesh);
-    LoadedMesh loaded = load_mesh(arguments.surface);
-    display.note(describe(loaded));
-    const Surface surface = make_surface(std::move(loaded.mesh));
-    AnimationOptions& animation = arguments.animation;
-    animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
-    animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
-    animation.along = arguments.waves.along;
     const Device device(arguments.device);
     std::optional<MovingPicture> picture;
     ShowFrame show;
-    if (arguments.output) {
-      picture.emplace(*arguments.output, *arguments.picture, arguments.frames_per_second,
-                      !device.has_context());
+    if (draws(arguments)) {
+      picture.emplace(of_kind(arguments.outputs, false), *arguments.picture,
+                      arguments.frames_per_second, !device.has_context());
       show = [&](const SolvedFrame& frame) { picture->add(frame); };
     }
-    report = play(surface, animation, device, show, display);
+    report = series ? play_series(arguments, *series, show, display)
+                    : play_scene(arguments, device, show, display);
     report.invocation = invocation_of(command);
     device.check_errors("solving on the GPU");
     if (picture) picture->finish();
@@ -179,13 +322,16 @@ void run(const CLI::App& command, AnimateArguments arguments) {
   }
   if (arguments.quiet) return;
   print_report(std::cout, report);
-  print_written(std::cout, files_of(arguments));
+  for (const FrameOutput& output : arguments.outputs) {
+    print_written(std::cout, files_of(output, counts_of(arguments, series)));
+  }
   if (!arguments.report.empty()) print_written(std::cout, std::filesystem::path(arguments.report));
 }
 
 void add_options(CLI::App& command, AnimateArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_scene_options(command, arguments);
+  add_series_options(command, arguments);
   add_animator_options(command, arguments.animation.animator);
   add_device_option(command, arguments.device);
   command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")

@@ -22,22 +22,6 @@ FrameInput input_of(const WaveSet& waves) {
   return {waves.positions, waves.directions, waves.frequencies};
 }
 
-/// A frame's phases, lifted and measured.
-struct Measured {
-  FrameQuality figures;
-  std::vector<CornerPhases> corners;
-};
-
-Measured measure(const SceneFrame& frame, const PhaseGraph& graph, const FrameResult& result,
-                 PhaseShiftKind kind) {
-  Measured m;
-  m.corners = corner_phases(frame.mesh.triangles, frame.waves, result.z, kind);
-  m.figures.energy = energy(graph, result.z);
-  m.figures.quality = measure_quality(frame.mesh, frame.waves, m.corners);
-  m.figures.phase_step = result.phase_step;
-  return m;
-}
-
 double total(const FrameMilliseconds& time) { return time.couple + time.sum + time.solve; }
 
 /// The mean over the frames after the first.
@@ -58,8 +42,18 @@ nlohmann::ordered_json to_json(const FrameQuality& figures) {
           {"phase_step", figures.phase_step}};
 }
 
+void add_to_json(const SeriesFrameReport& series, nlohmann::ordered_json& json) {
+  json["file"] = nullptr;
+  if (!series.file.empty()) json["file"] = series.file;
+  json["time"] = series.time;
+  if (!series.matched_by) return;
+  json["matched_by"] = name_of(*series.matched_by);
+  json["vertices_unmatched"] = series.vertices_unmatched;
+}
+
 nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
   nlohmann::ordered_json json = {{"frame", number}};
+  if (report.series) add_to_json(*report.series, json);
   json.update(to_json(report.figures));
   json["unchanged"] = report.unchanged;
   json["milliseconds"] = {{"scene", report.scene_milliseconds},
@@ -104,6 +98,7 @@ std::string row(std::size_t number, const FrameReport& report) {
     text += formatted("  | %9.6f %9zu %9.2f %9.4f", scratch.energy, scratch.quality.branches,
                       scratch.quality.angle_error_mean_deg, scratch.phase_step);
   }
+  if (report.series) text += "  " + report.series->file;
   return text + '\n';
 }
 
@@ -143,6 +138,16 @@ class TurnedScene {
 
 }  // namespace
 
+MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const FrameResult& result,
+                      PhaseShiftKind kind) {
+  MeasuredFrame m;
+  m.corners = corner_phases(frame.mesh.triangles, frame.waves, result.z, kind);
+  m.figures.energy = energy(graph, result.z);
+  m.figures.quality = measure_quality(frame.mesh, frame.waves, m.corners);
+  m.figures.phase_step = result.phase_step;
+  return m;
+}
+
 AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
                      const ShowFrame& show, ProgressDisplay& display) {
   const Progress progress = display.progress();
@@ -174,7 +179,7 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
     frame_report.milliseconds = result.milliseconds;
     frame_report.unchanged = result.unchanged;
     const PhaseGraph graph = build_phase_graph(surface.neighborhood, frame.waves, kind);
-    const Measured measured = measure(frame, graph, result, kind);
+    const MeasuredFrame measured = measure(frame, graph, result, kind);
     frame_report.figures = measured.figures;
     if (options.compare_from_scratch) {
       const FrameResult again = scratch->frame(input_of(frame.waves));
@@ -191,9 +196,15 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
 nlohmann::ordered_json to_json(const AnimationReport& report) {
   const bool multilevel = report.options.solver == FrameSolver::multilevel;
   nlohmann::ordered_json json = report.invocation;
-  json.update(nlohmann::ordered_json{{"kind", "mesh"},
-                                     {"scene", name_of(report.scene)},
-                                     {"vertices", report.vertices},
+  json["kind"] = "mesh";
+  if (report.series) {
+    json["series"] = report.series->name;
+    json["steps"] = report.series->steps;
+    json["between"] = report.series->between;
+  } else {
+    json["scene"] = name_of(report.scene);
+  }
+  json.update(nlohmann::ordered_json{{"vertices", report.vertices},
                                      {"triangles", report.triangles},
                                      {"edges", report.edges},
                                      {"threads", report.threads},
@@ -222,9 +233,11 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
 void print_report(std::ostream& out, const AnimationReport& report) {
   const std::vector<FrameReport>& frames = report.frames;
   const bool compared = frames.front().from_scratch.has_value();
-  out << formatted("scene     %s, %zu vertices, %zu triangles, %zu edges, %d thread%s\n",
-                   name_of(report.scene).data(), report.vertices, report.triangles, report.edges,
-                   report.threads, report.threads == 1 ? "" : "s")
+  out << (report.series ? formatted("series    %s, %zu steps, ", report.series->name.c_str(),
+                                    report.series->steps)
+                        : formatted("scene     %s, ", name_of(report.scene).data()))
+      << formatted("%zu vertices, %zu triangles, %zu edges, %d thread%s\n", report.vertices,
+                   report.triangles, report.edges, report.threads, report.threads == 1 ? "" : "s")
       << device_line(report.device);
   print_waves(out, report.waves);
   out << "                               angle     phase     couple     sum   solve"

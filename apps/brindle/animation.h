@@ -4,6 +4,7 @@
 #include <functional>
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
+#include "carried_pattern.h"
 #include "device.h"
 #include "progress_display.h"
 #include "scenes/scene.h"
@@ -25,8 +27,17 @@ struct FrameQuality {
   double phase_step = 0;  ///< mean over vertices with a wave, radians; 0 in the first frame
 };
 
+/// What a frame of a series has besides.
+struct SeriesFrameReport {
+  std::string file;  ///< empty between two steps
+  double time = 0;
+  std::optional<Matching> matched_by;  ///< not in the first frame
+  std::size_t vertices_unmatched = 0;  ///< waves without a last phase
+};
+
 struct FrameReport {
   FrameQuality figures;
+  std::optional<SeriesFrameReport> series;
   bool unchanged = false;  ///< the input was that of the last frame
   double scene_milliseconds = 0;
   FrameMilliseconds milliseconds;
@@ -34,9 +45,16 @@ struct FrameReport {
   std::optional<FrameQuality> from_scratch;  ///< the same input, solved without the last frame
 };
 
+struct SeriesReport {
+  std::string name;
+  std::size_t steps = 0;
+  int between = 0;  ///< frames between two steps
+};
+
 struct AnimationReport {
   nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< as `invocation_of`
   SceneKind scene = SceneKind::zoom;
+  std::optional<SeriesReport> series;  ///< instead of a scene
   AnimatorOptions options;
   std::size_t vertices = 0;
   std::size_t triangles = 0;
@@ -72,6 +90,15 @@ struct AnimationOptions {
 /// Cancelled if the display asks for it.
 AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
                      const ShowFrame& show, ProgressDisplay& display);
+
+/// A frame's phases, lifted and measured.
+struct MeasuredFrame {
+  FrameQuality figures;
+  std::vector<CornerPhases> corners;
+};
+
+MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const FrameResult& result,
+                      PhaseShiftKind kind);
 
 nlohmann::ordered_json to_json(const AnimationReport& report);
 

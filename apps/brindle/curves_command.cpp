@@ -13,6 +13,7 @@
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/points/point_tree.h"
 #include "brindle/polylines.h"
+#include "carried_arrays.h"
 #include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
@@ -34,6 +35,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
   brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
+  brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
 
 Files by extension: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh
 of tubes; .svg a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in
@@ -241,6 +243,7 @@ nlohmann::ordered_json to_json(const Result& result) {
   nlohmann::ordered_json json = {{"vertices", surface.mesh.vertex_count()},
                                  {"triangles", surface.mesh.triangle_count()},
                                  {"edges", surface.neighborhood->edge_count()},
+                                 {"vertices_joined", result.prepared.vertices_joined},
                                  {"threads", ThreadLimit::current()}};
   json.update(to_json(result.prepared.figures, result.prepared.field_rows_nonfinite));
   for (const Family& family : result.families) {
@@ -318,18 +321,50 @@ void write_tubes(const std::string& path, const std::vector<Ornament>& ornaments
   write_mesh(path, all);
 }
 
-void write(CurveOutput kind, const std::string& path, const CLI::App& command,
-           const CurvesArguments& arguments, const Result& result) {
-  const Surface& surface = result.prepared.surface;
+// Columns and arrays of all formats, which those of the input's file do not replace.
+const std::vector<std::string> kOwnColumns = {"kind",   "curve",    "closed",      "length",
+                                              "normal", "triangle", "barycentric", "frequency"};
+
+// Where each point is on the mesh, and what is there.
+std::vector<DataArray> arrays_of(const Family& family, const Mesh& mesh, DataArrays input) {
+  const std::vector<TrianglePoint>& places = family.curves.lines.places;
+  std::vector<Index> triangles;
+  std::vector<float> barycentric;
+  for (const TrianglePoint& place : places) {
+    triangles.push_back(place.triangle);
+    for (const double share : place.barycentric) barycentric.push_back(static_cast<float>(share));
+  }
+  std::vector<DataArray> arrays = {make_data_array("triangle", 1, triangles),
+                                   make_data_array("barycentric", 3, barycentric)};
+  input.points.insert(input.points.begin(),
+                      make_data_array("frequency", 1, family.pattern.waves.frequencies));
+  for (DataArray& array : arrays_at(places, mesh.triangles, input)) {
+    arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
+void write_lines(const std::string& path, const Result& result, ProgressDisplay& display) {
+  const Preparation& prepared = result.prepared;
+  DataArrays input = held_beside(kOwnColumns, path, prepared.arrays, display);
   std::vector<NamedLines> lines;
+  for (const Family& family : result.families) {
+    lines.push_back(
+        {family.name, family.curves.lines, arrays_of(family, prepared.surface.mesh, input)});
+  }
+  write_polylines(path, lines);
+}
+
+void write(CurveOutput kind, const std::string& path, const CLI::App& command,
+           const CurvesArguments& arguments, const Result& result, ProgressDisplay& display) {
+  const Surface& surface = result.prepared.surface;
   std::vector<PenLines> pens;
   for (const Family& family : result.families) {
-    lines.push_back({family.name, family.curves.lines});
     pens.push_back({family.name, family.curves.lines, family.name == "v"});
   }
   switch (kind) {
     case CurveOutput::lines:
-      return write_polylines(path, lines);
+      return write_lines(path, result, display);
     case CurveOutput::tubes:
       return write_tubes(path, tubes_of(arguments, result));
     case CurveOutput::drawing:
@@ -376,8 +411,8 @@ void run(const CLI::App& command, const CurvesArguments& arguments) {
   const Result result = make_and_write(
       files, arguments.quiet,
       [&](ProgressDisplay& display) { return make_result(arguments, display); },
-      [&](CurveOutput kind, const std::string& path, const Result& made) {
-        write(kind, path, command, arguments, made);
+      [&](CurveOutput kind, const std::string& path, const Result& made, ProgressDisplay& display) {
+        write(kind, path, command, arguments, made, display);
       });
   if (arguments.quiet) return;
   print(std::cout, result);

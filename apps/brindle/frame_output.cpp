@@ -1,8 +1,9 @@
 #include "frame_output.h"
 
 #include <cctype>
-#include <optional>
+#include <string_view>
 
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "option_values.h"
 #include "video_file.h"
@@ -11,7 +12,9 @@ namespace brindle::tool {
 namespace {
 
 constexpr const char* kExpected =
-    "a name.mp4, or a PNG name with one number in it such as frames/%04d.png";
+    "a name.mp4, a PNG name with one number in it such as frames/%04d.png, or one of meshes such "
+    "as "
+    "steps/%04d.vtp";
 
 // "d", "4d", "04d": the number's digits, and how long the text is.
 struct Conversion {
@@ -32,65 +35,80 @@ std::optional<Conversion> conversion_at(const std::string& name, std::size_t at)
   return result;
 }
 
-// Splits the name at its number; nothing if it has not exactly one.
-bool split_name(const std::string& name, FrameOutput& output) {
+}  // namespace
+
+std::optional<FrameNames> parse_frame_names(const std::filesystem::path& pattern) {
+  const std::string name = pattern.filename().string();
+  FrameNames names;
+  names.folder = pattern.parent_path();
+  if (names.folder.string().find('%') != std::string::npos) return std::nullopt;
   bool has_number = false;
   for (std::size_t at = 0; at < name.size(); ++at) {
-    std::string& text = has_number ? output.after : output.before;
+    std::string& text = has_number ? names.after : names.before;
     if (name[at] != '%') {
       text += name[at];
     } else if (at + 1 < name.size() && name[at + 1] == '%') {
       text += name[at++];
     } else {
       const auto conversion = conversion_at(name, at + 1);
-      if (!conversion || has_number) return false;
+      if (!conversion || has_number) return std::nullopt;
       has_number = true;
-      output.digits = conversion->digits;
+      names.digits = conversion->digits;
       at += conversion->length;
     }
   }
-  return has_number;
+  return has_number ? std::optional(names) : std::nullopt;
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+std::string numbered_name(const FrameNames& names, long number) {
+  std::string digits = std::to_string(number);
+  const auto wanted = static_cast<std::size_t>(names.digits);
+  if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
+  return names.before + digits + names.after;
 }
-
-}  // namespace
 
 FrameOutput parse_frame_output(const std::string& option, const std::string& text) {
   const std::filesystem::path path(text);
-  const std::string extension = lower(path.extension().string());
+  const std::string extension = lower_extension(path);
   FrameOutput output;
   if (extension == ".mp4") {
     output.video = path;
     return output;
   }
-  output.folder = path.parent_path();
-  if (extension != ".png" || !split_name(path.filename().string(), output) ||
-      output.folder.string().find('%') != std::string::npos) {
+  const auto names = parse_frame_names(path);
+  if (!names || (extension != ".png" && extension != ".vtp")) {
     wrong_usage(option, kExpected, text);
   }
+  output.names = *names;
+  output.meshes = extension == ".vtp";
   return output;
 }
 
-std::filesystem::path picture_path(const FrameOutput& output, int number) {
-  std::string digits = std::to_string(number);
-  const auto wanted = static_cast<std::size_t>(output.digits);
-  if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
-  return output.folder / (output.before + digits + output.after);
+std::filesystem::path frame_path(const FrameOutput& output, std::size_t number) {
+  return output.names.folder / numbered_name(output.names, static_cast<long>(number));
 }
 
-std::vector<std::filesystem::path> frame_files(const FrameOutput& output, int frames) {
+std::filesystem::path collection_path(const FrameOutput& output) {
+  const std::string& after = output.names.after;
+  std::string name = output.names.before + after.substr(0, after.rfind('.'));
+  while (!name.empty() && std::string_view("_-.").find(name.back()) != std::string_view::npos) {
+    name.pop_back();
+  }
+  return output.names.folder / ((name.empty() ? "series" : name) + ".pvd");
+}
+
+std::vector<std::filesystem::path> frame_files(const FrameOutput& output, std::size_t count) {
   if (output.is_video()) return {output.video};
   std::vector<std::filesystem::path> files;
-  for (int number = 0; number < frames; ++number) files.push_back(picture_path(output, number));
+  for (std::size_t number = 0; number < count; ++number) {
+    files.push_back(frame_path(output, number));
+  }
+  if (output.meshes) files.push_back(collection_path(output));
   return files;
 }
 
 void check_frame_output(const FrameOutput& output) {
-  check_output_path(output.is_video() ? output.video : picture_path(output, 0));
+  check_output_path(output.is_video() ? output.video : frame_path(output, 0));
   if (output.is_video()) check_video_available(output.video);
 }
 

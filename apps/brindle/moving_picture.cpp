@@ -23,20 +23,22 @@ void add_points(std::span<const Vec3> points, std::vector<Mark>& marks) {
 }  // namespace
 
 struct MovingPicture::State {
-  State(FrameOutput to, const PictureOptions& options, bool own_context)
-      : output(std::move(to)), view(options.view), render(render_options(options)) {
+  State(std::vector<FrameOutput> to, const PictureOptions& options, bool own_context)
+      : outputs(std::move(to)), view(options.view), render(render_options(options)) {
     if (own_context) context.emplace();
     renderer.emplace();
   }
 
-  FrameOutput output;
+  std::vector<FrameOutput> outputs;
   View view;
   RenderOptions render;
   std::optional<HeadlessContext> context;
   std::optional<Renderer> renderer;
-  std::optional<VideoFile> video;
-  int count = 0;
+  std::vector<std::unique_ptr<VideoFile>> videos;  // one per output, or null
+  std::size_t count = 0;
   std::vector<Vec3> positions;  // as the renderer has them
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> framed;  // by the camera
 
   void show(const SolvedFrame& solved, const Overlay& overlay);
 };
@@ -46,15 +48,19 @@ void MovingPicture::State::show(const SolvedFrame& solved, const Overlay& overla
   const SceneFrame& frame = solved.scene;
   const std::span<const Complex> z =
       solved.phase_buffer != 0 ? std::span<const Complex>() : solved.z;
-  if (count == 0) {
+  if (count == 0 || triangles != frame.mesh.triangles ||
+      positions.size() != frame.mesh.vertex_count()) {
+    if (count == 0) framed = points_of_triangles(frame.mesh);
     renderer->upload({.mesh = frame.mesh,
                       .normals = frame.normals,
                       .waves = &frame.waves,
                       .z = z,
                       .triangle_colors = overlay.triangle_colors,
-                      .marks = overlay.marks});
+                      .marks = overlay.marks,
+                      .framed = framed});
     if (solved.phase_buffer != 0) renderer->use_phases(solved.phase_buffer);
     positions = frame.mesh.positions;
+    triangles = frame.mesh.triangles;
     return;
   }
   DrawingChange change{.waves = &frame.waves,
@@ -69,13 +75,14 @@ void MovingPicture::State::show(const SolvedFrame& solved, const Overlay& overla
   renderer->update(change);
 }
 
-MovingPicture::MovingPicture(FrameOutput output, const PictureOptions& options,
+MovingPicture::MovingPicture(std::vector<FrameOutput> outputs, const PictureOptions& options,
                              int frames_per_second, bool own_context)
-    : state_(std::make_unique<State>(std::move(output), options, own_context)) {
+    : state_(std::make_unique<State>(std::move(outputs), options, own_context)) {
   const RenderOptions& render = state_->render;
-  if (state_->output.is_video()) {
-    state_->video.emplace(state_->output.video,
-                          VideoFormat{render.width, render.height, frames_per_second});
+  const VideoFormat format{render.width, render.height, frames_per_second};
+  for (const FrameOutput& output : state_->outputs) {
+    state_->videos.push_back(output.is_video() ? std::make_unique<VideoFile>(output.video, format)
+                                               : nullptr);
   }
 }
 
@@ -88,16 +95,20 @@ void MovingPicture::add(const SolvedFrame& frame) {
   s.show(frame, overlay);
   const Image image = s.renderer->draw(s.render);
   if (s.context) s.context->check_errors("drawing a frame");
-  if (s.video) {
-    s.video->add(std::as_bytes(std::span(image.pixels)));
-  } else {
-    write_png(picture_path(s.output, s.count), image);
+  for (std::size_t i = 0; i < s.outputs.size(); ++i) {
+    if (s.videos[i]) {
+      s.videos[i]->add(std::as_bytes(std::span(image.pixels)));
+    } else {
+      write_png(frame_path(s.outputs[i], s.count), image);
+    }
   }
   ++s.count;
 }
 
 void MovingPicture::finish() {
-  if (state_->video) state_->video->finish();
+  for (const auto& video : state_->videos) {
+    if (video) video->finish();
+  }
 }
 
 }  // namespace brindle::tool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "animation.h"
 #include "frame_output.h"
@@ -9,13 +10,14 @@
 
 namespace brindle::tool {
 
-/// Draws and writes frame after frame, from where the camera framed the first one.
+/// Draws frame after frame, from where the camera framed the first one, and writes each as a
+/// picture and into videos, as `outputs` say. Meshes may change.
 class MovingPicture {
  public:
   /// Draws in a context of its own, or in the one that is current. Throws Error in a build without
   /// OpenGL, if no OpenGL context is to be had, or if a video cannot be begun.
-  MovingPicture(FrameOutput output, const PictureOptions& options, int frames_per_second,
-                bool own_context);
+  MovingPicture(std::vector<FrameOutput> outputs, const PictureOptions& options,
+                int frames_per_second, bool own_context);
   ~MovingPicture();
 
   /// Draws the next frame, and its points as marks, and writes it.

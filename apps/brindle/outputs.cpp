@@ -1,17 +1,13 @@
 #include "outputs.h"
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
 #include <ostream>
-#include <span>
 #include <utility>
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/texture_coordinates.h"
 #include "command_line.h"
 
 namespace brindle::tool {
@@ -35,92 +31,6 @@ Output plan_output(const std::filesystem::path& path) {
   refuse_output(path, "unknown extension '" + extension +
                           "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, "
                           ".json for a report");
-}
-
-VertexAttribute vectors_attribute(const std::string& name, std::span<const Vec3> vectors) {
-  VertexAttribute attribute{name, 3, {}};
-  for (const Vec3& vector : vectors) {
-    attribute.values.insert(attribute.values.end(), vector.begin(), vector.end());
-  }
-  return attribute;
-}
-
-VertexAttribute phases_attribute(const std::string& name, std::span<const Complex> z) {
-  VertexAttribute attribute{name, 1, {}};
-  for (const Complex& phase : z) attribute.values.push_back(std::arg(phase));
-  return attribute;
-}
-
-// Phase, direction and frequency of every vertex; `suffix` sets two sets of waves apart.
-void add_waves(std::vector<VertexAttribute>& attributes, const WaveSet& waves,
-               std::span<const Complex> z, const std::string& suffix = "") {
-  attributes.push_back(phases_attribute("phase" + suffix, z));
-  attributes.push_back(vectors_attribute("direction" + suffix, waves.directions));
-  attributes.push_back({"frequency" + suffix, 1, waves.frequencies});
-}
-
-// 1 at the corners of triangles where a stripe begins or ends.
-VertexAttribute branches_of(const Mesh& mesh, std::span<const CornerPhases> corners) {
-  VertexAttribute attribute{"branch", 1, std::vector<float>(mesh.vertex_count())};
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const TriangleKind kind = corners[t].kind;
-    if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
-    for (const Index vertex : mesh.triangles[t]) attribute.values[vertex] = 1;
-  }
-  return attribute;
-}
-
-// OBJ has no place for attributes.
-bool holds_attributes(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
-
-void write_pattern_mesh(const std::filesystem::path& path, const Surface& surface,
-                        const StripePattern& pattern, std::span<const Index> partners) {
-  const bool points = surface.mesh.triangles.empty();
-  std::vector<VertexAttribute> attributes;
-  if (points) attributes.push_back(vectors_attribute("normal", surface.normals));
-  if (holds_attributes(path)) {
-    add_waves(attributes, pattern.waves, pattern.solution.z);
-    if (!points) attributes.push_back(branches_of(surface.mesh, pattern.corners));
-  }
-  copy_from_partners(attributes, partners);
-  write_mesh(path, surface.mesh, attributes);
-}
-
-void add_carried_waves(std::vector<VertexAttribute>& attributes, const TexturedMesh& textured,
-                       const Mesh& mesh, const StripePattern& pattern, const std::string& suffix) {
-  const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
-  add_waves(attributes, waves, z, suffix);
-  std::vector<float> flags = carried_values(textured, branches_of(mesh, pattern.corners).values, 1);
-  // A barycentre is at a branch if all corners are.
-  for (float& flag : flags) flag = std::floor(flag);
-  attributes.push_back({"branch" + suffix, 1, std::move(flags)});
-}
-
-VertexAttribute coordinates_attribute(const TexturedMesh& textured) {
-  VertexAttribute attribute{"uv", 2, {}};
-  for (const auto& uv : textured.coordinates) {
-    attribute.values.insert(attribute.values.end(), {uv.x(), uv.y()});
-  }
-  return attribute;
-}
-
-void write_mesh_with_texture(const std::filesystem::path& path, const Surface& surface,
-                             const Texture& texture, const PictureOptions& picture,
-                             std::span<const Index> partners) {
-  const TexturePattern& pattern = texture.pattern;
-  const TexturedMesh textured =
-      texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
-  const VertexAttribute normals = vectors_attribute("normal", surface.normals);
-  std::vector<VertexAttribute> attributes = {
-      {normals.name, normals.components,
-       carried_values(textured, normals.values, normals.components)},
-      coordinates_attribute(textured)};
-  if (holds_attributes(path)) {
-    add_carried_waves(attributes, textured, surface.mesh, pattern.u, "");
-    add_carried_waves(attributes, textured, surface.mesh, pattern.v, "_v");
-  }
-  copy_from_partners(attributes, partners);
-  write_textured_mesh(path, textured.mesh, attributes, tile_png(texture.tile, picture));
 }
 
 }  // namespace
@@ -172,17 +82,13 @@ bool holds_points(const std::filesystem::path& path) {
   return extension == ".ply" || extension == ".vtp";
 }
 
-void write_output(const Output& output, const Surface& surface, const StripeResult& result,
-                  const Report& report, const PictureOptions& picture,
-                  std::span<const Index> partners) {
+void write_output(const Output& output, const MadeMesh& made, const Report& report,
+                  const PictureOptions& picture, ProgressDisplay& display) {
   switch (output.kind) {
     case OutputKind::picture:
-      return write_picture(output.path, surface, result, picture);
+      return write_picture(output.path, made.surface, made.result, picture);
     case OutputKind::mesh:
-      if (const Texture* texture = result.texture()) {
-        return write_mesh_with_texture(output.path, surface, *texture, picture, partners);
-      }
-      return write_pattern_mesh(output.path, surface, result.stripes(), partners);
+      return write_made_mesh(output.path, made, picture, display);
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

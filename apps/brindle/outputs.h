@@ -2,13 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "picture.h"
+#include "mesh_output.h"
 #include "report.h"
-#include "stripe_result.h"
 #include "used_files.h"
 
 namespace brindle::tool {
@@ -42,10 +40,8 @@ void refuse_picture_options(const CLI::App& command, std::string_view why);
 /// Whether points without triangles can be written there.
 bool holds_points(const std::filesystem::path& path);
 
-/// Vertices that were joined with others are given what their `partners` (`Preparation`) have.
-void write_output(const Output& output, const Surface& surface, const StripeResult& result,
-                  const Report& report, const PictureOptions& picture,
-                  std::span<const Index> partners = {});
+void write_output(const Output& output, const MadeMesh& made, const Report& report,
+                  const PictureOptions& picture, ProgressDisplay& display);
 
 /// The wrong use of --output: `path` cannot be written, and `why`.
 [[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);

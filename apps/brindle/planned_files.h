@@ -54,8 +54,8 @@ void print_written(std::ostream& out, const PlannedFiles<Kind>& files) {
   for (const auto& [kind, path] : files) print_written(out, std::filesystem::path(path));
 }
 
-/// What `make` returns, after `write` has written it into all files. Both stand under one display
-/// of progress. `draw_milliseconds` of the result is what pictures took.
+/// What `make(display)` returns, after `write(kind, path, result, display)` has written it into
+/// all files. `draw_milliseconds` of the result is what pictures took.
 template <typename Kind>
 auto make_and_write(const PlannedFiles<Kind>& files, bool quiet, const auto& make,
                     const auto& write) {
@@ -64,7 +64,7 @@ auto make_and_write(const PlannedFiles<Kind>& files, bool quiet, const auto& mak
   for (const auto& [kind, path] : files) {
     display.stage("writing " + path);
     Stopwatch watch;
-    write(kind, path, result);
+    write(kind, path, result, display);
     if (kind == Kind::picture) {
       result.draw_milliseconds = result.draw_milliseconds.value_or(0) + watch.lap();
     }

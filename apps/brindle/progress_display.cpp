@@ -45,6 +45,7 @@ Progress ProgressDisplay::progress() {
 void ProgressDisplay::note(const std::string& text) {
   if (quiet_ || text.empty()) return;
   const std::lock_guard lock(mutex_);
+  if (!noted_.insert(text).second) return;
   erase_line();
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -29,7 +30,7 @@ class ProgressDisplay {
   /// Names the stage that begins. Throws Cancelled after Ctrl-C.
   void stage(std::string_view name) { progress().report(name, 0); }
 
-  /// Lines that stay; nothing if the display is quiet or the text empty.
+  /// Lines that stay, the same text only once; nothing if the display is quiet or the text empty.
   void note(const std::string& text);
 
  private:
@@ -44,6 +45,7 @@ class ProgressDisplay {
   void (*const previous_)(int);  // what Ctrl-C did before
   std::mutex mutex_;
   std::condition_variable_any changed_;
+  std::set<std::string> noted_;
   std::string stage_;
   std::string shown_;
   double fraction_ = 0;

@@ -25,6 +25,31 @@ nlohmann::ordered_json to_json(const TextureQuality& quality) {
           {"area_distortion_95th", quality.area_95th}};
 }
 
+nlohmann::ordered_json to_json(const MissingWaves& missing) {
+  auto json = nlohmann::ordered_json::object();
+  if (missing.tensor) {
+    json["tensor_vertices_near_normal"] = missing.tensor->near_normal;
+    json["tensor_vertices_isotropic"] = missing.tensor->isotropic;
+  }
+  if (missing.without_frequency) json["vertices_without_frequency"] = *missing.without_frequency;
+  if (missing.too_far) json["vertices_too_far"] = *missing.too_far;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const FollowedReport& followed) {
+  return {{"previous", followed.previous},
+          {"lambda", std::stod(formatted("%g", followed.lambda))},  // 0.02, not 0.01999999955
+          {"matched_by", name_of(followed.matched_by)},
+          {"vertices_unmatched", followed.vertices_unmatched},
+          {"phase_step", followed.phase_step}};
+}
+
+void print_followed(std::ostream& out, const FollowedReport& followed) {
+  out << formatted("follows   %s, matched by %s, %zu vertices unmatched, phase step %.4f\n",
+                   followed.previous.c_str(), name_of(followed.matched_by).data(),
+                   followed.vertices_unmatched, followed.phase_step);
+}
+
 void print_texture(std::ostream& out, const TextureReport& texture) {
   out << formatted(
       "texture   %zu branches across the field; turned round at %zu edges, mirrored at "
@@ -62,6 +87,7 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
   report.vertices = surface.mesh.vertex_count();
   report.triangles = surface.mesh.triangle_count();
   report.edges = surface.neighborhood->edge_count();
+  report.vertices_joined = prepared.vertices_joined;
   report.solver = solver;
   report.threads = ThreadLimit::current();
   report.iterations = pattern.solution.iterations;
@@ -106,6 +132,7 @@ nlohmann::ordered_json to_json(const WaveFigures& waves,
       {"edges_per_period_median", rounded(waves.edges_per_period_median)},
       {"vertices_without_wave", waves.without_wave}};
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
+  json.update(to_json(waves.missing));
   return json;
 }
 
@@ -127,6 +154,7 @@ nlohmann::ordered_json to_json(const Report& report) {
       {"vertices", report.vertices},
       {"triangles", report.triangles},
       {"edges", report.edges},
+      {"vertices_joined", report.vertices_joined},
       {"solver", name_of(report.solver)},
       {"threads", report.threads},
       {"iterations", report.iterations},
@@ -154,6 +182,7 @@ nlohmann::ordered_json to_json(const Report& report) {
     json["texture"].update(to_json(report.texture->quality));
   }
   if (report.cross) json["cross"] = to_json(*report.cross);
+  if (report.followed) json.update(to_json(*report.followed));
   return json;
 }
 
@@ -179,6 +208,7 @@ void print_report(std::ostream& out, const Report& report) {
     print_tiles(out, report.texture->quality);
   }
   if (report.cross) print_tiles(out, *report.cross);
+  if (report.followed) print_followed(out, *report.followed);
   out << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
                    time.load, time.topology, time.couple, time.solve, time.pattern);
   if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);

@@ -3,12 +3,14 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "brindle/cross_texture.h"
 #include "brindle/texture_pattern.h"
+#include "carried_pattern.h"
 #include "preparation.h"
 
 namespace brindle::tool {
@@ -21,12 +23,22 @@ struct TextureReport {
   TextureQuality quality;
 };
 
+/// How a pattern follows another one.
+struct FollowedReport {
+  std::string previous;  ///< its file
+  float lambda = 0;
+  Matching matched_by = Matching::number;
+  std::size_t vertices_unmatched = 0;  ///< waves without a last phase
+  double phase_step = 0;               ///< how far phases moved on average, in radians
+};
+
 /// The figures of one run.
 struct Report {
   nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< as `invocation_of`
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
+  std::size_t vertices_joined = 0;  ///< with others at their place, when the file was read
   Solver solver = Solver::multilevel;
   int threads = 0;
   int iterations = 0;
@@ -35,11 +47,12 @@ struct Report {
   StripeMilliseconds milliseconds;
   std::optional<double> draw_milliseconds;  ///< if there were pictures
   WaveFigures waves;
-  std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file
+  std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file or array
   nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
   std::optional<TextureReport> texture;
   std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
                                         ///< waves together
+  std::optional<FollowedReport> followed;
 };
 
 Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);

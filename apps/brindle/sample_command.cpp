@@ -14,6 +14,7 @@
 #include "brindle/files.h"
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/points/point_tree.h"
+#include "carried_arrays.h"
 #include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
@@ -35,6 +36,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
   brindle sample shape:torus --output samples.png
   brindle sample points.ply --stripes 50 --output samples.csv
+  brindle sample flow.vtp --frequency-by array:speed --output samples.csv
 
 Files by extension: .csv .ply .vtp samples, each with position, normal, both directions and
 spacings, triangle and barycentric coordinates; .png a picture; .json a report. A field file's
@@ -138,6 +140,7 @@ nlohmann::ordered_json to_json(const Result& result) {
   nlohmann::ordered_json json = {{"vertices", surface.mesh.vertex_count()},
                                  {"triangles", surface.mesh.triangle_count()},
                                  {"edges", surface.neighborhood->edge_count()},
+                                 {"vertices_joined", result.prepared.vertices_joined},
                                  {"threads", ThreadLimit::current()},
                                  {"samples", result.samples.size()},
                                  {"doubles_left_out", result.doubles},
@@ -195,11 +198,49 @@ void add_disc(const Sample& sample, Mesh& mesh) {
   }
 }
 
+// Columns and arrays of all formats, which those of the input's file do not replace.
+const std::vector<std::string> kOwnColumns = {"normal",      "direction_u", "direction_v",
+                                              "spacing_u",   "spacing_v",   "triangle",
+                                              "barycentric", "frequency_u", "frequency_v"};
+
+std::vector<TrianglePoint> places_of(std::span<const Sample> samples) {
+  std::vector<TrianglePoint> places;
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3d shares = sample.barycentric.cast<double>();
+    const Eigen::Vector3d b = shares / shares.sum();
+    places.push_back({sample.triangle, {b[0], b[1], b[2]}});
+  }
+  return places;
+}
+
+// What samples have as spacings.
+DataArray frequencies_of(const char* name, std::span<const Sample> samples,
+                         float Sample::*spacing) {
+  std::vector<float> frequencies;
+  for (const Sample& sample : samples) frequencies.push_back(1 / sample.*spacing);
+  return make_data_array(name, 1, frequencies);
+}
+
+void write_all_samples(const std::string& path, const Result& result, ProgressDisplay& display) {
+  const Mesh& mesh = result.prepared.surface.mesh;
+  const std::vector<Sample>& samples = result.samples;
+  std::vector<DataArray> arrays = {frequencies_of("frequency_u", samples, &Sample::spacing_u),
+                                   frequencies_of("frequency_v", samples, &Sample::spacing_v)};
+  // Samples of points lie in no triangle.
+  if (!mesh.triangles.empty()) {
+    const DataArrays held = held_beside(kOwnColumns, path, result.prepared.arrays, display);
+    for (DataArray& array : arrays_at(places_of(samples), mesh.triangles, held)) {
+      arrays.push_back(std::move(array));
+    }
+  }
+  write_samples(path, samples, mesh.origin, arrays);
+}
+
 void write(SampleOutput kind, const std::string& path, const CLI::App& command,
-           const SampleArguments& arguments, const Result& result) {
+           const SampleArguments& arguments, const Result& result, ProgressDisplay& display) {
   switch (kind) {
     case SampleOutput::samples:
-      return write_samples(path, result.samples, result.prepared.surface.mesh.origin);
+      return write_all_samples(path, result, display);
     case SampleOutput::picture: {
       Ornament discs{{}, true};
       discs.mesh.origin = result.prepared.surface.mesh.origin;
@@ -252,9 +293,8 @@ void run(const CLI::App& command, const SampleArguments& arguments) {
         if (made.samples.empty()) display.note(kNoSamples);
         return made;
       },
-      [&](SampleOutput kind, const std::string& path, const Result& made) {
-        write(kind, path, command, arguments, made);
-      });
+      [&](SampleOutput kind, const std::string& path, const Result& made,
+          ProgressDisplay& display) { write(kind, path, command, arguments, made, display); });
   if (arguments.quiet) return;
   print(std::cout, result);
   print_written(std::cout, files);

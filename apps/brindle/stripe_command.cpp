@@ -8,9 +8,12 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
+#include "carried_pattern.h"
 #include "command_line.h"
 #include "commands.h"
 #include "device.h"
+#include "formatted.h"
+#include "option_values.h"
 #include "outputs.h"
 #include "picture.h"
 #include "preparation.h"
@@ -40,20 +43,30 @@ Examples:
   brindle stripe scan.obj --cross --texture plus --output crosses.png
   brindle stripe points.csv --output points.png --output points.ply
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
+  brindle stripe scan.obj --uv --output scan.vtp --output scan.ply
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
+  brindle stripe step2.vtp --field array:velocity --previous step1_stripes.vtp --output step2.png
+  brindle stripe flow.vtp --field array:velocity --frequency-by array:speed --output flow.png
+  brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
+  brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
 
-Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians), direction,
-frequency and branch (1 at the corners of triangles where a stripe begins or ends) at every vertex;
-.obj the mesh alone; .json a report. With --texture, meshes have texture coordinates and show the
-tile: .gltf and .glb hold it, others have it beside them.)";
+Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
+where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,
+branch (1 at the corners of triangles where a stripe begins or ends) and original_id (the number in
+MESH) at every vertex, and all arrays that MESH has; .obj the mesh alone; .json a report. With
+--texture, meshes have texture coordinates and show the tile: .gltf and .glb hold it, others have it
+beside them; --uv gives coordinates alone.)";
 
 struct StripeArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
   DeviceKind device = DeviceKind::cpu;
+  std::string previous;  ///< file of the pattern to stay near to; empty: none
+  MatchOptions match;
   TextureChoice texture;
   std::shared_ptr<PictureOptions> picture;
+  bool uv = false;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
@@ -79,6 +92,7 @@ struct Job {
   Surface surface;
   StripeResult result;
   Report report;
+  KeptData data;
 };
 
 Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTile tile,
@@ -87,8 +101,12 @@ Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTi
   const CrossPattern cross = cross_pattern(prepared.surface, prepared.waves, options, progress);
   CrossTexture texture = cross_texture(prepared.surface, cross, options.phase_shift);
   const Report report = make_report(prepared, texture, options.solver.solver);
-  return {
-      std::move(texture.surface), {Texture{std::move(texture.pattern), std::move(tile)}}, report};
+  KeptData data =
+      on_cross_texture(take_file_data(prepared), prepared.surface.mesh.triangles, cross.cover);
+  return {std::move(texture.surface),
+          {Texture{std::move(texture.pattern), std::move(tile)}},
+          report,
+          std::move(data)};
 }
 
 Job make_job(Preparation prepared, const StripeArguments& arguments,
@@ -102,7 +120,8 @@ Job make_job(Preparation prepared, const StripeArguments& arguments,
   const Report report = result.texture() != nullptr
                             ? make_report(prepared, result.texture()->pattern, solver)
                             : make_report(prepared, result.stripes(), solver);
-  return {std::move(prepared.surface), std::move(result), report};
+  KeptData data = take_file_data(prepared);
+  return {std::move(prepared.surface), std::move(result), report, std::move(data)};
 }
 
 // What cannot be laid over points or shown of crosses: better said before a long job.
@@ -125,6 +144,7 @@ void check_points(const CLI::App& command, const StripeArguments& arguments,
       refuse("--output", "'" + output.path.string() + "' cannot hold them; write .ply or .vtp");
     }
   }
+  refuse_given(command, {"--uv"}, "points have no triangles, and so no texture coordinates");
   refuse_triangle_options(command);
 }
 
@@ -139,13 +159,34 @@ void check_cross(const StripeArguments& arguments, const std::vector<Output>& ou
   }
 }
 
+// The phases of the pattern that this one stays near to.
+CarriedPattern carried_pattern(const StripeArguments& arguments, const Preparation& prepared) {
+  const Follower follower{arguments.surface.mesh, prepared.surface.mesh, prepared.waves,
+                          prepared.arrays.points};
+  return carry(read_pattern(arguments.previous), follower, arguments.match);
+}
+
+FollowedReport followed_report(const StripeArguments& arguments, const CarriedPattern& carried,
+                               const StripePattern& pattern) {
+  const PhaseStep step = phase_step(pattern.waves, pattern.solution.z, carried.z);
+  return {arguments.previous, arguments.solving.stripes.lambda, carried.matched_by,
+          carried.unmatched, step.mean};
+}
+
 /// Solves on the device, which is given back before anything is drawn.
 Job solve(StripeArguments arguments, Preparation prepared, std::optional<TextureTile> tile,
           const Progress& progress) {
+  std::optional<CarriedPattern> carried;
+  if (!arguments.previous.empty()) {
+    progress.report("reading " + arguments.previous, 0);
+    carried = carried_pattern(arguments, prepared);
+    arguments.solving.stripes.last_phases = carried->z;
+  }
   const Device device(arguments.device);
   arguments.solving.stripes.solve = device.solver();
   Job job = make_job(std::move(prepared), arguments, std::move(tile), progress);
   job.report.device = device.description();
+  if (carried) job.report.followed = followed_report(arguments, *carried, job.result.stripes());
   return job;
 }
 
@@ -154,11 +195,25 @@ bool has(const std::vector<Output>& outputs, OutputKind kind) {
                      [kind](const Output& output) { return output.kind == kind; });
 }
 
+void check_previous(const CLI::App& command, const StripeArguments& arguments, bool texture) {
+  if (arguments.previous.empty()) {
+    refuse_given(command, {"--lambda", "--match"}, "no pattern is followed; add --previous FILE");
+    return;
+  }
+  if (texture) {
+    refuse_given(command, {"--previous"}, "it is for stripes, not for textures and cross fields");
+  }
+  if (arguments.solving.stripes.solver.solver != Solver::multilevel) {
+    refuse_given(command, {"--previous"}, "it is for --solver multilevel");
+  }
+}
+
 // Options that would change nothing.
 void check_options(const CLI::App& command, const StripeArguments& arguments,
                    const std::vector<Output>& outputs, bool texture) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
+  check_previous(command, arguments, texture);
   const std::string no_picture = "no picture is written; add --output FILE.png";
   if (!has(outputs, OutputKind::picture)) {
     refuse_given(command, {"--camera", "--up", "--size", "--view", "--stripe-width"}, no_picture);
@@ -167,12 +222,20 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
       refuse_given(command, {"--colors"}, no_picture);
     }
   }
-  if (texture) refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+  if (texture) {
+    refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+    refuse_given(command, {"--uv"}, "meshes with a texture have coordinates anyway");
+  }
+  if (!has(outputs, OutputKind::mesh)) {
+    refuse_given(command, {"--uv"},
+                 "no mesh is written; add --output FILE.vtp, .ply, .glb or .obj");
+  }
 }
 
 std::vector<UsedFile> inputs_of(const StripeArguments& arguments) {
   std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
   if (!arguments.texture.tile.empty()) inputs.push_back({"--texture", arguments.texture.tile});
+  if (!arguments.previous.empty()) inputs.push_back({"--previous", arguments.previous});
   return inputs;
 }
 
@@ -187,12 +250,14 @@ std::vector<Output> checked_outputs(const CLI::App& command, const StripeArgumen
   return outputs;
 }
 
-void write_outputs(const std::vector<Output>& outputs, Job& job, const PictureOptions& picture,
-                   std::span<const Index> partners, ProgressDisplay& display) {
+void write_outputs(const std::vector<Output>& outputs, Job& job, const StripeArguments& arguments,
+                   ProgressDisplay& display) {
+  const MadeMesh made{job.surface, job.result, job.data, arguments.solving.stripes.phase_shift,
+                      arguments.uv};
   for (const Output& output : outputs) {
     display.stage("writing " + output.path.string());
     Stopwatch watch;
-    write_output(output, job.surface, job.result, job.report, picture, partners);
+    write_output(output, made, job.report, *arguments.picture, display);
     if (output.kind == OutputKind::picture) {
       job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
     }
@@ -211,17 +276,30 @@ void run(const CLI::App& command, const StripeArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     Preparation prepared = prepare(arguments.surface, arguments.waves, display);
-    const std::vector<Index> partners = std::move(prepared.partners);
     Job job = solve(arguments, std::move(prepared), std::move(tile), display.progress());
     job.report.invocation = invocation_of(command);
     display.note(
         branch_warning(job.report.waves, job.report.quality.branches, job.report.triangles));
-    write_outputs(outputs, job, *arguments.picture, partners, display);
+    write_outputs(outputs, job, arguments, display);
     report = job.report;
   }
   if (arguments.quiet) return;
   print_report(std::cout, report);
   for (const UsedFile& file : files_of(outputs, texture)) print_written(std::cout, file.path);
+}
+
+void add_previous_options(CLI::App& command, StripeArguments& arguments) {
+  StripeOptions& stripes = arguments.solving.stripes;
+  command
+      .add_option("--previous", arguments.previous,
+                  "stay near to the stripes of this file, which an earlier run has written (.vtp, "
+                  ".ply): one step of a time series at a time")
+      ->type_name("FILE");
+  add_parsed_option(
+      command, "--lambda", stripes.lambda, parse_weight,
+      "--previous: how near; 0: not at all (default " + formatted("%g", stripes.lambda) + ")")
+      ->type_name("L");
+  add_match_option(command, arguments.match);
 }
 
 void add_options(CLI::App& command, StripeArguments& arguments) {
@@ -232,7 +310,11 @@ void add_options(CLI::App& command, StripeArguments& arguments) {
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
   add_device_option(command, arguments.device);
+  add_previous_options(command, arguments);
   add_texture_options(command, arguments.texture, arguments.waves, cross);
+  command.add_flag("--uv", arguments.uv,
+                   "meshes with texture coordinates: U across the stripes, one unit a period; "
+                   "vertices are split where it needs that (original_id: their number in MESH)");
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_picture_options(command);
 }

@@ -8,7 +8,7 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/geometry/local_positions.h"
-#include "brindle/mesh.h"
+#include "brindle/mesh_data.h"
 #include "brindle/shapes.h"
 
 namespace brindle::tool {
@@ -44,7 +44,8 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
       ->check([](const std::string& mesh) {
         return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");
       });
-  app.add_option("--subdivide", options.subdivide, "split every triangle in four, K times")
+  app.add_option("--subdivide", options.subdivide,
+                 "split every triangle in four, K times; arrays of the file are interpolated")
       ->type_name("K")
       ->check(CLI::Range(0, 10));
 }
@@ -97,20 +98,21 @@ bool is_shape(const SurfaceOptions& options) {
   return std::string_view(options.mesh).starts_with(kShapePrefix);
 }
 
-LoadedMesh load_mesh(const SurfaceOptions& options) {
+LoadedSurface load_mesh(const SurfaceOptions& options) {
   if (options.neighbors) {
     throw CLI::ValidationError("--neighbors",
                                "a mesh's vertices are joined by its edges; add --points to take "
                                "them as points");
   }
   check_exists(options);
-  LoadedMesh loaded;
+  LoadedSurface loaded;
   if (is_shape(options)) {
     loaded.mesh = make_named_shape(options);
   } else {
-    loaded = read_mesh(options.mesh);
+    static_cast<LoadedMesh&>(loaded) = read_mesh(options.mesh);
   }
-  if (options.subdivide > 0) loaded.mesh = subdivide(std::move(loaded.mesh), options.subdivide);
+  loaded.own_vertices = loaded.mesh.vertex_count();
+  if (options.subdivide > 0) subdivide(loaded.mesh, loaded.arrays, options.subdivide);
   return loaded;
 }
 

@@ -44,8 +44,13 @@ LoadedPoints load_points(const SurfaceOptions& options);
 /// Whether the mesh is a built-in shape.
 bool is_shape(const SurfaceOptions& options);
 
+/// A mesh that commands work on.
+struct LoadedSurface : LoadedMesh {
+  std::size_t own_vertices = 0;  ///< of the file or shape; those of --subdivide come after them
+};
+
 /// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a shape that is not
 /// spelt right and for neighbours of points, Error if a file cannot be read.
-LoadedMesh load_mesh(const SurfaceOptions& options);
+LoadedSurface load_mesh(const SurfaceOptions& options);
 
 }  // namespace brindle::tool

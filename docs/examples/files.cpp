@@ -2,6 +2,7 @@
 #include "brindle/files.h"
 
 #include <filesystem>
+#include <vector>
 
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
@@ -15,10 +16,11 @@ int main() {
                 brindle::constant_frequency_field(16, surface.mesh.vertex_count())});
   const brindle::TexturedMesh textured =
       brindle::texture_coordinates(surface.mesh, texture.waves, texture.phase_shift);
-  brindle::VertexAttribute uv{"uv", 2, {}};
+  std::vector<float> numbers;
   for (const auto& at_vertex : textured.coordinates) {
-    uv.values.insert(uv.values.end(), at_vertex.begin(), at_vertex.end());
+    numbers.insert(numbers.end(), at_vertex.begin(), at_vertex.end());
   }
+  const brindle::DataArray uv = brindle::make_data_array("uv", 2, numbers);
   const auto path = std::filesystem::temp_directory_path() / "brindle_example_files.obj";
   brindle::write_mesh(path, textured.mesh, {&uv, 1});  // or write_textured_mesh, with a picture
   std::filesystem::remove(path);

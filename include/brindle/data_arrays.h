@@ -49,6 +49,9 @@ DataArray make_data_array(std::string name, int components, const std::vector<Nu
   return make_data_array(std::move(name), components, std::span<const Number>(numbers));
 }
 
+/// Three floats per vector.
+DataArray make_data_array(std::string name, std::span<const Vec3> vectors);
+
 /// What belongs to a mesh: of every array in `points` a row per vertex, of every one in `cells` a
 /// row per triangle.
 struct DataArrays {

@@ -17,33 +17,39 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// `components` numbers per vertex, 1 or 3, vertex by vertex. The names "normal" (unit vectors) and
-/// "color" (red, green, blue between 0 and 1), with 3 components, and "uv" (texture coordinates in
-/// sides of the picture, from its lower left corner to the right and up), with 2, are stored the
-/// way that every program understands; other names consist of letters, digits and underscores.
-struct VertexAttribute {
-  std::string name;
-  int components = 1;
-  std::vector<float> values;
+/// Arrays that every program understands by their own way of storing them: "normal" (unit vectors)
+/// of 3 floating-point numbers; "color" (red, green, blue) of 3, floating-point from 0 to 1 or
+/// uint8 from 0 to 255; "uv" (texture coordinates in sides of the picture, from its lower left
+/// corner to the right and up) of 2 floating-point numbers.
+bool is_normal(const DataArray& array);
+bool is_color(const DataArray& array);
+bool is_uv(const DataArray& array);
 
-  bool is_normal() const { return name == "normal" && components == 3; }
-  bool is_color() const { return name == "color" && components == 3; }
-  bool is_uv() const { return name == "uv" && components == 2; }
+/// Gives every row v with an entry in `partner` the values of row partner[v]; others keep theirs.
+/// For vertices that were joined with another at their place, and so have none of their own. Arrays
+/// have a row for every entry.
+void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner);
+
+/// Arrays in the form in which a file holds them.
+struct FittedArrays {
+  DataArrays arrays;
+  std::vector<std::string> left_out;  ///< a line for each: "array 'stress' (9 components) is not
+                                      ///< kept in .glb"
 };
 
-/// Gives every vertex v with an entry in `partner` the values of the vertex partner[v]; others keep
-/// theirs. For vertices that were joined with another at their place, and so have none of their
-/// own.
-inline void copy_from_partners(std::span<VertexAttribute> attributes,
-                               std::span<const Index> partner) {
-  for (VertexAttribute& attribute : attributes) {
-    const auto n = static_cast<std::size_t>(attribute.components);
-    for (std::size_t v = 0; v < partner.size(); ++v) {
-      std::copy_n(&attribute.values[n * partner[v]], partner[v] == v ? 0 : n,
-                  &attribute.values[n * v]);
-    }
-  }
-}
+/// What the mesh file `path` holds of `arrays`, by its extension:
+/// .vtp         everything; names are as they are, but for characters that XML has not;
+/// .ply         everything but 64-bit numbers that are neither 32-bit ones nor a double exactly;
+///              arrays of cells are properties of faces. Names are one word: other characters than
+///              letters, digits and underscores become underscores;
+/// .gltf .glb   arrays of points with 1 to 4 components of finite numbers, as 32-bit floats, if
+/// that
+///              is exact; names are in capitals after an underscore;
+/// .obj         "normal" and "uv" of points;
+/// .csv         everything, for lines and samples.
+/// Names that are the same then, or taken, get underscores at their end. What was fitted fits: it
+/// stays as it is. Numbers of components are 1 or more.
+FittedArrays fitted_arrays(const std::filesystem::path& path, DataArrays arrays);
 
 /// A colour's level as files store it: 0 to 1 becomes 0 to 255; what is no number becomes 0.
 inline unsigned char color_byte(float level) {
@@ -59,6 +65,8 @@ struct LoadedMesh {
   /// What the file says of the mesh: a row per vertex of `mesh` and per triangle.
   DataArrays arrays = {};
   bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
+  /// A line, as for a report to the user, per kind of thing in the file that is not here.
+  std::string left_out = {};
 };
 
 /// Reads OBJ, PLY, OFF, STL, glTF and GLB, told apart by the path's extension; polygons are cut
@@ -78,18 +86,21 @@ LoadedMesh read_mesh(const std::filesystem::path& path);
 /// no numbers stay so. Throws Error as `read_mesh` does.
 Mesh read_vertices(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all.
-/// Throws Error for an unknown extension; for attributes that the format cannot hold, that have a
-/// bad name, or do not have 1 or 3 values ("uv": 2) for every vertex; and what write_file throws.
+/// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all, with
+/// arrays of a row per vertex and per triangle (`fitted_arrays`).
+/// Throws Error for an unknown extension, for arrays that the format cannot hold or that have
+/// another number of rows, and what write_file throws.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
-                std::span<const VertexAttribute> attributes = {});
+                std::span<const DataArray> point_arrays = {},
+                std::span<const DataArray> cell_arrays = {});
 
 /// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
-/// `attributes` has "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for others
-/// it is written beside the mesh, for OBJ with a material library: `textured_mesh_files`. Throws
-/// Error as `write_mesh` does, and if "uv" is missing.
+/// `point_arrays` have "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for
+/// others it is written beside the mesh, for OBJ with a material library: `textured_mesh_files`.
+/// Throws Error as `write_mesh` does, and if "uv" is missing.
 void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
-                         std::span<const VertexAttribute> attributes, const std::string& png);
+                         std::span<const DataArray> point_arrays, const std::string& png,
+                         std::span<const DataArray> cell_arrays = {});
 
 /// All files that `write_textured_mesh` writes for `path`, that itself last.
 std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
@@ -110,6 +121,7 @@ LoadedPoints read_points(const std::filesystem::path& path);
 struct NamedLines {
   std::string name;
   const Polylines& lines;
+  std::vector<DataArray> arrays = {};  ///< a row per point
 };
 
 /// Whether `write_polylines` knows the path's extension.
@@ -121,20 +133,35 @@ bool is_polyline_format(const std::filesystem::path& path);
 /// .vtp  lines, with the number of their kind, whether they are closed and their length;
 /// .csv  a row per point: kind, line, closed, x, y, z, nx, ny, nz.
 /// A closed line comes back to its first point, which is not repeated but in .vtp and .obj's lists.
-/// Throws Error for another extension, for more points than an Index can count, and what write_file
-/// throws.
+/// All but .obj hold the arrays too, which are the same of all kinds but for their numbers; in .ply
+/// and .csv they are columns, NAME or, of three components, NAME_x, NAME_y, NAME_z, of other
+/// numbers of them NAME_0 and so on. Names that are taken get underscores at their end.
+/// Throws Error for another extension, for more points than an Index can count, for arrays with
+/// other numbers of rows or that differ between kinds or do not fit (`fitted_arrays`), and what
+/// write_file throws.
 void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds);
 
 /// Whether `write_samples` knows the path's extension.
 bool is_sample_format(const std::filesystem::path& path);
 
 /// Writes all that a Sample has, whole or not at all, by the path's extension: .csv a row per
-/// sample, .ply (binary) a vertex per sample, .vtp a point per sample. In .vtp the triangle's
-/// number is a float, exact up to 16,777,216 triangles. Positions are relative to `origin`, which
-/// is that of the mesh, and written where they stand. Throws Error for another extension and what
-/// write_file throws.
+/// sample, .ply (binary) a vertex per sample, .vtp a point per sample; and `arrays` of a row per
+/// sample, as `write_polylines` does. Positions are relative to `origin`, which is that of the
+/// mesh, and written where they stand. Throws Error for another extension, for arrays as
+/// `write_polylines` does, and what write_file throws.
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
-                   const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+                   const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
+                   std::span<const DataArray> arrays = {});
+
+/// The columns of a CSV file whose first row names them, as arrays of float64 with a row each.
+/// Commas, semicolons, tabs or spaces part the columns, and cells may stand in quotation marks;
+/// empty cells are NaN, and columns of words are left out. Columns NAME:0 to NAME:k-1 (so
+/// ParaView writes them), NAME_0 to NAME_k-1, or NAME with :x, :y, :z or _x, _y, _z, in any order,
+/// become one array NAME; so do xx, yy, zz, xy, yz, xz, and xx, xy, xz, yx and so on to zz. Throws
+/// Error naming the file, the line, the column and the remedy if the file cannot be read or does
+/// not name its columns, a word stands in a column of numbers, or a row has more or fewer cells
+/// than there are names.
+std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path);
 
 /// What a field file holds: one row per vertex.
 struct FieldFile {
@@ -144,8 +171,11 @@ struct FieldFile {
 };
 
 /// Reads a CSV file (`read_csv`) of 3 columns x,y,z, 4 with the frequency, or 5 with the frequency
-/// of the stripes that cross the others where a texture is laid along both. `nan` is a value: no
-/// wave here. Of vectors the direction alone counts, however long or short they are.
+/// of the stripes that cross the others where a texture is laid along both. Of a file whose first
+/// row names columns x, y and z, these and, if there are such names, `frequency` and `frequency_v`
+/// are taken wherever they stand; unless x,y,z come first, of five columns or fewer, and the others
+/// have other names: then these are the frequencies. `nan` is a value: no wave here. Of vectors the
+/// direction alone counts, however long or short they are.
 ///
 /// A row stands for a vertex of the mesh or, if there are as many rows as entries in
 /// `vertex_of_row`, for a vertex of the mesh's file (`LoadedMesh`). Of the rows of one vertex the

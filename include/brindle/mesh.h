@@ -77,6 +77,9 @@ std::string describe(const MeshRepair& repair);
 /// vertex still match: those that are not finite are moved to the centroid of the others.
 MeshRepair repair_mesh(Mesh& mesh);
 
+/// As above; `kept` receives, of every triangle that is left, the number that it had.
+MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept);
+
 /// Moves positions with a coordinate that is NaN, infinite or beyond 1e18 to the centroid of the
 /// others. Returns, for every position, whether it was good.
 std::vector<char> set_positions_finite(std::vector<Vec3>& positions);

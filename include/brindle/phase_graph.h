@@ -56,6 +56,11 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
                              PhaseShiftKind kind = PhaseShiftKind::aligned,
                              std::span<const float> edge_weights = {});
 
+/// Draws every node to a phase: T_i = lambda deg_i z_i with deg_i = sum_j |A_ij| + |B_ij|, so that
+/// `lambda` (0 or above) compares with the couplings. `z` has a unit number per node, or 0 for a
+/// node that is drawn nowhere. Throws Error for other phases and lambdas.
+void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda);
+
 /// The energy of Eq. 4 and 5 over the sum of all weights: between 0 and 1, about 0.5 for random
 /// phases, 0 if the graph has no edges or none of them a weight. Anchors do not count. Not a number
 /// if a coupling or a phase is none. `z` has one unit number per node.

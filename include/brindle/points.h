@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
@@ -38,6 +39,8 @@ struct LoadedPoints {
   PointRepair repair;
   /// For every point the first at its place; empty if no two stand at one place.
   std::vector<Index> first_at_place;
+  std::vector<DataArray> arrays = {};  ///< what a file says of the points, a row each
+  std::string left_out = {};           ///< a line per thing in the file that is not here
 };
 
 /// Makes a valid cloud of any positions and normals (one per position, of any length above zero;

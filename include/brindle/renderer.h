@@ -95,6 +95,7 @@ struct SurfaceDrawing {
   const TextureWaves* texture_waves =
       nullptr;                                ///< with `texture_tile`: a texture instead of stripes
   const TextureTile* texture_tile = nullptr;  ///< figures are drawn in the colour of stripes
+  std::span<const Vec3> framed = {};          ///< points that the camera frames; empty: the mesh's
 };
 
 /// What has changed in a drawing that was uploaded before. Spans left empty and no waves leave what

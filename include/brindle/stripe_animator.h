@@ -54,7 +54,8 @@ struct FrameMilliseconds {
 struct FrameResult {
   std::span<const Complex> z;  ///< one phase per vertex; valid until the next frame
   double phase_step = 0;       ///< mean |angle| between this frame's phases and the last one's, in
-                               ///< radians, over vertices with a wave; 0 in the first frame
+                               ///< radians, over vertices with a wave; 0 in the first frame. Where
+                               ///< `set_last_phases` knows of none, vertices do not count
   bool unchanged = false;      ///< the input was that of the last frame, and so are the phases
   FrameMilliseconds milliseconds;
 };
@@ -89,6 +90,12 @@ class StripeAnimator {
   /// Forgets the last frame's phases: the next frame is solved from scratch.
   void restart();
 
+  /// Lets the next frame follow these phases instead of the last frame's: a unit number per vertex,
+  /// for the directions that the next frame has, or 0 where none is known; as `matched_phases` and
+  /// `carried_phases` give them. Also before the first frame. Throws Error for other phases, and
+  /// leaves all as it was.
+  void set_last_phases(std::span<const Complex> z);
+
   /// Milliseconds that building the topology took, in the first frame. Aggregates follow the first
   /// couplings, so that their sums belong to it.
   double topology_milliseconds() const;
@@ -97,6 +104,7 @@ class StripeAnimator {
   struct State;
   explicit StripeAnimator(std::unique_ptr<State> state);
   void start();
+  void take_given();
   FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
   void couple_next();
   void iterate();

@@ -31,6 +31,10 @@ struct StripeOptions {
   EdgeWeights weights = EdgeWeights::paper;
   SolverOptions solver;
   SolvePhases solve;  ///< empty: on the processor
+  /// Phases to stay near to: a unit number per vertex, 0 where none is known, as `matched_phases`
+  /// and `carried_phases` give them; empty for none. For Solver::multilevel.
+  std::vector<Complex> last_phases;
+  float lambda = 0.025f;  ///< how near, as AnimatorOptions has it; 0: no matter
 };
 
 /// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.
@@ -54,8 +58,9 @@ struct StripePattern {
 
 /// Couples the waves along the edges of the surface, solves for phases, lifts them to the corners
 /// of the triangles and measures the result; on points without triangles as `measure_point_quality`
-/// does. `waves` has one entry per vertex. Throws Error for waves that `check_waves` refuses, and
-/// what `solve_phases` throws.
+/// does. `waves` has one entry per vertex. Throws Error for waves that `check_waves` refuses, for
+/// last phases that `anchor_phases` does or another solver than multilevel has, and what
+/// `solve_phases` throws.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});
 

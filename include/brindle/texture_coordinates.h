@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
 #include "brindle/texture_waves.h"
@@ -22,7 +23,8 @@ struct TexturedMesh {
   /// One per vertex: the vertices of the original mesh whose mean it is, which is three times the
   /// same for a vertex and its copies.
   std::vector<std::array<Index, 3>> origins;
-  std::size_t split_triangles = 0;  ///< at their barycentres
+  std::vector<Index> triangle_origins;  ///< one per triangle: that of the original it is part of
+  std::size_t split_triangles = 0;      ///< at their barycentres
 };
 
 /// Coordinates that are linear in each triangle and agree along edges up to whole tiles. Neighbours
@@ -36,6 +38,10 @@ TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, Ph
 /// the textured mesh.
 std::vector<float> carried_values(const TexturedMesh& textured, std::span<const float> values,
                                   int components);
+
+/// Arrays of the original mesh, carried to the vertices and triangles of the textured mesh: at
+/// barycentres they are the means of whole rows (`blended`). Throws Error as that does.
+DataArrays carried_arrays(const TexturedMesh& textured, const DataArrays& arrays);
 
 struct CarriedWaves {
   WaveSet waves;

@@ -41,4 +41,10 @@ TexturePattern texture_pattern(const Surface& surface, DirectionField field, flo
 /// of another surface.
 TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern);
 
+/// The same of stripes alone: U is across the stripes, as a texture's, and V 1/2 everywhere, the
+/// middle of the tile. Triangles are oriented as those of a texture that is not `oriented`. Throws
+/// Error for a pattern of another surface.
+TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pattern,
+                                 PhaseShiftKind phase_shift = PhaseShiftKind::aligned);
+
 }  // namespace brindle

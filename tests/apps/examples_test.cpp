@@ -1,11 +1,13 @@
 // Every example that the program's help shows runs, with smaller pictures and fewer frames.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
 
 #include "tool.h"
+#include "vtp_text.h"
 
 #if defined(BRINDLE_HAS_GL) && defined(BRINDLE_HAS_CHOLMOD) && defined(BRINDLE_TESTS_NANOFLANN)
 
@@ -18,7 +20,10 @@ using Arguments = std::vector<std::string>;
 Arguments words_of(const std::string& line) {
   std::istringstream in(line);
   Arguments words;
-  for (std::string word; in >> word;) words.push_back(word);
+  for (std::string word; in >> word;) {
+    std::erase(word, '\'');
+    words.push_back(word);
+  }
   return words;
 }
 
@@ -54,13 +59,53 @@ bool draws(const Arguments& arguments) {
 // The same command with less to do.
 Arguments shortened(Arguments arguments) {
   if (draws(arguments)) set_option(arguments, "--size", "64x48");
-  if (arguments.front() == "animate") set_option(arguments, "--frames", "2");
+  const bool series = std::ranges::find(arguments, "--series") != arguments.end();
+  if (arguments.front() == "animate" && !series) set_option(arguments, "--frames", "2");
   if (arguments.front() == "bench") arguments.push_back("--quick");
   return arguments;
 }
 
 struct Examples : ToolTest {
   std::string path = std::getenv("PATH");
+
+  // A surface with a flow along it, and a plate with stresses.
+  void write_data() const {
+    TextMesh mesh;
+    std::istringstream scan(content(folder / "scan.obj"));
+    for (std::string line; std::getline(scan, line);) {
+      const Arguments words = words_of(line);
+      if (words.size() != 4) continue;
+      if (words[0] == "v") {
+        mesh.positions.push_back({std::stod(words[1]), std::stod(words[2]), std::stod(words[3])});
+      } else if (words[0] == "f") {
+        mesh.triangles.push_back(
+            {std::stoi(words[1]) - 1, std::stoi(words[2]) - 1, std::stoi(words[3]) - 1});
+      }
+    }
+    TextArray velocity{"velocity", 3, {}}, speed{"speed", 1, {}}, stress{"stress", 6, {}};
+    for (const auto& [x, y, z] : mesh.positions) {
+      velocity.numbers.insert(velocity.numbers.end(), {-y, x, 0.1});
+      speed.numbers.push_back(std::hypot(x, y));
+      stress.numbers.insert(stress.numbers.end(), {3, 1 + x, 2, y, 0, 0});
+    }
+    mesh.points = {velocity, speed, stress};
+    for (const char* name : {"flow.vtp", "plate.vtp"}) write_text(folder / name, vtp_text(mesh));
+  }
+
+  // Two steps of each kind.
+  void write_series() const {
+    for (const char* step : {"v0000.vtp", "v0001.vtp", "step2.vtp"}) {
+      fs::copy_file(folder / "flow.vtp", folder / step);
+    }
+    for (const char* step : {"wind0000.csv", "wind0001.csv"}) {
+      fs::copy_file(folder / "wind.csv", folder / step);
+    }
+    write_text(folder / "run.pvd",
+               "<VTKFile type=\"Collection\"><Collection>"
+               "<DataSet timestep=\"0\" file=\"v0000.vtp\"/>"
+               "<DataSet timestep=\"1\" file=\"v0001.vtp\"/></Collection></VTKFile>");
+    make({"stripe", "flow.vtp", "-o", "step1_stripes.vtp"});
+  }
 
   // The files that examples speak of.
   void SetUp() override {
@@ -79,8 +124,10 @@ struct Examples : ToolTest {
     }
     // "--1" where a coordinate is negative.
     for (std::size_t at = 0; (at = field.find("--")) != std::string::npos;) field.erase(at, 2);
+    write_data();
     for (const char* name : {"wind.csv", "importance.csv"}) write_text(folder / name, field);
     write_text(folder / "points.csv", points);
+    write_series();
     fs::create_directory(folder / "frames");
     write_text(folder / "ffmpeg", "#!/bin/sh\nfor last; do :; done; cat > \"${last#file:}\"\n");
     fs::permissions(folder / "ffmpeg", fs::perms::owner_all);

@@ -233,13 +233,17 @@ TEST_F(MeshIo, PassesOverWhatElseAPlyFileHolds) {
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
 
-TEST_F(MeshIo, StoresAttributesInPly) {
+DataArray floats(const char* name, int components, const std::vector<float>& numbers) {
+  return make_data_array(name, components, numbers);
+}
+
+TEST_F(MeshIo, StoresArraysInPly) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const std::vector<VertexAttribute> attributes = {{"normal", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1}},
-                                                   {"color", 3, {1, 0, 0.5f, 2, -1, NAN, 0, 0, 0}},
-                                                   {"phase", 1, {1.5f, 2.5f, 3.5f}},
-                                                   {"direction", 3, {1, 0, 0, 1, 0, 0, 1, 0, 0}}};
-  write_mesh(folder / "a.ply", mesh, attributes);
+  const std::vector<DataArray> arrays = {floats("normal", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1}),
+                                         floats("color", 3, {1, 0, 0.5f, 2, -1, NAN, 0, 0, 0}),
+                                         floats("phase", 1, {1.5f, 2.5f, 3.5f}),
+                                         floats("direction", 3, {1, 0, 0, 1, 0, 0, 1, 0, 0})};
+  write_mesh(folder / "a.ply", mesh, arrays);
   const std::string file = load(folder / "a.ply");
   for (const std::string property :
        {"float nx", "uchar red", "float phase\n", "float direction_z"}) {
@@ -253,28 +257,27 @@ TEST_F(MeshIo, StoresAttributesInPly) {
 
 TEST_F(MeshIo, StoresNormalsInObj) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const VertexAttribute normal{"normal", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1}};
+  const DataArray normal = floats("normal", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1});
   write_mesh(folder / "a.obj", mesh, std::span(&normal, 1));
   EXPECT_NAMES(load(folder / "a.obj"), "vn 0 0 1\nf 1//1 2//2 3//3\n");
 }
 
-TEST_F(MeshIo, RefusesAttributesThatAFormatCannotHold) {
+TEST_F(MeshIo, RefusesArraysThatAFormatCannotHold) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const auto error = [&](const std::string& name, const VertexAttribute& attribute) -> std::string {
+  const auto error = [&](const std::string& name, const DataArray& array) -> std::string {
     try {
-      write_mesh(folder / name, mesh, std::span(&attribute, 1));
+      write_mesh(folder / name, mesh, std::span(&array, 1));
     } catch (const Error& e) {
       EXPECT_FALSE(fs::exists(folder / name));
       return e.what();
     }
     return "";
   };
-  EXPECT_NAMES(error("a.obj", {"phase", 1, {1, 2, 3}}), ".ply");
-  EXPECT_NAMES(error("a.ply", {"phase", 1, {1, 2}}), "2 values, not 3");
-  EXPECT_NAMES(error("a.ply", {"phase", 2, {1, 2, 3, 4, 5, 6}}), "1 or 3");
-  EXPECT_NAMES(error("a.ply", {"my phase\n", 1, {1, 2, 3}}), "letters");
-  EXPECT_NAMES(error("a.ply", {"x", 1, {1, 2, 3}}), "taken");
-  EXPECT_NAMES(error("a.xyz", {"phase", 1, {1, 2, 3}}), ".glb");
+  EXPECT_NAMES(error("a.obj", floats("phase", 1, {1, 2, 3})), ".ply");
+  EXPECT_NAMES(error("a.ply", floats("phase", 1, {1, 2})), "2 rows, not 3");
+  EXPECT_NAMES(error("a.glb", floats("stress", 6, std::vector<float>(18))),
+               "array 'stress' (6 components) is not kept in .glb");
+  EXPECT_NAMES(error("a.xyz", floats("phase", 1, {1, 2, 3})), ".glb");
 }
 
 TEST_F(MeshIo, WritesNothingWhereItCannot) {
@@ -300,7 +303,7 @@ TEST_F(MeshIo, DeviceIsRefused) {
 }
 
 TEST_F(MeshIo, UnknownExtensionListsTheKnown) {
-  EXPECT_NAMES(error_of("a.docx", kPyramidObj), ".obj, .ply, .off, .stl, .gltf and .glb");
+  EXPECT_NAMES(error_of("a.docx", kPyramidObj), ".vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb");
   EXPECT_NAMES(error_of("noextension", kPyramidObj), ".ply");
 }
 
@@ -446,7 +449,7 @@ TEST_F(MeshIo, AVertexThatNoFaceUsesDoesNotHoldTheOriginBack) {
 
 TEST_F(MeshIo, PicturesBesideMeshesFarFromZeroStandThereToo) {
   Mesh mesh = far_torus();
-  const VertexAttribute uv{"uv", 2, std::vector<float>(2 * mesh.vertex_count(), 0)};
+  const DataArray uv = floats("uv", 2, std::vector<float>(2 * mesh.vertex_count(), 0));
   write_textured_mesh(folder / "a.ply", mesh, std::span(&uv, 1), "png");
   EXPECT_LT(farthest(read_mesh(folder / "a.ply").mesh, mesh), 1e-6);
 }
@@ -731,12 +734,12 @@ TEST_F(MeshIo, KeepsTheVertexNumbersOfTheSharedModels) {
   }
 }
 
-VertexAttribute corners_of_a_picture() { return {"uv", 2, {0, 0, 1, 0, 0, 1}}; }
+DataArray corners_of_a_picture() { return floats("uv", 2, {0, 0, 1, 0, 0, 1}); }
 
 Mesh one_triangle() { return {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}}; }
 
 TEST_F(MeshIo, TexturedMeshesNameTheirPictureBesideThem) {
-  const std::vector<VertexAttribute> uv = {corners_of_a_picture()};
+  const std::vector<DataArray> uv = {corners_of_a_picture()};
   for (const char* name : {"my mesh.obj", "my mesh.ply", "my mesh.vtp"}) {
     write_textured_mesh(folder / name, one_triangle(), uv, "picture");
     for (const fs::path& file : textured_mesh_files(folder / name)) {
@@ -753,7 +756,7 @@ TEST_F(MeshIo, TexturedMeshesNameTheirPictureBesideThem) {
 }
 
 TEST_F(MeshIo, GltfHoldsItsPictureAndTurnsVDown) {
-  const std::vector<VertexAttribute> uv = {corners_of_a_picture()};
+  const std::vector<DataArray> uv = {corners_of_a_picture()};
   write_textured_mesh(folder / "a.glb", one_triangle(), uv, "12345");
   const std::string file = load(folder / "a.glb");
   EXPECT_EQ(file.substr(file.size() - 8), std::string("12345\0\0\0", 8));
@@ -766,7 +769,7 @@ TEST_F(MeshIo, GltfHoldsItsPictureAndTurnsVDown) {
 
 TEST_F(MeshIo, TexturedMeshesNeedCoordinates) {
   EXPECT_THROW(write_textured_mesh(folder / "a.glb", one_triangle(), {}, "png"), Error);
-  const std::vector<VertexAttribute> short_uv = {{"uv", 2, {0, 0}}};
+  const std::vector<DataArray> short_uv = {floats("uv", 2, {0, 0})};
   EXPECT_THROW(write_textured_mesh(folder / "a.obj", one_triangle(), short_uv, "png"), Error);
   EXPECT_TRUE(fs::is_empty(folder));
 }

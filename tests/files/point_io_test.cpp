@@ -100,9 +100,10 @@ TEST_F(PointIo, PointsFarFromZeroKeepTheirDistances) {
 TEST_F(PointIo, ReadsWhatWriteMeshWrote) {
   const Mesh mesh{{{0, 1, 2}, {3, 4, 5}, {6, 7, 9}}, {}};
   const fs::path path = folder / "points.ply";
-  write_mesh(path, mesh,
-             std::vector<VertexAttribute>{{"normal", 3, {0, 0, 1, 0, 1, 0, 1, 0, 0}},
-                                          {"phase", 1, {1, 2, 3}}});
+  write_mesh(
+      path, mesh,
+      std::vector{make_data_array("normal", 3, std::vector<float>{0, 0, 1, 0, 1, 0, 1, 0, 0}),
+                  make_data_array("phase", 1, std::vector<float>{1, 2, 3})});
   EXPECT_TRUE(is_point_file(path));
   const PointCloud cloud = read_points(path).cloud;
   EXPECT_EQ(cloud.positions, mesh.positions);

@@ -1,34 +1,16 @@
 #include "brindle/files/vtp_file.h"
 
 #include <cstdint>
-#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "written_vtp.h"
+
 namespace brindle {
 namespace {
-
-struct WrittenVtp {
-  std::string text;
-
-  /// The numbers of an array, found as a reader finds them: by its offset.
-  template <class Number>
-  std::vector<Number> array(const std::string& element, const std::string& name) const {
-    const std::size_t section = text.find("<" + element);
-    const std::size_t tag = text.find("Name=\"" + name + "\"", section);
-    const std::size_t offset = text.find("offset=\"", tag) + 8;
-    const std::size_t begin = text.find("<AppendedData encoding=\"raw\">\n_") + 31;
-    const char* block = text.data() + begin + std::stoul(text.substr(offset, 20));
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, block, sizeof bytes);
-    std::vector<Number> numbers(bytes / sizeof(Number));
-    if (bytes > 0) std::memcpy(numbers.data(), block + sizeof bytes, bytes);
-    return numbers;
-  }
-};
 
 WrittenVtp written(const PolyData& data) {
   std::ostringstream out;
@@ -66,16 +48,18 @@ TEST(VtpFile, HoldsPointsWithAnOriginAsDoubles) {
 
 TEST(VtpFile, HoldsAttributesOfPointsAndCells) {
   const std::vector<Index> single = {0};
-  const std::vector<VertexAttribute> of_points = {
-      {"phase", 1, {1, 2, 3, 4}}, {"color", 3, {0, 0.5f, 1, -1, 2, 0, 0, 0, 0, 1, 1, 1}}};
-  const std::vector<VertexAttribute> of_cells = {{"normal", 3, {0, 0, 1}}};
+  const std::vector<std::uint8_t> colors = {0, 128, 255, 0, 255, 0, 0, 0, 0, 255, 255, 255};
+  const std::vector<DataArray> of_points = {
+      make_data_array("phase", 1, std::vector<float>{1, 2, 3, 4}),
+      make_data_array("color", 3, colors)};
+  const std::vector<DataArray> of_cells = {
+      make_data_array("normal", 3, std::vector<float>{0, 0, 1})};
   const WrittenVtp file = written({.points = kPoints,
                                    .single_points = single,
-                                   .point_attributes = of_points,
-                                   .cell_attributes = of_cells});
+                                   .point_arrays = of_points,
+                                   .cell_arrays = of_cells});
   EXPECT_EQ(file.array<float>("PointData", "phase"), (std::vector<float>{1, 2, 3, 4}));
-  EXPECT_EQ(file.array<std::uint8_t>("PointData", "color"),
-            (std::vector<std::uint8_t>{0, 128, 255, 0, 255, 0, 0, 0, 0, 255, 255, 255}));
+  EXPECT_EQ(file.array<std::uint8_t>("PointData", "color"), colors);
   EXPECT_EQ(file.array<float>("CellData", "normal"), (std::vector<float>{0, 0, 1}));
   EXPECT_NE(file.text.find("<CellData Normals=\"normal\">"), std::string::npos);
 }

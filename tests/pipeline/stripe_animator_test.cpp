@@ -384,5 +384,109 @@ TEST(StripeAnimator, RefusesBadInputAndOptions) {
   EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);
 }
 
+std::vector<Complex> copy_of(std::span<const Complex> z) { return {z.begin(), z.end()}; }
+
+TEST(StripeAnimator, GivenPhasesAreThoseOfTheLastFrame) {
+  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+    auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+    AnimatorOptions options = with_lambda(0.2f);
+    options.solver = solver;
+    StripeAnimator goes_on(surface.neighborhood, options), starts_anew = [&] {
+      StripeAnimator animator(surface.neighborhood, options);
+      animator.frame(input_of(surface));  // aggregates follow the first frame
+      return animator;
+    }();
+    const auto first = copy_of(goes_on.frame(input_of(surface)).z);
+    zoom(surface);
+    const FrameResult expected = goes_on.frame(input_of(surface));
+    starts_anew.restart();
+    starts_anew.set_last_phases(first);
+    const FrameResult frame = starts_anew.frame(input_of(surface));
+    EXPECT_EQ(copy_of(frame.z), copy_of(expected.z));
+    EXPECT_EQ(frame.phase_step, expected.phase_step);
+    EXPECT_GT(frame.phase_step, 0);
+    zoom(surface);
+    EXPECT_EQ(copy_of(starts_anew.frame(input_of(surface)).z),
+              copy_of(goes_on.frame(input_of(surface)).z))
+        << "frames after it follow each other";
+  }
+}
+
+TEST(StripeAnimator, FollowsGivenPhasesFromTheFirstFrame) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  const auto first = copy_of(StripeAnimator(surface.neighborhood).frame(input_of(surface)).z);
+  for (float& f : surface.waves.frequencies) f *= 1.02f;
+  StripeAnimator scratch(surface.neighborhood), given(surface.neighborhood);
+  given.set_last_phases(first);
+  const FrameResult frame = given.frame(input_of(surface));
+  const auto other = copy_of(scratch.frame(input_of(surface)).z);
+  double scratch_step = 0;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    scratch_step += std::abs(std::arg(other[i] * std::conj(first[i])));
+  }
+  EXPECT_LT(frame.phase_step, 0.5 * scratch_step / static_cast<double>(other.size()));
+  EXPECT_GT(frame.phase_step, 0);
+}
+
+TEST(StripeAnimator, GivenPhasesCountAlsoForInputOfTheLastFrame) {
+  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  StripeAnimator animator(surface.neighborhood, with_lambda(1e4f));
+  std::vector<Complex> turned = copy_of(animator.frame(input_of(surface)).z);
+  for (Complex& z : turned) z *= std::polar(1.0f, 0.7f);
+  animator.set_last_phases(turned);
+  const FrameResult frame = animator.frame(input_of(surface));
+  EXPECT_FALSE(frame.unchanged);
+  for (std::size_t i = 0; i < turned.size(); ++i) EXPECT_LT(std::abs(frame.z[i] - turned[i]), 0.01);
+  EXPECT_TRUE(animator.frame(input_of(surface)).unchanged);
+}
+
+TEST(StripeAnimator, VerticesWithoutAGivenPhaseAreFree) {
+  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+    auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+    AnimatorOptions options;
+    options.solver = solver;
+    options.iterations = 30;
+    std::vector<Complex> half =
+        copy_of(StripeAnimator(surface.neighborhood).frame(input_of(surface)).z);
+    for (std::size_t i = 0; i < half.size(); i += 2) half[i] = 0;
+    StripeAnimator animator(surface.neighborhood, options);
+    animator.set_last_phases(half);
+    const FrameResult frame = animator.frame(input_of(surface));
+    for (const Complex& z : frame.z) EXPECT_NEAR(std::abs(z), 1, 1e-4);
+    EXPECT_LT(energy(surface.graph(), frame.z), 0.02);
+    EXPECT_LT(frame.phase_step, 0.2);
+  }
+}
+
+TEST(StripeAnimator, RefusedPhasesAndFramesLeaveAllAsItWas) {
+  const auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
+  auto next = surface;
+  zoom(next);
+  AnimatorOptions options = with_lambda(0.2f);
+  options.cycles = 2;
+  StripeAnimator expected(surface.neighborhood, options), tried(surface.neighborhood, options);
+  const auto first = copy_of(expected.frame(input_of(surface)).z);
+  expected.set_last_phases(first);
+  const auto phases = copy_of(expected.frame(input_of(next)).z);
+
+  tried.set_last_phases(std::vector<Complex>(first.size(), Complex(0)));
+  EXPECT_THROW(tried.frame(input_of(surface), Reports(0).progress()), Cancelled);
+  tried.restart();
+  tried.frame(input_of(surface));
+  tried.set_last_phases(first);
+  std::vector<Complex> bad = first;
+  bad[3] = 2;
+  EXPECT_THROW(tried.set_last_phases(bad), Error);
+  bad.pop_back();
+  EXPECT_THROW(tried.set_last_phases(bad), Error);
+  bad[3] = std::nanf("");
+  EXPECT_THROW(tried.set_last_phases(bad), Error);
+  FrameInput short_input = input_of(next);
+  short_input.frequencies = short_input.frequencies.first(3);
+  EXPECT_THROW(tried.frame(short_input), Error);
+  EXPECT_THROW(tried.frame(input_of(next), Reports(0).progress()), Cancelled);
+  EXPECT_EQ(copy_of(tried.frame(input_of(next)).z), phases);
+}
+
 }  // namespace
 }  // namespace brindle

@@ -32,9 +32,11 @@ Index heaviest_row(const RowBlend& blend) {
 template <class Number>
 Number mean(const DataArray& array, const RowBlend& blend, std::size_t component) {
   const auto components = static_cast<std::size_t>(array.components);
-  double sum = 0;
+  double sum = -0.0;  // to which -0 may be added and stay what it is
   for (std::size_t i = 0; i < 3; ++i) {
     if (blend.weights[i] == 0) continue;
+    if (blend.weights[i] == 1)
+      return number_at<Number>(array, blend.rows[i] * components + component);
     sum += blend.weights[i] * number_at<Number>(array, blend.rows[i] * components + component);
   }
   return static_cast<Number>(sum);
@@ -71,6 +73,13 @@ ArrayView DataArray::view() const {
   const auto size = static_cast<std::ptrdiff_t>(size_of(type));
   return {bytes.data(),      type, rows(), static_cast<std::size_t>(components),
           size * components, size};
+}
+
+DataArray make_data_array(std::string name, std::span<const Vec3> vectors) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(float));
+  return make_data_array(
+      std::move(name), 3,
+      std::span(reinterpret_cast<const float*>(vectors.data()), 3 * vectors.size()));
 }
 
 const DataArray* find_array(std::span<const DataArray> arrays, std::string_view name) {

@@ -3,9 +3,15 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "brindle/data_arrays.h"
 
 namespace brindle {
 
@@ -18,12 +24,58 @@ struct CsvKind {
 /// Where a row stands, as messages begin: "'path', line 7: ".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
 
-/// Calls `use(line, values)` for every row of numbers, `line` counted from 1. Columns are separated
-/// by commas, semicolons, tabs or spaces, and cells may stand in quotation marks. A byte-order
-/// mark, a first row of words, empty lines and lines that begin with # are skipped; nan and inf are
-/// numbers, and numbers beyond the range of double are infinite or zero. Throws Error naming the
-/// file, the line and the remedy if the file cannot be read or a row has a word in it, and whatever
-/// `use` throws.
+/// Whether names of columns are the same but for small and capital letters.
+bool same_name(std::string_view a, std::string_view b);
+
+/// Columns of numbers that the first row names.
+struct CsvTable {
+  std::vector<DataArray> columns;  ///< float64, one component each
+  std::vector<std::size_t> lines;  ///< of every row where it stands in the file
+
+  /// The numbers of the first column of that name, in small or capital letters; empty if there is
+  /// none, and for an empty name.
+  std::vector<double> numbers_of(std::string_view name) const;
+};
+
+/// A file, read in one pass. Columns are separated by commas, semicolons, tabs or spaces, and cells
+/// may stand in quotation marks. A byte-order mark, empty lines and lines that begin with # are
+/// skipped; nan and inf are numbers, and numbers beyond the range of double are infinite or zero.
+/// All functions throw Error naming the file, the line, the column where it has a name, and the
+/// remedy.
+class CsvFile {
+ public:
+  CsvFile(std::filesystem::path path, CsvKind kind);
+
+  /// What the first row says if none of its cells is a number; otherwise empty.
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Calls `use(line, values)` for every row of numbers, `line` counted from 1; a first row of
+  /// words is skipped. Throws Error if a row has a word in it, and whatever `use` throws.
+  void read(const std::function<void(std::size_t line, std::span<const double> values)>& use);
+
+  /// All rows below that of the names. Columns whose first cell is a word are left out; empty cells
+  /// are NaN. Throws Error if there are no names or no numbers, for words in columns of numbers,
+  /// and for rows with more or fewer cells than names.
+  CsvTable read_table();
+
+ private:
+  /// The next row that is not empty; false after the last.
+  bool next_row();
+  [[noreturn]] void refuse_row() const;
+  [[noreturn]] void refuse_cell(std::size_t column) const;
+
+  std::filesystem::path path_;
+  CsvKind kind_;
+  std::ifstream in_;
+  std::string line_;
+  std::string_view row_;  ///< of `line_`
+  std::size_t number_ = 0;
+  bool first_ = false;  ///< `row_` is the first row, and has not been used
+  std::vector<std::string> names_;
+  std::vector<std::string_view> cells_;  ///< of `row_`
+};
+
+/// CsvFile::read.
 void read_csv(const std::filesystem::path& path, const CsvKind& kind,
               const std::function<void(std::size_t line, std::span<const double> values)>& use);
 

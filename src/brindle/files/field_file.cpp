@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -9,16 +12,10 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/csv_file.h"
+#include "brindle/waves/float_vector.h"
 
 namespace brindle {
 namespace {
-
-/// A vector of floats in the same direction.
-Vec3 with_length_of_floats(const Eigen::Vector3d& vector) {
-  const double size = vector.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-  const bool extreme = std::isfinite(size) && size > 0 && (size < 1e-18 || size > 1e18);
-  return (extreme ? Eigen::Vector3d(vector / size) : vector).cast<float>();
-}
 
 void append_row(FieldFile& field, std::span<const double> row, const std::string& where) {
   if (row.size() < 3 || row.size() > 5) {
@@ -38,9 +35,50 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
       throw Error(where + "the frequency must be a finite number above zero");
     }
   }
-  field.vectors.push_back(with_length_of_floats({row[0], row[1], row[2]}));
+  field.vectors.push_back(float_vector({row[0], row[1], row[2]}));
   if (row.size() > 3) field.frequencies.push_back(static_cast<float>(row[3]));
   if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
+}
+
+/// Whether the name of a column is among these.
+bool has_name(std::span<const std::string> names, std::string_view name) {
+  return std::ranges::any_of(names, [&](auto& other) { return same_name(other, name); });
+}
+
+/// The columns x, y, z and those of frequencies that a table has.
+std::vector<std::vector<double>> field_columns(const std::filesystem::path& path,
+                                               std::span<const std::string> names,
+                                               const CsvTable& table) {
+  std::vector<std::vector<double>> columns;
+  for (const char* name : {"x", "y", "z", "frequency", "frequency_v"}) {
+    if (!has_name(names, name)) break;
+    columns.push_back(table.numbers_of(name));
+    if (!columns.back().empty()) continue;
+    throw Error("'" + path.string() + "': column '" + name +
+                "' does not begin with a number; write numbers below its name");
+  }
+  return columns;
+}
+
+/// Calls `use(line, values)` for every row of a field whose columns have names.
+void read_named_field(const std::filesystem::path& path, CsvFile& file,
+                      const std::function<void(std::size_t, std::span<const double>)>& use) {
+  const CsvTable table = file.read_table();
+  const auto columns = field_columns(path, file.names(), table);
+  std::vector<double> values(columns.size());
+  for (std::size_t row = 0; row < table.lines.size(); ++row) {
+    std::ranges::transform(columns, values.begin(), [&](auto& column) { return column[row]; });
+    use(table.lines[row], values);
+  }
+}
+
+/// Whether a file's columns are told by their names and not by their places.
+bool has_named_columns(const std::vector<std::string>& names) {
+  if (!has_name(names, "x") || !has_name(names, "y") || !has_name(names, "z")) return false;
+  const bool first =
+      same_name(names[0], "x") && same_name(names[1], "y") && same_name(names[2], "z");
+  return !first || names.size() > 5 || has_name(names, "frequency") ||
+         has_name(names, "frequency_v");
 }
 
 /// Rows of one vertex, gathered.
@@ -112,14 +150,19 @@ FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_c
                          std::span<const Index> vertex_of_row) {
   const std::size_t most = std::max(vertex_count, vertex_of_row.size());
   FieldFile field;
-  const CsvKind kind{"field", "x,y,z or x,y,z,frequency"};
-  read_csv(path, kind, [&](std::size_t line, std::span<const double> row) {
+  const auto append = [&](std::size_t line, std::span<const double> row) {
     if (field.vectors.size() == most) {
       throw Error(at_line(path, line) + "more rows than the mesh has vertices (" +
                   counts(vertex_count, vertex_of_row.size()) + "); give one row per vertex");
     }
     append_row(field, row, at_line(path, line));
-  });
+  };
+  CsvFile file(path, {"field", "x,y,z or x,y,z,frequency"});
+  if (has_named_columns(file.names())) {
+    read_named_field(path, file, append);
+  } else {
+    file.read(append);
+  }
   if (field.vectors.size() == vertex_count) return field;
   if (!vertex_of_row.empty() && field.vectors.size() == vertex_of_row.size()) {
     return of_vertices(field, vertex_count, vertex_of_row);

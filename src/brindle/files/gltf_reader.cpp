@@ -4,7 +4,9 @@
 
 #ifdef BRINDLE_HAS_JSON
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -17,9 +19,13 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/array_numbers.h"
 #include "brindle/base/printable.h"
+#include "brindle/files/base64.h"
 #include "brindle/files/gltf_document.h"
 #include "brindle/files/mesh_builder.h"
+#include "brindle/files/percent_decoded.h"
+#include "brindle/files/piecewise_arrays.h"
 
 namespace brindle {
 namespace {
@@ -31,59 +37,19 @@ using Eigen::Vector3d;
 enum PrimitiveMode { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 enum ComponentType { kUnsignedByte = 5121, kUnsignedShort = 5123 };
 
-/// A group of up to four letters of base64 as up to three bytes; nothing for other letters.
-std::optional<std::string> base64_decoded(std::string_view text) {
-  constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t group = 0;
-  int bits = 0;
-  for (const char letter : text) {
-    const std::size_t value = kLetters.find(letter);
-    if (value == std::string_view::npos) return std::nullopt;
-    group = group << 6 | static_cast<std::uint32_t>(value);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<char>(group >> bits & 0xff));
-  }
-  return bytes;
-}
-
-int hexadecimal(char letter) {
-  if (letter >= '0' && letter <= '9') return letter - '0';
-  if (letter >= 'a' && letter <= 'f') return letter - 'a' + 10;
-  if (letter >= 'A' && letter <= 'F') return letter - 'A' + 10;
-  return -1;
-}
-
-/// "my%20data.bin" as "my data.bin".
-std::string percent_decoded(std::string_view uri) {
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool escape = uri[i] == '%' && i + 2 < uri.size() && hexadecimal(uri[i + 1]) >= 0 &&
-                        hexadecimal(uri[i + 2]) >= 0;
-    if (escape) {
-      path.push_back(static_cast<char>(16 * hexadecimal(uri[i + 1]) + hexadecimal(uri[i + 2])));
-      i += 2;
-    } else {
-      path.push_back(uri[i]);
-    }
-  }
-  return path;
-}
-
 /// Puts the meshes of a checked document together.
 class GltfReader {
  public:
   GltfReader(std::filesystem::path path, const GltfDocument& document)
       : path_(std::move(path)), document_(document), json_(document.json) {}
 
-  Mesh read() {
+  RawMesh read() {
     for (const std::uint64_t root : roots()) add_node(root, Affine3d::Identity());
-    return builder_.take();
+    std::string left_out;
+    DataArrays arrays{arrays_.take("vertices", left_out), {}};
+    RawMesh raw = builder_.take(std::move(arrays));
+    raw.left_out = std::move(left_out);
+    return raw;
   }
 
  private:
@@ -175,15 +141,16 @@ class GltfReader {
     }
     if (!primitive["attributes"].contains("POSITION")) return;
     const std::uint64_t accessor = primitive["attributes"]["POSITION"].get<std::uint64_t>();
-    const Index first = add_vertices(accessor, transform);
+    const Index first = add_vertices(primitive["attributes"], transform);
     const auto count = static_cast<Index>(number(item("accessors", accessor), "count", 0));
     std::vector<Index> corners = corners_of(primitive, count);
     for (Index& corner : corners) corner += first;
     add_triangles(corners, static_cast<PrimitiveMode>(mode), transform.linear().determinant() < 0);
   }
 
-  /// The number of the first of an accessor's vertices.
-  Index add_vertices(std::uint64_t accessor, const Affine3d& transform) {
+  /// The number of the first of a primitive's vertices.
+  Index add_vertices(const Json& attributes, const Affine3d& transform) {
+    const std::uint64_t accessor = number(attributes, "POSITION", 0);
     const auto [entry, is_new] =
         first_vertex_.try_emplace(accessor, static_cast<Index>(builder_.vertex_count()));
     if (!is_new) return entry->second;
@@ -196,7 +163,93 @@ class GltfReader {
       std::memcpy(position.data(), bytes, 12);
       builder_.add_vertex(transform * position.cast<double>());
     });
+    arrays_.add(arrays_of(attributes, transform.linear()));
     return entry->second;
+  }
+
+  /// What a primitive says of its vertices.
+  std::vector<DataArray> arrays_of(const Json& attributes, const Eigen::Matrix3d& linear) const {
+    std::vector<DataArray> arrays;
+    for (const auto& [semantic, accessor] : attributes.items()) {
+      // Positions are no array, and those of bones move them.
+      const bool other = semantic == "POSITION" || semantic.starts_with("JOINTS_") ||
+                         semantic.starts_with("WEIGHTS_");
+      if (other) continue;
+      const Json& described = item("accessors", accessor.get<std::uint64_t>());
+      DataArray array{array_name(semantic), number_type(described), components(described), {}};
+      // Columns of smaller numbers are padded; nobody stores data like that.
+      const bool padded = described["type"].get<std::string>().starts_with("MAT") &&
+                          array.type != NumberType::float32;
+      if (padded) continue;
+      const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
+      for_each_element(accessor.get<std::uint64_t>(), row, [&](const char* bytes) {
+        const auto* begin = reinterpret_cast<const std::byte*>(bytes);
+        array.bytes.insert(array.bytes.end(), begin, begin + row);
+      });
+      if (semantic.starts_with("TEXCOORD_")) array = with_v_up(array);
+      if (semantic == "NORMAL") turn(array, linear.inverse().transpose());
+      if (semantic == "TANGENT") turn(array, linear);
+      arrays.push_back(std::move(array));
+    }
+    return arrays;
+  }
+
+  /// "normal", "uv", "uv_1" or, of "_SPEED", "speed": capitals are what the format suggests.
+  static std::string array_name(const std::string& semantic) {
+    const auto numbered = [&](const std::string& prefix, const std::string& name) {
+      const std::string number = semantic.substr(prefix.size());
+      return number == "0" ? name : name + '_' + number;
+    };
+    if (semantic.starts_with("TEXCOORD_")) return numbered("TEXCOORD_", "uv");
+    if (semantic.starts_with("COLOR_")) return numbered("COLOR_", "color");
+    const bool small = std::any_of(semantic.begin(), semantic.end(),
+                                   [](unsigned char c) { return std::islower(c); });
+    std::string name = semantic.substr(semantic.starts_with('_') ? 1 : 0);
+    if (small) return name;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name;
+  }
+
+  static NumberType number_type(const Json& accessor) {
+    constexpr std::uint64_t kFirst = 5120;
+    constexpr std::array<NumberType, 7> kTypes = {
+        NumberType::int8,  NumberType::uint8,  NumberType::int16,  NumberType::uint16,
+        NumberType::int32, NumberType::uint32, NumberType::float32};
+    return kTypes.at(number(accessor, "componentType", 0) - kFirst);
+  }
+
+  static int components(const Json& accessor) {
+    const auto type = accessor["type"].get<std::string>();
+    if (type == "SCALAR") return 1;
+    const int sides = type.back() - '0';
+    return type.starts_with("MAT") ? sides * sides : sides;
+  }
+
+  /// Texture coordinates as floats whose V runs up; in glTF it runs down.
+  static DataArray with_v_up(const DataArray& array) {
+    std::vector<float> numbers;
+    const double one = array.type == NumberType::uint8    ? 255
+                       : array.type == NumberType::uint16 ? 65535
+                                                          : 1;
+    for_each_number(array.view(), [&](std::size_t, std::size_t column, auto number) {
+      const auto value = static_cast<float>(static_cast<double>(number) / one);
+      numbers.push_back(column == 1 ? 1 - value : value);
+    });
+    return make_data_array(array.name, array.components, numbers);
+  }
+
+  /// Turns the vectors of an array to where a node puts them.
+  static void turn(DataArray& array, const Eigen::Matrix3d& linear) {
+    const bool vectors = array.type == NumberType::float32 && array.components >= 3;
+    if (!vectors || linear.isIdentity(0)) return;
+    const std::size_t row = sizeof(float) * static_cast<std::size_t>(array.components);
+    for (std::size_t at = 0; at < array.bytes.size(); at += row) {
+      Vec3 vector;
+      std::memcpy(vector.data(), &array.bytes[at], sizeof vector);
+      vector = (linear * vector.cast<double>()).stableNormalized().cast<float>();
+      std::memcpy(&array.bytes[at], vector.data(), sizeof vector);
+    }
   }
 
   /// The vertices of a primitive in the order in which it names them, counted from its first.
@@ -299,13 +352,14 @@ class GltfReader {
   const GltfDocument& document_;
   const Json& json_;
   MeshBuilder builder_;
+  PiecewiseArrays arrays_;
   std::map<std::uint64_t, Index> first_vertex_;  ///< of the node's accessors of positions
   mutable std::map<std::uint64_t, std::string> buffers_;
 };
 
 }  // namespace
 
-Mesh read_gltf(const std::filesystem::path& path) {
+RawMesh read_gltf(const std::filesystem::path& path) {
   const GltfDocument document = read_gltf_document(path);
   try {
     return GltfReader(path, document).read();
@@ -321,7 +375,7 @@ Mesh read_gltf(const std::filesystem::path& path) {
 
 namespace brindle {
 
-Mesh read_gltf(const std::filesystem::path& path) {
+RawMesh read_gltf(const std::filesystem::path& path) {
   throw Error(path.string() +
               ": this brindle was built without nlohmann-json and so without glTF; choose PLY or "
               "OBJ");

@@ -31,35 +31,32 @@ struct Block {
   int components;
 };
 
-std::string gltf_name(const VertexAttribute& attribute) {
-  if (attribute.is_normal()) return "NORMAL";
-  if (attribute.is_color()) return "COLOR_0";
-  if (attribute.is_uv()) return "TEXCOORD_0";
-  std::string name = "_" + attribute.name;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return name;
+std::string semantic_of(const DataArray& array) {
+  if (is_normal(array)) return "NORMAL";
+  if (is_color(array)) return "COLOR_0";
+  return is_uv(array) ? "TEXCOORD_0" : array.name;
 }
 
-std::vector<Block> blocks_of(const Mesh& mesh, std::span<const VertexAttribute> attributes) {
+std::vector<Block> blocks_of(const Mesh& mesh, std::span<const DataArray> arrays) {
   const std::uint64_t vertices = mesh.vertex_count(), corners = 3 * mesh.triangle_count();
   static_assert(sizeof(Vec3) == 12 && sizeof(Triangle) == 12);
   std::vector<Block> blocks = {{"", mesh.triangles.data(), 4 * corners, corners, 1},
                                {"POSITION", mesh.positions.data(), 12 * vertices, vertices, 3}};
-  for (const VertexAttribute& a : attributes) {
-    blocks.push_back({gltf_name(a), a.values.data(), 4 * a.values.size(), vertices, a.components});
+  for (const DataArray& a : arrays) {
+    blocks.push_back({semantic_of(a), a.bytes.data(), a.bytes.size(), vertices, a.components});
   }
   return blocks;
 }
 
 /// Texture coordinates whose V runs down, as in glTF.
-std::vector<VertexAttribute> with_v_down(std::span<const VertexAttribute> attributes) {
-  std::vector<VertexAttribute> turned(attributes.begin(), attributes.end());
-  for (VertexAttribute& attribute : turned) {
-    if (!attribute.is_uv()) continue;
-    for (std::size_t i = 1; i < attribute.values.size(); i += 2) {
-      attribute.values[i] = 1 - attribute.values[i];
-    }
+std::vector<DataArray> with_v_down(std::span<const DataArray> arrays) {
+  std::vector<DataArray> turned(arrays.begin(), arrays.end());
+  for (DataArray& array : turned) {
+    if (!is_uv(array)) continue;
+    std::vector<float> numbers = numbers_of(
+        ArrayView(reinterpret_cast<const float*>(array.bytes.data()), 2 * array.rows(), 1), "uv");
+    for (std::size_t i = 1; i < numbers.size(); i += 2) numbers[i] = 1 - numbers[i];
+    array = make_data_array("uv", 2, numbers);
   }
   return turned;
 }
@@ -83,7 +80,8 @@ void add_picture(Json& json, std::uint64_t offset, std::uint64_t size) {
 }
 
 const char* type_of(int components) {
-  return components == 3 ? "VEC3" : components == 2 ? "VEC2" : "SCALAR";
+  constexpr std::array<const char*, 4> kTypes = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+  return kTypes.at(static_cast<std::size_t>(components - 1));
 }
 
 Json describe(const Mesh& mesh, const std::vector<Block>& blocks, std::uint64_t size) {
@@ -194,12 +192,12 @@ void write_binary(std::ostream& out, const Json& json, const std::vector<Block>&
 
 }  // namespace
 
-void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                 GltfKind kind, const std::string& png) {
   if (mesh.triangles.empty()) {
     throw Error("glTF cannot hold a mesh without triangles; choose PLY or OBJ");
   }
-  const std::vector<VertexAttribute> stored = with_v_down(attributes);
+  const std::vector<DataArray> stored = with_v_down(arrays);
   std::vector<Block> blocks = blocks_of(mesh, stored);
   std::uint64_t size = 0;
   for (const Block& block : blocks) size += block.size;
@@ -233,7 +231,7 @@ namespace {
 
 }  // namespace
 
-void write_gltf(std::ostream&, const Mesh&, std::span<const VertexAttribute>, GltfKind,
+void write_gltf(std::ostream&, const Mesh&, std::span<const DataArray>, GltfKind,
                 const std::string&) {
   refuse();
 }

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
 
+constexpr std::string_view kTruncated = "ends too early: it is truncated; copy or export it again";
+
 std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
@@ -55,6 +57,7 @@ InputFile::InputFile(const fs::path& path) : path_(path) {
   if (!stream_) fail("cannot be opened; check its permissions");
   remaining_ = fs::file_size(path, error);
   if (error) fail("cannot be read: " + error.message());
+  size_ = remaining_;
   if (remaining_ == 0) fail("is empty; export the mesh again");
   buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, remaining_)));
 }
@@ -99,14 +102,24 @@ std::optional<std::string_view> InputFile::next_line() {
 
 const char* InputFile::take(std::size_t count) {
   while (end_ - begin_ < count) {
-    if (!fill()) {
-      fail_whole("ends too early: it is truncated; copy or export it again");
-    }
+    if (!fill()) fail_whole(std::string(kTruncated));
   }
   const char* start = buffer_.data() + begin_;
   begin_ += count;
   remaining_ -= std::min<std::uint64_t>(remaining_, count);
   return start;
+}
+
+void InputFile::read_at(std::uint64_t place, std::span<std::byte> bytes) {
+  if (bytes.size() > size_ || place > size_ - bytes.size()) fail_whole(std::string(kTruncated));
+  const auto here = stream_.tellg();
+  stream_.seekg(static_cast<std::streamoff>(place));
+  stream_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const bool whole = static_cast<std::size_t>(stream_.gcount()) == bytes.size();
+  if (stream_.bad()) fail_whole("cannot be read: input error");
+  if (!whole) fail_whole(std::string(kTruncated));
+  stream_.clear();
+  stream_.seekg(here);
 }
 
 void InputFile::fail(const std::string& message) const {
@@ -136,6 +149,12 @@ std::string_view take_word(std::string_view& line) {
 }
 
 std::optional<double> parse_number(std::string_view word) {
+  const std::optional<double> value = parse_double(word);
+  if (!value || !halfway_between_floats(*value)) return value;
+  return towards_nearest_float(*value, without_plus(word));
+}
+
+std::optional<double> parse_double(std::string_view word) {
   word = without_plus(word);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -143,7 +162,7 @@ std::optional<double> parse_number(std::string_view word) {
   // Too large or too small: strtod says which.
   if (error == std::errc::result_out_of_range)
     return std::strtod(std::string(word).c_str(), nullptr);
-  return halfway_between_floats(value) ? towards_nearest_float(value, word) : value;
+  return value;
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view word) {

@@ -1,4 +1,5 @@
-/// Files read in one pass, line by line or byte by byte, without ever holding them whole.
+/// Files read in one pass, line by line or byte by byte, without ever holding them whole, or in
+/// pieces from anywhere.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +29,13 @@ class InputFile {
 
   /// The next `count` bytes; valid until the next call. Throws Error if the file ends before.
   const char* take(std::size_t count);
+
+  /// Fills `bytes` from that place in the file on, whatever has been handed out. Throws Error if
+  /// the file ends before.
+  void read_at(std::uint64_t place, std::span<std::byte> bytes);
+
+  /// Bytes of the whole file.
+  std::uint64_t size() const { return size_; }
 
   /// How many lines have been read.
   std::size_t line() const { return line_; }
@@ -51,6 +60,7 @@ class InputFile {
   std::ifstream stream_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer has not been handed out
+  std::uint64_t size_ = 0;
   std::uint64_t remaining_ = 0;
   std::size_t line_ = 0;
 };
@@ -62,6 +72,9 @@ std::string_view take_word(std::string_view& line);
 /// Rounded to float it is the float nearest to what `word` says. Numbers beyond the range of double
 /// become infinite or zero.
 std::optional<double> parse_number(std::string_view word);
+
+/// The same as the nearest double, which rounded to float once more may be one step off.
+std::optional<double> parse_double(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
 }  // namespace brindle

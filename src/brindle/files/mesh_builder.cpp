@@ -1,15 +1,39 @@
 #include "brindle/files/mesh_builder.h"
 
+#include <array>
 #include <utility>
 
 #include "brindle/geometry/local_positions.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {
+namespace {
 
-void MeshBuilder::add_polygon(std::span<const Index> corners) {
+/// Rows of cells as rows of triangles.
+void spread_over_triangles(std::vector<DataArray>& cells, std::span<const Index> cell_of_triangle) {
+  for (DataArray& array : cells) {
+    bool alike = array.rows() == cell_of_triangle.size();
+    for (std::size_t t = 0; alike && t < cell_of_triangle.size(); ++t) {
+      alike = cell_of_triangle[t] == t;
+    }
+    if (!alike) array = rows_of(array, cell_of_triangle);
+  }
+}
+
+}  // namespace
+
+void MeshBuilder::add_polygon(std::span<const Index> corners, Index cell) {
   polygons_.push_back(static_cast<Index>(corners.size()));
   polygons_.insert(polygons_.end(), corners.begin(), corners.end());
+  cells_.push_back(cell);
+}
+
+void MeshBuilder::add_strip(std::span<const Index> corners, Index cell) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Index a = corners[i - 2], b = corners[i - 1], c = corners[i];
+    if (a == b || b == c || c == a) continue;
+    add_polygon(i % 2 == 0 ? Triangle{a, b, c} : Triangle{b, a, c}, cell);
+  }
 }
 
 template <class Use>
@@ -19,7 +43,9 @@ void MeshBuilder::for_each_polygon(const Use& use) const {
   }
 }
 
-Mesh MeshBuilder::take() {
+Mesh MeshBuilder::take() { return take({}).mesh; }
+
+RawMesh MeshBuilder::take(DataArrays arrays) {
   std::vector<char> used(polygons_.empty() ? 0 : positions_.size(), 0);
   for_each_polygon([&](std::span<const Index> corners) {
     for (const Index corner : corners) used[corner] = 1;
@@ -27,11 +53,18 @@ Mesh MeshBuilder::take() {
   Mesh mesh;
   mesh.origin = origin_near(positions_, used);
   mesh.positions = positions_about(mesh.origin, std::exchange(positions_, {}));
+  std::vector<Index> cell_of_triangle;
+  cell_of_triangle.reserve(cells_.size());
+  mesh.triangles.reserve(cells_.size());
+  std::size_t polygon = 0;
   for_each_polygon([&](std::span<const Index> corners) {
     triangulate_polygon(mesh.positions, corners, mesh.triangles);
+    cell_of_triangle.resize(mesh.triangle_count(), cells_[polygon++]);
   });
   polygons_ = {};
-  return mesh;
+  cells_ = {};
+  spread_over_triangles(arrays.cells, cell_of_triangle);
+  return {std::move(mesh), std::move(arrays)};
 }
 
 }  // namespace brindle

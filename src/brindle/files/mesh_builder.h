@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "brindle/data_arrays.h"
+#include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -15,8 +17,13 @@ class MeshBuilder {
 
   void add_vertex(const Eigen::Vector3d& position) { positions_.push_back(position); }
 
-  /// Corners are numbers of vertices, which may be added later.
-  void add_polygon(std::span<const Index> corners);
+  /// Corners are numbers of vertices, which may be added later. `cell` is the polygon's row in the
+  /// file's data per cell.
+  void add_polygon(std::span<const Index> corners, Index cell = 0);
+
+  /// A triangle of every corner and the two before it, wound the other way round each time. Corners
+  /// that repeat turn strips around or join them, and make no triangle of their own.
+  void add_strip(std::span<const Index> corners, Index cell = 0);
 
   std::size_t vertex_count() const { return positions_.size(); }
   std::span<const Eigen::Vector3d> positions() const { return positions_; }
@@ -26,12 +33,17 @@ class MeshBuilder {
   /// behind.
   Mesh take();
 
+  /// The same with what the file says of it: `arrays` has a row per vertex and per cell, and the
+  /// result one per vertex and per triangle.
+  RawMesh take(DataArrays arrays);
+
  private:
   template <class Use>
   void for_each_polygon(const Use& use) const;
 
   std::vector<Eigen::Vector3d> positions_;
   std::vector<Index> polygons_;  ///< of each the number of corners, then the corners
+  std::vector<Index> cells_;     ///< of each polygon
 };
 
 }  // namespace brindle

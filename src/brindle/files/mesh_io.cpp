@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cctype>
-#include <functional>
-#include <set>
 #include <string>
 
 #include "brindle/base/file_extension.h"
@@ -15,41 +12,53 @@
 #include "brindle/files/off_file.h"
 #include "brindle/files/ply_file.h"
 #include "brindle/files/stl_file.h"
+#include "brindle/files/vtk_file.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/written_arrays.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Positions and triangles as the file has them.
-Mesh read_raw(const fs::path& path) {
+constexpr const char* kReadable =
+    "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
+
+/// What the file holds, as it has it.
+RawMesh read_raw(const fs::path& path) {
   const InputFile readable(path);
   const std::string kind = lower_extension(path);
-  if (kind == ".obj") return read_obj(path);
+  if (kind == ".obj") return {read_obj(path)};
   if (kind == ".ply") return read_ply(path);
-  if (kind == ".off") return read_off(path);
-  if (kind == ".stl") return read_stl(path);
+  if (kind == ".off") return {read_off(path)};
+  if (kind == ".stl") return {read_stl(path)};
   if (kind == ".gltf" || kind == ".glb") return read_gltf(path);
+  if (is_vtk_format(path)) return read_vtk(path);
   readable.fail_whole("brindle cannot tell the format by the extension '" +
-                      path.extension().string() +
-                      "'; it reads .obj, .ply, .off, .stl, .gltf and .glb");
+                      path.extension().string() + "'; " + kReadable);
 }
 
-/// The same with vertices at one place joined, and removed where they have no numbers.
-LoadedMesh read_joined(const fs::path& path) {
-  LoadedMesh loaded;
-  loaded.mesh = read_raw(path);
+/// Lets triangles use one of the vertices at one place, and removes the others where they have no
+/// numbers.
+void join(const fs::path& path, LoadedMesh& loaded) {
   std::vector<Index> first = first_at_each_place(loaded.mesh.positions);
   loaded.repair.vertices_joined = join_vertices(loaded.mesh, first);
-  if (loaded.repair.vertices_joined == 0) return loaded;
+  if (loaded.repair.vertices_joined == 0) return;
   if (lower_extension(path) == ".stl") {
     const std::vector<Index> number = drop_unreferenced_vertices(loaded.mesh);
     for (Index& v : first) v = number[v];
     loaded.renumbered = true;
   }
   loaded.vertex_of_row = std::move(first);
-  return loaded;
+}
+
+/// Drops triangles that cannot be used, with their rows.
+void repair(LoadedMesh& loaded) {
+  const std::size_t joined = loaded.repair.vertices_joined, count = loaded.mesh.triangle_count();
+  std::vector<Index> kept;
+  loaded.repair = repair_mesh(loaded.mesh, kept);
+  loaded.repair.vertices_joined = joined;
+  if (kept.size() < count) loaded.arrays.cells = rows_of(loaded.arrays.cells, kept);
 }
 
 template <class Read>
@@ -61,8 +70,9 @@ auto with_memory(const fs::path& path, const Read& read) {
   }
 }
 
-void check_usable(const fs::path& path, const LoadedMesh& loaded) {
+void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::string& why_empty) {
   if (!loaded.mesh.triangles.empty()) return;
+  if (!why_empty.empty()) throw Error(path.string() + ": " + why_empty);
   const MeshRepair& repair = loaded.repair;
   std::string why = "has no triangles";
   if (repair.triangles_not_finite > 0) {
@@ -73,50 +83,22 @@ void check_usable(const fs::path& path, const LoadedMesh& loaded) {
   throw Error(path.string() + ": " + why + "; export the mesh again, as a surface with faces");
 }
 
-void check_attribute(const fs::path& path, const Mesh& mesh, const VertexAttribute& attribute) {
-  const auto fail = [&](const std::string& what) {
-    throw Error("cannot write '" + path.string() + "': attribute '" + attribute.name + "' " + what);
-  };
-  const bool named = !attribute.name.empty() &&
-                     std::all_of(attribute.name.begin(), attribute.name.end(),
-                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  if (!named) fail("must be named by letters, digits and underscores only");
-  const bool plain = attribute.components == 1 || attribute.components == 3;
-  if (!plain && !attribute.is_uv()) {
-    fail("must have 1 or 3 components, not " + std::to_string(attribute.components));
-  }
-  const std::size_t expected = static_cast<std::size_t>(attribute.components) * mesh.vertex_count();
-  if (attribute.values.size() != expected) {
-    fail("has " + std::to_string(attribute.values.size()) + " values, not " +
-         std::to_string(expected));
-  }
-}
-
-void check_attributes(const fs::path& path, const Mesh& mesh,
-                      std::span<const VertexAttribute> attributes) {
-  std::set<std::string> names = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
-  for (const VertexAttribute& attribute : attributes) {
-    check_attribute(path, mesh, attribute);
-    if (!names.insert(attribute.name).second) {
-      throw Error("cannot write '" + path.string() + "': the attribute name '" + attribute.name +
-                  "' is already taken; rename it");
-    }
-    if (lower_extension(path) == ".obj" && !attribute.is_normal() && !attribute.is_uv()) {
-      throw Error("cannot write '" + path.string() + "': OBJ cannot hold the attribute '" +
-                  attribute.name + "'; write .ply, .vtp, .gltf or .glb");
-    }
-  }
-}
-
-void check_output(const fs::path& path, const Mesh& mesh,
-                  std::span<const VertexAttribute> attributes) {
+/// The arrays as the file holds them, if it holds them all.
+DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
+                          std::span<const DataArray> point_arrays,
+                          std::span<const DataArray> cell_arrays) {
   const std::string kind = lower_extension(path);
   if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
     throw Error("cannot write '" + path.string() + "': the extension '" +
                 path.extension().string() +
                 "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
   }
-  check_attributes(path, mesh, attributes);
+  check_rows(path, point_arrays, mesh.vertex_count(), "vertex");
+  check_rows(path, cell_arrays, mesh.triangle_count(), "triangle");
+  FittedArrays fitted = fitted_arrays(
+      path, {{point_arrays.begin(), point_arrays.end()}, {cell_arrays.begin(), cell_arrays.end()}});
+  if (!fitted.left_out.empty()) refuse_array(path, fitted.left_out.front());
+  return std::move(fitted.arrays);
 }
 
 /// `path` with another ending.
@@ -141,18 +123,19 @@ struct TextureNames {
 };
 
 void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
-              std::span<const VertexAttribute> attributes, const TextureNames& texture) {
+              const DataArrays& arrays, const TextureNames& texture) {
   if (kind == ".obj") {
-    write_obj(out, mesh, attributes, texture.materials);
+    write_obj(out, mesh, arrays.points, texture.materials);
   } else if (kind == ".ply") {
-    write_ply(out, mesh, attributes, texture.picture);
+    write_ply(out, mesh, arrays, texture.picture);
   } else if (kind == ".vtp") {
     write_vtp(out, {.points = mesh.positions,
                     .triangles = mesh.triangles,
-                    .point_attributes = attributes,
+                    .point_arrays = arrays.points,
+                    .cell_arrays = arrays.cells,
                     .origin = mesh.origin});
   } else {
-    write_gltf(out, mesh, attributes, kind == ".glb" ? GltfKind::binary : GltfKind::text,
+    write_gltf(out, mesh, arrays.points, kind == ".glb" ? GltfKind::binary : GltfKind::text,
                texture.png);
   }
 }
@@ -160,33 +143,44 @@ void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
 }  // namespace
 
 LoadedMesh read_mesh(const fs::path& path) {
+  std::string why_empty;
   LoadedMesh loaded = with_memory(path, [&] {
-    LoadedMesh joined = read_joined(path);
-    const std::size_t count = joined.repair.vertices_joined;
-    joined.repair = repair_mesh(joined.mesh);
-    joined.repair.vertices_joined = count;
-    return joined;
+    RawMesh raw = read_raw(path);
+    why_empty = std::move(raw.why_empty);
+    LoadedMesh result;
+    result.mesh = std::move(raw.mesh);
+    result.arrays = std::move(raw.arrays);
+    result.left_out = std::move(raw.left_out);
+    join(path, result);
+    repair(result);
+    return result;
   });
-  check_usable(path, loaded);
+  check_usable(path, loaded, why_empty);
   return loaded;
 }
 
 Mesh read_vertices(const fs::path& path) {
-  return with_memory(path, [&] { return read_joined(path).mesh; });
+  return with_memory(path, [&] {
+    LoadedMesh loaded;
+    loaded.mesh = read_raw(path).mesh;
+    join(path, loaded);
+    return std::move(loaded.mesh);
+  });
 }
 
-void write_mesh(const fs::path& path, const Mesh& mesh,
-                std::span<const VertexAttribute> attributes) {
-  check_output(path, mesh, attributes);
-  write_file(
-      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, attributes, {}); });
+void write_mesh(const fs::path& path, const Mesh& mesh, std::span<const DataArray> point_arrays,
+                std::span<const DataArray> cell_arrays) {
+  const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
+  write_file(path,
+             [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, arrays, {}); });
 }
 
 void write_textured_mesh(const fs::path& path, const Mesh& mesh,
-                         std::span<const VertexAttribute> attributes, const std::string& png) {
-  check_output(path, mesh, attributes);
-  if (std::none_of(attributes.begin(), attributes.end(), std::mem_fn(&VertexAttribute::is_uv))) {
-    throw Error("cannot write '" + path.string() + "': a textured mesh needs the attribute 'uv'");
+                         std::span<const DataArray> point_arrays, const std::string& png,
+                         std::span<const DataArray> cell_arrays) {
+  const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
+  if (std::none_of(arrays.points.begin(), arrays.points.end(), is_uv)) {
+    throw Error("cannot write '" + path.string() + "': a textured mesh needs the array 'uv'");
   }
   const fs::path picture = picture_path(path);
   const fs::path materials = materials_path(path);
@@ -194,7 +188,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
   if (!holds_picture(kind)) write_whole(picture, png);
   if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
   const TextureNames names{picture.filename().string(), materials.filename().string(), png};
-  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, attributes, names); });
+  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, arrays, names); });
 }
 
 std::vector<fs::path> textured_mesh_files(const fs::path& path) {

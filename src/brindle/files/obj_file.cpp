@@ -1,11 +1,11 @@
 #include "brindle/files/obj_file.h"
 
 #include <algorithm>
-#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "brindle/base/array_numbers.h"
 #include "brindle/base/printable.h"
 #include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
@@ -167,21 +167,20 @@ class ObjReader {
 
 constexpr std::string_view kMaterial = "brindle";
 
-const VertexAttribute* first_of(std::span<const VertexAttribute> attributes,
-                                bool (VertexAttribute::*is)() const) {
-  const auto found = std::find_if(attributes.begin(), attributes.end(), std::mem_fn(is));
-  return found == attributes.end() ? nullptr : &*found;
+const DataArray* first_of(std::span<const DataArray> arrays, bool (*is)(const DataArray&)) {
+  const auto found = std::find_if(arrays.begin(), arrays.end(), is);
+  return found == arrays.end() ? nullptr : &*found;
 }
 
-/// One line a vertex; none if there is no attribute.
-void write_values(TextOutput& text, std::string_view keyword, const VertexAttribute* attribute) {
-  if (attribute == nullptr) return;
-  const auto n = static_cast<std::size_t>(attribute->components);
-  for (std::size_t i = 0; i < attribute->values.size(); ++i) {
-    if (i % n == 0) text << keyword;
-    text << ' ' << attribute->values[i];
-    if (i % n == n - 1) text << '\n';
-  }
+/// One line a row; none if there is no array.
+void write_rows(TextOutput& text, std::string_view keyword, const DataArray* array) {
+  if (array == nullptr) return;
+  const std::size_t columns = array->view().columns();
+  for_each_number(array->view(), [&](std::size_t, std::size_t column, auto number) {
+    if (column == 0) text << keyword;
+    text << ' ' << number;
+    if (column + 1 == columns) text << '\n';
+  });
 }
 
 }  // namespace
@@ -194,16 +193,16 @@ LoadedPoints read_obj_points(const std::filesystem::path& path) {
 
 bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
 
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                const std::string& materials) {
-  const VertexAttribute* normal = first_of(attributes, &VertexAttribute::is_normal);
-  const VertexAttribute* uv = first_of(attributes, &VertexAttribute::is_uv);
+  const DataArray* normal = first_of(arrays, is_normal);
+  const DataArray* uv = first_of(arrays, is_uv);
   TextOutput text(out);
   text << "# written by brindle\n";
   if (!materials.empty()) text << "mtllib " << materials << '\n';
   write_positions(text, "v", mesh.positions, mesh.origin);
-  write_values(text, "vt", uv);
-  write_values(text, "vn", normal);
+  write_rows(text, "vt", uv);
+  write_rows(text, "vn", normal);
   if (!materials.empty()) text << "usemtl " << kMaterial << '\n';
   for (const Triangle& t : mesh.triangles) {
     text << 'f';

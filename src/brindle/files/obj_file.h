@@ -24,9 +24,9 @@ LoadedPoints read_obj_points(const std::filesystem::path& path);
 
 bool obj_has_faces(const std::filesystem::path& path);
 
-/// Normals and texture coordinates are the only attributes that the format has. If `materials`
+/// Normals and texture coordinates are the only arrays that the format has. If `materials`
 /// names a material library, the mesh has its material.
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                const std::string& materials = "");
 
 /// A library of the one material that `write_obj` names: a picture file, repeated beyond its

@@ -4,51 +4,51 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
+#include <limits>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "brindle/base/array_numbers.h"
 #include "brindle/base/printable.h"
 #include "brindle/files/binary_output.h"
+#include "brindle/files/component_groups.h"
 #include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
+#include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_positions.h"
+#include "brindle/files/written_arrays.h"
 #include "brindle/geometry/polygon.h"
 
 namespace brindle {
 namespace {
 
-enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-constexpr std::array<std::pair<std::string_view, Number>, 16> kNumberNames = {
-    {{"char", Number::int8},
-     {"int8", Number::int8},
-     {"uchar", Number::uint8},
-     {"uint8", Number::uint8},
-     {"short", Number::int16},
-     {"int16", Number::int16},
-     {"ushort", Number::uint16},
-     {"uint16", Number::uint16},
-     {"int", Number::int32},
-     {"int32", Number::int32},
-     {"uint", Number::uint32},
-     {"uint32", Number::uint32},
-     {"float", Number::float32},
-     {"float32", Number::float32},
-     {"double", Number::float64},
-     {"float64", Number::float64}}};
-
-std::size_t size_of(Number number) {
-  constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(number)];
-}
+constexpr std::array<std::pair<std::string_view, NumberType>, 16> kNumberNames = {
+    {{"char", NumberType::int8},
+     {"int8", NumberType::int8},
+     {"uchar", NumberType::uint8},
+     {"uint8", NumberType::uint8},
+     {"short", NumberType::int16},
+     {"int16", NumberType::int16},
+     {"ushort", NumberType::uint16},
+     {"uint16", NumberType::uint16},
+     {"int", NumberType::int32},
+     {"int32", NumberType::int32},
+     {"uint", NumberType::uint32},
+     {"uint32", NumberType::uint32},
+     {"float", NumberType::float32},
+     {"float32", NumberType::float32},
+     {"double", NumberType::float64},
+     {"float64", NumberType::float64}}};
 
 struct Property {
   std::string name;
-  Number number;
+  NumberType number;
   bool list = false;
-  Number list_count = Number::uint8;
+  NumberType list_count = NumberType::uint8;
 };
 
 struct Element {
@@ -129,7 +129,7 @@ class HeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  Number number(std::string_view name) {
+  NumberType number(std::string_view name) {
     for (const auto& [known, kind] : kNumberNames) {
       if (known == name) return kind;
     }
@@ -158,23 +158,21 @@ class Body {
     } while (rest_.find_first_not_of(" \t\r\v\f") == std::string_view::npos);
   }
 
-  double number(Number kind) {
-    if (is_text()) {
-      const std::string_view word = take_word(rest_);
-      const bool whole = kind != Number::float64 && kind != Number::float32;
-      auto value = whole ? to_double(parse_integer(word)) : std::nullopt;
-      if (!value) value = to_double(parse_number(word));
-      if (!value) {
-        file_.fail("a number is expected, not " + in_quotes(word) +
-                   "; the file is damaged or truncated, export it again");
-      }
-      return *value;
-    }
-    std::array<char, 8> bytes{};
-    const std::size_t size = size_of(kind);
-    std::memcpy(bytes.data(), file_.take(size), size);
-    if (encoding_ == Encoding::big_endian) std::reverse(bytes.begin(), bytes.begin() + size);
-    return decode(bytes, kind);
+  double number(NumberType kind) {
+    if (is_text()) return number_in(next_word(), kind);
+    double number = 0;
+    with_number_type(
+        kind, [&]<class Number>(Number) { number = static_cast<double>(binary_number<Number>()); });
+    return number;
+  }
+
+  /// Appends the next number as it is.
+  void append_number(NumberType kind, std::vector<std::byte>& bytes) {
+    with_number_type(kind, [&]<class Number>(Number) {
+      const auto number = is_text() ? text_number<Number>(kind) : binary_number<Number>();
+      const auto* begin = reinterpret_cast<const std::byte*>(&number);
+      bytes.insert(bytes.end(), begin, begin + sizeof number);
+    });
   }
 
   /// No list can have more entries than there are bytes left for them.
@@ -198,33 +196,44 @@ class Body {
         "copy or export it again");
   }
 
-  template <class Value>
-  static double as(const std::array<char, 8>& bytes) {
-    Value value;
-    std::memcpy(&value, bytes.data(), sizeof value);
-    return static_cast<double>(value);
+  std::string_view next_word() { return take_word(rest_); }
+
+  double number_in(std::string_view word, NumberType kind) const {
+    const bool whole = kind != NumberType::float64 && kind != NumberType::float32;
+    auto value = whole ? to_double(parse_integer(word)) : std::nullopt;
+    if (!value) value = to_double(parse_number(word));
+    if (!value) {
+      file_.fail("a number is expected, not " + in_quotes(word) +
+                 "; the file is damaged or truncated, export it again");
+    }
+    return *value;
   }
 
-  static double decode(const std::array<char, 8>& bytes, Number kind) {
-    switch (kind) {
-      case Number::int8:
-        return as<std::int8_t>(bytes);
-      case Number::uint8:
-        return as<std::uint8_t>(bytes);
-      case Number::int16:
-        return as<std::int16_t>(bytes);
-      case Number::uint16:
-        return as<std::uint16_t>(bytes);
-      case Number::int32:
-        return as<std::int32_t>(bytes);
-      case Number::uint32:
-        return as<std::uint32_t>(bytes);
-      case Number::float32:
-        return as<float>(bytes);
-      case Number::float64:
-        return as<double>(bytes);
+  template <class Number>
+  Number text_number(NumberType kind) {
+    const std::string_view word = next_word();
+    const double value = number_in(word, kind);
+    if constexpr (std::is_integral_v<Number>) {
+      constexpr auto kLeast = static_cast<double>(std::numeric_limits<Number>::lowest());
+      constexpr auto kMost = static_cast<double>(std::numeric_limits<Number>::max());
+      if (!(value >= kLeast && value <= kMost)) {
+        file_.fail(in_quotes(word) + " is no number of type " + std::string(name_of(kind)) +
+                   "; the file is damaged, export it again");
+      }
+      return static_cast<Number>(value);
+    } else {
+      return static_cast<Number>(std::is_same_v<Number, double> ? *parse_double(word) : value);
     }
-    return 0;
+  }
+
+  template <class Number>
+  Number binary_number() {
+    std::array<char, sizeof(Number)> bytes{};
+    std::memcpy(bytes.data(), file_.take(sizeof(Number)), sizeof(Number));
+    if (encoding_ == Encoding::big_endian) std::reverse(bytes.begin(), bytes.end());
+    Number number;
+    std::memcpy(&number, bytes.data(), sizeof number);
+    return number;
   }
 
   InputFile& file_;
@@ -232,19 +241,70 @@ class Body {
   std::string_view rest_;
 };
 
+/// Names the columns of these properties as components of one array, if there are all and they have
+/// one type.
+bool name_components(std::vector<DataArray>& columns, std::span<const std::string_view> properties,
+                     const std::string& array) {
+  std::vector<DataArray*> found;
+  for (const std::string_view property : properties) {
+    const auto column = std::ranges::find(columns, property, &DataArray::name);
+    if (column == columns.end()) return false;
+    if (!found.empty() && column->type != found[0]->type) return false;
+    found.push_back(&*column);
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) found[i]->name = array + ':' + std::to_string(i);
+  return true;
+}
+
+/// Drops a column that says the same as another.
+void drop_copy(std::vector<DataArray>& columns, std::string_view name, std::string_view other) {
+  const DataArray* first = find_array(columns, other);
+  std::erase_if(columns, [&](const DataArray& column) {
+    return column.name == name && column.bytes == first->bytes;
+  });
+}
+
+/// The arrays that columns with names make.
+std::vector<DataArray> arrays_of(std::vector<DataArray> columns) {
+  using Names = std::initializer_list<std::string_view>;
+  std::erase_if(columns, [](const DataArray& column) { return column.name.empty(); });
+  const auto name = [&](Names properties, const char* array) {
+    return name_components(columns, std::span(properties.begin(), properties.size()), array);
+  };
+  name({"nx", "ny", "nz"}, "normal");
+  if (!name({"red", "green", "blue", "alpha"}, "color")) name({"red", "green", "blue"}, "color");
+  if (name({"texture_u", "texture_v"}, "uv")) {
+    drop_copy(columns, "s", "uv:0");
+    drop_copy(columns, "t", "uv:1");
+  } else {
+    name({"s", "t"}, "uv");
+  }
+  return grouped_columns(std::move(columns));
+}
+
 class PlyReader {
  public:
   explicit PlyReader(const std::filesystem::path& path)
       : file_(path), header_(HeaderReader(file_).read()), body_(file_, header_.encoding) {}
 
-  Mesh read_mesh() {
+  RawMesh read_mesh() {
     read_elements(true);
-    return mesh_.take();
+    DataArrays arrays{points_.take("vertices", left_out_), cells_.take("faces", left_out_)};
+    RawMesh raw = mesh_.take(std::move(arrays));
+    raw.left_out = std::move(left_out_);
+    return raw;
   }
 
   LoadedPoints read_points() {
     read_elements(false);
-    return make_placed_point_cloud(mesh_.positions(), std::move(normals_));
+    std::vector<DataArray> arrays = points_.take("vertices", left_out_);
+    const DataArray* normal = find_array(arrays, "normal");
+    LoadedPoints loaded = make_placed_point_cloud(
+        mesh_.positions(),
+        normal != nullptr ? vectors_of(normal->view(), "normals") : std::vector<Vec3>());
+    loaded.arrays = std::move(arrays);
+    loaded.left_out = std::move(left_out_);
+    return loaded;
   }
 
   bool has_faces() const {
@@ -266,7 +326,9 @@ class PlyReader {
       } else if (faces && holds_faces(element)) {
         read_faces(element);
       } else {
-        read_rows(element, [](const Property&, std::span<const double>) {});
+        std::vector<DataArray> none(element.properties.size());
+        read_rows(
+            element, none, [](const Property&, std::span<const double>) {}, [] {});
       }
     }
   }
@@ -287,90 +349,120 @@ class PlyReader {
     }
   }
 
-  /// Calls `use(property, values)` for every property of every row.
-  template <class Use>
-  void read_rows(const Element& element, const Use& use) {
+  /// An array for every property of the element that is one number; without a name for those that
+  /// are a list, or among `others`.
+  static std::vector<DataArray> columns_of(const Element& element,
+                                           std::span<const std::string_view> others) {
+    std::vector<DataArray> columns;
+    for (const Property& property : element.properties) {
+      columns.push_back({"", property.number, 1, {}});
+      if (property.list || std::ranges::find(others, property.name) != others.end()) continue;
+      columns.back().name = property.name;
+      columns.back().bytes.reserve(element.count * size_of(property.number));
+    }
+    return columns;
+  }
+
+  /// Reads every row: numbers into their column if it has a name, and hands all else to
+  /// `use(property, values)`. Calls `end_row()` after each.
+  template <class Use, class EndRow>
+  void read_rows(const Element& element, std::vector<DataArray>& columns, const Use& use,
+                 const EndRow& end_row) {
     for (std::uint64_t row = 0; row < element.count && !element.properties.empty(); ++row) {
       body_.begin_row();
-      for (const Property& property : element.properties) {
-        values_.clear();
-        const double count = property.list ? body_.number(property.list_count) : 1;
-        if (!(count >= 0) || count > body_.most_entries() || count != std::floor(count)) {
-          body_.fail("a list of " + in_quotes(element.name) +
-                     " has an impossible number of entries; the file is damaged");
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const Property& property = element.properties[p];
+        if (columns[p].name.empty()) {
+          read_values(element, property);
+          use(property, values_);
+        } else {
+          body_.append_number(property.number, columns[p].bytes);
         }
-        for (double i = 0; i < count; ++i) values_.push_back(body_.number(property.number));
-        use(property, values_);
       }
+      end_row();
+    }
+  }
+
+  void read_values(const Element& element, const Property& property) {
+    values_.clear();
+    const double count = property.list ? body_.number(property.list_count) : 1;
+    if (!(count >= 0) || count > body_.most_entries() || count != std::floor(count)) {
+      body_.fail("a list of " + in_quotes(element.name) +
+                 " has an impossible number of entries; the file is damaged");
+    }
+    for (double i = 0; i < count; ++i) values_.push_back(body_.number(property.number));
+  }
+
+  void note_lists(const Element& element) {
+    for (const Property& property : element.properties) {
+      if (!property.list || is_corners(property)) continue;
+      left_out_ +=
+          "lists " + in_quotes(property.name) + " of " + in_quotes(element.name) + ": left out\n";
     }
   }
 
   void read_vertices(const Element& element) {
-    const std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
-    std::array<const Property*, 6> wanted{};
+    constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+    std::array<const Property*, 3> wanted{};
     for (const Property& property : element.properties) {
-      const auto name = std::find(names.begin(), names.end(), property.name);
-      if (name != names.end() && !property.list) wanted[name - names.begin()] = &property;
+      const auto name = std::find(kAxes.begin(), kAxes.end(), property.name);
+      if (name != kAxes.end() && !property.list) wanted[name - kAxes.begin()] = &property;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (wanted[axis] == nullptr) {
-        file_.fail_whole("has vertices without '" + std::string(names[axis]) + "'");
+        file_.fail_whole("has vertices without '" + std::string(kAxes[axis]) + "'");
       }
     }
-    const bool normals = wanted[3] && wanted[4] && wanted[5];
     mesh_.reserve_vertices(mesh_.vertex_count() + element.count);
-    std::array<double, 6> values{};
-    const Property* last = &element.properties.back();
-    read_rows(element, [&](const Property& property, std::span<const double> read) {
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        if (&property == wanted[i]) values[i] = read[0];
-      }
-      if (&property != last) return;
-      mesh_.add_vertex({values[0], values[1], values[2]});
-      if (normals) {
-        normals_.push_back(Eigen::Vector3d(values[3], values[4], values[5]).cast<float>());
-      }
-    });
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    std::vector<DataArray> columns = columns_of(element, kAxes);
+    read_rows(
+        element, columns,
+        [&](const Property& property, std::span<const double> read) {
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (&property == wanted[axis]) position[static_cast<Eigen::Index>(axis)] = read[0];
+          }
+        },
+        [&] { mesh_.add_vertex(position); });
+    note_lists(element);
+    if (element.count > 0) points_.add(arrays_of(std::move(columns)));
+  }
+
+  static bool is_corners(const Property& property) {
+    return property.list && (property.name == "vertex_indices" || property.name == "vertex_index");
   }
 
   void read_faces(const Element& element) {
-    std::uint64_t face = 0;
-    std::vector<Index> corners;
-    const char* what = is_strips(element) ? "triangle strip " : "face ";
-    read_rows(element, [&](const Property& property, std::span<const double> values) {
-      if (!property.list ||
-          (property.name != "vertex_indices" && property.name != "vertex_index")) {
-        return;
-      }
-      corners.clear();
-      for (const double corner : values) {
-        if (is_strips(element) && corner == kStripEnd) {
-          add_strip(corners);
-          corners.clear();
-          continue;
-        }
-        const bool exists = corner >= 0 && corner < static_cast<double>(mesh_.vertex_count()) &&
-                            corner == std::floor(corner);
-        if (!exists) {
-          body_.fail(what + std::to_string(face) + " has a corner that does not exist: there are " +
-                     std::to_string(mesh_.vertex_count()) +
-                     " vertices, counted from 0; the file is damaged, export it again");
-        }
-        corners.push_back(static_cast<Index>(corner));
-      }
-      is_strips(element) ? add_strip(corners) : mesh_.add_polygon(corners);
-      ++face;
-    });
+    std::vector<DataArray> columns = columns_of(element, {});
+    read_rows(
+        element, columns,
+        [&](const Property& property, std::span<const double> values) {
+          if (is_corners(property)) add_face(element, values);
+        },
+        [&] { ++face_; });
+    note_lists(element);
+    if (element.count > 0) cells_.add(arrays_of(std::move(columns)));
   }
 
-  /// Every corner makes a triangle with the two before it, wound the other way round each time.
-  /// Corners that repeat turn strips around or join them, and make no triangle of their own.
-  void add_strip(std::span<const Index> corners) {
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      const Index a = corners[i - 2], b = corners[i - 1], c = corners[i];
-      if (a == b || b == c || c == a) continue;
-      mesh_.add_polygon(i % 2 == 0 ? Triangle{a, b, c} : Triangle{b, a, c});
+  void add_face(const Element& element, std::span<const double> values) {
+    corners_.clear();
+    for (const double corner : values) {
+      if (is_strips(element) && corner == kStripEnd) {
+        mesh_.add_strip(corners_, face_);
+        corners_.clear();
+        continue;
+      }
+      const bool exists = corner >= 0 && corner < static_cast<double>(mesh_.vertex_count()) &&
+                          corner == std::floor(corner);
+      if (!exists) {
+        body_.fail((is_strips(element) ? "triangle strip " : "face ") + std::to_string(face_) +
+                   " has a corner that does not exist: there are " +
+                   std::to_string(mesh_.vertex_count()) +
+                   " vertices, counted from 0; the file is damaged, export it again");
+      }
+      corners_.push_back(static_cast<Index>(corner));
     }
+    is_strips(element) ? mesh_.add_strip(corners_, face_) : mesh_.add_polygon(corners_, face_);
   }
 
   static constexpr double kStripEnd = -1;
@@ -379,38 +471,35 @@ class PlyReader {
   Header header_;
   Body body_;
   MeshBuilder mesh_;
-  std::vector<Vec3> normals_;
+  PiecewiseArrays points_, cells_;
+  Index face_ = 0;  ///< counted over all elements that hold faces
+  std::string left_out_;
   std::vector<double> values_;
+  std::vector<Index> corners_;
 };
 
-void write_header(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_header(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
                   const std::string& picture) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
   if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
   out << "element vertex " << mesh.vertex_count() << '\n' << position_properties(mesh.origin);
-  for (const VertexAttribute& attribute : attributes) {
-    if (attribute.is_normal()) {
-      out << "property float nx\nproperty float ny\nproperty float nz\n";
-    } else if (attribute.is_color()) {
-      out << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    } else if (attribute.is_uv()) {
-      out << "property float texture_u\nproperty float texture_v\nproperty float s\n"
-             "property float t\n";
-    } else if (attribute.components == 3) {
-      for (const char axis : {'x', 'y', 'z'}) {
-        out << "property float " << attribute.name << '_' << axis << '\n';
-      }
-    } else {
-      out << "property float " << attribute.name << '\n';
-    }
+  for (const DataArray& array : arrays.points) put_ply_properties(out, array);
+  out << "element face " << mesh.triangle_count() << "\nproperty list uchar uint vertex_indices\n";
+  for (const DataArray& array : arrays.cells) put_ply_properties(out, array);
+  out << "end_header\n";
+}
+
+/// The row of every array.
+void put_rows(BinaryOutput& binary, std::span<const DataArray> arrays, std::size_t row) {
+  for (const DataArray& array : arrays) {
+    put_row(binary, array, row);
+    if (is_uv(array)) put_row(binary, array, row);
   }
-  out << "element face " << mesh.triangle_count()
-      << "\nproperty list uchar uint vertex_indices\nend_header\n";
 }
 
 }  // namespace
 
-Mesh read_ply(const std::filesystem::path& path) { return PlyReader(path).read_mesh(); }
+RawMesh read_ply(const std::filesystem::path& path) { return PlyReader(path).read_mesh(); }
 
 LoadedPoints read_ply_points(const std::filesystem::path& path) {
   return PlyReader(path).read_points();
@@ -418,27 +507,19 @@ LoadedPoints read_ply_points(const std::filesystem::path& path) {
 
 bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).has_faces(); }
 
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+void write_ply(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture) {
-  write_header(out, mesh, attributes, picture);
+  write_header(out, mesh, arrays, picture);
   BinaryOutput binary(out);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     put_position(binary, mesh.positions[v], mesh.origin);
-    for (const VertexAttribute& attribute : attributes) {
-      const auto n = static_cast<std::size_t>(attribute.components);
-      const float* values = &attribute.values[n * v];
-      if (!attribute.is_color()) {
-        binary.put(values, n);
-        if (attribute.is_uv()) binary.put(values, n);
-        continue;
-      }
-      for (int i = 0; i < 3; ++i) binary.put(color_byte(values[i]));
-    }
+    put_rows(binary, arrays.points, v);
   }
-  for (const Triangle& t : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     constexpr unsigned char kThree = 3;
     binary.put(&kThree, 1);
-    binary.put(t.data(), 3);
+    binary.put(mesh.triangles[t].data(), 3);
+    put_rows(binary, arrays.cells, t);
   }
 }
 

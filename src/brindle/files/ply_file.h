@@ -7,14 +7,18 @@
 #include <string>
 
 #include "brindle/files.h"
+#include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
 
 namespace brindle {
 
-/// Reads positions and faces; vertices keep the file's order, all else is passed over. Throws
-/// Error, naming the line where there is one, if the file is not as its header says.
-Mesh read_ply(const std::filesystem::path& path);
+/// Reads positions and faces; vertices keep the file's order. Further properties that are one
+/// number become arrays of that name and type, some together one array of several components: nx,
+/// ny, nz "normal"; red, green, blue and, where there is one, alpha "color"; texture_u, texture_v
+/// or s, t "uv"; and what `grouped_columns` joins. Throws Error, naming the line where there is
+/// one, if the file is not as its header says.
+RawMesh read_ply(const std::filesystem::path& path);
 
 /// The vertices alone, with their normals if each has nx, ny and nz. Throws as `read_ply` does.
 LoadedPoints read_ply_points(const std::filesystem::path& path);
@@ -22,12 +26,11 @@ LoadedPoints read_ply_points(const std::filesystem::path& path);
 /// Whether the header names faces. Throws as `read_ply` does for what is wrong with the header.
 bool ply_has_faces(const std::filesystem::path& path);
 
-/// Binary, little endian. Attributes become properties of the vertices: "normal" nx, ny, nz;
-/// "color" red, green, blue from 0 to 255; others with their name, and with three components
-/// name_x, name_y, name_z; "uv" texture_u, texture_v (which VTK and MeshLab read) and the same
-/// again as s, t (Blender). `picture` names the file that these refer to, in a comment that MeshLab
-/// introduced.
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const VertexAttribute> attributes,
+/// Binary, little endian. Arrays, as `fitted_arrays` makes them, become properties of vertices and
+/// faces: "normal" nx, ny, nz; "color" red, green, blue; others with the names of `column_names`;
+/// "uv" texture_u, texture_v (which VTK and MeshLab read) and the same again as s, t (Blender).
+/// `picture` names the file that these refer to, in a comment that MeshLab introduced.
+void write_ply(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture = "");
 
 }  // namespace brindle

@@ -1,26 +1,93 @@
+#include <algorithm>
+#include <array>
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "brindle/base/file_extension.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/component_groups.h"
 #include "brindle/files/csv_file.h"
 #include "brindle/files/obj_file.h"
+#include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_file.h"
+#include "brindle/files/vtk_file.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
+using Names = std::array<std::string_view, 3>;
+
+/// What columns of positions and of normals are called.
+constexpr std::array<Names, 3> kPositions = {
+    {{"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}, {"x", "y", "z"}}};
+constexpr std::array<Names, 3> kNormals = {{{"Normals:0", "Normals:1", "Normals:2"},
+                                            {"Normals_0", "Normals_1", "Normals_2"},
+                                            {"nx", "ny", "nz"}}};
+
+/// The first of these threes that are all there; or none.
+const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {
+  for (const Names& three : known) {
+    const bool all = std::ranges::all_of(three, [&](std::string_view wanted) {
+      return std::ranges::any_of(names, [&](auto& name) { return same_name(name, wanted); });
+    });
+    if (all) return &three;
+  }
+  return nullptr;
+}
+
+/// Whether columns have names, and are not those that files without names have.
+bool has_named_points(const std::vector<std::string>& names) {
+  const Names* positions = names_among(kPositions, names);
+  if (positions == nullptr) return false;
+  const bool plain = (names.size() == 3 || names.size() == 6) && same_name(names[0], "x") &&
+                     same_name(names[1], "y") && same_name(names[2], "z");
+  return !plain;
+}
+
+/// Three columns as vectors.
+std::vector<Eigen::Vector3d> vectors_in(const CsvTable& table, const Names& names) {
+  std::vector<Eigen::Vector3d> vectors(table.lines.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double> numbers = table.numbers_of(names[static_cast<std::size_t>(axis)]);
+    for (std::size_t row = 0; row < numbers.size(); ++row) vectors[row][axis] = numbers[row];
+  }
+  return vectors;
+}
+
+/// Points of a file whose first row names their columns; the others are arrays.
+LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
+  CsvTable table = file.read_table();
+  std::vector<std::string> names;
+  for (const DataArray& column : table.columns) names.push_back(column.name);
+  const Names* positions = names_among(kPositions, names);
+  if (positions == nullptr)
+    throw Error(path.string() + ": its columns of positions hold words; write numbers");
+  std::vector<Vec3> normals;
+  if (const Names* three = names_among(kNormals, names)) {
+    for (const Eigen::Vector3d& n : vectors_in(table, *three)) normals.push_back(n.cast<float>());
+  }
+  LoadedPoints loaded = make_placed_point_cloud(vectors_in(table, *positions), std::move(normals));
+  std::erase_if(table.columns, [&](const DataArray& column) {
+    return std::ranges::any_of(*positions, [&](auto name) { return same_name(column.name, name); });
+  });
+  loaded.arrays = grouped_columns(std::move(table.columns));
+  make_names_unique(loaded.arrays);
+  return loaded;
+}
+
 LoadedPoints read_csv_points(const fs::path& path) {
+  CsvFile file(path, {"points", "x,y,z or x,y,z,nx,ny,nz"});
+  if (has_named_points(file.names())) return read_named_points(path, file);
   std::vector<Eigen::Vector3d> positions;
   std::vector<Vec3> normals;
-  const CsvKind kind{"points", "x,y,z or x,y,z,nx,ny,nz"};
-  read_csv(path, kind, [&](std::size_t line, std::span<const double> row) {
+  file.read([&](std::size_t line, std::span<const double> row) {
     if (row.size() != 3 && row.size() != 6) {
       throw Error(at_line(path, line) + std::to_string(row.size()) +
                   " columns; a row must have 3 (x,y,z) or 6 (x,y,z,nx,ny,nz)");
@@ -37,11 +104,33 @@ LoadedPoints read_csv_points(const fs::path& path) {
   return make_placed_point_cloud(positions, std::move(normals));
 }
 
+/// The array that the file says are normals, or one that is called so.
+const DataArray* normals_of(const RawMesh& raw) {
+  for (const std::string& name : {raw.normals, std::string("Normals"), std::string("normal")}) {
+    const DataArray* array = find_array(raw.arrays.points, name);
+    if (array != nullptr && array->components == 3) return array;
+  }
+  return nullptr;
+}
+
+LoadedPoints read_vtk_points(const fs::path& path) {
+  RawMesh raw = read_vtk(path);
+  const DataArray* normals = normals_of(raw);
+  LoadedPoints loaded = make_point_cloud(
+      std::move(raw.mesh.positions),
+      normals != nullptr ? vectors_of(normals->view(), "normals") : std::vector<Vec3>());
+  loaded.cloud.origin = raw.mesh.origin;
+  loaded.arrays = std::move(raw.arrays.points);
+  loaded.left_out = std::move(raw.left_out);
+  return loaded;
+}
+
 LoadedPoints read_any(const fs::path& path) {
   const std::string kind = lower_extension(path);
   if (kind == ".csv") return read_csv_points(path);
   if (kind == ".ply") return read_ply_points(path);
   if (kind == ".obj") return read_obj_points(path);
+  if (is_vtk_format(path)) return read_vtk_points(path);
   Mesh mesh = read_vertices(path);
   LoadedPoints loaded = make_point_cloud(std::move(mesh.positions));
   loaded.cloud.origin = mesh.origin;
@@ -56,6 +145,7 @@ bool is_point_file(const fs::path& path) {
   try {
     if (kind == ".ply") return !ply_has_faces(path);
     if (kind == ".obj") return !obj_has_faces(path);
+    if (is_vtk_format(path)) return !vtk_has_faces(path);
   } catch (const Error&) {
   }
   return false;

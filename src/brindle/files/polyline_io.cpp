@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <cstddef>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
@@ -8,6 +12,7 @@
 #include "brindle/files/ply_positions.h"
 #include "brindle/files/text_positions.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/written_arrays.h"
 #include "brindle/geometry/local_positions.h"
 
 namespace brindle {
@@ -45,6 +50,33 @@ void for_each_line(Kinds kinds, const Use& use) {
   }
 }
 
+/// The arrays of all kinds in one, in the form of the file.
+using LineArrays = std::vector<DataArray>;
+
+bool same_arrays(const NamedLines& a, const NamedLines& b) {
+  return std::equal(a.arrays.begin(), a.arrays.end(), b.arrays.begin(), b.arrays.end(),
+                    [](const DataArray& x, const DataArray& y) {
+                      return x.name == y.name && x.type == y.type && x.components == y.components;
+                    });
+}
+
+LineArrays gathered_arrays(const std::filesystem::path& path, Kinds kinds) {
+  if (kinds.empty()) return {};
+  LineArrays all = kinds[0].arrays;
+  for (const NamedLines& kind : kinds) {
+    check_rows(path, kind.arrays, kind.lines.points.size(), "point");
+    if (!same_arrays(kind, kinds[0])) {
+      throw Error("cannot write '" + path.string() + "': the arrays of '" + kind.name +
+                  "' are not those of '" + kinds[0].name + "'");
+    }
+    for (std::size_t i = 0; i < all.size() && &kind != kinds.data(); ++i) {
+      const std::vector<std::byte>& more = kind.arrays[i].bytes;
+      all[i].bytes.insert(all[i].bytes.end(), more.begin(), more.end());
+    }
+  }
+  return all;
+}
+
 void write_obj_lines(std::ostream& out, Kinds kinds) {
   TextOutput text(out);
   text << "# written by brindle\n";
@@ -63,7 +95,7 @@ void write_obj_lines(std::ostream& out, Kinds kinds) {
   });
 }
 
-void write_ply_lines(std::ostream& out, Kinds kinds) {
+void write_ply_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
   std::size_t edges = 0;
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
     const Polylines& lines = kinds[kind].lines;
@@ -73,18 +105,19 @@ void write_ply_lines(std::ostream& out, Kinds kinds) {
       << point_count(kinds) << '\n'
       << position_properties(origin_of(kinds))
       << "property float nx\n"
-         "property float ny\nproperty float nz\nproperty uint curve\nproperty uchar kind\n"
-         "element edge "
-      << edges << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+         "property float ny\nproperty float nz\nproperty uint curve\nproperty uchar kind\n";
+  for (const DataArray& array : arrays) put_ply_properties(out, array);
+  out << "element edge " << edges << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   BinaryOutput binary(out);
   Index number = 0;
-  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
     const Polylines& lines = kinds[kind].lines;
     for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
       put_position(binary, moved(lines.points_of(line)[i], lines, kinds), origin_of(kinds));
       binary.put(lines.normals_of(line)[i].data(), 3);
       binary.put(number);
       binary.put(static_cast<unsigned char>(kind));
+      for (const DataArray& array : arrays) put_row(binary, array, first + i);
     }
     ++number;
   });
@@ -95,16 +128,13 @@ void write_ply_lines(std::ostream& out, Kinds kinds) {
   });
 }
 
-void write_vtp_lines(std::ostream& out, Kinds kinds) {
-  std::vector<Vec3> points;
-  VertexAttribute normals{"normal", 3, {}};
+void write_vtp_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
+  std::vector<Vec3> points, normals;
   std::vector<Index> offsets{0}, along;
-  std::vector<VertexAttribute> cells = {{"kind", 1, {}}, {"closed", 1, {}}, {"length", 1, {}}};
+  std::vector<float> kind_of_line, closed, length;
   for (const NamedLines& kind : kinds) {
     for (const Vec3& p : kind.lines.points) points.push_back(moved(p, kind.lines, kinds));
-    for (const Vec3& n : kind.lines.normals) {
-      normals.values.insert(normals.values.end(), n.begin(), n.end());
-    }
+    normals.insert(normals.end(), kind.lines.normals.begin(), kind.lines.normals.end());
   }
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
     const Polylines& lines = kinds[kind].lines;
@@ -112,29 +142,39 @@ void write_vtp_lines(std::ostream& out, Kinds kinds) {
     for (Index i = 0; i < size; ++i) along.push_back(first + i);
     if (lines.closed[line]) along.push_back(first);
     offsets.push_back(static_cast<Index>(along.size()));
-    cells[0].values.push_back(static_cast<float>(kind));
-    cells[1].values.push_back(lines.closed[line]);
-    cells[2].values.push_back(static_cast<float>(length_of(lines, line)));
+    kind_of_line.push_back(static_cast<float>(kind));
+    closed.push_back(lines.closed[line]);
+    length.push_back(static_cast<float>(length_of(lines, line)));
   });
+  std::vector<DataArray> of_points = {make_data_array("normal", normals)};
+  of_points.insert(of_points.end(), arrays.begin(), arrays.end());
+  const std::vector<DataArray> of_lines = {make_data_array("kind", 1, kind_of_line),
+                                           make_data_array("closed", 1, closed),
+                                           make_data_array("length", 1, length)};
   write_vtp(out, {.points = points,
                   .line_offsets = offsets,
                   .line_points = along,
-                  .point_attributes = std::span(&normals, 1),
-                  .cell_attributes = cells,
+                  .point_arrays = of_points,
+                  .cell_arrays = of_lines,
                   .origin = origin_of(kinds)});
 }
 
-void write_csv_lines(std::ostream& out, Kinds kinds) {
+void write_csv_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
   TextOutput text(out);
-  text << "kind,curve,closed,x,y,z,nx,ny,nz\n";
+  text << "kind,curve,closed,x,y,z,nx,ny,nz";
+  for (const DataArray& array : arrays) {
+    for (const std::string& name : column_names(array)) text << ',' << csv_name(name);
+  }
+  text << '\n';
   std::size_t number = 0;
-  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
     const Polylines& lines = kinds[kind].lines;
     for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
       const Vec3& n = lines.normals_of(line)[i];
       text << kinds[kind].name << ',' << number << ',' << int{lines.closed[line]};
       write_position(text, ',', lines.points_of(line)[i], lines.origin);
       for (const float value : n) text << ',' << value;
+      for (const DataArray& array : arrays) put_csv_row(text, array, first + i);
       text << '\n';
     }
     ++number;
@@ -157,11 +197,16 @@ void write_polylines(const std::filesystem::path& path, std::span<const NamedLin
     throw Error("cannot write '" + path.string() + "': the curves have too many points");
   }
   const std::string kind = lower_extension(path);
+  LineArrays arrays = gathered_arrays(path, kinds);
+  if (kind != ".obj") {
+    arrays = fitted_columns(path, arrays, point_count(kinds),
+                            {"kind", "curve", "closed", "x", "y", "z", "nx", "ny", "nz", "normal"});
+  }
   write_file(path, [&](std::ostream& out) {
     if (kind == ".obj") return write_obj_lines(out, kinds);
-    if (kind == ".ply") return write_ply_lines(out, kinds);
-    if (kind == ".vtp") return write_vtp_lines(out, kinds);
-    write_csv_lines(out, kinds);
+    if (kind == ".ply") return write_ply_lines(out, kinds, arrays);
+    if (kind == ".vtp") return write_vtp_lines(out, kinds, arrays);
+    write_csv_lines(out, kinds, arrays);
   });
 }
 

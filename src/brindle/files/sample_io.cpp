@@ -2,6 +2,7 @@
 #include <numeric>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
@@ -11,13 +12,14 @@
 #include "brindle/files/ply_positions.h"
 #include "brindle/files/text_positions.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/written_arrays.h"
 #include "brindle/geometry/local_positions.h"
 
 namespace brindle {
 namespace {
 
-/// The vectors and numbers of a sample, in the order of all files; the triangle's number stands
-/// apart.
+/// The vectors and numbers of a sample, in the order of all files. The triangle's number stands
+/// apart, and arrays come after it.
 constexpr std::array<const char*, 17> kColumns = {"x",
                                                   "y",
                                                   "z",
@@ -44,11 +46,17 @@ std::array<float, kNumbers> numbers_of(const Sample& s) {
           s.barycentric[1], s.barycentric[2]};
 }
 
-void write_csv(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin) {
+void write_csv(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
+               std::span<const DataArray> arrays) {
   TextOutput text(out);
   for (std::size_t i = 0; i < kNumbers; ++i) text << kColumns[i] << ',';
-  text << "triangle\n";
-  for (const Sample& sample : samples) {
+  text << "triangle";
+  for (const DataArray& array : arrays) {
+    for (const std::string& name : column_names(array)) text << ',' << csv_name(name);
+  }
+  text << '\n';
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    const Sample& sample = samples[row];
     const std::array<float, kNumbers> numbers = numbers_of(sample);
     const Eigen::Vector3d place = placed(sample.position, origin);
     for (std::size_t i = 0; i < kNumbers; ++i) {
@@ -58,57 +66,67 @@ void write_csv(std::ostream& out, std::span<const Sample> samples, const Eigen::
         text << numbers[i] << ',';
       }
     }
-    text << sample.triangle << '\n';
+    text << sample.triangle;
+    for (const DataArray& array : arrays) put_csv_row(text, array, row);
+    text << '\n';
   }
 }
 
-void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin) {
+void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
+               std::span<const DataArray> arrays) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
       << samples.size() << '\n'
       << position_properties(origin);
   for (std::size_t i = 3; i < kNumbers; ++i) out << "property float " << kColumns[i] << '\n';
-  out << "property uint triangle\nend_header\n";
+  out << "property uint triangle\n";
+  for (const DataArray& array : arrays) put_ply_properties(out, array);
+  out << "end_header\n";
   BinaryOutput binary(out);
-  for (const Sample& sample : samples) {
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    const Sample& sample = samples[row];
     put_position(binary, sample.position, origin);
     binary.put(numbers_of(sample).data() + 3, kNumbers - 3);
     binary.put(sample.triangle);
+    for (const DataArray& array : arrays) put_row(binary, array, row);
   }
 }
 
 template <class Value>
-VertexAttribute attribute(const char* name, std::span<const Sample> samples, const Value& value) {
-  VertexAttribute result{name, 1, {}};
-  for (const Sample& sample : samples) result.values.push_back(static_cast<float>(value(sample)));
-  return result;
+DataArray numbers(const char* name, std::span<const Sample> samples, const Value& value) {
+  std::vector<decltype(value(Sample()))> result;
+  for (const Sample& sample : samples) result.push_back(value(sample));
+  return make_data_array(name, 1, result);
 }
 
-VertexAttribute vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
-  VertexAttribute result{name, 3, {}};
-  for (const Sample& sample : samples) {
-    const Vec3& v = sample.*member;
-    result.values.insert(result.values.end(), v.begin(), v.end());
-  }
-  return result;
+DataArray vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
+  std::vector<Vec3> result;
+  for (const Sample& sample : samples) result.push_back(sample.*member);
+  return make_data_array(name, result);
 }
 
-void write_points(std::ostream& out, std::span<const Sample> samples,
-                  const Eigen::Vector3d& origin) {
+void write_points(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
+                  std::span<const DataArray> more) {
   std::vector<Vec3> points;
   for (const Sample& sample : samples) points.push_back(sample.position);
   std::vector<Index> cells(samples.size());
   std::iota(cells.begin(), cells.end(), Index{0});
-  const std::vector<VertexAttribute> attributes = {
+  std::vector<DataArray> arrays = {
       vectors("normal", samples, &Sample::normal),
       vectors("direction_u", samples, &Sample::direction_u),
       vectors("direction_v", samples, &Sample::direction_v),
-      attribute("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
-      attribute("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
+      numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
+      numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
       vectors("barycentric", samples, &Sample::barycentric),
-      attribute("triangle", samples, [](const Sample& s) { return s.triangle; })};
-  write_vtp(
-      out,
-      {.points = points, .single_points = cells, .point_attributes = attributes, .origin = origin});
+      numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
+  arrays.insert(arrays.end(), more.begin(), more.end());
+  write_vtp(out,
+            {.points = points, .single_points = cells, .point_arrays = arrays, .origin = origin});
+}
+
+std::vector<std::string> own_columns() {
+  std::vector<std::string> names(kColumns.begin(), kColumns.end());
+  names.insert(names.end(), {"triangle", "normal", "direction_u", "direction_v", "barycentric"});
+  return names;
 }
 
 }  // namespace
@@ -119,16 +137,18 @@ bool is_sample_format(const std::filesystem::path& path) {
 }
 
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
-                   const Eigen::Vector3d& origin) {
+                   const Eigen::Vector3d& origin, std::span<const DataArray> arrays) {
   const std::string kind = lower_extension(path);
   if (!is_sample_format(path)) {
     throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
+  const std::vector<DataArray> columns =
+      fitted_columns(path, arrays, samples.size(), own_columns());
   write_file(path, [&](std::ostream& out) {
-    if (kind == ".csv") return write_csv(out, samples, origin);
-    if (kind == ".ply") return write_ply(out, samples, origin);
-    write_points(out, samples, origin);
+    if (kind == ".csv") return write_csv(out, samples, origin, columns);
+    if (kind == ".ply") return write_ply(out, samples, origin, columns);
+    write_points(out, samples, origin, columns);
   });
 }
 

@@ -1,13 +1,16 @@
 #include "brindle/files/vtp_file.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "brindle/files/binary_output.h"
+#include "brindle/files/xml_text.h"
 #include "brindle/geometry/local_positions.h"
 
 namespace brindle {
@@ -22,9 +25,13 @@ class AppendedArrays {
   template <class Number>
   void add(std::string_view type, std::string_view name, int components, std::size_t count,
            std::function<void(BinaryOutput&)> write) {
+    add(type, name, components, std::uint64_t{count * sizeof(Number)}, std::move(write));
+  }
+
+  void add(std::string_view type, std::string_view name, int components, std::uint64_t bytes,
+           std::function<void(BinaryOutput&)> write) {
     xml_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
          << components << "\" format=\"appended\" offset=\"" << offset_ << "\"/>\n";
-    const std::uint64_t bytes = count * sizeof(Number);
     offset_ += sizeof bytes + bytes;
     blocks_.push_back({bytes, std::move(write)});
   }
@@ -47,17 +54,8 @@ class AppendedArrays {
   std::vector<Block> blocks_;
 };
 
-void add_attribute(AppendedArrays& arrays, const VertexAttribute& attribute) {
-  const auto& values = attribute.values;
-  if (attribute.is_color()) {
-    arrays.add<std::uint8_t>("UInt8", attribute.name, 3, values.size(), [&](BinaryOutput& out) {
-      for (const float level : values) out.put(color_byte(level));
-    });
-    return;
-  }
-  arrays.add<float>("Float32", attribute.name, attribute.components, values.size(),
-                    [&](BinaryOutput& out) { out.put(values.data(), values.size()); });
-}
+constexpr std::array<std::string_view, 10> kTypeNames = {
+    "Float32", "Float64", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64"};
 
 void add_points(AppendedArrays& arrays, const PolyData& data) {
   const std::size_t count = 3 * data.points.size();
@@ -72,17 +70,21 @@ void add_points(AppendedArrays& arrays, const PolyData& data) {
   });
 }
 
-/// The attributes of all points or all cells.
-void add_attributes(std::ostream& xml, AppendedArrays& arrays, std::string_view element,
-                    std::span<const VertexAttribute> attributes) {
+/// The arrays of all points or all cells.
+void add_data(std::ostream& xml, AppendedArrays& appended, std::string_view element,
+              std::span<const DataArray> arrays) {
   xml << '<' << element;
-  for (const VertexAttribute& attribute : attributes) {
-    if (attribute.is_normal()) xml << " Normals=\"normal\"";
-    if (attribute.is_color()) xml << " Scalars=\"color\"";
-    if (attribute.is_uv()) xml << " TCoords=\"uv\"";
+  for (const DataArray& array : arrays) {
+    if (is_normal(array)) xml << " Normals=\"normal\"";
+    if (is_color(array)) xml << " Scalars=\"color\"";
+    if (is_uv(array)) xml << " TCoords=\"uv\"";
   }
   xml << ">\n";
-  for (const VertexAttribute& attribute : attributes) add_attribute(arrays, attribute);
+  for (const DataArray& array : arrays) {
+    appended.add(kTypeNames.at(static_cast<std::size_t>(array.type)), xml_text(array.name),
+                 array.components, std::uint64_t{array.bytes.size()},
+                 [&](BinaryOutput& binary) { binary.put(array.bytes.data(), array.bytes.size()); });
+  }
   xml << "</" << element << ">\n";
 }
 
@@ -111,8 +113,8 @@ void write_vtp(std::ostream& out, const PolyData& data) {
       << "\" NumberOfLines=\"" << lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
       << data.triangles.size() << "\">\n";
   AppendedArrays arrays(out);
-  add_attributes(out, arrays, "PointData", data.point_attributes);
-  add_attributes(out, arrays, "CellData", data.cell_attributes);
+  add_data(out, arrays, "PointData", data.point_arrays);
+  add_data(out, arrays, "CellData", data.cell_arrays);
   out << "<Points>\n";
   add_points(arrays, data);
   out << "</Points>\n";

@@ -16,16 +16,15 @@ struct PolyData {
   std::span<const Index> line_offsets = {};   ///< lines + 1 entries into `line_points`, or none
   std::span<const Index> line_points = {};    ///< the points along each line
   std::span<const Triangle> triangles = {};
-  std::span<const VertexAttribute> point_attributes = {};  ///< values per point
-  std::span<const VertexAttribute> cell_attributes = {};   ///< values per cell
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< see `Mesh`
+  std::span<const DataArray> point_arrays = {};      ///< a row per point
+  std::span<const DataArray> cell_arrays = {};       ///< a row per cell
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< see `Mesh`
 };
 
 /// Writes version 1.0 of the format with raw appended data, little endian. Points are floats, or
-/// doubles if they have an origin. "normal" becomes the
-/// active normals, "uv" the texture coordinates, "color" bytes from 0 to 255; all else keeps its
-/// name. Attributes have values for every point or cell, and names of letters, digits and
-/// underscores.
+/// doubles if they have an origin. "normal" becomes the active normals, "uv" the texture
+/// coordinates, "color" the colours. Arrays have a row for every point or cell, and the names and
+/// colours of `fitted_arrays`.
 void write_vtp(std::ostream& out, const PolyData& data);
 
 }  // namespace brindle

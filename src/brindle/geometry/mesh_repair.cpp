@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <sstream>
 #include <tuple>
 #include <vector>
@@ -33,8 +34,23 @@ bool has_area(const Mesh& mesh, const Triangle& t) {
   return longest2 > 0 && a.cross(b).norm() > kSmallestArea * longest2;
 }
 
-void drop_bad_triangles(Mesh& mesh, const std::vector<char>& good, MeshRepair& repair) {
-  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+/// Leaves triangles whose entry in `bad` is 0, and their entries in `kept`.
+void drop_triangles(Mesh& mesh, const std::vector<char>& bad, std::vector<Index>& kept) {
+  std::size_t left = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (bad[t]) continue;
+    mesh.triangles[left] = mesh.triangles[t];
+    kept[left++] = kept[t];
+  }
+  mesh.triangles.resize(left);
+  kept.resize(left);
+}
+
+void drop_bad_triangles(Mesh& mesh, const std::vector<char>& good, MeshRepair& repair,
+                        std::vector<Index>& kept) {
+  std::vector<char> bad(mesh.triangle_count(), 1);
+  for (std::size_t number = 0; number < bad.size(); ++number) {
+    const Triangle& t = mesh.triangles[number];
     if (std::max({t[0], t[1], t[2]}) >= mesh.vertex_count()) {
       ++repair.triangles_out_of_range;
     } else if (!good[t[0]] || !good[t[1]] || !good[t[2]]) {
@@ -42,14 +58,14 @@ void drop_bad_triangles(Mesh& mesh, const std::vector<char>& good, MeshRepair& r
     } else if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !has_area(mesh, t)) {
       ++repair.triangles_degenerate;
     } else {
-      return false;
+      bad[number] = 0;
     }
-    return true;
-  });
+  }
+  drop_triangles(mesh, bad, kept);
 }
 
 /// Triangles with the same corners, in whatever order, are looked for at their smallest corner.
-void drop_duplicates(Mesh& mesh, MeshRepair& repair) {
+void drop_duplicates(Mesh& mesh, MeshRepair& repair, std::vector<Index>& kept) {
   struct Entry {
     Index middle, largest, triangle;
   };
@@ -71,12 +87,9 @@ void drop_duplicates(Mesh& mesh, MeshRepair& repair) {
       if (x.middle == y.middle && x.largest == y.largest) duplicate[y.triangle] = 1;
     }
   }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!duplicate[t]) mesh.triangles[kept++] = mesh.triangles[t];
-  }
-  repair.triangles_duplicate = mesh.triangle_count() - kept;
-  mesh.triangles.resize(kept);
+  repair.triangles_duplicate =
+      static_cast<std::size_t>(std::count(duplicate.begin(), duplicate.end(), 1));
+  drop_triangles(mesh, duplicate, kept);
 }
 
 std::vector<char> referenced_vertices(const Mesh& mesh) {
@@ -118,11 +131,18 @@ std::vector<char> set_positions_finite(std::vector<Vec3>& positions) {
 }
 
 MeshRepair repair_mesh(Mesh& mesh) {
+  std::vector<Index> ignored;
+  return repair_mesh(mesh, ignored);
+}
+
+MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept) {
+  kept.resize(mesh.triangle_count());
+  std::iota(kept.begin(), kept.end(), Index{0});
   MeshRepair repair;
   const std::vector<char> good = set_positions_finite(mesh.positions);
   repair.vertices_not_finite = static_cast<std::size_t>(std::count(good.begin(), good.end(), 0));
-  drop_bad_triangles(mesh, good, repair);
-  drop_duplicates(mesh, repair);
+  drop_bad_triangles(mesh, good, repair, kept);
+  drop_duplicates(mesh, repair, kept);
   const std::vector<char> referenced = referenced_vertices(mesh);
   repair.vertices_unreferenced =
       static_cast<std::size_t>(std::count(referenced.begin(), referenced.end(), 0));

@@ -48,6 +48,15 @@ std::size_t farthest_from_first(std::span<const Vec3> points) {
                                   points.begin());
 }
 
+/// The place at the share `t` of the way along the segment that starts at a point.
+TrianglePoint place_on(const Polylines& lines, std::size_t point, double t) {
+  TrianglePoint place = lines.places[point];
+  for (std::size_t m = 0; m < 3; ++m) {
+    place.barycentric[m] += t * (lines.arrivals[point][m] - place.barycentric[m]);
+  }
+  return place;
+}
+
 /// Whole steps along a line of some length: one at least, of a closed line three.
 std::size_t steps_along(double length, float spacing, bool closed) {
   const double steps = std::max(std::round(length / spacing), closed ? 3.0 : 1.0);
@@ -90,7 +99,9 @@ Polylines simplified(const Polylines& lines, float tolerance) {
       keep_farthest(points, 0, points.size() - 1, tolerance, keep);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (keep[i]) append(result, points[i], lines.normals_of(line)[i]);
+      if (!keep[i]) continue;
+      append(result, points[i], lines.normals_of(line)[i]);
+      if (!lines.places.empty()) result.places.push_back(lines.places[lines.offsets[line] + i]);
     }
     end_line(result, lines.closed[line]);
   }
@@ -101,6 +112,7 @@ Polylines resampled(const Polylines& lines, float spacing) {
   if (!(spacing > 0)) throw Error("the spacing of points along curves must be above zero");
   Polylines result;
   result.origin = lines.origin;
+  const bool placed = !lines.arrivals.empty();
   for (std::size_t line = 0; line < lines.count(); ++line) {
     const auto points = lines.points_of(line);
     const auto normals = lines.normals_of(line);
@@ -125,8 +137,12 @@ Polylines resampled(const Polylines& lines, float spacing) {
       const Vec3 normal = (1 - t) * normals[segment] + t * normals[end()];
       append(result, points[segment] + t * (points[end()] - points[segment]),
              normal.stableNormalized());
+      if (placed) result.places.push_back(place_on(lines, lines.offsets[line] + segment, t));
     }
-    if (!closed) append(result, points.back(), normals.back());
+    if (!closed) {
+      append(result, points.back(), normals.back());
+      if (placed) result.places.push_back(lines.places[lines.offsets[line + 1] - 1]);
+    }
     end_line(result, closed);
   }
   return result;

@@ -72,7 +72,7 @@ struct RunOn::Walker {
   void go(double distance, const Point& end) {
     passed += distance;
     place = end;
-    way.push_back({triangle, {end[0], end[1], end[2]}});
+    way.push_back({static_cast<Index>(triangle), {end[0], end[1], end[2]}});
   }
 };
 

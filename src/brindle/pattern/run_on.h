@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "brindle/pattern/lifted_waves.h"
+#include "brindle/polylines.h"
 
 namespace brindle {
-
-/// A point of a triangle.
-struct TrianglePoint {
-  std::size_t triangle = 0;
-  std::array<double, 3> barycentric{};
-};
 
 /// Finds where curves that end alone in a branch or singularity run on to.
 class RunOn {

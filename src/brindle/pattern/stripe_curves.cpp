@@ -12,6 +12,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/run_on.h"
 #include "brindle/waves/orientation.h"
 
@@ -40,6 +41,7 @@ struct CurvePoint {
   Vec3 normal;
   Vec3 forward;  ///< where the wave there runs; zero in the middle of a triangle
   float size;    ///< of the edge that it lies on, or of the triangle
+  MeshPoint place;
 };
 
 bool at_same_place(const CurvePoint& a, const CurvePoint& b) {
@@ -56,6 +58,17 @@ void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
   while (kept > 1 && at_same_place(curve[kept - 1], last)) --kept;
   curve.resize(kept);
   if (!closed) curve.push_back(last);
+}
+
+/// Without what rounding leaves of corners that have no share.
+std::array<double, 3> cleaned(std::array<double, 3> barycentric) {
+  double sum = 0;
+  for (double& weight : barycentric) {
+    if (weight < 1e-12) weight = 0;
+    sum += weight;
+  }
+  for (double& weight : barycentric) weight /= sum;
+  return barycentric;
 }
 
 /// Whether waves run to the right of the curve, as seen from outside, on most of its way.
@@ -137,6 +150,7 @@ class Tracer {
     if (options_.join) run_on_.emplace(lifted_);
     number_nodes();
     link_triangles();
+    find_triangles_of_edges();
     if (!links_.empty()) directions_ = directions_alike(lifted_);
     walk();
     return std::move(curves_);
@@ -175,6 +189,29 @@ class Tracer {
         }
       }
     });
+  }
+
+  void find_triangles_of_edges() {
+    const MeshEdges& edges = pattern_.edges;
+    first_triangle_.resize(edges.count());
+    std::exclusive_scan(edges.triangle_counts.begin(), edges.triangle_counts.end(),
+                        first_triangle_.begin(), Index{0});
+    triangles_of_edges_.resize(3 * pattern_.mesh.triangle_count());
+    for (Index t = 0; t < pattern_.mesh.triangle_count(); ++t) {
+      for (int m = 0; m < 3; ++m) {
+        triangles_of_edges_[first_triangle_[edges.of_triangle[t][m]] + edges.ranks[t][m]] = t;
+      }
+    }
+  }
+
+  /// Those that a node's curve comes from: of an edge of three or more, its own one.
+  std::array<Index, 2> triangles_at(Index node, Index edge) const {
+    const Index* triangles = &triangles_of_edges_[first_triangle_[edge]];
+    if (copies(edge) > 1) {
+      const Index own = triangles[(node - first_node_[edge]) / crossings(edge)];
+      return {own, own};
+    }
+    return {triangles[0], triangles[pattern_.edges.triangle_counts[edge] - 1]};
   }
 
   static void check_count(std::size_t nodes) {
@@ -266,7 +303,9 @@ class Tracer {
   CurvePoint point_in(std::size_t t, const std::array<double, 3>& barycentric) const {
     const Triangle& triangle = pattern_.mesh.triangles[t];
     const Vec3& first = pattern_.mesh.positions[triangle[0]];
-    CurvePoint result{first, Vec3::Zero(), Vec3::Zero(), 0};
+    const auto number = static_cast<Index>(t);
+    CurvePoint result{
+        first, Vec3::Zero(), Vec3::Zero(), 0, {triangle, cleaned(barycentric), {number, number}}};
     for (int m = 0; m < 3; ++m) {
       const auto weight = static_cast<float>(barycentric[m]);
       const Vec3 side = pattern_.mesh.positions[triangle[m]] - first;
@@ -294,8 +333,12 @@ class Tracer {
     const auto t = static_cast<float>(crossing_position(start, end, number));
     const Vec3& from = pattern_.mesh.positions[a];
     const Vec3 way = pattern_.mesh.positions[b] - from;
-    CurvePoint result{from + t * way, Vec3::Zero(), (1 - t) * directions_[a] + t * directions_[b],
-                      way.norm()};
+    const double share = t;
+    CurvePoint result{from + t * way,
+                      Vec3::Zero(),
+                      (1 - t) * directions_[a] + t * directions_[b],
+                      way.norm(),
+                      {{a, b, b}, {1 - share, share, 0}, triangles_at(node, edge)}};
     add_normal(result.normal, 1 - t, a);
     add_normal(result.normal, t, b);
     result.normal.stableNormalize();
@@ -379,13 +422,24 @@ class Tracer {
 
   void add_curve(const std::array<CurveEnd, 2>& ends) {
     Polylines& lines = curves_.lines;
-    for (const CurvePoint& point : curve_) {
-      lines.points.push_back(point.position);
-      lines.normals.push_back(point.normal);
+    const bool closed = ends[0] == CurveEnd::closed;
+    for (std::size_t i = 0; i < curve_.size(); ++i) {
+      lines.points.push_back(curve_[i].position);
+      lines.normals.push_back(curve_[i].normal);
+      const bool last = !closed && i + 1 == curve_.size();
+      add_place(curve_[last && i > 0 ? i - 1 : i].place,
+                curve_[last ? i : (i + 1) % curve_.size()].place, last);
     }
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-    lines.closed.push_back(ends[0] == CurveEnd::closed);
+    lines.closed.push_back(closed);
     curves_.ends.push_back(ends);
+  }
+
+  /// Of the segment's first point, or of its last one.
+  void add_place(const MeshPoint& from, const MeshPoint& to, bool last) {
+    const PlacedSegment segment = placed_segment(pattern_.mesh, from, to);
+    curves_.lines.places.push_back({segment.triangle, last ? segment.to : segment.from});
+    curves_.lines.arrivals.push_back(segment.to);
   }
 
   const WavePattern& pattern_;
@@ -396,10 +450,12 @@ class Tracer {
   std::vector<std::array<Link, 2>> links_;  // one per node
   std::vector<CurvePoint> inner_points_;    // nodes on cuts
   std::vector<InnerEnd> inner_ends_;
-  std::optional<RunOn> run_on_;        // for `join`
-  std::vector<Vec3> directions_;       // one per vertex, running alike where that can be
-  std::vector<std::uint8_t> visited_;  // one per node
-  std::vector<CurvePoint> curve_;      // that is being walked
+  std::vector<Index> first_triangle_;      // of every edge, in:
+  std::vector<Index> triangles_of_edges_;  // ordered by edge, then rank
+  std::optional<RunOn> run_on_;            // for `join`
+  std::vector<Vec3> directions_;           // one per vertex, running alike where that can be
+  std::vector<std::uint8_t> visited_;      // one per node
+  std::vector<CurvePoint> curve_;          // that is being walked
   StripeCurves curves_;
 };
 
@@ -420,6 +476,22 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
   return curves;
 }
 
+namespace {
+
+void append_places(const Polylines& from, std::size_t line, Polylines& to) {
+  const auto begin = static_cast<std::ptrdiff_t>(from.offsets[line]);
+  const auto end = static_cast<std::ptrdiff_t>(from.offsets[line + 1]);
+  if (!from.places.empty()) {
+    to.places.insert(to.places.end(), from.places.begin() + begin, from.places.begin() + end);
+  }
+  if (!from.arrivals.empty()) {
+    to.arrivals.insert(to.arrivals.end(), from.arrivals.begin() + begin,
+                       from.arrivals.begin() + end);
+  }
+}
+
+}  // namespace
+
 StripeCurves longer_than(const StripeCurves& curves, double length) {
   StripeCurves longer;
   longer.joined_ends = curves.joined_ends;
@@ -432,6 +504,7 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
     const auto normals = curves.lines.normals_of(line);
     lines.points.insert(lines.points.end(), points.begin(), points.end());
     lines.normals.insert(lines.normals.end(), normals.begin(), normals.end());
+    append_places(curves.lines, line, lines);
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
     lines.closed.push_back(curves.lines.closed[line]);
     longer.ends.push_back(curves.ends[line]);

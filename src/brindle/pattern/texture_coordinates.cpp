@@ -25,6 +25,7 @@ struct Piece {
   Triangle vertices;
   std::array<Coordinate, 3> u;
   std::array<Coordinate, 3> v;
+  Index origin;  ///< the triangle that it is part of
 };
 
 Coordinate coordinate(Complex z, float lifted_phase) {
@@ -78,10 +79,10 @@ class Pieces {
     const CornerPhases v = corner_phases(waves_.v[t], kind_);
     const auto is = [&](TriangleKind kind) { return u.kind == kind && v.kind == kind; };
     if (is(TriangleKind::regular)) {
-      pieces.push_back(
-          {mesh_.triangles[t], coordinates_of(waves_.u[t], u), coordinates_of(waves_.v[t], v)});
+      pieces.push_back({mesh_.triangles[t], coordinates_of(waves_.u[t], u),
+                        coordinates_of(waves_.v[t], v), static_cast<Index>(t)});
     } else if (u.kind == TriangleKind::no_wave || v.kind == TriangleKind::no_wave) {
-      pieces.push_back({mesh_.triangles[t], {}, {}});
+      pieces.push_back({mesh_.triangles[t], {}, {}, static_cast<Index>(t)});
     } else {
       add_split(t);
     }
@@ -100,7 +101,8 @@ class Pieces {
       const int b = (a + 1) % 3;
       pieces.push_back({{triangle[a], triangle[b], centre},
                         split_coordinates(u[a], u[b], centre_wave.u, barycentre, kind_),
-                        split_coordinates(v[a], v[b], centre_wave.v, barycentre, kind_)});
+                        split_coordinates(v[a], v[b], centre_wave.v, barycentre, kind_),
+                        static_cast<Index>(t)});
     }
   }
 
@@ -248,6 +250,7 @@ TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, Ph
       triangle[m] = splitter.vertex_with(piece.vertices[m], {value(piece.u[m]), value(piece.v[m])});
     }
     textured.mesh.triangles.push_back(triangle);
+    textured.triangle_origins.push_back(piece.origin);
   }
   return textured;
 }
@@ -264,6 +267,18 @@ std::vector<float> carried_values(const TexturedMesh& textured, std::span<const 
     }
   }
   return carried;
+}
+
+DataArrays carried_arrays(const TexturedMesh& textured, const DataArrays& arrays) {
+  std::vector<RowBlend> blends;
+  blends.reserve(textured.origins.size());
+  for (const std::array<Index, 3>& origin : textured.origins) {
+    constexpr double kThird = 1.0 / 3;
+    const bool whole = origin[0] == origin[1];
+    blends.push_back({origin, whole ? std::array<double, 3>{1, 0, 0}
+                                    : std::array<double, 3>{kThird, kThird, kThird}});
+  }
+  return {blended(arrays.points, blends), rows_of(arrays.cells, textured.triangle_origins)};
 }
 
 CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,

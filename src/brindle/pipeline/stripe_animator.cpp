@@ -28,15 +28,17 @@ struct StripeAnimator::State {
   /// Of the frame that is solved, if it may be cancelled. A frame without cycles cannot, and its
   /// waves replace the last ones at once: that saves memory.
   std::vector<SlicedWave> cancellable_waves;
-  std::vector<float> weights;   ///< options.edge_weights by entry
-  std::vector<float> degree;    ///< sum of weights by slot
-  std::vector<Complex> last_z;  ///< by slot; empty: none
+  std::vector<float> weights;    ///< options.edge_weights by entry
+  std::vector<float> degree;     ///< sum of weights by slot
+  std::vector<Complex> last_z;   ///< by slot; empty: none
+  std::vector<Complex> given_z;  ///< by vertex: what the next frame follows instead; empty: none
   std::vector<Complex> z_by_vertex;
   Momentum momentum;
 
   Level& finest() { return hierarchy.levels[0]; }
   std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
   bool has_last() const { return !last_z.empty(); }
+  bool has_given() const { return !given_z.empty(); }
   /// Whether the next frame is a descent, not the paper's iterations.
   bool descends() const { return options.solver == FrameSolver::multilevel || !has_last(); }
 };
@@ -54,7 +56,7 @@ void set_anchors(std::span<const float> degree, std::span<const Complex> last_z,
   });
 }
 
-/// The mean over slots with a wave of |arg(z conj(last_z))|.
+/// The mean over slots with a wave and a last phase of |arg(z conj(last_z))|.
 double mean_step(std::span<const Complex> z, std::span<const Complex> last_z,
                  std::span<const float> degree) {
   struct Sum {
@@ -64,7 +66,7 @@ double mean_step(std::span<const Complex> z, std::span<const Complex> last_z,
   const Sum sum = parallel_sum<Sum>(degree.size(), [&](std::size_t begin, std::size_t end) {
     Sum part;
     for (std::size_t slot = begin; slot < end; ++slot) {
-      if (degree[slot] <= 0) continue;
+      if (degree[slot] <= 0 || last_z[slot] == Complex(0)) continue;
       part.angle += std::abs(std::arg(z[slot] * std::conj(last_z[slot])));
       part.count += 1;
     }
@@ -122,10 +124,14 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   check_waves(input.positions, input.directions, input.frequencies);
   start();
   Stopwatch watch;
+  // Given phases are of this frame's directions: there is nothing to turn.
   const bool changed = load_waves(s.finest().layout(), input.positions, input.directions,
-                                  input.frequencies, s.next_waves(), s.waves, s.last_z);
+                                  input.frequencies, s.next_waves(), s.waves,
+                                  s.has_given() ? std::span<Complex>() : std::span(s.last_z));
   FrameResult result;
-  if (s.has_last() && !changed) {
+  if (s.has_given()) {
+    take_given();
+  } else if (s.has_last() && !changed) {
     result.z = s.z_by_vertex;
     result.unchanged = true;
     return result;
@@ -162,6 +168,14 @@ void StripeAnimator::start() {
   if (s.options.solver == FrameSolver::relaxation) s.momentum.m.resize(layout.slot_count());
   s.degree.resize(layout.slot_count());
   if (builds) s.topology_milliseconds = watch.lap();
+}
+
+/// Makes given phases the last ones.
+void StripeAnimator::take_given() {
+  State& s = *state_;
+  const SlicedLayout& layout = s.finest().layout();
+  s.last_z.assign(layout.slot_count(), Complex(0));
+  to_slots(layout, s.given_z, s.last_z);
 }
 
 /// From the next waves to phases of the finest level.
@@ -205,11 +219,12 @@ void StripeAnimator::couple_next() {
   }
 }
 
-/// The paper's iterations from the last phases.
+/// The paper's iterations from the last phases, and from the peak where none is known.
 void StripeAnimator::iterate() {
   State& s = *state_;
   Level& finest = s.finest();
-  std::ranges::copy(s.last_z, finest.z.begin());
+  std::ranges::transform(s.last_z, finest.z.begin(),
+                         [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
   for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
     for (Index color = 0; color < finest.layout().color_count(); ++color) {
       relax_color(finest.layout(), finest.couplings, finest.z, s.momentum, color);
@@ -223,6 +238,7 @@ void StripeAnimator::keep() {
   const SlicedLayout& layout = s.finest().layout();
   s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
   to_nodes(layout, s.last_z, s.z_by_vertex);
+  s.given_z.clear();
   if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
   s.has_frame = true;
 }
@@ -258,8 +274,14 @@ StripeAnimator StripeAnimator::sibling() const {
   return StripeAnimator(std::move(state));
 }
 
+void StripeAnimator::set_last_phases(std::span<const Complex> z) {
+  check_last_phases(z, state_->neighborhood->node_count());
+  state_->given_z.assign(z.begin(), z.end());
+}
+
 void StripeAnimator::restart() {
   state_->last_z.clear();
+  state_->given_z.clear();
   std::ranges::fill(state_->momentum.m, Complex(0));
 }
 

@@ -51,12 +51,24 @@ SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
                       kind, kLevels, edge_weights)};
 }
 
+bool is_anchored(const StripeOptions& options) {
+  return !options.last_phases.empty() && options.lambda != 0;
+}
+
+void check_anchors(const StripeOptions& options, std::size_t vertices) {
+  if (options.last_phases.empty()) return;
+  check_last_phases(options.last_phases, vertices);
+  if (options.solver.solver == Solver::multilevel) return;
+  throw Error("last phases are for the solver multilevel, not for " +
+              std::string(name_of(options.solver.solver)));
+}
+
 void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
                     std::span<const float> weights, const Progress& progress,
                     StripePattern& result) {
   Stopwatch watch;
-  const PhaseGraph graph =
-      build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
+  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
+  if (is_anchored(options)) anchor_phases(graph, options.last_phases, options.lambda);
   result.milliseconds.couple = watch.lap();
   const SolverData data =
       data_for(options.solver.solver, surface, waves, options.phase_shift, weights);
@@ -71,7 +83,7 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
   Stopwatch watch;
   const std::vector<float> weights = edge_weights(surface, options.weights);
   const double weigh_milliseconds = watch.lap();
-  if (!options.solve && options.solver.solver == Solver::multilevel &&
+  if (!options.solve && !is_anchored(options) && options.solver.solver == Solver::multilevel &&
       options.phase_shift != PhaseShiftKind::common_source) {
     WaveSolution solved = solve_multilevel_waves(*surface.neighborhood, waves, options.phase_shift,
                                                  weights, options.solver, progress);
@@ -108,6 +120,7 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
                              const Progress& progress) {
   StripePattern result;
   result.phase_shift = options.phase_shift;
+  check_anchors(options, surface.mesh.vertex_count());
   progress.report("couple", 0);
   solve(surface, waves, options, progress, result);
 

@@ -20,6 +20,18 @@ WaveSet orthogonal_waves(const Surface& surface, const WaveSet& waves,
           frequencies.empty() ? waves.frequencies : frequencies};
 }
 
+void check_fits(const Surface& surface, std::size_t triangles, const char* what) {
+  if (triangles == surface.mesh.triangle_count()) return;
+  throw Error(std::string("a ") + what + " of " + std::to_string(triangles) +
+              " triangles was not made for a surface of " +
+              std::to_string(surface.mesh.triangle_count()));
+}
+
+/// Waves without stripes. Their phase is that of a crest: the same whichever way they run.
+WaveSet level_waves(const WaveSet& waves) {
+  return {waves.positions, waves.directions, FrequencyField(waves.frequencies.size())};
+}
+
 }  // namespace
 
 TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const TextureOptions& options,
@@ -53,12 +65,19 @@ TexturePattern texture_pattern(const Surface& surface, DirectionField field, flo
 }
 
 TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern) {
-  if (pattern.waves.triangle_count() != surface.mesh.triangle_count()) {
-    throw Error("a texture of " + std::to_string(pattern.waves.triangle_count()) +
-                " triangles was not made for a surface of " +
-                std::to_string(surface.mesh.triangle_count()));
-  }
+  check_fits(surface, pattern.waves.triangle_count(), "texture");
   return texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
+}
+
+TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pattern,
+                                 PhaseShiftKind phase_shift) {
+  check_fits(surface, pattern.corners.size(), "pattern");
+  const std::vector<Complex> crest(pattern.solution.z.size(), Complex(0, 1));
+  TextureWaves waves = texture_waves(surface.mesh.triangles, pattern.waves, pattern.solution.z,
+                                     level_waves(pattern.waves), crest);
+  orient_corners(waves);
+  orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+  return texture_coordinates(surface.mesh, waves, phase_shift);
 }
 
 }  // namespace brindle

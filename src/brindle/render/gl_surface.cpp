@@ -88,7 +88,9 @@ void check_change(const DrawingChange& change, std::size_t vertices, std::size_t
 
 void GlSurface::upload(const SurfaceDrawing& drawing) {
   check_drawing(drawing);
-  points_ = points_of_triangles(drawing.mesh);
+  points_ = drawing.framed.empty()
+                ? points_of_triangles(drawing.mesh)
+                : std::vector<Vec3>(drawing.framed.begin(), drawing.framed.end());
   vertex_count_ = drawing.mesh.vertex_count();
   triangle_count_ = drawing.mesh.triangle_count();
   buffers_ = {};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -31,6 +32,23 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
   });
   graph.adjacency = std::move(adjacency);
   return graph;
+}
+
+void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda) {
+  if (!(std::isfinite(lambda) && lambda >= 0)) throw Error("lambda must be 0 or above");
+  const std::size_t nodes = graph.node_count();
+  check_last_phases(z, nodes);
+  const Adjacency& adjacency = *graph.adjacency;
+  graph.anchor.resize(nodes);
+  parallel_for(nodes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      float degree = 0;
+      for (Index edge = adjacency.offsets[i]; edge < adjacency.offsets[i + 1]; ++edge) {
+        degree += std::abs(graph.coupling[edge]);
+      }
+      graph.anchor[i] = lambda * degree * z[i];
+    }
+  });
 }
 
 double energy(const PhaseGraph& graph, std::span<const Complex> z) {

@@ -112,6 +112,23 @@ void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directio
   if (bad < positions.size()) refuse(bad, positions[bad], directions[bad], frequencies[bad]);
 }
 
+void check_last_phases(std::span<const Complex> z, std::size_t count) {
+  if (z.size() != count) {
+    throw Error("last phases: there are " + std::to_string(z.size()) + " for " +
+                std::to_string(count) + " vertices; give one to each, 0 where none is known");
+  }
+  const std::size_t bad = first_without(
+      count, [](std::size_t, std::size_t) { return false; },
+      [&](std::size_t i) {
+        return z[i] == Complex(0) || std::abs(std::norm(z[i]) - 1) <= kSquareTolerance;
+      });
+  if (bad == count) return;
+  std::ostringstream text;
+  text << "last phases: that of vertex " << bad << " is " << z[bad]
+       << "; give exp(i Phi), of length 1, or 0 where none is known";
+  throw Error(text.str());
+}
+
 void check_edge_weights(std::span<const float> weights) {
   const std::size_t bad = first_without(
       weights.size(), [](std::size_t, std::size_t) { return false; },

@@ -1,6 +1,7 @@
 /// Values that no wave can have, refused before they spoil a pattern.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "brindle/adjacency.h"
@@ -15,6 +16,10 @@ namespace brindle {
 /// entry per vertex.
 void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directions,
                  std::span<const float> frequencies);
+
+/// Throws Error unless there is one phase for each of `count` vertices, a number of length 1 (to
+/// half a percent) or 0, naming the first that is neither.
+void check_last_phases(std::span<const Complex> z, std::size_t count);
 
 /// Throws Error unless each of the edge weights is finite and not negative, naming the first that
 /// is not.

@@ -1,0 +1,233 @@
+#include "mesh_output.h"
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/files.h"
+#include "brindle/texture_coordinates.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// OBJ has no place for waves.
+bool holds_waves(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
+
+bool is_gltf(const std::filesystem::path& path) {
+  const std::string kind = lower_extension(path);
+  return kind == ".gltf" || kind == ".glb";
+}
+
+bool is_end(TriangleKind kind) {
+  return kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
+}
+
+// One wave per vertex of the file, and its corners in the triangles of the surface.
+struct WrittenWaves {
+  const WaveSet& waves;
+  std::span<const Complex> z;
+  std::string suffix;  // sets two sets of waves apart
+
+  bool has_wave(std::size_t v) const {
+    return !waves.directions[v].isZero(0) && z[v] != Complex(0);
+  }
+  std::string named(const char* name) const { return name + suffix; }
+};
+
+// `missing` stands where there is no wave.
+void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing) {
+  std::vector<float> phases, sines;
+  std::vector<std::uint8_t> valid;
+  for (std::size_t v = 0; v < written.z.size(); ++v) {
+    const bool wave = written.has_wave(v);
+    phases.push_back(wave ? std::arg(written.z[v]) : missing);
+    sines.push_back(wave ? std::sin(phases.back()) : missing);
+    valid.push_back(wave ? 1 : 0);
+  }
+  arrays.push_back(make_data_array(written.named("phase"), 1, phases));
+  arrays.push_back(make_data_array(written.named("direction"), written.waves.directions));
+  arrays.push_back(make_data_array(written.named("frequency"), 1, written.waves.frequencies));
+  arrays.push_back(make_data_array(written.named("sin_phase"), 1, sines));
+  arrays.push_back(make_data_array(written.named("valid"), 1, valid));
+}
+
+// 1 at the corners of triangles where a stripe begins or ends.
+std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const CornerPhases> corners) {
+  std::vector<float> flags(mesh.vertex_count());
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!is_end(corners[t].kind)) continue;
+    for (const Index vertex : mesh.triangles[t]) flags[vertex] = 1;
+  }
+  return flags;
+}
+
+// 1 in triangles where a stripe begins or ends.
+DataArray branches_in_triangles(const StripePattern& pattern, const std::string& name) {
+  std::vector<std::uint8_t> flags;
+  for (const CornerPhases& corners : pattern.corners) flags.push_back(is_end(corners.kind) ? 1 : 0);
+  return make_data_array(name, 1, flags);
+}
+
+// Lifted phases at the corners of triangles, oriented alike; NaN in triangles that have none.
+DataArray corner_phases_of(const StripePattern& pattern, const std::string& name) {
+  std::vector<float> phases;
+  for (const CornerPhases& corners : pattern.corners) {
+    const bool lifted =
+        corners.kind == TriangleKind::regular || corners.kind == TriangleKind::branch;
+    for (const float phase : corners.phase) phases.push_back(lifted ? phase : kNan);
+  }
+  return make_data_array(name, 3, phases);
+}
+
+std::vector<std::string> names_of(std::span<const DataArray> arrays) {
+  std::vector<std::string> names;
+  for (const DataArray& array : arrays) names.push_back(array.name);
+  return names;
+}
+
+// Brindle's own arrays, then those of the file that have other names.
+DataArrays joined(DataArrays own, const DataArrays& input) {
+  const auto add = [](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
+    for (DataArray& array : without(from, names_of(to))) to.push_back(std::move(array));
+  };
+  add(own.points, input.points);
+  add(own.cells, input.cells);
+  return own;
+}
+
+DataArrays fitted(const std::filesystem::path& path, DataArrays arrays, ProgressDisplay& display) {
+  FittedArrays result = fitted_arrays(path, std::move(arrays));
+  for (const std::string& line : result.left_out) display.note(line + "\n");
+  return std::move(result.arrays);
+}
+
+// Triangles' own arrays of a pattern, in formats that have place for them.
+void add_cells(std::vector<DataArray>& cells, const std::filesystem::path& path,
+               const StripePattern& pattern, const std::string& suffix) {
+  if (!holds_waves(path) || is_gltf(path)) return;
+  cells.push_back(branches_in_triangles(pattern, "branch" + suffix));
+  cells.push_back(corner_phases_of(pattern, "corner_phase" + suffix));
+}
+
+float missing_in(const std::filesystem::path& path) { return is_gltf(path) ? 0 : kNan; }
+
+void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& made,
+                             ProgressDisplay& display) {
+  const Surface& surface = made.surface;
+  const StripePattern& pattern = made.result.stripes();
+  const bool points = surface.mesh.triangles.empty();
+  DataArrays own;
+  if (points) own.points.push_back(make_data_array("normal", surface.normals));
+  if (holds_waves(path)) {
+    add_waves(own.points, {pattern.waves, pattern.solution.z, ""}, missing_in(path));
+    if (!points) {
+      own.points.push_back(
+          make_data_array("branch", 1, branches_at_vertices(surface.mesh, pattern.corners)));
+      add_cells(own.cells, path, pattern, "");
+    }
+  }
+  copy_from_partners(own.points, made.data.partners);
+  if (holds_waves(path)) {
+    own.points.push_back(make_data_array("original_id", 1, made.data.original_ids));
+  }
+  const DataArrays arrays = fitted(path, joined(std::move(own), made.data.arrays), display);
+  write_mesh(path, surface.mesh, arrays.points, arrays.cells);
+}
+
+void add_carried_waves(DataArrays& own, const std::filesystem::path& path,
+                       const TexturedMesh& textured, const Mesh& mesh, const StripePattern& pattern,
+                       const std::string& suffix) {
+  const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
+  add_waves(own.points, {waves, z, suffix}, missing_in(path));
+  std::vector<float> flags =
+      carried_values(textured, branches_at_vertices(mesh, pattern.corners), 1);
+  // A barycentre is at a branch if all corners are.
+  for (float& flag : flags) flag = std::floor(flag);
+  own.points.push_back(make_data_array("branch" + suffix, 1, flags));
+  std::vector<DataArray> cells;
+  add_cells(cells, path, pattern, suffix);
+  for (const DataArray& array : cells) {
+    // Corners of parts are not those of the triangle.
+    if (array.components == 1) own.cells.push_back(rows_of(array, textured.triangle_origins));
+  }
+}
+
+DataArray normals_of(const Surface& surface, const TexturedMesh& textured) {
+  const std::span<const float> numbers(reinterpret_cast<const float*>(surface.normals.data()),
+                                       3 * surface.normals.size());
+  return make_data_array("normal", 3, carried_values(textured, numbers, 3));
+}
+
+DataArray coordinates_of(const TexturedMesh& textured) {
+  std::vector<float> numbers;
+  for (const auto& uv : textured.coordinates) numbers.insert(numbers.end(), {uv.x(), uv.y()});
+  return make_data_array("uv", 2, numbers);
+}
+
+DataArray ids_of(const TexturedMesh& textured, std::span<const std::int64_t> ids) {
+  std::vector<std::int64_t> carried;
+  for (const auto& [a, b, c] : textured.origins) carried.push_back(a == b ? ids[a] : -1);
+  return make_data_array("original_id", 1, carried);
+}
+
+void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& made,
+                            const PictureOptions& picture, ProgressDisplay& display) {
+  const Texture* texture = made.result.texture();
+  const TexturedMesh textured =
+      texture != nullptr
+          ? texture_coordinates(made.surface, texture->pattern)
+          : texture_coordinates(made.surface, made.result.stripes(), made.phase_shift);
+  DataArrays own{{normals_of(made.surface, textured), coordinates_of(textured)}, {}};
+  if (holds_waves(path)) {
+    const Mesh& mesh = made.surface.mesh;
+    add_carried_waves(own, path, textured, mesh, made.result.stripes(), "");
+    if (texture != nullptr) add_carried_waves(own, path, textured, mesh, texture->pattern.v, "_v");
+  }
+  copy_from_partners(own.points, made.data.partners);
+  if (holds_waves(path)) own.points.push_back(ids_of(textured, made.data.original_ids));
+  const DataArrays input = carried_arrays(textured, made.data.arrays);
+  const DataArrays arrays = fitted(path, joined(std::move(own), input), display);
+  if (texture == nullptr) return write_mesh(path, textured.mesh, arrays.points, arrays.cells);
+  write_textured_mesh(path, textured.mesh, arrays.points, tile_png(texture->tile, picture),
+                      arrays.cells);
+}
+
+}  // namespace
+
+KeptData take_file_data(Preparation& prepared) {
+  return {std::move(prepared.arrays), std::move(prepared.original_ids),
+          std::move(prepared.partners)};
+}
+
+KeptData on_cross_texture(const KeptData& data, std::span<const Triangle> triangles,
+                          const CrossCover& cover) {
+  KeptData result{{}, data.original_ids, data.partners};
+  const auto vertices = static_cast<Index>(data.original_ids.size());
+  std::vector<RowBlend> points;
+  for (Index v = 0; v < vertices; ++v) points.push_back({{v, v, v}, {1, 0, 0}});
+  std::vector<Index> cells = cover.base;
+  for (const Index t : cover.singular) {
+    constexpr double kThird = 1.0 / 3;
+    points.push_back({triangles[t], {kThird, kThird, kThird}});
+    cells.insert(cells.end(), 3, t);
+    result.original_ids.push_back(-1);
+  }
+  result.arrays = {blended(data.arrays.points, points), rows_of(data.arrays.cells, cells)};
+  return result;
+}
+
+void write_made_mesh(const std::filesystem::path& path, const MadeMesh& made,
+                     const PictureOptions& picture, ProgressDisplay& display) {
+  if (made.uv || made.result.texture() != nullptr) {
+    return write_with_coordinates(path, made, picture, display);
+  }
+  write_with_own_vertices(path, made, display);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,99 @@
+#include "series.h"
+
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/error.h"
+#include "brindle/geometry/normals.h"
+#include "series_files.h"
+
+namespace brindle::tool {
+namespace {
+
+/// Adds the name of the file to messages that lack it.
+template <class Work>
+auto naming(const std::filesystem::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    if (message.find(file.string()) != std::string::npos) throw;
+    throw Error(file.string() + ": " + message);
+  }
+}
+
+/// So that all steps can be compared and drawn from one place.
+void move_to_origin(Preparation& prepared, const Eigen::Vector3d& origin) {
+  Mesh& mesh = prepared.surface.mesh;
+  const Eigen::Vector3d shift = mesh.origin - origin;
+  if (shift.isZero(0)) return;
+  for (Vec3& position : mesh.positions) {
+    position = (position.cast<double>() + shift).cast<float>();
+  }
+  mesh.origin = origin;
+  prepared.waves.positions = mesh.positions;
+}
+
+}  // namespace
+
+Series::Series(const SeriesOptions& options, SurfaceOptions surface, WaveOptions waves)
+    : files_(series_files("--series", options.name)),
+      surface_(std::move(surface)),
+      waves_(std::move(waves)) {
+  fields_ = lower_extension(files_.front().file) == ".csv";
+  if (fields_ && surface_.mesh.empty()) {
+    throw CLI::ValidationError("--series", "CSV files are fields over a mesh; name it as MESH");
+  }
+  if (!fields_ && !surface_.mesh.empty()) {
+    throw CLI::ValidationError(
+        "MESH", "'" + surface_.mesh + "': the files of --series are the meshes; leave out MESH");
+  }
+}
+
+SeriesStep Series::read(ProgressDisplay& display) {
+  const TimedFile& source = files_[next_];
+  const std::string file = source.file.string();
+  (fields_ ? waves_.field : surface_.mesh) = file;
+  SeriesStep step{source, naming(source.file, [&] {
+                    refuse_points(surface_, "animate --series");
+                    return prepare(surface_, waves_, display);
+                  })};
+  if (step.prepared.vertices_not_finite > 0) {
+    throw Error(file + ": " + std::to_string(step.prepared.vertices_not_finite) +
+                " vertices have a coordinate that is not finite; correct them");
+  }
+  if (next_ == 0) origin_ = step.prepared.surface.mesh.origin;
+  move_to_origin(step.prepared, origin_);
+  // Stripes along the diagonal are those of the first step: they do not swell with the mesh.
+  if (next_ == 0 && !fields_ && waves_.arrays.frequency.empty()) {
+    waves_.frequency = constant_frequency(step.prepared.surface.mesh, waves_);
+    waves_.stripes.reset();
+  }
+  ++next_;
+  return step;
+}
+
+SceneFrame between(const SceneFrame& a, const SceneFrame& b, float share) {
+  SceneFrame frame = a;
+  const std::size_t count = frame.mesh.vertex_count();
+  for (std::size_t v = 0; v < count; ++v) {
+    frame.mesh.positions[v] = (1 - share) * a.mesh.positions[v] + share * b.mesh.positions[v];
+  }
+  frame.waves.positions = frame.mesh.positions;
+  frame.normals = vertex_normals(frame.mesh);
+  std::vector<Vec3>& directions = frame.waves.directions;
+  for (std::size_t v = 0; v < count; ++v) {
+    const Vec3 one = a.waves.directions[v], other = b.waves.directions[v];
+    const bool both = !one.isZero(0) && !other.isZero(0);
+    const Vec3 alike = one.dot(other) < 0 ? Vec3(-other) : other;
+    directions[v] = both ? Vec3((1 - share) * one + share * alike) : (share < 0.5f ? one : other);
+    frame.waves.frequencies[v] =
+        (1 - share) * a.waves.frequencies[v] + share * b.waves.frequencies[v];
+  }
+  directions = tangent_directions(directions, frame.normals);
+  return frame;
+}
+
+}  // namespace brindle::tool

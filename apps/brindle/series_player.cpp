@@ -1,0 +1,183 @@
+#include "series_player.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
+
+namespace brindle::tool {
+namespace {
+
+SceneFrame frame_of(const Preparation& prepared) {
+  return {prepared.surface.mesh, prepared.surface.normals, prepared.waves, {}};
+}
+
+/// Where a frame is from.
+struct Source {
+  std::shared_ptr<const Adjacency> neighborhood;
+  std::span<const DataArray> arrays;
+  std::string file;  ///< empty between two steps
+  double time = 0;
+};
+
+/// What a series has come to.
+class Player {
+ public:
+  Player(const SeriesPlay& options, std::size_t steps, const ShowFrame& show,
+         const ShowStep& show_step, ProgressDisplay& display)
+      : options_(options),
+        show_(show),
+        show_step_(show_step),
+        display_(display),
+        frames_(1 + (steps - 1) * (1 + static_cast<std::size_t>(options.series.between))),
+        anchored_(options.animator, options.match) {
+    if (options.compare_from_scratch) {
+      AnimatorOptions without_last = options.animator;
+      without_last.solver = FrameSolver::multilevel;
+      without_last.lambda = 0;
+      scratch_.emplace(without_last, options.match);
+    }
+    report_.series = {options.series.name, steps, options.series.between};
+    report_.options = options.animator;
+    report_.threads = ThreadLimit::current();
+    report_.device = {{"kind", "cpu"}};
+  }
+
+  void add(const SeriesStep& step, double read_milliseconds) {
+    const Preparation& prepared = step.prepared;
+    SceneFrame frame = frame_of(prepared);
+    const Source source{prepared.surface.neighborhood, prepared.arrays.points,
+                        step.source.file.string(), step.source.time};
+    if (report_.frames.empty()) {
+      begin(prepared);
+    } else if (options_.series.between > 0) {
+      add_between(frame, source);
+    }
+    solve(frame, source, &step);
+    report_.frames.back().scene_milliseconds = read_milliseconds;
+    last_ = std::move(frame);
+    last_source_ = {source.neighborhood, {}, source.file, source.time};  // the step is let go
+  }
+
+  AnimationReport finish() {
+    report_.topology_milliseconds = anchored_.topology_milliseconds();
+    return std::move(report_);
+  }
+
+ private:
+  void begin(const Preparation& prepared) {
+    report_.vertices = prepared.surface.mesh.vertex_count();
+    report_.triangles = prepared.surface.mesh.triangle_count();
+    report_.edges = prepared.surface.neighborhood->edge_count();
+    report_.waves = prepared.figures;
+  }
+
+  void add_between(const SceneFrame& frame, const Source& source) {
+    if (!same_connectivity(last_.mesh, frame.mesh)) {
+      throw Error(source.file + ": has other triangles than " + last_source_.file +
+                  ", so that nothing can be interpolated between both; leave out --between");
+    }
+    const SceneFrame first = std::move(last_);
+    for (int k = 1; k <= options_.series.between; ++k) {
+      Stopwatch watch;
+      const double share = static_cast<double>(k) / (options_.series.between + 1);
+      const SceneFrame middle = between(first, frame, static_cast<float>(share));
+      const double milliseconds = watch.lap();
+      solve(middle,
+            {last_source_.neighborhood,
+             {},
+             "",
+             (1 - share) * last_source_.time + share * source.time},
+            nullptr);
+      report_.frames.back().scene_milliseconds = milliseconds;
+    }
+  }
+
+  void solve(const SceneFrame& frame, const Source& source, const SeriesStep* step) {
+    display_.progress().report(
+        "frames", static_cast<double>(report_.frames.size()) / static_cast<double>(frames_));
+    FrameReport& report = report_.frames.emplace_back();
+    const auto result = anchored_.frame(frame, source.neighborhood, source.arrays, source.file);
+    report.milliseconds = result.frame.milliseconds;
+    report.unchanged = result.frame.unchanged;
+    report.series = {source.file, source.time, result.matched_by, result.unmatched};
+    const PhaseShiftKind kind = options_.animator.phase_shift;
+    const PhaseGraph graph = build_phase_graph(source.neighborhood, frame.waves, kind);
+    const MeasuredFrame measured = measure(frame, graph, result.frame, kind);
+    report.figures = measured.figures;
+    if (scratch_) {
+      const auto again = scratch_->frame(frame, source.neighborhood, source.arrays, source.file);
+      report.from_scratch = measure(frame, graph, again.frame, kind).figures;
+    }
+    Stopwatch watch;
+    const SolvedFrame solved{frame, result.frame.z, 0, measured.corners};
+    if (show_) show_(solved);
+    if (show_step_ && step != nullptr) show_step_(*step, solved);
+    report.render_milliseconds = watch.lap();
+  }
+
+  const SeriesPlay& options_;
+  const ShowFrame& show_;
+  const ShowStep& show_step_;
+  ProgressDisplay& display_;
+  std::size_t frames_;
+  SeriesAnimator anchored_;
+  std::optional<SeriesAnimator> scratch_;
+  AnimationReport report_;
+  SceneFrame last_;
+  Source last_source_;
+};
+
+bool lacks_last_wave(const KeptPattern& last, const SceneFrame& input) {
+  for (std::size_t v = 0; v < last.z.size(); ++v) {
+    if (last.waves.directions[v].isZero(0) && !input.waves.directions[v].isZero(0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SeriesAnimator::SeriesAnimator(const AnimatorOptions& options, MatchOptions match)
+    : options_(options), match_(std::move(match)) {}
+
+SeriesAnimator::Result SeriesAnimator::frame(const SceneFrame& input,
+                                             std::shared_ptr<const Adjacency> neighborhood,
+                                             std::span<const DataArray> arrays,
+                                             const std::string& name) {
+  Result result;
+  const bool same = last_ && same_connectivity(last_->mesh, input.mesh);
+  if (!same) animator_.emplace(std::move(neighborhood), options_);
+  if (last_) {
+    result.matched_by = match_.by.value_or(same ? Matching::number : Matching::position);
+    // Where nothing changes hands, an animator keeps its own phases.
+    if (!same || result.matched_by != Matching::number || lacks_last_wave(*last_, input)) {
+      const CarriedPattern carried = carry(*last_, {name, input.mesh, input.waves, arrays}, match_);
+      animator_->set_last_phases(carried.z);
+      result.unmatched = carried.unmatched;
+    }
+  }
+  const WaveSet& waves = input.waves;
+  result.frame = animator_->frame({waves.positions, waves.directions, waves.frequencies});
+  topology_milliseconds_ += same ? 0 : animator_->topology_milliseconds();
+  last_ = KeptPattern{name,
+                      input.mesh,
+                      waves,
+                      {result.frame.z.begin(), result.frame.z.end()},
+                      {arrays.begin(), arrays.end()}};
+  return result;
+}
+
+AnimationReport play(Series& series, const SeriesPlay& options, const ShowFrame& show,
+                     const ShowStep& show_step, ProgressDisplay& display) {
+  Player player(options, series.step_count(), show, show_step, display);
+  for (std::size_t step = 0; step < series.step_count(); ++step) {
+    Stopwatch watch;
+    const SeriesStep read = series.read(display);
+    player.add(read, watch.lap());
+  }
+  return player.finish();
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,46 @@
+/// Base64: bytes as letters, four for every three.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace brindle {
+
+/// Takes bytes off a text one after the other. White space is passed over, and padding may also
+/// stand in the middle, where one encoded text follows another.
+class Base64Reader {
+ public:
+  explicit Base64Reader(std::string_view text) : text_(text) {}
+
+  /// Fills `bytes` as far as the text goes or until something else stands in it. Returns how many
+  /// bytes there were.
+  std::size_t read_some(std::span<std::byte> bytes);
+
+  /// No more bytes than these are left.
+  std::size_t most_left() const { return left_over_ + text_.size() / 4 * 3 + 3; }
+
+  /// Whether the whole text was read, and nothing else stood in it.
+  bool at_end() const { return !damaged_ && left_over_ == 0 && text_.empty(); }
+
+ private:
+  /// Decodes as many bytes as stand in whole groups of four letters, without space or padding;
+  /// returns how many.
+  std::size_t read_plain(std::span<std::byte> bytes);
+  /// Decodes the next group; false if it is none.
+  bool next_group();
+
+  std::string_view text_;
+  std::array<std::byte, 3> group_{};
+  std::size_t group_size_ = 0;
+  std::size_t left_over_ = 0;  ///< bytes of the group that have not been handed out
+  bool damaged_ = false;
+};
+
+/// All bytes of a text; nothing if it is not in base64.
+std::optional<std::string> base64_decoded(std::string_view text);
+
+}  // namespace brindle

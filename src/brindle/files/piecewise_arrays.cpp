@@ -1,0 +1,59 @@
+#include "brindle/files/piecewise_arrays.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "brindle/base/printable.h"
+
+namespace brindle {
+
+void PiecewiseArrays::add(std::vector<DataArray> piece) {
+  make_names_unique(piece);
+  if (!std::exchange(begun_, true)) {
+    arrays_ = std::move(piece);
+    return;
+  }
+  const auto same = [](const DataArray& a, const DataArray& b) {
+    return a.name == b.name && a.type == b.type && a.components == b.components;
+  };
+  std::erase_if(arrays_, [&](DataArray& array) {
+    const auto next = std::ranges::find_if(piece, [&](auto& other) { return same(array, other); });
+    if (next == piece.end()) {
+      incomplete_.push_back(array.name);
+      return true;
+    }
+    array.bytes.insert(array.bytes.end(), next->bytes.begin(), next->bytes.end());
+    piece.erase(next);
+    return false;
+  });
+  for (const DataArray& array : piece) incomplete_.push_back(array.name);
+}
+
+std::vector<DataArray> PiecewiseArrays::take(const std::string& of, std::string& left_out) {
+  std::ranges::sort(incomplete_);
+  const auto repeated = std::ranges::unique(incomplete_);
+  incomplete_.erase(repeated.begin(), repeated.end());
+  for (const std::string& name : incomplete_) {
+    left_out += "array " + in_quotes(name) + " of " + of +
+                ": left out, because pieces of the file lack it or have it of another type\n";
+  }
+  return std::move(arrays_);
+}
+
+void make_names_unique(std::vector<DataArray>& arrays) {
+  std::set<std::string> taken;
+  for (const DataArray& array : arrays) taken.insert(array.name);
+  std::map<std::string, std::size_t> met;  // how often
+  for (DataArray& array : arrays) {
+    if (array.name.empty()) array.name = "unnamed";
+    const std::string name = array.name;
+    std::size_t& number = met[name];
+    if (++number == 1) continue;
+    while (!taken.insert(name + '_' + std::to_string(number)).second) ++number;
+    array.name = name + '_' + std::to_string(number);
+  }
+}
+
+}  // namespace brindle

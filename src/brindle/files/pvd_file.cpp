@@ -1,0 +1,87 @@
+#include "brindle/files/pvd_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include "brindle/base/output_file.h"
+#include "brindle/base/text_output.h"
+#include "brindle/error.h"
+#include "brindle/files/input_file.h"
+#include "brindle/files/xml_text.h"
+
+#ifdef BRINDLE_HAS_VTK
+#include <pugixml.hpp>
+#endif
+
+namespace brindle {
+namespace {
+
+/// A file's name as seen from the folder of `path`.
+std::string name_beside(const std::filesystem::path& path, const std::filesystem::path& file) {
+  const auto relative = file.lexically_relative(path.parent_path());
+  return (relative.empty() ? file : relative).generic_string();
+}
+
+#ifdef BRINDLE_HAS_VTK
+TimedFile timed_file(const std::filesystem::path& pvd, const pugi::xml_node& data_set) {
+  const std::string file = data_set.attribute("file").value();
+  const double time = parse_number(data_set.attribute("timestep").value()).value_or(std::nan(""));
+  if (file.empty() || !std::isfinite(time)) {
+    throw Error(pvd.string() + ": a DataSet lacks its 'file' or a finite 'timestep'");
+  }
+  return {time, pvd.parent_path() / file};
+}
+
+void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>& files) {
+  if (files.empty()) throw Error(pvd.string() + ": lists no file (DataSet)");
+  for (std::size_t i = 0; i + 1 < files.size(); ++i) {
+    if (files[i].time != files[i + 1].time) continue;
+    throw Error(pvd.string() + ": '" + files[i].file.string() + "' and '" +
+                files[i + 1].file.string() +
+                "' have the same timestep; merge the parts of a step into one file");
+  }
+}
+#endif
+
+}  // namespace
+
+#ifdef BRINDLE_HAS_VTK
+std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
+  InputFile in(path);
+  const auto size = static_cast<std::size_t>(in.remaining());
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(in.take(size), size);
+  if (!parsed) throw Error(path.string() + ": is no XML: " + parsed.description());
+  const pugi::xml_node collection = document.child("VTKFile").child("Collection");
+  if (!collection) throw Error(path.string() + ": is no collection of files as ParaView writes it");
+  std::vector<TimedFile> files;
+  for (const pugi::xml_node& data_set : collection.children("DataSet")) {
+    files.push_back(timed_file(path, data_set));
+  }
+  std::ranges::stable_sort(files, {}, &TimedFile::time);
+  check_times(path, files);
+  return files;
+}
+#else
+std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
+  throw Error(path.string() +
+              ": this build cannot read .pvd files; configure with -DBRINDLE_VTK=ON");
+}
+#endif
+
+void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> files) {
+  write_file(path, [&](std::ostream& stream) {
+    TextOutput out(stream);
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+           "byte_order=\"LittleEndian\">\n<Collection>\n";
+    for (const TimedFile& timed : files) {
+      out << "<DataSet timestep=\"" << timed.time << "\" part=\"0\" file=\""
+          << xml_text(name_beside(path, timed.file)) << "\"/>\n";
+    }
+    out << "</Collection>\n</VTKFile>\n";
+  });
+}
+
+}  // namespace brindle

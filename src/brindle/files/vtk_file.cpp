@@ -1,0 +1,22 @@
+#include "brindle/files/vtk_file.h"
+
+#include "brindle/base/file_extension.h"
+#include "brindle/files/vtk_legacy_file.h"
+#include "brindle/files/vtk_xml_file.h"
+
+namespace brindle {
+
+bool is_vtk_format(const std::filesystem::path& path) {
+  const std::string kind = lower_extension(path);
+  return kind == ".vtp" || kind == ".vtu" || kind == ".vtk";
+}
+
+RawMesh read_vtk(const std::filesystem::path& path) {
+  return lower_extension(path) == ".vtk" ? read_vtk_legacy(path) : read_vtk_xml(path);
+}
+
+bool vtk_has_faces(const std::filesystem::path& path) {
+  return lower_extension(path) == ".vtk" ? vtk_legacy_has_faces(path) : vtk_xml_has_faces(path);
+}
+
+}  // namespace brindle

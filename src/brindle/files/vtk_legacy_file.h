@@ -1,0 +1,14 @@
+/// VTK's legacy files (.vtk), as text or binary, of versions 1 to 5.
+#pragma once
+
+#include <filesystem>
+
+#include "brindle/files/raw_mesh.h"
+
+namespace brindle {
+
+/// As `read_vtk` and `vtk_has_faces`, which choose by extension.
+RawMesh read_vtk_legacy(const std::filesystem::path& path);
+bool vtk_legacy_has_faces(const std::filesystem::path& path);
+
+}  // namespace brindle

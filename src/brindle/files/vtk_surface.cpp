@@ -1,0 +1,236 @@
+#include "brindle/files/vtk_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "brindle/base/array_numbers.h"
+
+namespace brindle {
+namespace {
+
+constexpr std::uint64_t kMostRows = 0xfffffffe;
+
+enum class CellKind { nothing, point_or_line, polygon, pixel, strip, curved, volume, unknown };
+
+/// What VTK's types are (vtkCellType.h).
+CellKind kind_of(std::uint8_t type) {
+  switch (type) {
+    case 0:
+      return CellKind::nothing;
+    case 1:
+    case kVtkPolyVertex:
+    case 3:
+    case kVtkPolyLine:
+    case 21:
+    case 35:
+    case 68:
+    case 75:
+      return CellKind::point_or_line;
+    case 5:
+    case kVtkPolygon:
+    case 9:
+      return CellKind::polygon;
+    case kVtkTriangleStrip:
+      return CellKind::strip;
+    case 8:
+      return CellKind::pixel;
+    case 22:
+    case 23:
+    case 28:
+    case 34:
+    case 36:
+      return CellKind::curved;
+    default:
+      break;
+  }
+  const bool volume = (type >= 10 && type <= 16) || (type >= 24 && type <= 33 && type != 30) ||
+                      type == 37 || type == 41 || type == 42 || (type >= 64 && type <= 67) ||
+                      (type >= 71 && type <= 74) || (type >= 78 && type <= 81);
+  return volume ? CellKind::volume : CellKind::unknown;
+}
+
+/// Corners of a quadratic or biquadratic cell; of a quadratic polygon half of its points.
+std::size_t sides_of(std::uint8_t type, std::size_t points) {
+  switch (type) {
+    case 22:
+    case 34:
+      return 3;
+    case 23:
+    case 28:
+      return 4;
+    default:
+      return points / 2;
+  }
+}
+
+/// The numbers of an array as whole ones; those that `Number` cannot hold become its largest.
+template <class Number>
+std::vector<Number> as_numbers(const DataArray& array) {
+  std::vector<Number> result(array.rows() * static_cast<std::size_t>(array.components));
+  with_number_type(array.type, [&]<class Stored>(Stored) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      Stored value;
+      std::memcpy(&value, &array.bytes[i * sizeof value], sizeof value);
+      constexpr auto kMost = std::numeric_limits<Number>::max();
+      result[i] = kMost;
+      if constexpr (std::is_integral_v<Stored>) {
+        if (std::in_range<Number>(value)) result[i] = static_cast<Number>(value);
+      }
+    }
+  });
+  return result;
+}
+
+/// Throws unless all are below `end`.
+void check_below(const InputFile& file, std::span<const Index> points, std::size_t end) {
+  Index largest = 0;
+  for (const Index point : points) largest = std::max(largest, point);
+  if (points.empty() || largest < end) return;
+  file.fail_whole("has cells over points that do not exist: there are " + std::to_string(end) +
+                  "; the file is damaged, export it again");
+}
+
+}  // namespace
+
+bool is_vtk_point_or_line(std::uint8_t type) {
+  const CellKind kind = kind_of(type);
+  return kind == CellKind::nothing || kind == CellKind::point_or_line;
+}
+
+std::uint64_t vtk_points_of_cells(const DataArray& ends) {
+  if (ends.rows() == 0) return 0;
+  return as_numbers<std::uint64_t>(rows_of(ends, std::array{static_cast<Index>(ends.rows() - 1)}))
+      .back();
+}
+
+std::vector<std::uint8_t> vtk_cell_types(const DataArray& types) {
+  return as_numbers<std::uint8_t>(types);
+}
+
+void VtkSurface::add(VtkPiece piece) {
+  const std::uint64_t points = piece.points.rows();
+  std::uint64_t cells = cell_;
+  for (const VtkCells& c : piece.cells) cells += c.ends.rows();
+  if (builder_.vertex_count() + points > kMostRows || cells > kMostRows) {
+    file_.fail_whole("has more points or cells than brindle can number; split it into parts");
+  }
+  const bool has_cells = cells > cell_;
+  const auto first_point = static_cast<Index>(builder_.vertex_count());
+  add_points(piece.points);
+  for (const VtkCells& c : piece.cells) add_cells(c, first_point);
+  if (points > 0) point_arrays_.add(std::move(piece.arrays.points));
+  if (has_cells) cell_arrays_.add(std::move(piece.arrays.cells));
+  if (normals_.empty()) normals_ = std::move(piece.normals);
+}
+
+void VtkSurface::add_points(const DataArray& points) {
+  builder_.reserve_vertices(builder_.vertex_count() + points.rows());
+  with_number_type(points.type, [&]<class Number>(Number) {
+    for (std::size_t row = 0; row < points.rows(); ++row) {
+      std::array<Number, 3> place{};
+      std::memcpy(place.data(), &points.bytes[row * sizeof place], sizeof place);
+      builder_.add_vertex({static_cast<double>(place[0]), static_cast<double>(place[1]),
+                           static_cast<double>(place[2])});
+    }
+  });
+}
+
+void VtkSurface::add_cells(const VtkCells& cells, Index first_point) {
+  std::vector<Index> points = as_numbers<Index>(cells.points);
+  check_below(file_, points, builder_.vertex_count() - first_point);
+  for (Index& point : points) point += first_point;
+  const auto ends = as_numbers<std::uint64_t>(cells.ends);
+  std::uint64_t begin = 0;
+  for (std::size_t c = 0; c < ends.size(); ++c, ++cell_) {
+    if (ends[c] < begin || ends[c] > points.size()) {
+      file_.fail_whole("has cells whose offsets do not rise within their " +
+                       std::to_string(points.size()) +
+                       " points; the file is damaged, export it again");
+    }
+    add_cell(cells.types.empty() ? cells.type : cells.types[c],
+             std::span(points).subspan(begin, ends[c] - begin));
+    begin = ends[c];
+  }
+}
+
+void VtkSurface::add_cell(std::uint8_t type, std::span<const Index> points) {
+  switch (kind_of(type)) {
+    case CellKind::nothing:
+      break;
+    case CellKind::point_or_line:
+      ++points_and_lines_;
+      break;
+    case CellKind::polygon:
+      builder_.add_polygon(points, cell_);
+      break;
+    case CellKind::pixel:
+      check_size(points, 4);
+      builder_.add_polygon(std::array{points[0], points[1], points[3], points[2]}, cell_);
+      break;
+    case CellKind::strip:
+      builder_.add_strip(points, cell_);
+      break;
+    case CellKind::curved:
+      add_curved(points, sides_of(type, points.size()));
+      break;
+    case CellKind::volume:
+      ++volumes_;
+      break;
+    case CellKind::unknown:
+      ++unknown_;
+      break;
+  }
+}
+
+void VtkSurface::add_curved(std::span<const Index> points, std::size_t sides) {
+  check_size(points, 2 * sides);
+  corners_.clear();
+  for (std::size_t s = 0; s < sides; ++s) {
+    corners_.push_back(points[s]);
+    corners_.push_back(points[sides + s]);
+  }
+  builder_.add_polygon(corners_, cell_);
+}
+
+void VtkSurface::check_size(std::span<const Index> points, std::size_t least) const {
+  if (points.size() >= least) return;
+  file_.fail_whole("has a cell of " + std::to_string(points.size()) + " points, number " +
+                   std::to_string(cell_) + ", whose type asks for " + std::to_string(least) +
+                   "; the file is damaged, export it again");
+}
+
+std::string VtkSurface::left_out() const {
+  std::string text;
+  const auto line = [&](std::size_t count, const std::string& what) {
+    if (count > 0) text += std::to_string(count) + what;
+  };
+  line(points_and_lines_, " cells that are points or lines: left out\n");
+  line(volumes_, " volume cells: left out; ParaView's filter Extract Surface gives their faces\n");
+  line(unknown_,
+       " cells of types that brindle does not read: left out; ParaView's filter "
+       "Tessellate makes triangles of curved ones\n");
+  return text;
+}
+
+RawMesh VtkSurface::take() {
+  std::string text = left_out();
+  DataArrays arrays{point_arrays_.take("points", text), cell_arrays_.take("cells", text)};
+  RawMesh raw = builder_.take(std::move(arrays));
+  raw.left_out = std::move(text);
+  raw.normals = std::move(normals_);
+  if (volumes_ > 0) {
+    raw.why_empty = "holds " + std::to_string(volumes_) +
+                    " volume cells and no surface; in ParaView, apply the filter Extract Surface "
+                    "and save its result as .vtp";
+  } else if (unknown_ > 0) {
+    raw.why_empty =
+        "holds no cells that brindle reads; in ParaView, apply the filter Tessellate "
+        "and save its result as .vtp or .vtu";
+  }
+  return raw;
+}
+
+}  // namespace brindle

@@ -1,0 +1,69 @@
+/// The arrays of VTK's XML files in all their encodings. Only builds with BRINDLE_VTK have it.
+#pragma once
+
+#ifdef BRINDLE_HAS_VTK
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "brindle/data_arrays.h"
+#include "brindle/files/input_file.h"
+
+namespace brindle {
+
+/// What a file says of how its arrays are stored.
+struct VtkXmlEncoding {
+  bool foreign_order = false;  ///< the bytes of numbers stand the other way round than here
+  bool wide_sizes = false;     ///< sizes of blocks are UInt64 instead of UInt32
+  bool zlib = false;           ///< blocks are compressed
+  /// Where the data stand that are appended behind the XML, or 0; and whether as base64.
+  std::uint64_t appended = 0;
+  bool appended_base64 = false;
+};
+
+/// A whole number from 0 to 2^53 that an element says; `standard` where it says nothing. Throws
+/// Error for anything else.
+std::uint64_t vtk_number(const InputFile& file, const pugi::xml_node& element, const char* name,
+                         std::uint64_t standard = 0);
+
+class VtkXmlArrays {
+ public:
+  /// `file` must live on.
+  VtkXmlArrays(InputFile& file, const VtkXmlEncoding& encoding);
+
+  /// Whether an array holds numbers, and not text or bits.
+  static bool holds_numbers(const pugi::xml_node& element);
+
+  /// The array with so many rows, as the file has it. Throws Error, naming the array, if it is
+  /// damaged or truncated or has another number of rows, before it asks for more memory than the
+  /// file can fill.
+  DataArray read(const pugi::xml_node& element, std::uint64_t rows);
+
+ private:
+  class Bytes;
+  class FileBytes;
+  class LetterBytes;
+
+  [[noreturn]] void fail(const std::string& what) const;
+  std::vector<std::byte> decode(const pugi::xml_node& element, NumberType type,
+                                std::uint64_t count);
+  std::vector<std::byte> decode_appended(const pugi::xml_node& element, std::uint64_t size);
+  std::vector<std::byte> decode_block(Bytes& bytes, std::uint64_t size);
+  std::vector<std::byte> inflate_blocks(Bytes& bytes, std::uint64_t size);
+  std::uint64_t read_size(Bytes& bytes) const;
+  /// Throws unless so many bytes are left there, and of the budget, which it takes them from.
+  void take_from_budget(const Bytes& bytes, std::uint64_t size);
+
+  InputFile& file_;
+  VtkXmlEncoding encoding_;
+  std::string appended_letters_;  ///< of data appended as base64
+  std::uint64_t budget_;          ///< bytes that arrays may still take from the file
+  std::string name_;              ///< of the array that is being read, for messages
+};
+
+}  // namespace brindle
+
+#endif  // BRINDLE_HAS_VTK

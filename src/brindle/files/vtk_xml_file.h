@@ -1,0 +1,14 @@
+/// VTK's XML files: PolyData (.vtp) and UnstructuredGrid (.vtu).
+#pragma once
+
+#include <filesystem>
+
+#include "brindle/files/raw_mesh.h"
+
+namespace brindle {
+
+/// As `read_vtk` and `vtk_has_faces`, which choose by extension.
+RawMesh read_vtk_xml(const std::filesystem::path& path);
+bool vtk_xml_has_faces(const std::filesystem::path& path);
+
+}  // namespace brindle

@@ -1,0 +1,465 @@
+// Time series: `animate --series` and `stripe --previous`.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include "brindle/direction_field.h"
+#include "brindle/files.h"
+#include "brindle/geometry/normals.h"
+#include "brindle/shapes.h"
+#include "tool.h"
+
+namespace brindle::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Arguments = std::vector<std::string>;
+using Json = nlohmann::json;
+
+std::string numbered(const std::string& before, int number, const std::string& after) {
+  std::string digits = std::to_string(number);
+  return before + std::string(4 - digits.size(), '0') + digits + after;
+}
+
+/// A field that no pattern fits without branches, turned a little at every step.
+std::vector<Vec3> field_of_step(const Mesh& mesh, int step) {
+  const float angle = 0.01f * static_cast<float>(step);
+  const auto normals = vertex_normals(mesh);
+  return rotated(projected_direction_field(Vec3(std::cos(angle), std::sin(angle), 0.3f), normals),
+                 normals, 0.6f);
+}
+
+void write_field(const fs::path& path, const std::vector<Vec3>& field) {
+  std::ofstream out(path);
+  for (const Vec3& v : field) out << v.x() << ',' << v.y() << ',' << v.z() << '\n';
+}
+
+/// The same surface with other vertices and triangles at every step.
+Mesh retriangulated_sphere(int step) {
+  Mesh mesh = make_shape("sphere,resolution=" + std::to_string(24 + 2 * (step % 3)));
+  std::mt19937 random(static_cast<unsigned>(step));
+  std::normal_distribution<float> any;
+  const Eigen::Quaternionf turn =
+      Eigen::Quaternionf(any(random), any(random), any(random), any(random)).normalized();
+  for (Vec3& position : mesh.positions) position = (turn * position).normalized();
+  return mesh;
+}
+
+/// A mesh with a field as an array, and an id per vertex.
+void write_step(const fs::path& path, const Mesh& mesh, const std::vector<Vec3>& field,
+                const std::vector<std::int32_t>& ids = {}) {
+  std::vector<DataArray> arrays = {make_data_array("velocity", field)};
+  if (!ids.empty()) arrays.push_back(make_data_array("id", 1, ids));
+  write_mesh(path, mesh, arrays);
+}
+
+struct Series : ToolTest {
+  void write_csv_steps(int count) const {
+    const Mesh mesh = make_shape("trefoil,resolution=48");
+    write_mesh(folder / "knot.obj", mesh);
+    for (int step = 0; step < count; ++step) {
+      write_field(folder / numbered("f", step, ".csv"), field_of_step(mesh, step));
+    }
+  }
+  void write_moving_steps(int count) const {
+    const Mesh rest = make_shape("trefoil,resolution=48");
+    for (int step = 0; step < count; ++step) {
+      Mesh mesh = rest;
+      for (Vec3& p : mesh.positions) {
+        p *= 1 + 0.02f * std::sin(3 * p.x() + 0.2f * static_cast<float>(step));
+      }
+      write_step(folder / numbered("m", step, ".vtp"), mesh, field_of_step(mesh, step));
+    }
+  }
+  void write_changing_steps(int count) const {
+    for (int step = 0; step < count; ++step) {
+      const Mesh mesh = retriangulated_sphere(step);
+      write_step(folder / numbered("c", step, ".vtp"), mesh, field_of_step(mesh, step));
+    }
+  }
+  Json report(Arguments arguments) const {
+    arguments.insert(arguments.end(), {"--report", "report.json", "--quiet"});
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.exit_code == 0 ? Json::parse(content(folder / "report.json")) : Json();
+  }
+};
+
+/// The mean over the frames after the first.
+double mean_of(const Json& frames, const std::string& key, bool from_scratch) {
+  double sum = 0;
+  for (std::size_t n = 1; n < frames.size(); ++n) {
+    sum += (from_scratch ? frames[n]["from_scratch"] : frames[n])[key].get<double>();
+  }
+  return sum / static_cast<double>(frames.size() - 1);
+}
+
+void expect_calm(const Json& report) {
+  const Json& frames = report["frames"];
+  EXPECT_LE(mean_of(frames, "phase_step", false), 0.25 * mean_of(frames, "phase_step", true));
+  EXPECT_LE(mean_of(frames, "energy", false), 1.1 * mean_of(frames, "energy", true));
+}
+
+TEST_F(Series, FieldsOverOneMeshAreCalm) {
+  write_csv_steps(20);
+  const Json report = this->report({"animate", "knot.obj", "--series", "f%04d.csv", "--stripes",
+                                    "24", "--compare-from-scratch"});
+  EXPECT_EQ(report["series"], "f%04d.csv");
+  EXPECT_EQ(report["steps"], 20);
+  ASSERT_EQ(report["frames"].size(), 20u);
+  EXPECT_FALSE(report["frames"][0].contains("matched_by"));
+  for (int n = 1; n < 20; ++n) {
+    const Json& frame = report["frames"][static_cast<std::size_t>(n)];
+    EXPECT_EQ(frame["file"], numbered("f", n, ".csv"));
+    EXPECT_EQ(frame["time"], n);
+    EXPECT_EQ(frame["matched_by"], "number");
+    EXPECT_EQ(frame["vertices_unmatched"], 0);
+  }
+  expect_calm(report);
+}
+
+TEST_F(Series, MeshesThatMoveAreCalm) {
+  write_moving_steps(20);
+  const Json report = this->report({"animate", "--series", "m*.vtp", "--field", "array:velocity",
+                                    "--stripes", "24", "--compare-from-scratch"});
+  EXPECT_EQ(report["frames"][7]["matched_by"], "number");
+  expect_calm(report);
+}
+
+TEST_F(Series, MeshesThatChangeAreCalm) {
+  write_changing_steps(20);
+  const Json report = this->report({"animate", "--series", "c%04d.vtp", "--field", "array:velocity",
+                                    "--stripes", "16", "--compare-from-scratch"});
+  for (std::size_t n = 1; n < 20; ++n) {
+    EXPECT_EQ(report["frames"][n]["matched_by"], "position");
+    EXPECT_EQ(report["frames"][n]["vertices_unmatched"], 0);
+  }
+  expect_calm(report);
+}
+
+TEST_F(Series, NumberAndPositionEndAlike) {
+  write_csv_steps(4);
+  const auto energies = [&](const std::string& matching) {
+    const Json report = this->report(
+        {"animate", "knot.obj", "--series", "f%04d.csv", "--stripes", "24", "--match", matching});
+    EXPECT_EQ(report["frames"][3]["matched_by"], matching);
+    return std::pair(report["frames"][3]["energy"].get<double>(),
+                     report["frames"][3]["phase_step"].get<double>());
+  };
+  const auto by_number = energies("number"), by_position = energies("position");
+  EXPECT_NEAR(by_number.first, by_position.first, 1e-3 * by_number.first);
+  EXPECT_NEAR(by_number.second, by_position.second, 1e-3);
+}
+
+TEST_F(Series, FramesBetweenStepsAreInterpolated) {
+  write_moving_steps(3);
+  const Json steps = this->report(
+      {"animate", "--series", "m%04d.vtp", "--field", "array:velocity", "--stripes", "24"});
+  const Json report = this->report({"animate", "--series", "m%04d.vtp", "--field", "array:velocity",
+                                    "--stripes", "24", "--between", "3"});
+  ASSERT_EQ(report["frames"].size(), 9u);
+  EXPECT_TRUE(report["frames"][1]["file"].is_null());
+  EXPECT_EQ(report["frames"][1]["time"], 0.25);
+  EXPECT_EQ(report["frames"][4]["file"], "m0001.vtp");
+  EXPECT_EQ(report["frames"][0]["energy"], steps["frames"][0]["energy"]);
+  EXPECT_LT(report["mean"]["phase_step"], steps["mean"]["phase_step"]);
+}
+
+TEST_F(Series, OneStepIsAPatternFromScratch) {
+  write_csv_steps(1);
+  const Json report =
+      this->report({"animate", "knot.obj", "--series", "f*.csv", "--stripes", "24"});
+  const Json stripe =
+      this->report({"stripe", "knot.obj", "--field", "f0000.csv", "--stripes", "24"});
+  ASSERT_EQ(report["frames"].size(), 1u);
+  EXPECT_NEAR(report["frames"][0]["energy"].get<double>(), stripe["energy"].get<double>(),
+              0.02 * stripe["energy"].get<double>());
+}
+
+TEST_F(Series, StripesDoNotSwellWithTheMesh) {
+  Mesh mesh = make_shape("sphere,resolution=20");
+  for (int step = 0; step < 2; ++step) {
+    write_step(folder / numbered("g", step, ".vtp"), mesh, field_of_step(mesh, step));
+    for (Vec3& position : mesh.positions) position *= 2;
+  }
+  run({"animate", "--series", "g%04d.vtp", "--field", "array:velocity", "--output", "o%04d.vtp"});
+  const auto frequency = [&](const char* file) {
+    const LoadedMesh loaded = read_mesh(folder / file);
+    const DataArray* array = find_array(loaded.arrays.points, "frequency");
+    return array == nullptr ? -1 : measure_array(*array).maximum;
+  };
+  EXPECT_GT(frequency("o0000.vtp"), 0);
+  EXPECT_EQ(frequency("o0000.vtp"), frequency("o0001.vtp"));
+}
+
+TEST_F(Series, FiguresDoNotDependOnThreads) {
+  write_changing_steps(3);
+  const auto figures = [&](const char* threads) {
+    Json report = this->report({"animate", "--series", "c%04d.vtp", "--field", "array:velocity",
+                                "--subdivide", "1", "--threads", threads});
+    for (Json& frame : report["frames"]) frame.erase("milliseconds");
+    return report["frames"];
+  };
+  EXPECT_EQ(figures("1"), figures("2"));
+}
+
+TEST_F(Series, MeshesOfStepsKeepArraysAndCanBePlayedAgain) {
+  write_moving_steps(3);
+  const Json first = this->report({"animate", "--series", "m%04d.vtp", "--field", "array:velocity",
+                                   "--between", "1", "--output", "out_%02d.vtp"});
+  EXPECT_TRUE(listing().count("out.pvd"));
+  EXPECT_TRUE(listing().count("out_02.vtp"));
+  EXPECT_FALSE(listing().count("out_03.vtp")) << "a mesh per step, not per frame";
+  const LoadedMesh loaded = read_mesh(folder / "out_02.vtp");
+  for (const char* name : {"velocity", "phase", "direction", "frequency", "valid", "branch"}) {
+    EXPECT_NE(find_array(loaded.arrays.points, name), nullptr) << name;
+  }
+  const Json again = this->report(
+      {"animate", "--series", "out.pvd", "--field", "array:velocity", "--between", "1"});
+  ASSERT_EQ(again["frames"].size(), first["frames"].size());
+  for (std::size_t n = 0; n < first["frames"].size(); ++n) {
+    EXPECT_EQ(again["frames"][n]["energy"], first["frames"][n]["energy"]);
+    EXPECT_EQ(again["frames"][n]["time"], first["frames"][n]["time"]);
+  }
+}
+
+TEST_F(Series, TimesAreThoseOfThePvd) {
+  write_moving_steps(2);
+  write_text(folder / "run.pvd",
+             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n"
+             "<DataSet timestep=\"2.5\" group=\"\" part=\"0\" file=\"m0001.vtp\"/>\n"
+             "<DataSet timestep=\"0.5\" group=\"\" part=\"0\" file=\"m0000.vtp\"/>\n"
+             "</Collection>\n</VTKFile>\n");
+  const Json report = this->report({"animate", "--series", "run.pvd", "--field", "array:velocity"});
+  EXPECT_EQ(report["frames"][0]["time"], 0.5);
+  EXPECT_EQ(report["frames"][1]["time"], 2.5);
+  EXPECT_EQ(report["frames"][1]["file"], "m0001.vtp");
+}
+
+TEST_F(Series, WildcardsGoByNumbers) {
+  const Mesh mesh = make_shape("sphere,resolution=12");
+  for (const int step : {10, 9, 2}) {
+    write_mesh(folder / ("v" + std::to_string(step) + ".obj"), mesh);
+  }
+  const Json report = this->report({"animate", "--series", "v*.obj", "--direction", "1,0,0"});
+  ASSERT_EQ(report["frames"].size(), 3u);
+  EXPECT_EQ(report["frames"][0]["file"], "v2.obj");
+  EXPECT_EQ(report["frames"][2]["file"], "v10.obj");
+  EXPECT_TRUE(report["frames"][1]["unchanged"]);
+}
+
+#ifdef BRINDLE_HAS_GL
+TEST_F(Series, WritesPicturesAndMeshesOfChangingSurfaces) {
+  write_changing_steps(3);
+  const ToolResult result = run({"animate", "--series", "c%04d.vtp", "--field", "array:velocity",
+                                 "--size", "64x48", "--output", "p%d.png", "--output", "s%d.vtp"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* file : {"p0.png", "p2.png", "s0.vtp", "s2.vtp", "s.pvd"}) {
+    EXPECT_TRUE(listing().count(file)) << file;
+  }
+  EXPECT_NE(content(folder / "p0.png"), content(folder / "p2.png"));
+}
+#endif
+
+struct SeriesErrors : Series {
+  void SetUp() override {
+    Series::SetUp();
+    write_csv_steps(3);
+  }
+};
+
+TEST_F(SeriesErrors, NameTheFile) {
+  fs::remove(folder / "f0001.csv");
+  expect_refusal(1, "f0001.csv", {"animate", "knot.obj", "--series", "f%04d.csv"});
+  write_text(folder / "f0001.csv", "1,0,0\n0,1,0\n");
+  expect_refusal(1, "f0001.csv", {"animate", "knot.obj", "--series", "f%04d.csv"});
+  write_text(folder / "f0001.csv", "");
+  expect_refusal(1, "f0001.csv", {"animate", "knot.obj", "--series", "f%04d.csv"});
+  expect_refusal(1, "none%d.csv", {"animate", "knot.obj", "--series", "none%d.csv"});
+  expect_refusal(1, "none*.csv", {"animate", "knot.obj", "--series", "none*.csv"});
+  expect_refusal(1, "nowhere", {"animate", "knot.obj", "--series", "nowhere/f%d.csv"});
+  expect_refusal(1, "none.pvd", {"animate", "--series", "none.pvd"});
+}
+
+TEST_F(SeriesErrors, NameTheFileWithoutANumber) {
+  Mesh mesh = make_shape("sphere,resolution=8");
+  write_mesh(folder / "v0.obj", mesh);
+  std::string text = content(folder / "v0.obj");
+  text.replace(text.find("v "), 3, "v nan");
+  write_text(folder / "v1.obj", text);
+  expect_refusal(1, "v1.obj", {"animate", "--series", "v%d.obj", "--direction", "1,0,0"});
+}
+
+TEST_F(SeriesErrors, OtherTrianglesCannotBeInterpolated) {
+  write_mesh(folder / "v0.obj", make_shape("sphere,resolution=8"));
+  write_mesh(folder / "v1.obj", make_shape("sphere,resolution=9"));
+  const Arguments series = {"animate", "--series", "v%d.obj", "--direction", "1,0,0"};
+  Arguments with_between = series, by_number = series;
+  with_between.insert(with_between.end(), {"--between", "1"});
+  expect_refusal(1, "v1.obj", with_between);
+  by_number.insert(by_number.end(), {"--match", "number"});
+  expect_refusal(1, "v1.obj", by_number);
+  EXPECT_EQ(run(series).exit_code, 0);
+}
+
+TEST_F(SeriesErrors, OfAPvdAreNamed) {
+  const auto refused = [&](const std::string& message, const std::string& text) {
+    write_text(folder / "bad.pvd", text);
+    expect_refusal(1, message, {"animate", "--series", "bad.pvd"});
+  };
+  refused("bad.pvd", "no xml");
+  refused("bad.pvd", "<VTKFile/>");
+  refused("lists no file", "<VTKFile><Collection/></VTKFile>");
+  refused("timestep", "<VTKFile><Collection><DataSet file=\"a.vtp\"/></Collection></VTKFile>");
+  refused("same timestep",
+          "<VTKFile><Collection><DataSet timestep=\"1\" file=\"a.vtp\"/>"
+          "<DataSet timestep=\"1\" part=\"1\" file=\"b.vtp\"/></Collection></VTKFile>");
+  refused("a.vtp",
+          "<VTKFile><Collection><DataSet timestep=\"1\" file=\"a.vtp\"/></Collection></VTKFile>");
+}
+
+TEST_F(SeriesErrors, WrongUsageEndsWithCodeTwo) {
+  const Arguments csv = {"animate", "knot.obj", "--series", "f%04d.csv"};
+  const auto refused = [&](const std::string& option, Arguments arguments, const Arguments& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refusal(2, option, arguments);
+  };
+  refused("--scene", csv, {"--scene", "zoom"});
+  refused("--frames", csv, {"--frames", "4"});
+  refused("--field", csv, {"--field", "smooth"});
+  refused("--direction", csv, {"--direction", "1,0,0"});
+  refused("--device", csv, {"--device", "gpu"});
+  refused("--match", csv, {"--between", "1", "--match", "position"});
+  refused("--match", csv, {"--match", "colour"});
+  refused("--match", csv, {"--match", "id:"});
+  refused("--between", csv, {"--between", "-1"});
+  refused("--curvature-anchor", csv, {"--curvature-anchor", "1"});
+  refused("f0001.csv", csv, {"--output", "f%04d.png", "--report", "f0001.csv"});
+  refused("--output", csv, {"--output", "f%04d.csv"});
+  refused("MESH", {"animate", "--series", "f%04d.csv"}, {});
+  refused("MESH", {"animate", "knot.obj", "--series", "kn*.obj"}, {});
+  refused("--series", {"animate", "--series", "knot.obj"}, {});
+  refused("--series", {"animate", "--series", ""}, {});
+  refused("MESH", {"animate"}, {});
+  const Arguments scene = {"animate", "knot.obj", "--frames", "2"};
+  refused("--between", scene, {"--between", "2"});
+  refused("--match", scene, {"--match", "number"});
+  refused("--field", scene, {"--field", "smooth"});
+  refused("--rotate", scene, {"--rotate", "10"});
+  refused("--frequency", scene, {"--frequency", "array:f"});
+  refused("--output", scene, {"--output", "%04d.vtp"});
+}
+
+TEST_F(SeriesErrors, StepsAreNotOverwritten) {
+  write_mesh(folder / "v0.vtp", make_shape("sphere,resolution=8"));
+  expect_refusal(2, "v0.vtp",
+                 {"animate", "--series", "v%d.vtp", "--direction", "1,0,0", "--output", "v%d.vtp"});
+}
+
+// One step at a time.
+
+struct Previous : Series {
+  void SetUp() override {
+    Series::SetUp();
+    const Mesh mesh = make_shape("trefoil,resolution=48");
+    std::vector<std::int32_t> ids;
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) ids.push_back(static_cast<int>(v) + 100);
+    for (int step = 0; step < 2; ++step) {
+      write_step(folder / numbered("s", step, ".vtp"), mesh, field_of_step(mesh, 3 * step), ids);
+    }
+    EXPECT_EQ(run(stripe(0, {"--output", "last.vtp"})).exit_code, 0);
+  }
+  Arguments stripe(int step, const Arguments& more) const {
+    Arguments arguments = {
+        "stripe", numbered("s", step, ".vtp"), "--field", "array:velocity", "--stripes", "24"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+};
+
+TEST_F(Previous, StaysNear) {
+  const Json scratch = report(stripe(1, {"--previous", "last.vtp", "--lambda", "0"}));
+  const Json anchored = report(stripe(1, {"--previous", "last.vtp"}));
+  EXPECT_EQ(anchored["matched_by"], "number");
+  EXPECT_EQ(anchored["vertices_unmatched"], 0);
+  EXPECT_EQ(anchored["lambda"], 0.025);
+  EXPECT_EQ(anchored["previous"], "last.vtp");
+  EXPECT_LT(anchored["phase_step"].get<double>(), 0.5 * scratch["phase_step"].get<double>());
+  const Json alone = report(stripe(1, {}));
+  EXPECT_EQ(scratch["energy"], alone["energy"]);
+  EXPECT_FALSE(alone.contains("matched_by"));
+}
+
+TEST_F(Previous, MatchesByNumberIdAndPositionAlike) {
+  const auto step_by = [&](const std::string& matching, const std::string& name) {
+    const Json result = report(stripe(1, {"--previous", "last.vtp", "--match", matching}));
+    EXPECT_EQ(result["matched_by"], name);
+    EXPECT_EQ(result["vertices_unmatched"], 0);
+    return result["phase_step"].get<double>();
+  };
+  const double by_number = step_by("number", "number");
+  EXPECT_EQ(step_by("id:id", "id"), by_number);
+  EXPECT_NEAR(step_by("position", "position"), by_number, 1e-3);
+}
+
+TEST_F(Previous, OntoAnotherMeshGoesByPosition) {
+  const Json finer = report(stripe(1, {"--previous", "last.vtp", "--subdivide", "1"}));
+  EXPECT_EQ(finer["matched_by"], "position");
+  EXPECT_EQ(finer["vertices_unmatched"], 0);
+  const Json scratch =
+      report(stripe(1, {"--previous", "last.vtp", "--subdivide", "1", "--lambda", "0"}));
+  EXPECT_LT(finer["phase_step"].get<double>(), 0.5 * scratch["phase_step"].get<double>());
+  expect_refusal(1, "last.vtp",
+                 stripe(1, {"--previous", "last.vtp", "--subdivide", "1", "--match", "number"}));
+}
+
+TEST_F(Previous, IsSaidInText) {
+  const ToolResult result = run(stripe(1, {"--previous", "last.vtp"}));
+  EXPECT_NE(result.out.find("matched by number"), std::string::npos) << result.out;
+}
+
+TEST_F(Previous, FollowsPoints) {
+  EXPECT_EQ(run(stripe(0, {"--points", "--output", "points.ply"})).exit_code, 0);
+  const Json followed = report(stripe(1, {"--points", "--previous", "points.ply"}));
+  EXPECT_EQ(followed["matched_by"], "number");
+  const Json by_position =
+      report(stripe(1, {"--points", "--previous", "points.ply", "--match", "position"}));
+  EXPECT_NEAR(followed["phase_step"].get<double>(), by_position["phase_step"].get<double>(), 1e-3);
+}
+
+TEST_F(Previous, RefusesWhatItCannotFollow) {
+  const auto refused = [&](int code, const std::string& message, const Arguments& more) {
+    expect_refusal(code, message, stripe(1, more));
+  };
+  refused(1, "none.vtp", {"--previous", "none.vtp"});
+  refused(1, "'phase'", {"--previous", "s0000.vtp"});
+  refused(1, "'label'", {"--previous", "last.vtp", "--match", "id:label"});
+  refused(2, "--lambda", {"--lambda", "0.1"});
+  refused(2, "--match", {"--match", "number"});
+  refused(2, "--lambda", {"--previous", "last.vtp", "--lambda", "-1"});
+  refused(2, "--previous", {"--previous", "last.vtp", "--solver", "relaxation"});
+  refused(2, "--previous", {"--previous", "last.vtp", "--texture", "checker"});
+  refused(2, "last.vtp", {"--previous", "last.vtp", "--output", "last.vtp"});
+}
+
+TEST_F(Previous, IdsMustDiffer) {
+  const Mesh mesh = make_shape("trefoil,resolution=48");
+  write_step(folder / "same.vtp", mesh, field_of_step(mesh, 0),
+             std::vector<std::int32_t>(mesh.vertex_count(), 7));
+  EXPECT_EQ(run({"stripe", "same.vtp", "--field", "array:velocity", "--output", "same_last.vtp"})
+                .exit_code,
+            0);
+  expect_refusal(1, "ids must differ",
+                 {"stripe", "same.vtp", "--field", "array:velocity", "--previous", "same_last.vtp",
+                  "--match", "id:id"});
+}
+
+}  // namespace
+}  // namespace brindle::test
