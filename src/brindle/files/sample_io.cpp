@@ -92,13 +92,13 @@ void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::
 }
 
 template <class Value>
-DataArray numbers(const char* name, std::span<const Sample> samples, const Value& value) {
+DataArray sample_numbers(const char* name, std::span<const Sample> samples, const Value& value) {
   std::vector<decltype(value(Sample()))> result;
   for (const Sample& sample : samples) result.push_back(value(sample));
   return make_data_array(name, 1, result);
 }
 
-DataArray vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
+DataArray sample_vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
   std::vector<Vec3> result;
   for (const Sample& sample : samples) result.push_back(sample.*member);
   return make_data_array(name, result);
@@ -111,29 +111,22 @@ void write_points(std::ostream& out, std::span<const Sample> samples, const Eige
   std::vector<Index> cells(samples.size());
   std::iota(cells.begin(), cells.end(), Index{0});
   std::vector<DataArray> arrays = {
-      vectors("normal", samples, &Sample::normal),
-      vectors("direction_u", samples, &Sample::direction_u),
-      vectors("direction_v", samples, &Sample::direction_v),
-      numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
-      numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
-      vectors("barycentric", samples, &Sample::barycentric),
-      numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
+      sample_vectors("normal", samples, &Sample::normal),
+      sample_vectors("direction_u", samples, &Sample::direction_u),
+      sample_vectors("direction_v", samples, &Sample::direction_v),
+      sample_numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
+      sample_numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
+      sample_vectors("barycentric", samples, &Sample::barycentric),
+      sample_numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
   arrays.insert(arrays.end(), more.begin(), more.end());
   write_vtp(out,
             {.points = points, .single_points = cells, .point_arrays = arrays, .origin = origin});
 }
 
-/// The frequencies, which samples have as spacings, then what the caller adds.
-std::vector<DataArray> columns_of(const std::filesystem::path& path,
-                                  std::span<const Sample> samples,
-                                  std::span<const DataArray> arrays) {
-  std::vector<DataArray> all = {
-      numbers("frequency_u", samples, [](const Sample& s) { return 1 / s.spacing_u; }),
-      numbers("frequency_v", samples, [](const Sample& s) { return 1 / s.spacing_v; })};
-  all.insert(all.end(), arrays.begin(), arrays.end());
-  std::vector<std::string> taken(kColumns.begin(), kColumns.end());
-  taken.insert(taken.end(), {"triangle", "normal", "direction_u", "direction_v", "barycentric"});
-  return fitted_columns(path, all, samples.size(), std::move(taken));
+std::vector<std::string> own_columns() {
+  std::vector<std::string> names(kColumns.begin(), kColumns.end());
+  names.insert(names.end(), {"triangle", "normal", "direction_u", "direction_v", "barycentric"});
+  return names;
 }
 
 }  // namespace
@@ -150,7 +143,8 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
     throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
-  const std::vector<DataArray> columns = columns_of(path, samples, arrays);
+  const std::vector<DataArray> columns =
+      fitted_columns(path, arrays, samples.size(), own_columns());
   write_file(path, [&](std::ostream& out) {
     if (kind == ".csv") return write_csv(out, samples, origin, columns);
     if (kind == ".ply") return write_ply(out, samples, origin, columns);
