@@ -65,7 +65,8 @@ struct Examples : ToolTest {
   // The files that examples speak of.
   void SetUp() override {
     ToolTest::SetUp();
-    make({"stripe", "shape:torus,resolution=24", "-o", "horse.ply", "-o", "scan.obj"});
+    make({"stripe", "shape:torus,resolution=24", "-o", "horse.ply", "-o", "scan.obj", "-o",
+          "flow.vtp"});
     make({"stripe", "shape:torus,resolution=24", "--points", "-o", "points.ply"});
     make({"stripe", "shape:torus,resolution=24", "--size", "32x32", "-o", "cloth.png"});
     std::string field;
