@@ -7,17 +7,21 @@
 VTK (python3-vtk9) reads and draws .obj with its material, .ply, .vtp, .gltf and .glb; Assimp's
 command line (assimp-utils) turns .obj, .ply, .gltf and .glb into OBJ files, which VTK then draws.
 Each picture is taken from where Brindle takes its own, and every pixel away from borders must show
-figure or ground as Brindle's does.
+figure or ground as Brindle's does. So must the sine of the phase, which VTK draws between vertices
+(docs/paraview.md). All arrays of .vtp and .ply files must arrive bit for bit.
 
 And the other way round: VTK writes .vtp, .vtu and .vtk files with arrays of all types, in all
 encodings and compressions; Brindle reads them and writes them as .vtp, where VTK must find every
-number as it was, bit for bit, at its point and in the triangles of its cell. Needs a display, or xvfb-run (xvfb, xauth). Exits with 0 if all
-agree, 1 if not, 77 if a program is missing.
+number as it was, bit for bit, at its point and in the triangles of its cell.
+
+Needs a display, or xvfb-run (xvfb, xauth). Exits with 0 if all agree, 1 if not, 77 if a program is
+missing.
 """
 
 import argparse
 import itertools
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -225,16 +229,20 @@ def check_attributes(data):
     """Phases, directions and frequencies of both waves must have arrived as they are defined."""
     for suffix in ("", "_v"):
         values = {name: vtk_to_numpy(data.GetPointData().GetArray(name + suffix))
-                  for name in ("phase", "direction", "frequency", "branch")}
-        assert np.abs(values["phase"]).max() <= np.pi + 1e-6
+                  for name in ("phase", "direction", "frequency", "branch", "sin_phase", "valid")}
+        wave = values["valid"] == 1
+        assert wave.mean() > 0.99 and np.isnan(values["phase"][~wave]).all()
+        assert np.isnan(values["sin_phase"][~wave]).all()
+        assert np.abs(values["phase"][wave]).max() <= np.pi + 1e-6
+        assert np.abs(values["sin_phase"] - np.sin(values["phase"]))[wave].max() < 1e-6
         lengths = np.linalg.norm(values["direction"], axis=1)
         # None in the middle of a singularity.
         assert (np.minimum(lengths, np.abs(lengths - 1)) < 1e-3).all() and lengths.mean() > 0.99
         assert values["frequency"].min() > 0
         assert set(np.unique(values["branch"])) <= {0, 1}
         # Where the mesh shows U and V, they are phases over a turn, plus a quarter.
-        coordinates = vtk_to_numpy(data.GetPointData().GetTCoords())[:, 1 if suffix else 0]
-        turns = values["phase"] / (2 * np.pi) + 0.25
+        coordinates = vtk_to_numpy(data.GetPointData().GetTCoords())[:, 1 if suffix else 0][wave]
+        turns = values["phase"][wave] / (2 * np.pi) + 0.25
         off = np.minimum(np.abs(coordinates - turns - np.round(coordinates - turns)),
                          np.abs(coordinates + turns - np.round(coordinates + turns)))
         assert np.median(off) < 1e-5 and (off > 1e-3).mean() < 0.01
@@ -272,6 +280,111 @@ def check(brindle, mesh, tile, folder):
         print(f"{tile:10} {name:12} {100 * share:6.2f} % of pixels agree"
               + ("" if share >= WANTED_AGREEMENT else f"  TOO FEW, see {out}"))
     return good
+
+
+NUMPY_TYPES = {"Float32": "<f4", "Float64": "<f8", "Int8": "i1", "UInt8": "u1", "Int16": "<i2",
+               "UInt16": "<u2", "Int32": "<i4", "UInt32": "<u4", "Int64": "<i8", "UInt64": "<u8"}
+
+
+def arrays_in_file(path):
+    """The arrays of points and cells as they stand in a .vtp file of Brindle's."""
+    with open(path, "rb") as file:
+        content = file.read()
+    begin = content.index(b'<AppendedData encoding="raw">\n_') + len('<AppendedData encoding="raw">\n_')
+    found = {}
+    for section in ("PointData", "CellData"):
+        xml = re.search(rf"<{section}.*?</{section}>", content[:begin].decode(), re.S).group()
+        for kind, name, offset in re.findall(r'type="(\w+)" Name="([^"]*)".*?offset="(\d+)"', xml):
+            at = begin + int(offset)
+            size = int.from_bytes(content[at:at + 8], "little")
+            found[section, name] = np.frombuffer(content[at + 8:at + 8 + size], NUMPY_TYPES[kind])
+    return found
+
+
+def check_vtp_arrays(path):
+    """VTK must find every array of the file, with its type, bit for bit."""
+    data = vtp_of(path)
+    expected = arrays_in_file(path)
+    for (section, name), numbers in expected.items():
+        attributes = data.GetPointData() if section == "PointData" else data.GetCellData()
+        read = vtk_to_numpy(attributes.GetArray(name))
+        assert read.dtype == numbers.dtype and read.tobytes() == numbers.tobytes(), (path, name)
+    count = data.GetPointData().GetNumberOfArrays() + data.GetCellData().GetNumberOfArrays()
+    assert count == len(expected) > 0, path
+    return count
+
+
+def check_ply_faces(path, triangles):
+    """Properties of faces must not keep VTK from reading them."""
+    reader = vtk.vtkPLYReader()
+    reader.SetFileName(path)
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfPolys() == triangles, path
+
+
+def check_arrays(brindle, mesh, folder):
+    def write(command, *outputs):
+        arguments = [brindle, *command, "--quiet"]
+        for name in outputs:
+            arguments += ["--output", name]
+        subprocess.run(arguments, cwd=folder, check=True, stderr=subprocess.DEVNULL)
+
+    write(["stripe", mesh], "plain.vtp", "plain.ply")
+    write(["stripe", mesh, "--uv"], "uv.vtp", "uv.ply")
+    write(["curves", mesh, "--lines", "both", "--join"], "curves.vtp")
+    write(["sample", mesh], "samples.vtp")
+    counts = {name: check_vtp_arrays(os.path.join(folder, name + ".vtp"))
+              for name in ("plain", "uv", "curves", "samples")}
+    for name in ("plain", "uv"):
+        triangles = vtp_of(os.path.join(folder, name + ".vtp")).GetNumberOfPolys()
+        check_ply_faces(os.path.join(folder, name + ".ply"), triangles)
+    print("arrays     VTK finds all, bit for bit: "
+          + ", ".join(f"{count} of {name}.vtp" for name, count in counts.items()))
+    return True
+
+
+def sine_actor(data):
+    """Two colours, above and below zero, between vertices (docs/paraview.md)."""
+    data.GetPointData().SetActiveScalars("sin_phase")
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(2)
+    table.SetTableRange(-1, 1)
+    table.Build()
+    table.SetTableValue(0, 1, 1, 1, 1)
+    table.SetTableValue(1, 0, 0, 0.5, 1)
+    table.SetNanColor(1, 1, 1, 1)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.SetLookupTable(table)
+    mapper.SetScalarRange(-1, 1)
+    mapper.InterpolateScalarsBeforeMappingOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def check_sine(brindle, mesh, folder):
+    """Where sin_phase is above zero, Brindle draws a stripe."""
+    subprocess.run([brindle, "stripe", mesh, "--stripes", "16", "--quiet", "--size",
+                    f"{WIDTH}x{HEIGHT}", "--output", "sine.vtp", "--output", "sine.png"],
+                   cwd=folder, check=True, stderr=subprocess.DEVNULL)
+    ours = pixels_of(os.path.join(folder, "sine.png"))
+    data = vtp_of(os.path.join(folder, "sine.vtp"))
+    renderer = vtk.vtkRenderer()
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(WIDTH, HEIGHT)
+    window.AddRenderer(renderer)
+    renderer.AddActor(sine_actor(data))
+    camera = camera_over(vtk_to_numpy(data.GetPoints().GetData()).astype(float),
+                         "z" if mesh.startswith("shape:") else "y")
+    out = os.path.join(folder, "sine_in_vtk.png")
+    picture_of(window, renderer, camera, out)
+    share = agreement(ours, pixels_of(out))
+    print(f"sin_phase  VTK vtp      {100 * share:6.2f} % of pixels agree"
+          + ("" if share >= WANTED_AGREEMENT else f"  TOO FEW, see {out}"))
+    return share >= WANTED_AGREEMENT
 
 
 NUMBERS = ("float32", "float64", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64",
@@ -415,7 +528,7 @@ def difference(theirs, ours):
     return wrong or ("has triangles with rows of other cells" if outside else "")
 
 
-def check_arrays(brindle, folder):
+def check_reading(brindle, folder):
     random = np.random.default_rng(5)
     files, wrong = 0, 0
     for data in (poly_data(), grid()):
@@ -456,8 +569,9 @@ def main():
     mesh = arguments.mesh
     if not mesh.startswith("shape:"):
         mesh = os.path.abspath(mesh)
-    good = [check_arrays(brindle, folder)]
-    good += [check(brindle, mesh, tile, folder) for tile in arguments.tiles.split(",")]
+    good = [check(brindle, mesh, tile, folder) for tile in arguments.tiles.split(",")]
+    good += [check_arrays(brindle, mesh, folder), check_sine(brindle, mesh, folder),
+             check_reading(brindle, folder)]
     if not arguments.keep and all(good):
         shutil.rmtree(folder)
     sys.exit(0 if all(good) else 1)

@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   brindle compare shape:vessels
-  brindle compare horse.ply --direction 0.31,0.9,0.27 --stripes 160 --json horse.json)";
+  brindle compare horse.ply --direction 0.31,0.9,0.27 --stripes 160 --json horse.json
+  brindle compare flow.vtp --field array:velocity --frequency-by array:speed)";
 
 // In the order of the paper, then the reference.
 const std::vector<Solver> kSolvers = {Solver::relaxation, Solver::averaged, Solver::multilevel,

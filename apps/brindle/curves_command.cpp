@@ -35,6 +35,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
   brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
+  brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
 
 Files by extension: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh
 of tubes; .svg a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in

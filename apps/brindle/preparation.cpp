@@ -50,6 +50,7 @@ void prepare_points(Preparation& result, const SurfaceOptions& options, Progress
   result.vertices_joined = loaded.repair.repeated;
   result.original_ids.resize(loaded.cloud.positions.size());
   std::iota(result.original_ids.begin(), result.original_ids.end(), std::int64_t{0});
+  result.arrays.points = std::move(loaded.arrays);
   result.load_milliseconds = watch.lap();
   display.stage("neighbours and normals of points");
   const std::size_t used = loaded.cloud.used.size();
@@ -67,8 +68,9 @@ void prepare_points(Preparation& result, const SurfaceOptions& options, Progress
 }  // namespace
 
 WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
-                        ProgressDisplay& display) {
-  const WaveFigures figures = measure_waves(surface, waves);
+                        ProgressDisplay& display, const MissingWaves& missing) {
+  WaveFigures figures = measure_waves(surface, waves);
+  figures.missing = missing;
   check_waves(figures, source);
   display.note(warnings(figures, source));
   return figures;
@@ -76,6 +78,11 @@ WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std:
 
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
                     ProgressDisplay& display) {
+  if (needs_own_arrays(waves) && is_shape(surface)) {
+    throw CLI::ValidationError("array:NAME",
+                               "built-in shapes have no arrays; name a file that "
+                               "does, as MESH or with --field-mesh");
+  }
   Preparation result;
   display.stage("loading " + surface.mesh);
   is_points(surface) ? prepare_points(result, surface, display)
@@ -83,12 +90,15 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
 
   Stopwatch watch;
   display.stage("direction field");
-  WavesAndCrossing made = make_waves(result.surface, waves, result.vertex_of_row);
+  WavesAndCrossing made =
+      make_waves(result.surface, waves, {surface.mesh, result.arrays, result.vertex_of_row});
+  display.note(made.notes);
   result.waves = std::move(made.waves);
   result.frequencies_v = std::move(made.frequencies_v);
   result.field_rows_nonfinite = made.field_rows_nonfinite;
   result.load_milliseconds += watch.lap();
-  result.figures = noted_waves(result.surface, result.waves, source_of(waves), display);
+  result.figures =
+      noted_waves(result.surface, result.waves, source_of(waves), display, made.missing);
   return result;
 }
 

@@ -18,7 +18,7 @@ struct Preparation {
   FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
   WaveFigures figures;           ///< of `waves`
   DataArrays arrays;  ///< of the mesh's file: a row per vertex of the surface, and per triangle
-  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
   bool points = false;                              ///< the surface has no triangles
   /// For every vertex of the mesh's file the vertex that triangles use in its place; empty if none
   /// was joined with another. What rows of field files may stand for.
@@ -40,8 +40,8 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
                     ProgressDisplay& display);
 
 /// Measures waves; throws and notes as `prepare` does. `source` says where they come from: "the
-/// field of V".
+/// field of V"; `missing`, why there are none where there are none.
 WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
-                        ProgressDisplay& display);
+                        ProgressDisplay& display, const MissingWaves& missing = {});
 
 }  // namespace brindle::tool

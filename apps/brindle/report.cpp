@@ -25,6 +25,17 @@ nlohmann::ordered_json to_json(const TextureQuality& quality) {
           {"area_distortion_95th", quality.area_95th}};
 }
 
+nlohmann::ordered_json to_json(const MissingWaves& missing) {
+  auto json = nlohmann::ordered_json::object();
+  if (missing.tensor) {
+    json["tensor_vertices_near_normal"] = missing.tensor->near_normal;
+    json["tensor_vertices_isotropic"] = missing.tensor->isotropic;
+  }
+  if (missing.without_frequency) json["vertices_without_frequency"] = *missing.without_frequency;
+  if (missing.too_far) json["vertices_too_far"] = *missing.too_far;
+  return json;
+}
+
 void print_texture(std::ostream& out, const TextureReport& texture) {
   out << formatted(
       "texture   %zu branches across the field; turned round at %zu edges, mirrored at "
@@ -107,6 +118,7 @@ nlohmann::ordered_json to_json(const WaveFigures& waves,
       {"edges_per_period_median", rounded(waves.edges_per_period_median)},
       {"vertices_without_wave", waves.without_wave}};
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
+  json.update(to_json(waves.missing));
   return json;
 }
 

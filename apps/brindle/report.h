@@ -36,7 +36,7 @@ struct Report {
   StripeMilliseconds milliseconds;
   std::optional<double> draw_milliseconds;  ///< if there were pictures
   WaveFigures waves;
-  std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file
+  std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file or array
   nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
   std::optional<TextureReport> texture;
   std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both

@@ -36,6 +36,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
   brindle sample shape:torus --output samples.png
   brindle sample points.ply --stripes 50 --output samples.csv
+  brindle sample flow.vtp --frequency-by array:speed --output samples.csv
 
 Files by extension: .csv .ply .vtp samples, each with position, normal, both directions and
 spacings, triangle and barycentric coordinates; .png a picture; .json a report. A field file's
@@ -212,15 +213,27 @@ std::vector<TrianglePoint> places_of(std::span<const Sample> samples) {
   return places;
 }
 
+// What samples have as spacings.
+DataArray frequencies_of(const char* name, std::span<const Sample> samples,
+                         float Sample::*spacing) {
+  std::vector<float> frequencies;
+  for (const Sample& sample : samples) frequencies.push_back(1 / sample.*spacing);
+  return make_data_array(name, 1, frequencies);
+}
+
 void write_all_samples(const std::string& path, const Result& result, ProgressDisplay& display) {
   const Mesh& mesh = result.prepared.surface.mesh;
-  std::vector<DataArray> arrays;
+  const std::vector<Sample>& samples = result.samples;
+  std::vector<DataArray> arrays = {frequencies_of("frequency_u", samples, &Sample::spacing_u),
+                                   frequencies_of("frequency_v", samples, &Sample::spacing_v)};
   // Samples of points lie in no triangle.
   if (!mesh.triangles.empty()) {
-    arrays = arrays_at(places_of(result.samples), mesh.triangles,
-                       held_beside(kOwnColumns, path, result.prepared.arrays, display));
+    const DataArrays held = held_beside(kOwnColumns, path, result.prepared.arrays, display);
+    for (DataArray& array : arrays_at(places_of(samples), mesh.triangles, held)) {
+      arrays.push_back(std::move(array));
+    }
   }
-  write_samples(path, result.samples, mesh.origin, arrays);
+  write_samples(path, samples, mesh.origin, arrays);
 }
 
 void write(SampleOutput kind, const std::string& path, const CLI::App& command,

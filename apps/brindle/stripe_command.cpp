@@ -42,6 +42,9 @@ Examples:
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
   brindle stripe scan.obj --uv --output scan.vtp --output scan.ply
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
+  brindle stripe flow.vtp --field array:velocity --frequency-by array:speed --output flow.png
+  brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
+  brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
 
 Files by extension: .png a picture; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
 where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,

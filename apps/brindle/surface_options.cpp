@@ -8,7 +8,7 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/geometry/local_positions.h"
-#include "brindle/mesh.h"
+#include "brindle/mesh_data.h"
 #include "brindle/shapes.h"
 
 namespace brindle::tool {
@@ -45,7 +45,8 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
       ->check([](const std::string& mesh) {
         return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");
       });
-  app.add_option("--subdivide", options.subdivide, "split every triangle in four, K times")
+  app.add_option("--subdivide", options.subdivide,
+                 "split every triangle in four, K times; arrays of the file are interpolated")
       ->type_name("K")
       ->check(CLI::Range(0, 10));
 }
@@ -112,7 +113,7 @@ LoadedSurface load_mesh(const SurfaceOptions& options) {
     static_cast<LoadedMesh&>(loaded) = read_mesh(options.mesh);
   }
   loaded.own_vertices = loaded.mesh.vertex_count();
-  if (options.subdivide > 0) loaded.mesh = subdivide(std::move(loaded.mesh), options.subdivide);
+  if (options.subdivide > 0) subdivide(loaded.mesh, loaded.arrays, options.subdivide);
   return loaded;
 }
 

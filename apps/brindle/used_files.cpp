@@ -44,18 +44,30 @@ std::vector<fs::path> buffers_of(const fs::path& gltf) {
   return paths;
 }
 
+std::vector<UsedFile> files_of_mesh(const std::string& option, const fs::path& mesh) {
+  std::vector<UsedFile> files = {{option, mesh}};
+  if (lower_extension(mesh) != ".gltf") return files;
+  for (const fs::path& path : buffers_of(mesh)) files.push_back({option, path});
+  return files;
+}
+
 }  // namespace
 
 std::vector<UsedFile> input_files(const SurfaceOptions& surface, const WaveOptions& waves) {
-  std::vector<UsedFile> files;
   if (surface.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
-  if (!is_shape(surface)) {
-    files.push_back({"MESH", surface.mesh});
-    if (lower_extension(surface.mesh) == ".gltf") {
-      for (const fs::path& path : buffers_of(surface.mesh)) files.push_back({"MESH", path});
-    }
-  }
+  std::vector<UsedFile> files;
+  if (!is_shape(surface)) files = files_of_mesh("MESH", surface.mesh);
+  for (UsedFile& file : field_files(waves)) files.push_back(std::move(file));
+  return files;
+}
+
+std::vector<UsedFile> field_files(const WaveOptions& waves) {
+  std::vector<UsedFile> files;
   if (is_field_file(waves)) files.push_back({"--field", waves.field});
+  if (waves.arrays.mesh.empty()) return files;
+  for (UsedFile& file : files_of_mesh("--field-mesh", waves.arrays.mesh)) {
+    files.push_back(std::move(file));
+  }
   return files;
 }
 

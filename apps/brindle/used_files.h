@@ -20,6 +20,9 @@ struct UsedFile {
 /// CLI::ValidationError for a mesh without a name.
 std::vector<UsedFile> input_files(const SurfaceOptions& surface, const WaveOptions& waves);
 
+/// Those of the field alone.
+std::vector<UsedFile> field_files(const WaveOptions& waves);
+
 /// Throws CLI::ValidationError if an output is the same file as an input, which would be lost, or
 /// as another output. Devices and pipes may be used as often as one likes.
 void check_files(const std::vector<UsedFile>& inputs, const std::vector<UsedFile>& outputs);

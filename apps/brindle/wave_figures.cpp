@@ -79,11 +79,27 @@ WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
 
 namespace {
 
+std::vector<std::string> reasons(const MissingWaves& missing) {
+  std::vector<std::string> lines;
+  const auto add = [&](std::size_t count, const char* why) {
+    if (count > 0) lines.push_back(formatted("%zu vertices have no wave: %s", count, why));
+  };
+  add(missing.too_far.value_or(0), "they are farther than --max-distance from the field's mesh");
+  if (missing.tensor) {
+    add(missing.tensor->near_normal, "the tensor's axis is within 15 degrees of the normal");
+    add(missing.tensor->isotropic, "the tensor has the same eigenvalue along other axes");
+  }
+  add(missing.without_frequency.value_or(0), "the array of their frequencies is not finite");
+  return lines;
+}
+
 void refuse_nothing(const WaveFigures& figures, const std::string& source) {
   if (figures.without_wave < figures.used || figures.used == 0) return;
-  throw Error("no vertex has a wave: " + source +
-              " is zero, not finite or normal to the surface at all of them; choose other "
-              "directions");
+  std::string why;
+  for (const std::string& reason : reasons(figures.missing)) why += "; " + reason;
+  throw Error("no vertex has a wave: " + source + " is zero, not finite or normal to the surface " +
+              (why.empty() ? "at all of them" : "at all others" + why) +
+              "; choose other directions");
 }
 
 // Phases of stripes that fine would be rounding errors.
@@ -104,10 +120,10 @@ void check_waves(const WaveFigures& figures, const std::string& source) {
 
 std::string warnings(const WaveFigures& figures, const std::string& source) {
   std::string text;
-  if (static_cast<double>(figures.without_wave) >
-      kMostWithoutWave * static_cast<double>(figures.used)) {
-    text += formatted("warning: %zu of %zu vertices have no wave: ", figures.without_wave,
-                      figures.used) +
+  for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
+  const std::size_t unexplained = figures.without_wave - figures.missing.total();
+  if (static_cast<double>(unexplained) > kMostWithoutWave * static_cast<double>(figures.used)) {
+    text += formatted("warning: %zu of %zu vertices have no wave: ", unexplained, figures.used) +
             source + " is zero, not finite or normal to the surface there\n";
   }
   if (is_too_fine(figures)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "brindle/phase_graph.h"
@@ -9,11 +10,30 @@
 
 namespace brindle::tool {
 
+/// Vertices without a wave, by what a tensor's axis is to them.
+struct MissingTensorWaves {
+  std::size_t near_normal = 0;  ///< too near to the normal
+  std::size_t isotropic = 0;    ///< not the only one with its eigenvalue
+};
+
+/// Vertices without a wave, by reasons that are known; each counts once.
+struct MissingWaves {
+  std::optional<MissingTensorWaves> tensor;      ///< of a field that is a tensor
+  std::optional<std::size_t> without_frequency;  ///< of frequencies that are an array
+  std::optional<std::size_t> too_far;            ///< of a field on another mesh
+
+  std::size_t total() const {
+    return (tensor ? tensor->near_normal + tensor->isotropic : 0) + without_frequency.value_or(0) +
+           too_far.value_or(0);
+  }
+};
+
 /// All but the counts are over the vertices with neighbours and a wave. Vertices without
 /// neighbours, which no triangle uses, have no say in anything.
 struct WaveFigures {
   std::size_t used = 0;          ///< vertices with neighbours
   std::size_t without_wave = 0;  ///< of these
+  MissingWaves missing;          ///< why
   double frequency_min = 0;      ///< stripes per unit length
   double frequency_max = 0;
   double stripes = 0;  ///< of the mean frequency, along the diagonal of the bounding box
@@ -29,8 +49,9 @@ WaveFigures measure_waves(const Surface& surface, const WaveSet& waves);
 /// where the waves come from: "the field 'wind.csv'".
 void check_waves(const WaveFigures& figures, const std::string& source);
 
-/// Lines for people about what is probably not meant: waves missing at more than a vertex in a
-/// hundred, stripes too fine for the mesh. Empty if there is nothing to say.
+/// Lines for people: where waves are missing for a reason that is known; and what is probably not
+/// meant: waves missing for another reason at more than a vertex in a hundred, stripes too fine for
+/// the mesh. Empty if there is nothing to say.
 std::string warnings(const WaveFigures& figures, const std::string& source);
 
 /// The same of more branches than a triangle in ten, unless stripes are too fine anyway.

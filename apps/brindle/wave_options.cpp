@@ -6,11 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "array_source.h"
+#include "brindle/array_field.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/curvature.h"
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "brindle/smooth_field.h"
+#include "brindle/tensor_field.h"
 #include "brindle/waves/orientation.h"
 #include "command_line.h"
 #include "option_values.h"
@@ -34,6 +37,8 @@ struct Field {
   FrequencyField frequencies;    // empty if the field says nothing of them
   FrequencyField frequencies_v;  // the same of crossing stripes
   std::optional<std::size_t> rows_nonfinite = {};
+  MissingWaves missing = {};
+  std::string notes = {};
 };
 
 bool is_smooth(const WaveOptions& options) {
@@ -54,8 +59,44 @@ Field read_field(const Surface& surface, const WaveOptions& options,
           std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
 }
 
-Field make_field(const Surface& surface, const WaveOptions& options,
-                 std::span<const Index> vertex_of_row) {
+std::string name_of(TensorAxis axis) {
+  return axis == TensorAxis::major ? "major" : axis == TensorAxis::minor ? "minor" : "max-abs";
+}
+
+Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
+  const TensorAxis axis = options.tensor.value_or(TensorAxis::major);
+  TensorField tensor = tensor_field_of(surface, array, axis);
+  Field field{std::move(tensor.directions), {}, {}};
+  field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
+  if (!options.tensor) {
+    field.notes += "the array '" + array.name + "' is a tensor: waves run along its " +
+                   name_of(axis) + " axis; --tensor chooses\n";
+  }
+  if (tensor.not_symmetric > 0) {
+    field.notes += std::to_string(tensor.not_symmetric) + " rows of the tensor '" + array.name +
+                   "' are not symmetric: their symmetric part counts\n";
+  }
+  return field;
+}
+
+Field array_field(const Surface& surface, const WaveOptions& options, const ArraySource& arrays) {
+  const auto [array, rows_nonfinite] = arrays.array(parse_array("--field", options.field));
+  Field field;
+  if (is_tensor(array)) {
+    field = tensor_field(surface, array, options.arrays);
+  } else if (options.arrays.tensor) {
+    throw CLI::ValidationError("--tensor", "has no effect here: the array '" + array.name +
+                                               "' has " + std::to_string(array.components) +
+                                               " numbers in a row, and is no tensor");
+  } else {
+    field.directions = direction_field_of(surface, array);
+  }
+  field.rows_nonfinite = rows_nonfinite;
+  return field;
+}
+
+Field make_field(const Surface& surface, const WaveOptions& options, const FileData& data,
+                 const ArraySource& arrays) {
   if (options.direction)
     return {projected_direction_field(*options.direction, surface.normals), {}, {}};
   if (is_smooth(options)) {
@@ -75,11 +116,37 @@ Field make_field(const Surface& surface, const WaveOptions& options,
     orient_alike(*surface.neighborhood, directions);
     return {std::move(directions), {}, {}};
   }
-  return read_field(surface, options, vertex_of_row);
+  if (is_array(options.field)) return array_field(surface, options, arrays);
+  return read_field(surface, options, data.vertex_of_row);
+}
+
+// What options say goes before what the field says.
+void choose_frequencies(const Surface& surface, const WaveOptions& options,
+                        const ArraySource& arrays, Field& field) {
+  const ArrayOptions& wanted = options.arrays;
+  if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
+    if (!field.frequencies.empty() && !options.stripes && !options.frequency) return;
+    field.frequencies = constant_frequency_field(constant_frequency(surface.mesh, options),
+                                                 surface.mesh.vertex_count());
+  } else if (!wanted.frequency.empty()) {
+    field.frequencies = frequencies_of(arrays.array(wanted.frequency).array, field.directions);
+  } else {
+    field.frequencies = frequencies_by(surface, arrays.array(wanted.frequency_by).array,
+                                       constant_frequency(surface.mesh, options), wanted.range);
+  }
+  field.frequencies_v.clear();
+}
+
+// Waves of arrays that are not everywhere.
+void drop_waves(const ArrayOptions& options, Field& field) {
+  if (options.frequency.empty() && options.frequency_by.empty()) return;
+  field.missing.without_frequency =
+      drop_waves_without_frequency(field.directions, field.frequencies);
 }
 
 // What neither is a field nor looks like a file.
 void check_field_name(const WaveOptions& options) {
+  if (is_array(options.field)) parse_array("--field", options.field);  // which may be mistyped
   const std::filesystem::path path(options.field);
   std::error_code ignored;
   if (!is_field_file(options) || path.has_extension() || std::filesystem::exists(path, ignored)) {
@@ -87,25 +154,34 @@ void check_field_name(const WaveOptions& options) {
   }
   const std::string meant = nearest(options.field, kMadeFields);
   throw CLI::ValidationError(
-      "--field", "'" + options.field + "' is no file and none of smooth, curvature, raw-curvature" +
+      "--field", "'" + options.field +
+                     "' is no file and none of smooth, curvature, raw-curvature, array:NAME" +
                      (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
 }
 
 }  // namespace
 
 bool is_field_file(const WaveOptions& options) {
-  return !options.direction &&
+  return !options.direction && !is_array(options.field) &&
          std::find(kMadeFields.begin(), kMadeFields.end(), options.field) == kMadeFields.end();
 }
 
 std::string source_of(const WaveOptions& options) {
   if (options.direction) return "the direction";
+  if (is_array(options.field)) return "the array '" + parse_array("--field", options.field) + "'";
   return is_field_file(options) ? "the field '" + options.field + "'"
                                 : "the " + options.field + " field";
 }
 
+bool needs_own_arrays(const WaveOptions& options) {
+  const ArrayOptions& arrays = options.arrays;
+  return arrays.mesh.empty() &&
+         (is_array(options.field) || !arrays.frequency.empty() || !arrays.frequency_by.empty());
+}
+
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
+  check_array_options(command, options.arrays, !options.direction && is_array(options.field));
   if (options.cross) {
     refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
   }
@@ -155,25 +231,51 @@ CLI::Option* add_along_option(CLI::App& app, WaveOptions& options) {
                       "stripes run along the field, not across it: waves are turned by 90 degrees");
 }
 
+namespace {
+
+CLI::Option* add_stripes_option(CLI::App& app, WaveOptions& options) {
+  return add_parsed_option(app, "--stripes", options.stripes, parse_positive_number,
+                           "stripes along the diagonal of the bounding box (default 40)")
+      ->type_name("N");
+}
+
+// Of a field that varies from vertex to vertex.
+void add_varying_frequency_options(CLI::App& app, WaveOptions& options) {
+  CLI::Option* stripes = add_stripes_option(app, options);
+  app.add_option_function<std::string>(
+         "--frequency",
+         [&options](const std::string& text) {
+           if (is_array(text)) {
+             options.arrays.frequency = parse_array("--frequency", text);
+           } else {
+             options.frequency = parse_positive_number("--frequency", text);
+           }
+         },
+         "stripes per unit length, instead of --stripes, everywhere or in an array; all go before "
+         "the frequencies of a field file")
+      ->type_name("F|array:NAME")
+      ->excludes(stripes);
+}
+
+}  // namespace
+
 void add_frequency_options(CLI::App& app, WaveOptions& options) {
-  CLI::Option* stripes =
-      add_parsed_option(app, "--stripes", options.stripes, parse_positive_number,
-                        "stripes along the diagonal of the bounding box (default 40)")
-          ->type_name("N");
+  CLI::Option* stripes = add_stripes_option(app, options);
   add_parsed_option(app, "--frequency", options.frequency, parse_positive_number,
-                    "stripes per unit length, instead of --stripes; either goes before the "
-                    "frequencies of a field file")
+                    "stripes per unit length, instead of --stripes")
       ->type_name("F")
       ->excludes(stripes);
 }
 
 void add_wave_options(CLI::App& app, WaveOptions& options) {
   CLI::Option* direction = add_direction_option(app, options);
-  app.add_option("--field", options.field,
-                 "smooth (default); curvature, the smooth field drawn to principal curvature; "
-                 "raw-curvature, the latter alone; or a CSV file with one row a vertex: x,y,z, "
-                 "x,y,z,frequency or x,y,z,frequency,frequency_v")
-      ->type_name("FILE|smooth|curvature|raw-curvature")
+  app.add_option(
+         "--field", options.field,
+         "smooth (default); curvature, the smooth field drawn to principal curvature; "
+         "raw-curvature, the latter alone; array:NAME, vectors or tensors that the mesh's "
+         "file has per point or per cell (array:points/NAME, array:cells/NAME); or a CSV "
+         "file with one row a vertex: x,y,z, x,y,z,frequency or x,y,z,frequency,frequency_v")
+      ->type_name("FILE|array:NAME|smooth|curvature|raw-curvature")
       ->excludes(direction);
   add_named_option(app, "--curvature-direction", options.curvature_direction,
                    parse_curvature_direction, "max|min",
@@ -194,7 +296,8 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
                     "turn the field about the normals, in degrees")
       ->type_name("DEG");
   add_along_option(app, options);
-  add_frequency_options(app, options);
+  add_varying_frequency_options(app, options);
+  add_array_options(app, options.arrays);
 }
 
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {
@@ -222,20 +325,20 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
 }
 
 WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            std::span<const Index> vertex_of_row) {
-  Field field = make_field(surface, options, vertex_of_row);
+                            const FileData& data) {
+  const ArraySource arrays(surface, data.arrays, data.name, options.arrays);
+  Field field = make_field(surface, options, data, arrays);
   const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
   if (turn_deg != 0) {
     field.directions =
         rotated(field.directions, surface.normals, turn_deg * std::numbers::pi_v<float> / 180);
   }
+  field.missing.too_far = arrays.drop_too_far(field.directions);
+  choose_frequencies(surface, options, arrays, field);
+  drop_waves(options.arrays, field);
   const auto everywhere = [&](float frequency) {
     return constant_frequency_field(frequency, surface.mesh.vertex_count());
   };
-  if (field.frequencies.empty() || options.stripes || options.frequency) {
-    field.frequencies = everywhere(constant_frequency(surface.mesh, options));
-    field.frequencies_v.clear();
-  }
   if (options.frequency_v) field.frequencies_v = everywhere(*options.frequency_v);
   if (options.stripes_v) {
     field.frequencies_v =
@@ -243,7 +346,9 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
   }
   return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
           std::move(field.frequencies_v),
-          field.rows_nonfinite};
+          field.rows_nonfinite,
+          field.missing,
+          arrays.notes() + field.notes};
 }
 
 }  // namespace brindle::tool

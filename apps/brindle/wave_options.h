@@ -7,16 +7,18 @@
 
 #include <CLI/CLI.hpp>
 
+#include "array_options.h"
 #include "brindle/direction_field.h"
 #include "brindle/frequency_field.h"
 #include "brindle/phase_graph.h"
 #include "brindle/surface.h"
+#include "wave_figures.h"
 
 namespace brindle::tool {
 
 struct WaveOptions {
   std::optional<Vec3> direction;  ///< a global vector, instead of `field`
-  std::string field = "smooth";   ///< "smooth", "curvature", "raw-curvature" or a file
+  std::string field = "smooth";   ///< "smooth", "curvature", "raw-curvature", an array or a file
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   std::optional<float> curvature_anchor;  ///< of the smooth field; "curvature" has one anyway
   float feature_anchor = 0;               ///< of the smooth field
@@ -28,16 +30,27 @@ struct WaveOptions {
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
   std::optional<float> stripes_v;  ///< the same of the crossing stripes
   std::optional<float> frequency_v;
+  ArrayOptions arrays;
+};
+
+/// What the file of a mesh says beside the mesh.
+struct FileData {
+  std::string name;          ///< of the file
+  const DataArrays& arrays;  ///< a row per vertex of the surface, and per triangle
+  /// Rows of a field file may stand for those of the mesh's file (`Preparation`).
+  std::span<const Index> vertex_of_row = {};
 };
 
 /// Waves without phases, and the frequencies of those that cross them.
 struct WavesAndCrossing {
   WaveSet waves;                                    ///< one wave per vertex
   FrequencyField frequencies_v;                     ///< one per vertex; empty: those of `waves`
-  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
+  MissingWaves missing;
+  std::string notes;  ///< lines for the user
 };
 
-/// Whether the field comes from a file.
+/// Whether the field comes from a file of its own.
 bool is_field_file(const WaveOptions& options);
 
 /// What a message calls the field: "the field 'wind.csv'".
@@ -48,6 +61,9 @@ CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
 
 /// --along alone.
 CLI::Option* add_along_option(CLI::App& app, WaveOptions& options);
+
+/// Whether arrays of the mesh's own file are asked for.
+bool needs_own_arrays(const WaveOptions& options);
 
 /// --stripes and --frequency.
 void add_frequency_options(CLI::App& app, WaveOptions& options);
@@ -72,9 +88,9 @@ void refuse_triangle_options(const CLI::App& command);
 /// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);
 
-/// Rows of a field file may stand for those of the mesh's file (`Preparation`). Throws Error if a
-/// field file does not fit.
+/// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor if the
+/// field turns out to be no tensor.
 WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            std::span<const Index> vertex_of_row = {});
+                            const FileData& data);
 
 }  // namespace brindle::tool

@@ -3,15 +3,16 @@
 ///
 /// Surfaces: `make_mesh` and `make_surface` from arrays, `read_mesh` from files, `make_shape`.
 /// Fields: `smooth_direction_field`, `projected_direction_field`, `curvature_direction_field`,
-/// `tangent_directions`. Patterns: `stripe_pattern`, `texture_pattern`, `cross_pattern`. From
-/// patterns: `stripe_curves`, `stripe_samples`, `texture_coordinates`. Moving input:
-/// `StripeAnimator`, `SmoothFieldAnimator`.
+/// `tangent_directions`, `direction_field_of` arrays, `tensor_field_of`. Patterns:
+/// `stripe_pattern`, `texture_pattern`, `cross_pattern`. From patterns: `stripe_curves`,
+/// `stripe_samples`, `texture_coordinates`. Moving input: `StripeAnimator`, `SmoothFieldAnimator`.
 ///
 /// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
 /// threads may do at the same time stands in threads.h.
 #pragma once
 
 #include "brindle/adjacency.h"
+#include "brindle/array_field.h"
 #include "brindle/arrays.h"
 #include "brindle/corner_phases.h"
 #include "brindle/cross_cover.h"
@@ -25,6 +26,9 @@
 #include "brindle/fragment_phase.h"
 #include "brindle/frequency_field.h"
 #include "brindle/mesh.h"
+#include "brindle/mesh_data.h"
+#include "brindle/nearby_data.h"
+#include "brindle/nearest.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phase_shift.h"
 #include "brindle/points.h"
@@ -38,6 +42,7 @@
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/surface.h"
+#include "brindle/tensor_field.h"
 #include "brindle/texture_coordinates.h"
 #include "brindle/texture_pattern.h"
 #include "brindle/texture_waves.h"

@@ -27,4 +27,7 @@ Surface make_surface(Mesh mesh);
 /// Throws Error, naming the first vertex, for a position that is not finite.
 void check_positions(std::span<const Vec3> positions);
 
+/// The same, and naming the first triangle, for a corner that is no vertex of the mesh.
+void check_mesh(const Mesh& mesh);
+
 }  // namespace brindle

@@ -1,11 +1,13 @@
 // Every example that the program's help shows runs, with smaller pictures and fewer frames.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
 
 #include "tool.h"
+#include "vtp_text.h"
 
 #if defined(BRINDLE_HAS_GL) && defined(BRINDLE_HAS_CHOLMOD) && defined(BRINDLE_TESTS_NANOFLANN)
 
@@ -62,11 +64,34 @@ Arguments shortened(Arguments arguments) {
 struct Examples : ToolTest {
   std::string path = std::getenv("PATH");
 
+  // A surface with a flow along it, and a plate with stresses.
+  void write_data() const {
+    TextMesh mesh;
+    std::istringstream scan(content(folder / "scan.obj"));
+    for (std::string line; std::getline(scan, line);) {
+      const Arguments words = words_of(line);
+      if (words.size() != 4) continue;
+      if (words[0] == "v") {
+        mesh.positions.push_back({std::stod(words[1]), std::stod(words[2]), std::stod(words[3])});
+      } else if (words[0] == "f") {
+        mesh.triangles.push_back(
+            {std::stoi(words[1]) - 1, std::stoi(words[2]) - 1, std::stoi(words[3]) - 1});
+      }
+    }
+    TextArray velocity{"velocity", 3, {}}, speed{"speed", 1, {}}, stress{"stress", 6, {}};
+    for (const auto& [x, y, z] : mesh.positions) {
+      velocity.numbers.insert(velocity.numbers.end(), {-y, x, 0.1});
+      speed.numbers.push_back(std::hypot(x, y));
+      stress.numbers.insert(stress.numbers.end(), {3, 1 + x, 2, y, 0, 0});
+    }
+    mesh.points = {velocity, speed, stress};
+    for (const char* name : {"flow.vtp", "plate.vtp"}) write_text(folder / name, vtp_text(mesh));
+  }
+
   // The files that examples speak of.
   void SetUp() override {
     ToolTest::SetUp();
-    make({"stripe", "shape:torus,resolution=24", "-o", "horse.ply", "-o", "scan.obj", "-o",
-          "flow.vtp"});
+    make({"stripe", "shape:torus,resolution=24", "-o", "horse.ply", "-o", "scan.obj"});
     make({"stripe", "shape:torus,resolution=24", "--points", "-o", "points.ply"});
     make({"stripe", "shape:torus,resolution=24", "--size", "32x32", "-o", "cloth.png"});
     std::string field;
@@ -80,6 +105,7 @@ struct Examples : ToolTest {
     }
     // "--1" where a coordinate is negative.
     for (std::size_t at = 0; (at = field.find("--")) != std::string::npos;) field.erase(at, 2);
+    write_data();
     for (const char* name : {"wind.csv", "importance.csv"}) write_text(folder / name, field);
     write_text(folder / "points.csv", points);
     fs::create_directory(folder / "frames");

@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -8,6 +9,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "written_vtp.h"
 
 namespace brindle {
 namespace {
@@ -73,6 +75,57 @@ TEST_F(PolylineIo, VtpHasLinesWithTheirKind) {
   for (const char* name : {"normal", "kind", "closed", "length"}) {
     EXPECT_NE(file.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
   }
+}
+
+struct PolylineArrays : PolylineIo {
+  std::vector<DataArray> of_u = {
+      make_data_array("id", 1, std::vector<std::int64_t>{7, 8, 9}),
+      make_data_array("my, \"v\"", 3, std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9}),
+      make_data_array("kind", 2, std::vector<double>(6))};
+  std::vector<DataArray> of_v = {
+      make_data_array("id", 1, std::vector<std::int64_t>{10, 11}),
+      make_data_array("my, \"v\"", 3, std::vector<float>{0.5f, 0, 0, 0, 0, 1}),
+      make_data_array("kind", 2, std::vector<double>{0, 0, 0, 0.25})};
+
+  std::string with_arrays(const std::string& name) const {
+    write_polylines(folder / name, std::vector<NamedLines>{{"u", u, of_u}, {"v", v, of_v}});
+    std::ifstream in(folder / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+TEST_F(PolylineArrays, AreColumnsInCsv) {
+  const std::string file = with_arrays("a.csv");
+  EXPECT_EQ(file.substr(0, file.find('\n')),
+            "kind,curve,closed,x,y,z,nx,ny,nz,id,\"my, \"\"v\"\"_x\",\"my, \"\"v\"\"_y\","
+            "\"my, \"\"v\"\"_z\",kind_0,kind_1");
+  EXPECT_NE(file.find("u,0,1,1,0,0,0,0,1,8,4,5,6,0,0\n"), std::string::npos) << file;
+  EXPECT_NE(file.find("v,1,0,1,0,1,0,0,1,11,0,0,1,0,0.25\n"), std::string::npos) << file;
+}
+
+TEST_F(PolylineArrays, AreKeptOfAllKindsInVtp) {
+  const WrittenVtp file{with_arrays("a.vtp")};
+  EXPECT_EQ(file.array<std::int64_t>("PointData", "id"),
+            (std::vector<std::int64_t>{7, 8, 9, 10, 11}));
+  EXPECT_EQ(file.array<double>("PointData", "kind_").back(), 0.25);
+  EXPECT_EQ(file.array<float>("PointData", "my, &quot;v&quot;").size(), 15u);
+  EXPECT_EQ(file.array<float>("CellData", "kind"), (std::vector<float>{0, 1}));
+}
+
+TEST_F(PolylineArrays, ArePropertiesInPly) {
+  const std::string file = with_arrays("a.ply");
+  EXPECT_NE(file.find("property uchar kind\nproperty int id\nproperty float my___v__x\n"),
+            std::string::npos)
+      << file.substr(0, 600);
+  EXPECT_EQ(file.size() - file.find("end_header\n") - 11, 5 * (29 + 4 + 12 + 16) + 4 * 8u);
+}
+
+TEST_F(PolylineArrays, MustBeTheSameOfAllKinds) {
+  of_v.pop_back();
+  EXPECT_THROW(with_arrays("a.vtp"), Error);
+  of_v = of_u;  // of three points
+  EXPECT_THROW(with_arrays("b.vtp"), Error);
+  EXPECT_TRUE(fs::is_empty(folder));
 }
 
 TEST_F(PolylineIo, LinesFarFromZeroAreWrittenWhereTheyAre) {

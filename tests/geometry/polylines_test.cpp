@@ -72,6 +72,25 @@ TEST(Resampled, ClosedLinesStayClosed) {
   }
 }
 
+TEST(Resampled, PlacesFollowTheirSegments) {
+  // Along the edge 0-1 of triangle 4, then through triangle 7.
+  Polylines lines = line_of({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, false);
+  lines.places = {{4, {1, 0, 0}}, {7, {0, 1, 0}}, {7, {0, 0.5, 0.5}}};
+  lines.arrivals = {{0, 1, 0}, {0, 0.5, 0.5}, {0, 0.5, 0.5}};
+  const Polylines even = resampled(lines, 1);
+  ASSERT_EQ(even.places.size(), 5u);
+  EXPECT_EQ(even.places[1].triangle, 4u);
+  EXPECT_EQ(even.places[1].barycentric, (std::array<double, 3>{0.5, 0.5, 0}));
+  EXPECT_EQ(even.places[3].triangle, 7u);
+  EXPECT_EQ(even.places[3].barycentric, (std::array<double, 3>{0, 0.75, 0.25}));
+  EXPECT_EQ(even.places[4].barycentric, lines.places[2].barycentric);
+  const Polylines fewer = simplified(lines, 0.1f);
+  EXPECT_EQ(fewer.places.size(), 3u);
+  // Nobody knows any more where the segments run.
+  EXPECT_TRUE(fewer.arrivals.empty());
+  EXPECT_TRUE(resampled(fewer, 1).places.empty());
+}
+
 TEST(Resampled, RefusesImpossibleSpacings) {
   for (const float spacing : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(), 1e-20f}) {
     EXPECT_THROW(resampled(circle(8), spacing), Error) << spacing;

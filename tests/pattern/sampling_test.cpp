@@ -326,6 +326,19 @@ TEST(SampleIo, EveryFormatHasEverySample) {
   vtp.read(head.data(), 400);
   EXPECT_NE(head.find("NumberOfVerts=\"" + std::to_string(samples.size()) + "\""),
             std::string::npos);
+  // Arrays are columns behind all others; one with a taken name is renamed.
+  const std::vector<DataArray> arrays = {
+      make_data_array("triangle", 1, std::vector<std::uint8_t>(samples.size(), 3))};
+  write_samples(folder / "b.csv", samples, Eigen::Vector3d::Zero(), arrays);
+  std::ifstream with_array(folder / "b.csv");
+  std::getline(with_array, line);
+  EXPECT_TRUE(line.ends_with(",triangle,triangle_")) << line;
+  std::getline(with_array, line);
+  EXPECT_TRUE(line.ends_with("," + std::to_string(samples[0].triangle) + ",3")) << line;
+  EXPECT_THROW(
+      write_samples(folder / "c.csv", std::span(samples).first(1), Eigen::Vector3d::Zero(), arrays),
+      Error);
+
   // Of an origin, all formats hold doubles.
   const Eigen::Vector3d origin(500000, 5800000, 0);
   write_samples(folder / "far.ply", samples, origin);

@@ -216,6 +216,93 @@ TEST(StripeCurves, DoNotDependOnThreads) {
   EXPECT_EQ(one.ends, two.ends);
 }
 
+Vec3 position_at(const Mesh& mesh, Index triangle, const std::array<double, 3>& barycentric) {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  for (std::size_t m = 0; m < 3; ++m) {
+    EXPECT_GE(barycentric[m], 0);
+    p += barycentric[m] * mesh.positions[mesh.triangles[triangle][m]].cast<double>();
+  }
+  EXPECT_NEAR(barycentric[0] + barycentric[1] + barycentric[2], 1, 1e-12);
+  return p.cast<float>();
+}
+
+float longest_edge(const Mesh& mesh) {
+  float longest = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (int m = 0; m < 3; ++m) {
+      longest = std::max(longest, (mesh.positions[t[m]] - mesh.positions[t[(m + 1) % 3]]).norm());
+    }
+  }
+  return longest;
+}
+
+/// Points must be where they are said to be, and segments within their triangles, but where points
+/// of them were passed over (`kSamePlace` of an edge).
+void expect_placed(const Mesh& mesh, const Polylines& lines) {
+  ASSERT_EQ(lines.places.size(), lines.points.size());
+  const float rounding = 4e-7f * bounding_box(mesh).diagonal();
+  const float passed_over = 1e-4f * longest_edge(mesh) + rounding;
+  for (std::size_t line = 0; line < lines.count(); ++line) {
+    for (Index i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i) {
+      const TrianglePoint& place = lines.places[i];
+      ASSERT_LE((position_at(mesh, place.triangle, place.barycentric) - lines.points[i]).norm(),
+                passed_over);
+      const bool last = i + 1 == lines.offsets[line + 1];
+      if (lines.arrivals.empty() || (last && !lines.closed[line])) continue;
+      const Vec3& next = lines.points[last ? lines.offsets[line] : i + 1];
+      ASSERT_LE((position_at(mesh, place.triangle, lines.arrivals[i]) - next).norm(), passed_over);
+    }
+  }
+}
+
+TEST(StripeCurves, KnowWhereTheyAreOnTheMesh) {
+  for (const auto& [name, mesh] : every_shape()) {
+    const Solved solved(with_axis(mesh, Vec3(0.31f, 0.9f, 0.27f), 40));
+    for (const bool join : {false, true}) {
+      SCOPED_TRACE(name + (join ? " joined" : ""));
+      const StripeCurves curves = solved.curves({.join = join});
+      expect_placed(mesh, curves.lines);
+      expect_placed(mesh, longer_than(curves, 0.1f * bounding_box(mesh).diagonal()).lines);
+      const Polylines even = resampled(curves.lines, 0.013f * bounding_box(mesh).diagonal());
+      expect_placed(mesh, even);
+      expect_placed(mesh, simplified(even, 1e-3f * bounding_box(mesh).diagonal()));
+    }
+  }
+}
+
+TEST(StripeCurves, NearlyAllPointsArePlacedToRounding) {
+  const Solved solved(wavy_surface("trefoil", Vec3(0, 0.3f, 1), 60));
+  const Mesh& mesh = solved.surface.mesh;
+  const Polylines lines = resampled(solved.curves().lines, 0.02f);
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < lines.points.size(); ++i) {
+    const Vec3 there = position_at(mesh, lines.places[i].triangle, lines.places[i].barycentric);
+    off += (there - lines.points[i]).norm() > 4e-7f * bounding_box(mesh).diagonal();
+  }
+  EXPECT_GT(lines.points.size(), 1000u);
+  EXPECT_LE(off, lines.points.size() / 100);
+}
+
+TEST(StripeCurves, OnFinsPointsAreOnTheirOwnFin) {
+  WavySurface surface;
+  surface.mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 1}, {0, -1, -1}},
+                  {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
+  surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(surface.mesh));
+  surface.normals.assign(5, Vec3(0, 0, 1));
+  surface.waves = {surface.mesh.positions, std::vector<Vec3>(5, Vec3(1, 0, 0)),
+                   std::vector<float>(5, 3.0f)};
+  const Solved solved(std::move(surface), std::vector<Complex>(5, Complex(1, 0)));
+  const Polylines lines = solved.curves().lines;
+  expect_placed(solved.surface.mesh, lines);
+  std::array<int, 3> on_fin{};
+  for (std::size_t line = 0; line < lines.count(); ++line) {
+    ++on_fin[lines.places[lines.offsets[line]].triangle];
+    EXPECT_EQ(lines.places[lines.offsets[line]].triangle,
+              lines.places[lines.offsets[line + 1] - 1].triangle);
+  }
+  EXPECT_EQ(on_fin, (std::array<int, 3>{3, 3, 3}));
+}
+
 float shortest_edge(const Solved& solved) {
   float shortest = 1e9f;
   for (const auto& [a, b] : solved.edges.vertices) {

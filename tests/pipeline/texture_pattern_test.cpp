@@ -133,6 +133,66 @@ TEST(TexturePattern, OrientedFieldsKeepTheirSignsWhereTheyRunAgainstEachOther) {
   EXPECT_EQ(line.seams.turned, 0u);
 }
 
+/// How far U is from a phase over a turn plus a quarter, or from minus that, up to whole tiles.
+float off_phase(float u, Complex z) {
+  const float turns = texture_coordinate(z);
+  const auto off = [](float tiles) { return std::abs(tiles - std::round(tiles)); };
+  return std::min(off(u - turns), off(u + turns));
+}
+
+TEST(StripeCoordinates, ArePhasesAcrossAndOneRowOfTheTile) {
+  for (const char* shape : {"torus,resolution=60", "sphere,resolution=10", "sheets"}) {
+    const Surface surface = make_surface(make_shape(shape));
+    const StripePattern pattern =
+        stripe_pattern(surface, waves_of(surface, smooth_direction_field(surface), 25));
+    const TexturedMesh textured = texture_coordinates(surface, pattern);
+    ASSERT_EQ(textured.triangle_origins.size(), textured.mesh.triangle_count());
+    std::vector<std::uint8_t> used(textured.mesh.vertex_count());
+    for (std::size_t t = 0; t < textured.mesh.triangle_count(); ++t) {
+      if (pattern.corners[textured.triangle_origins[t]].kind == TriangleKind::no_wave) continue;
+      for (const Index v : textured.mesh.triangles[t]) used[v] = 1;
+    }
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      const auto& [a, b, c] = textured.origins[v];
+      if (!used[v]) continue;
+      EXPECT_NEAR(textured.coordinates[v].y(), 0.5f, 1e-6f) << shape;
+      if (a == b) {
+        EXPECT_LT(off_phase(textured.coordinates[v].x(), pattern.solution.z[a]), 1e-4f) << shape;
+      }
+    }
+    // Nearly all triangles, joined by the vertices that they share.
+    EXPECT_LT(textured.mesh.vertex_count(), surface.mesh.vertex_count() * 5 / 4) << shape;
+  }
+}
+
+TEST(StripeCoordinates, TrianglesAndArraysKeepTheirOrigins) {
+  const Surface surface = make_surface(make_shape("sphere,resolution=10"));
+  const StripePattern pattern =
+      stripe_pattern(surface, waves_of(surface, smooth_direction_field(surface), 25));
+  const TexturedMesh textured = texture_coordinates(surface, pattern);
+  ASSERT_GT(textured.split_triangles, 0u);
+  std::vector<std::int64_t> numbers(surface.mesh.triangle_count());
+  for (std::size_t t = 0; t < numbers.size(); ++t) numbers[t] = static_cast<std::int64_t>(t);
+  const DataArrays arrays = carried_arrays(
+      textured,
+      {{make_data_array("p", surface.mesh.positions)}, {make_data_array("t", 1, numbers)}});
+  // Points are linear in themselves: carried positions are the positions.
+  const std::vector<Vec3> carried = vectors_of(arrays.points[0].view(), "p");
+  for (std::size_t v = 0; v < carried.size(); ++v) {
+    EXPECT_LT((carried[v] - textured.mesh.positions[v]).norm(), 1e-6f);
+  }
+  ASSERT_EQ(arrays.cells[0].rows(), textured.mesh.triangle_count());
+  for (std::size_t t = 0; t < textured.mesh.triangle_count(); ++t) {
+    const Triangle& whole = surface.mesh.triangles[textured.triangle_origins[t]];
+    for (const Index v : textured.mesh.triangles[t]) {
+      for (const Index origin : textured.origins[v]) {
+        EXPECT_NE(std::find(whole.begin(), whole.end(), origin), whole.end());
+      }
+    }
+  }
+  EXPECT_THROW(texture_coordinates(make_surface(make_shape("torus")), pattern), Error);
+}
+
 TEST(TexturePattern, TilesOfAPlaneAreRectanglesOfTheWantedSize) {
   const Surface surface = make_surface(make_shape("plane,resolution=40"));
   TextureOptions options;

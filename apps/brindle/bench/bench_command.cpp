@@ -28,6 +28,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle bench --json bench.json
   brindle bench horse.ply --direction 0.31,0.9,0.27
   brindle bench horse.ply --direction 0.31,0.9,0.27 --device gpu
+  brindle bench flow.vtp --field array:velocity
   brindle bench --figure 13)";
 
 // Along no symmetry of any built-in shape.
@@ -158,8 +159,7 @@ BenchReport report_of(const Arguments& arguments) {
 
 void check(const CLI::App& command, const Arguments& arguments) {
   check_report("--json", arguments.json);
-  std::vector<UsedFile> inputs;
-  if (is_field_file(arguments.waves)) inputs.push_back({"--field", arguments.waves.field});
+  std::vector<UsedFile> inputs = field_files(arguments.waves);
   for (const std::string& mesh : arguments.bench.meshes) {
     for (UsedFile& file : input_files({.mesh = mesh}, arguments.waves)) {
       inputs.push_back(std::move(file));

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "brindle/arrays.h"
 #include "brindle/error.h"
@@ -56,6 +57,16 @@ void for_each_number(const ArrayView& array, const Use& use) {
       }
     }
   });
+}
+
+/// All numbers, row by row.
+inline std::vector<double> doubles_of(const ArrayView& array) {
+  std::vector<double> numbers;
+  numbers.reserve(array.rows() * array.columns());
+  for_each_number(array, [&](std::size_t, std::size_t, auto number) {
+    numbers.push_back(static_cast<double>(number));
+  });
+  return numbers;
 }
 
 }  // namespace brindle

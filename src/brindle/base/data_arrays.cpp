@@ -32,7 +32,7 @@ Index heaviest_row(const RowBlend& blend) {
 template <class Number>
 Number mean(const DataArray& array, const RowBlend& blend, std::size_t component) {
   const auto components = static_cast<std::size_t>(array.components);
-  double sum = 0;
+  double sum = -0.0;  // to which -0 may be added and stay what it is
   for (std::size_t i = 0; i < 3; ++i) {
     if (blend.weights[i] == 0) continue;
     if (blend.weights[i] == 1)

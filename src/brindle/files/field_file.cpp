@@ -13,16 +13,10 @@
 #include "brindle/files.h"
 #include "brindle/files/csv_file.h"
 #include "brindle/files/letters.h"
+#include "brindle/waves/float_vector.h"
 
 namespace brindle {
 namespace {
-
-/// A vector of floats in the same direction.
-Vec3 with_length_of_floats(const Eigen::Vector3d& vector) {
-  const double size = vector.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-  const bool extreme = std::isfinite(size) && size > 0 && (size < 1e-18 || size > 1e18);
-  return (extreme ? Eigen::Vector3d(vector / size) : vector).cast<float>();
-}
 
 void append_row(FieldFile& field, std::span<const double> row, const std::string& where) {
   if (row.size() < 3 || row.size() > 5) {
@@ -42,7 +36,7 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
       throw Error(where + "the frequency must be a finite number above zero");
     }
   }
-  field.vectors.push_back(with_length_of_floats({row[0], row[1], row[2]}));
+  field.vectors.push_back(float_vector({row[0], row[1], row[2]}));
   if (row.size() > 3) field.frequencies.push_back(static_cast<float>(row[3]));
   if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
 }

@@ -123,17 +123,10 @@ void write_points(std::ostream& out, std::span<const Sample> samples, const Eige
             {.points = points, .single_points = cells, .point_arrays = arrays, .origin = origin});
 }
 
-/// The frequencies, which samples have as spacings, then what the caller adds.
-std::vector<DataArray> columns_of(const std::filesystem::path& path,
-                                  std::span<const Sample> samples,
-                                  std::span<const DataArray> arrays) {
-  std::vector<DataArray> all = {
-      numbers("frequency_u", samples, [](const Sample& s) { return 1 / s.spacing_u; }),
-      numbers("frequency_v", samples, [](const Sample& s) { return 1 / s.spacing_v; })};
-  all.insert(all.end(), arrays.begin(), arrays.end());
-  std::vector<std::string> taken(kColumns.begin(), kColumns.end());
-  taken.insert(taken.end(), {"triangle", "normal", "direction_u", "direction_v", "barycentric"});
-  return fitted_columns(path, all, samples.size(), std::move(taken));
+std::vector<std::string> own_columns() {
+  std::vector<std::string> names(kColumns.begin(), kColumns.end());
+  names.insert(names.end(), {"triangle", "normal", "direction_u", "direction_v", "barycentric"});
+  return names;
 }
 
 }  // namespace
@@ -150,7 +143,8 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
     throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
-  const std::vector<DataArray> columns = columns_of(path, samples, arrays);
+  const std::vector<DataArray> columns =
+      fitted_columns(path, arrays, samples.size(), own_columns());
   write_file(path, [&](std::ostream& out) {
     if (kind == ".csv") return write_csv(out, samples, origin, columns);
     if (kind == ".ply") return write_ply(out, samples, origin, columns);

@@ -1,3 +1,5 @@
+#include "brindle/geometry/subdivide.h"
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -73,18 +75,22 @@ Mesh subdivide_once(Mesh mesh) {
 
 }  // namespace
 
-Mesh subdivide(Mesh mesh, int times) {
+void check_subdivisions(std::size_t triangles, int times) {
   if (times < 0) throw Error("a mesh cannot be subdivided " + std::to_string(times) + " times");
-  std::size_t triangles = mesh.triangle_count();
-  for (int i = 0; i < times && triangles > 0; ++i) {
-    triangles *= 4;
+  std::size_t finer = triangles;
+  for (int i = 0; i < times && finer > 0; ++i) {
+    finer *= 4;
     // A neighbourhood has up to six entries per triangle.
-    if (triangles > std::numeric_limits<Index>::max() / 6) {
-      throw Error("subdividing " + std::to_string(mesh.triangle_count()) + " triangles " +
+    if (finer > std::numeric_limits<Index>::max() / 6) {
+      throw Error("subdividing " + std::to_string(triangles) + " triangles " +
                   std::to_string(times) + " times makes more than brindle can number; at most " +
                   std::to_string(i) + " times is possible");
     }
   }
+}
+
+Mesh subdivide(Mesh mesh, int times) {
+  check_subdivisions(mesh.triangle_count(), times);
   for (int i = 0; i < times && !mesh.triangles.empty(); ++i) mesh = subdivide_once(std::move(mesh));
   return mesh;
 }

@@ -34,9 +34,13 @@ void check_positions(std::span<const Vec3> positions) {
               " is not finite; correct it, or move it as repair_mesh does");
 }
 
-Surface make_surface(Mesh mesh) {
+void check_mesh(const Mesh& mesh) {
   check_positions(mesh.positions);
   check_triangles(mesh);
+}
+
+Surface make_surface(Mesh mesh) {
+  check_mesh(mesh);
   Surface surface;
   surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(mesh));
   surface.normals = vertex_normals(mesh);

@@ -1,6 +1,7 @@
 #include "brindle/pattern/curve_places.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include <Eigen/Geometry>
@@ -22,38 +23,56 @@ std::optional<Barycentric> coordinates_in(const Triangle& triangle, const MeshPo
   return result;
 }
 
+Eigen::Vector3d position_of(const Mesh& mesh, const std::array<Index, 3>& vertices,
+                            const Barycentric& weights) {
+  // From the first vertex, so that meshes far from zero keep their digits.
+  const auto at = [&](Index v) -> Eigen::Vector3d { return mesh.positions[v].cast<double>(); };
+  const Eigen::Vector3d first = at(vertices[0]);
+  return first + weights[1] * (at(vertices[1]) - first) + weights[2] * (at(vertices[2]) - first);
+}
+
 /// Of a point beside the triangle, moved onto it.
-Barycentric projected_onto(const Mesh& mesh, const Triangle& triangle, const MeshPoint& point) {
-  const auto corner = [&](Index v) -> Eigen::Vector3d { return mesh.positions[v].cast<double>(); };
-  const Eigen::Vector3d a = corner(triangle[0]);
-  Eigen::Vector3d p = -a;
-  for (std::size_t i = 0; i < 3; ++i) p += point.weights[i] * corner(point.vertices[i]);
-  const Eigen::Vector3d ab = corner(triangle[1]) - a, ac = corner(triangle[2]) - a;
+Barycentric moved_onto(const Mesh& mesh, const Triangle& triangle, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d a = position_of(mesh, triangle, {1, 0, 0});
+  const Eigen::Vector3d ab = position_of(mesh, triangle, {0, 1, 0}) - a;
+  const Eigen::Vector3d ac = position_of(mesh, triangle, {0, 0, 1}) - a;
   const Eigen::Vector3d normal = ab.cross(ac);
   const double square = normal.squaredNorm();
   if (!(square > 0)) return {1, 0, 0};
-  Barycentric result{0, std::max(0.0, p.cross(ac).dot(normal) / square),
-                     std::max(0.0, ab.cross(p).dot(normal) / square)};
+  Barycentric result{0, std::max(0.0, (point - a).cross(ac).dot(normal) / square),
+                     std::max(0.0, ab.cross(point - a).dot(normal) / square)};
   const double sum = result[1] + result[2];
   result[0] = std::max(0.0, 1 - sum);
   for (double& weight : result) weight /= std::max(1.0, sum);
   return result;
 }
 
+/// A point in a triangle, and how far it had to be moved.
+struct Moved {
+  Barycentric barycentric{};
+  double distance = 0;
+};
+
+Moved placed_in(const Mesh& mesh, const Triangle& triangle, const MeshPoint& point) {
+  if (const auto inside = coordinates_in(triangle, point)) return {*inside, 0};
+  const Eigen::Vector3d from = position_of(mesh, point.vertices, point.weights);
+  const Barycentric there = moved_onto(mesh, triangle, from);
+  return {there, (position_of(mesh, triangle, there) - from).norm()};
+}
+
 }  // namespace
 
 PlacedSegment placed_segment(const Mesh& mesh, const MeshPoint& from, const MeshPoint& to) {
   PlacedSegment best;
-  int most = -1;
+  double least = std::numeric_limits<double>::infinity();
   for (const Index t : {from.triangles[0], from.triangles[1], to.triangles[0], to.triangles[1]}) {
-    const auto start = coordinates_in(mesh.triangles[t], from);
-    const auto end = coordinates_in(mesh.triangles[t], to);
-    const int inside = int{start.has_value()} + int{end.has_value()};
-    if (inside <= most) continue;
-    most = inside;
-    best = {t, start ? *start : projected_onto(mesh, mesh.triangles[t], from),
-            end ? *end : projected_onto(mesh, mesh.triangles[t], to)};
-    if (most == 2) break;
+    const Moved start = placed_in(mesh, mesh.triangles[t], from);
+    const Moved end = placed_in(mesh, mesh.triangles[t], to);
+    const double moved = start.distance + end.distance;
+    if (moved >= least) continue;
+    least = moved;
+    best = {t, start.barycentric, end.barycentric};
+    if (moved == 0) break;
   }
   return best;
 }

@@ -22,7 +22,7 @@ struct PlacedSegment {
 };
 
 /// Of the triangles of both ends one that has both. If there is none, since points between them
-/// were passed over, the one with most of them; what is beside it is moved onto it.
+/// were passed over, the one that they are nearest to; what is beside it is moved onto it.
 PlacedSegment placed_segment(const Mesh& mesh, const MeshPoint& from, const MeshPoint& to);
 
 }  // namespace brindle

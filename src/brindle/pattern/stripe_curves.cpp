@@ -60,6 +60,17 @@ void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
   if (!closed) curve.push_back(last);
 }
 
+/// Without what rounding leaves of corners that have no share.
+std::array<double, 3> cleaned(std::array<double, 3> barycentric) {
+  double sum = 0;
+  for (double& weight : barycentric) {
+    if (weight < 1e-12) weight = 0;
+    sum += weight;
+  }
+  for (double& weight : barycentric) weight /= sum;
+  return barycentric;
+}
+
 /// Whether waves run to the right of the curve, as seen from outside, on most of its way.
 bool runs_backward(const std::vector<CurvePoint>& curve, bool closed) {
   double left = 0;
@@ -294,7 +305,7 @@ class Tracer {
     const Vec3& first = pattern_.mesh.positions[triangle[0]];
     const auto number = static_cast<Index>(t);
     CurvePoint result{
-        first, Vec3::Zero(), Vec3::Zero(), 0, {triangle, barycentric, {number, number}}};
+        first, Vec3::Zero(), Vec3::Zero(), 0, {triangle, cleaned(barycentric), {number, number}}};
     for (int m = 0; m < 3; ++m) {
       const auto weight = static_cast<float>(barycentric[m]);
       const Vec3 side = pattern_.mesh.positions[triangle[m]] - first;

@@ -1,0 +1,82 @@
+#include "array_options.h"
+
+#include <vector>
+
+#include "command_line.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr std::string_view kArray = "array:";
+
+std::optional<TensorAxis> parse_tensor_axis(std::string_view name) {
+  if (name == "major") return TensorAxis::major;
+  if (name == "minor") return TensorAxis::minor;
+  if (name == "max-abs") return TensorAxis::max_abs;
+  return std::nullopt;
+}
+
+FrequencyRange parse_frequency_range(const std::string& option, const std::string& text) {
+  const char* expected =
+      "two factors above zero, the smaller one first, such as 0.4,2.5 or "
+      "0.4,2.5,inverse";
+  std::vector<std::string> parts = split(text, ',');
+  FrequencyRange range;
+  range.inverse = parts.size() == 3 && parts.back() == "inverse";
+  if (range.inverse) parts.pop_back();
+  if (parts.size() != 2) wrong_usage(option, expected, text);
+  range.lowest = parse_positive_number(option, parts[0]);
+  range.highest = parse_positive_number(option, parts[1]);
+  if (range.lowest >= range.highest) wrong_usage(option, expected, text);
+  return range;
+}
+
+}  // namespace
+
+bool is_array(std::string_view value) { return value.starts_with(kArray); }
+
+std::string parse_array(const std::string& option, const std::string& value) {
+  if (!is_array(value) || value.size() == kArray.size()) wrong_usage(option, "array:NAME", value);
+  return value.substr(kArray.size());
+}
+
+void add_array_options(CLI::App& app, ArrayOptions& options) {
+  add_named_option(app, "--tensor", options.tensor, parse_tensor_axis, "major|minor|max-abs",
+                   "--field array:NAME that is a symmetric tensor: along the eigenvector of the "
+                   "largest eigenvalue (default), the smallest, or the largest absolute one");
+  add_parsed_option(app, "--frequency-by", options.frequency_by, parse_array,
+                    "denser stripes where the array is larger (of vectors: longer)")
+      ->type_name("array:NAME");
+  add_parsed_option(app, "--frequency-range", options.range, parse_frequency_range,
+                    "--frequency-by: factors of --stripes where the array is smallest and largest "
+                    "(default 0.4,2.5); inverse: the other way round")
+      ->type_name("A,B[,inverse]");
+  app.add_option("--field-mesh", options.mesh,
+                 "take arrays from this file, whose mesh or points may be finer or coarser: from "
+                 "the nearest place, or triangle")
+      ->type_name("FILE");
+  add_parsed_option(app, "--max-distance", options.max_distance, parse_length,
+                    "--field-mesh: no wave farther away from it (default 2%)")
+      ->type_name("L|P%");
+}
+
+void check_array_options(const CLI::App& command, const ArrayOptions& options, bool field) {
+  if (!field) refuse_given(command, {"--tensor"}, "the field is no tensor; add --field array:NAME");
+  if (options.frequency_by.empty()) {
+    refuse_given(command, {"--frequency-range"},
+                 "nothing varies the frequency; add --frequency-by array:NAME");
+  } else if (!options.frequency.empty()) {
+    throw CLI::ValidationError("--frequency-by",
+                               "--frequency array:" + options.frequency +
+                                   " says all of the frequencies; leave out one of both");
+  }
+  if (!field && options.frequency_by.empty() && options.frequency.empty()) {
+    refuse_given(command, {"--field-mesh"},
+                 "no array is taken from it; add --field array:NAME or --frequency-by array:NAME");
+  }
+  if (options.mesh.empty()) {
+    refuse_given(command, {"--max-distance"}, "the field is the mesh's own; add --field-mesh FILE");
+  }
+}
+
+}  // namespace brindle::tool

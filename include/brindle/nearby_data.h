@@ -1,0 +1,33 @@
+/// Arrays of one mesh at the vertices of another.
+#pragma once
+
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/export.h"
+#include "brindle/mesh.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// For every point the rows of a mesh's arrays that stand for it.
+struct NearbyRows {
+  std::vector<RowBlend> vertices;  ///< those of the nearest place
+  std::vector<Index> triangles;    ///< where that is; empty for a mesh without triangles
+  std::vector<char> found;         ///< 1, or 0 if no place is near enough: the rows are any then
+};
+
+/// What of `from` is nearest to the vertices of `to`, up to `max_distance` away: places on its
+/// triangles, or vertices if it has none. Origins need not be the same. Throws Error as
+/// `NearestOnMesh` and `NearestVertex` do, and for a mesh without vertices.
+NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance);
+
+/// A row per point of an array with a row per vertex: between vertices the blend of three
+/// (`blended`); in double precision, NaN where nothing was found. Throws Error, naming the array,
+/// if it has fewer rows than `from` had vertices.
+DataArray carried_from_points(const DataArray& points, const NearbyRows& rows);
+
+/// The same of an array with a row per triangle: the row of the nearest one. Throws Error also if
+/// there are no triangles.
+DataArray carried_from_cells(const DataArray& cells, const NearbyRows& rows);
+
+}  // namespace brindle

@@ -1,0 +1,98 @@
+/// A tree of boxes around things, to find the nearest of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "brindle/mesh.h"
+#include "brindle/types.h"
+
+namespace brindle {
+
+/// The squared distance of a point from a box; 0 inside.
+double squared_distance(const BoundingBox& box, const Eigen::Vector3d& point);
+
+/// A binary tree over the boxes of numbered things. Every node stands for a range of `order`, and
+/// its halves are its children.
+class BoxTree {
+ public:
+  /// `box_of(number)` is the box around a thing, with finite corners.
+  template <class BoxOf>
+  BoxTree(std::size_t count, const BoxOf& box_of) {
+    std::vector<BoundingBox> boxes(count);
+    for (std::size_t i = 0; i < count; ++i) boxes[i] = box_of(static_cast<Index>(i));
+    build(boxes);
+  }
+
+  struct Found {
+    Index number;
+    double square;  ///< of the distance
+  };
+
+  /// The thing for which `square_of(number)`, its squared distance from `point`, is least; of equal
+  /// ones the smallest number; nothing if all are beyond `limit`. No thing may be nearer than its
+  /// box.
+  template <class SquareOf>
+  std::optional<Found> nearest(const Eigen::Vector3d& point, double limit,
+                               const SquareOf& square_of) const {
+    // What is as near as the best counts, too: rounding must not hide it.
+    constexpr double kRounding = 1 + 8 * std::numeric_limits<double>::epsilon();
+    std::optional<Found> best;
+    Pending pending;
+    if (!nodes_.empty()) pending.add(0, squared_distance(nodes_[0].box, point));
+    while (pending.count > 0) {
+      const Waiting next = pending.take();
+      if (next.square > kRounding * (best ? best->square : limit)) continue;
+      const Node& node = nodes_[next.node];
+      if (node.right != 0) {
+        add_children(next.node, point, pending);
+        continue;
+      }
+      for (Index i = node.begin; i < node.end; ++i) {
+        const Found here{order_[i], square_of(order_[i])};
+        if (best ? is_before(here, *best) : here.square <= limit) best = here;
+      }
+    }
+    return best;
+  }
+
+ private:
+  struct Node {
+    BoundingBox box;
+    Index begin = 0, end = 0;  ///< of `order_`
+    Index right = 0;           ///< the second child; the first follows its parent; 0 for a leaf
+  };
+
+  struct Waiting {
+    Index node;
+    double square;  ///< of the distance of its box
+  };
+
+  /// Nodes yet to be searched. Ranges are halved until they are short, so there are fewer levels
+  /// than an Index has bits, and of each no more than one node waits, and one more of the last.
+  struct Pending {
+    std::array<Waiting, 8 * sizeof(Index) + 1> nodes;
+    std::size_t count = 0;
+
+    void add(Index node, double square) { nodes[count++] = {node, square}; }
+    Waiting take() { return nodes[--count]; }
+  };
+
+  static bool is_before(const Found& a, const Found& b) {
+    return a.square != b.square ? a.square < b.square : a.number < b.number;
+  }
+  /// The nearer one last, to be taken first.
+  void add_children(Index node, const Eigen::Vector3d& point, Pending& pending) const;
+  void build(const std::vector<BoundingBox>& boxes);
+  void add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end);
+
+  std::vector<Index> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace brindle

@@ -1,0 +1,105 @@
+#include "brindle/tensor_field.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/array_rows.h"
+#include "brindle/base/parallel.h"
+#include "brindle/error.h"
+#include "brindle/waves/orientation.h"
+
+namespace brindle {
+namespace {
+
+constexpr double kNearNormal = 0.9659258262890683;  // cosine of 15 degrees
+constexpr double kSame = 1e-6;                      // share of the largest number
+
+Eigen::Matrix3d matrix_of(const double* row, int components) {
+  if (components == 9) return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(row);
+  Eigen::Matrix3d matrix;
+  matrix << row[0], row[3], row[5], row[3], row[1], row[4], row[5], row[4], row[2];
+  return matrix;
+}
+
+/// What there is to say of one vertex.
+struct TensorCounts {
+  std::size_t near_normal = 0, isotropic = 0, not_symmetric = 0;
+
+  TensorCounts operator+(const TensorCounts& other) const {
+    return {near_normal + other.near_normal, isotropic + other.isotropic,
+            not_symmetric + other.not_symmetric};
+  }
+};
+
+/// Differences up to this are rounding errors.
+double tolerance(const Eigen::Vector3d& eigenvalues) {
+  return kSame * eigenvalues.cwiseAbs().maxCoeff();
+}
+
+/// The number of the eigenvalue; they are in ascending order.
+Eigen::Index chosen(const Eigen::Vector3d& eigenvalues, TensorAxis axis) {
+  if (axis == TensorAxis::major) return 2;
+  if (axis == TensorAxis::minor) return 0;
+  return -eigenvalues[0] > eigenvalues[2] + tolerance(eigenvalues) ? 0 : 2;
+}
+
+bool is_single(const Eigen::Vector3d& eigenvalues, Eigen::Index which) {
+  return std::abs(eigenvalues[which] - eigenvalues[1]) > tolerance(eigenvalues);
+}
+
+Vec3 tensor_direction(Eigen::Matrix3d matrix, const Vec3& normal, TensorAxis axis,
+                      TensorCounts& counts) {
+  const double size = matrix.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  if (!std::isfinite(size)) return Vec3::Zero();
+  if (size > 0) matrix /= size;  // squares of extreme numbers are no doubles
+  counts.not_symmetric += (matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kSame;
+  if (normal.isZero(0)) return Vec3::Zero();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((matrix + matrix.transpose()) / 2);
+  const Eigen::Index which = chosen(solver.eigenvalues(), axis);
+  if (!is_single(solver.eigenvalues(), which)) {
+    ++counts.isotropic;
+    return Vec3::Zero();
+  }
+  const Eigen::Vector3d vector = solver.eigenvectors().col(which);
+  if (std::abs(vector.dot(normal.cast<double>())) > kNearNormal) {
+    ++counts.near_normal;
+    return Vec3::Zero();
+  }
+  return tangent_direction(vector.cast<float>(), normal);
+}
+
+}  // namespace
+
+bool is_tensor(const DataArray& array) { return array.components == 6 || array.components == 9; }
+
+TensorField tensor_field_of(const Surface& surface, const DataArray& tensors, TensorAxis axis) {
+  check_rows_per_vertex(tensors, surface.mesh.vertex_count());
+  if (!is_tensor(tensors)) {
+    throw Error("array '" + tensors.name + "' has " + std::to_string(tensors.components) +
+                " numbers in a row; a symmetric tensor needs 6 (XX, YY, ZZ, XY, YZ, XZ) or 9");
+  }
+  const std::vector<double> numbers = doubles_of(tensors.view());
+  const auto columns = static_cast<std::size_t>(tensors.components);
+  TensorField field;
+  field.directions.resize(tensors.rows());
+  const auto counts =
+      parallel_sum<TensorCounts>(tensors.rows(), [&](std::size_t begin, std::size_t end) {
+        TensorCounts sum;
+        for (std::size_t v = begin; v < end; ++v) {
+          field.directions[v] = tensor_direction(
+              matrix_of(&numbers[v * columns], tensors.components), surface.normals[v], axis, sum);
+        }
+        return sum;
+      });
+  field.near_normal = counts.near_normal;
+  field.isotropic = counts.isotropic;
+  field.not_symmetric = counts.not_symmetric;
+  orient_alike(*surface.neighborhood, field.directions);
+  return field;
+}
+
+}  // namespace brindle
