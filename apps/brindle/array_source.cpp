@@ -26,7 +26,7 @@ struct Choice {
   bool of_cells = false;
 };
 
-Choice choice_of(const DataArrays& arrays, std::string_view name) {
+Choice find_choice(const DataArrays& arrays, std::string_view name) {
   if (const DataArray* array = find_array(arrays.points, name)) return {array, false};
   if (const DataArray* array = find_array(arrays.cells, name)) return {array, true};
   if (name.starts_with(kPoints)) {
@@ -38,7 +38,8 @@ Choice choice_of(const DataArrays& arrays, std::string_view name) {
   return {};
 }
 
-/// "velocity (3), speed".
+}  // namespace
+
 std::string list_of(std::span<const DataArray> arrays) {
   std::string text;
   for (const DataArray& array : arrays) {
@@ -48,6 +49,8 @@ std::string list_of(std::span<const DataArray> arrays) {
   }
   return text;
 }
+
+namespace {
 
 [[noreturn]] void refuse_name(const DataArrays& arrays, const std::string& name,
                               const std::string& file) {
@@ -70,6 +73,12 @@ std::string list_of(std::span<const DataArray> arrays) {
   throw Error(text);
 }
 
+Choice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file) {
+  const Choice choice = find_choice(arrays, name);
+  if (choice.array == nullptr) refuse_name(arrays, name, file);
+  return choice;
+}
+
 /// Every line with the name of the file before it.
 std::string lines_about(const std::string& file, const std::string& text) {
   std::string lines;
@@ -82,6 +91,10 @@ std::string lines_about(const std::string& file, const std::string& text) {
 }
 
 }  // namespace
+
+DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file) {
+  return *choice_of(arrays, name, file).array;
+}
 
 /// The mesh of another file, with its arrays.
 struct OtherMesh {
@@ -131,8 +144,7 @@ ArraySource::~ArraySource() = default;
 
 ArraySource::PerVertex ArraySource::array(const std::string& name) const {
   const DataArrays& arrays = other_ ? other_->arrays : own_;
-  const auto [array, of_cells] = choice_of(arrays, name);
-  if (array == nullptr) refuse_name(arrays, name, other_ ? other_->file : file_);
+  const auto [array, of_cells] = choice_of(arrays, name, other_ ? other_->file : file_);
   const std::size_t nonfinite = nonfinite_rows(*array);
   if (other_) {
     return {of_cells ? carried_from_cells(*array, other_->rows)

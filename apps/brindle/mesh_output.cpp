@@ -200,14 +200,14 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
 
 }  // namespace
 
-KeptData take_file_data(Preparation& prepared) {
+InputData take_input_data(Preparation& prepared) {
   return {std::move(prepared.arrays), std::move(prepared.original_ids),
           std::move(prepared.partners)};
 }
 
-KeptData on_cross_texture(const KeptData& data, std::span<const Triangle> triangles,
+InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
                           const CrossCover& cover) {
-  KeptData result{{}, data.original_ids, data.partners};
+  InputData result{{}, data.original_ids, data.partners};
   const auto vertices = static_cast<Index>(data.original_ids.size());
   std::vector<RowBlend> points;
   for (Index v = 0; v < vertices; ++v) points.push_back({{v, v, v}, {1, 0, 0}});
