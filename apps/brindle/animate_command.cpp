@@ -28,7 +28,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate horse.ply --scene zoom --output zoom.mp4
   brindle animate horse.ply --scene vortices --size 640x480 --output frames/%04d.png
   brindle animate horse.ply --scene zoom --compare-from-scratch --report zoom.json
@@ -133,7 +133,7 @@ void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
                    "aligned|trapezoid", "distance between two waves");
 }
 
-void add_output_options(CLI::App& app, AnimateArguments& arguments) {
+void add_frame_output_options(CLI::App& app, AnimateArguments& arguments) {
   app.add_option_function<std::vector<std::string>>(
          "-o,--output",
          [&arguments](const std::vector<std::string>& texts) {
@@ -294,7 +294,7 @@ AnimationReport play_series(const AnimateArguments& arguments, Series& series,
   return report;
 }
 
-void run(const CLI::App& command, AnimateArguments arguments) {
+void run_animate(const CLI::App& command, AnimateArguments arguments) {
   if (!is_series(arguments)) refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
   std::optional<Series> series;
@@ -328,7 +328,7 @@ void run(const CLI::App& command, AnimateArguments arguments) {
   if (!arguments.report.empty()) print_written(std::cout, std::filesystem::path(arguments.report));
 }
 
-void add_options(CLI::App& command, AnimateArguments& arguments) {
+void add_animate_options(CLI::App& command, AnimateArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_scene_options(command, arguments);
   add_series_options(command, arguments);
@@ -337,7 +337,7 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
   command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
-  add_output_options(command, arguments);
+  add_frame_output_options(command, arguments);
   arguments.picture = add_picture_options(command);
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
@@ -346,7 +346,7 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
 
 Command add_animate_command(CLI::App& app) {
   return add_command<AnimateArguments>(app, "animate", "Let stripes follow changing input",
-                                       kExamples, add_options, run);
+                                       kAnimateExamples, add_animate_options, run_animate);
 }
 
 }  // namespace brindle::tool

@@ -16,7 +16,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompareExamples = R"(Examples:
   brindle compare shape:vessels
   brindle compare horse.ply --direction 0.31,0.9,0.27 --stripes 160 --json horse.json
   brindle compare flow.vtp --field array:velocity --frequency-by array:speed)";
@@ -62,7 +62,7 @@ void check(const CLI::App& command, const CompareArguments& arguments) {
   if (is_points(arguments.surface)) refuse_triangle_options(command);
 }
 
-void run(const CLI::App& command, const CompareArguments& arguments) {
+void run_compare(const CLI::App& command, const CompareArguments& arguments) {
   check(command, arguments);
   const ThreadLimit threads(arguments.solving.threads);
   std::vector<Report> reports = reports_of_all(arguments);
@@ -78,7 +78,7 @@ void run(const CLI::App& command, const CompareArguments& arguments) {
   if (!arguments.json.empty()) print_written(std::cout, std::filesystem::path(arguments.json));
 }
 
-void add_options(CLI::App& command, CompareArguments& arguments) {
+void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_point_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
@@ -91,8 +91,9 @@ void add_options(CLI::App& command, CompareArguments& arguments) {
 }  // namespace
 
 Command add_compare_command(CLI::App& app) {
-  return add_command<CompareArguments>(
-      app, "compare", "All solvers on the same input, in one table", kExamples, add_options, run);
+  return add_command<CompareArguments>(app, "compare",
+                                       "All solvers on the same input, in one table",
+                                       kCompareExamples, add_compare_options, run_compare);
 }
 
 }  // namespace brindle::tool

@@ -29,7 +29,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves horse.ply --stripes 100 --output horse.svg --camera 60,15
   brindle curves scan.obj --lines both --stripes 30 --stripes-v 60 --output grid.obj
   brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
@@ -107,7 +107,7 @@ struct Family {
   double extract_milliseconds = 0;
 };
 
-struct Result {
+struct CurvesResult {
   Preparation prepared;
   MeshEdges edges;
   std::vector<Family> families;
@@ -143,7 +143,7 @@ std::string why_no_curves(const Family& family) {
          " are shorter than --min-length\n";
 }
 
-Family make_family(const CurvesArguments& arguments, Result& result, std::string name,
+Family make_family(const CurvesArguments& arguments, CurvesResult& result, std::string name,
                    WaveSet waves, ProgressDisplay& display) {
   const Surface& surface = result.prepared.surface;
   const float diagonal = bounding_box(surface.mesh).diagonal();
@@ -178,8 +178,8 @@ Family make_family(const CurvesArguments& arguments, Result& result, std::string
   return family;
 }
 
-Result make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
-  Result result;
+CurvesResult make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
+  CurvesResult result;
   result.prepared = prepare(arguments.surface, arguments.waves, display);
   Stopwatch watch;
   result.edges = mesh_edges(result.prepared.surface.mesh, *result.prepared.surface.neighborhood);
@@ -234,7 +234,7 @@ nlohmann::ordered_json to_json(const Family& family) {
   return json;
 }
 
-nlohmann::ordered_json to_json(const Result& result) {
+nlohmann::ordered_json to_json(const CurvesResult& result) {
   const Surface& surface = result.prepared.surface;
   StripeMilliseconds time;
   time.load = result.prepared.load_milliseconds;
@@ -262,7 +262,7 @@ nlohmann::ordered_json to_json(const Result& result) {
   return json;
 }
 
-void print(std::ostream& out, const Result& result) {
+void print(std::ostream& out, const CurvesResult& result) {
   print_waves(out, result.prepared.figures);
   for (const Family& family : result.families) {
     const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
@@ -297,7 +297,7 @@ void print(std::ostream& out, const Result& result) {
 }
 
 // A default that leaves most of the surface to see: a sixth of the spacing, across both sides.
-float tube_radius_of(const CurvesArguments& arguments, const Result& result) {
+float tube_radius_of(const CurvesArguments& arguments, const CurvesResult& result) {
   const Mesh& mesh = result.prepared.surface.mesh;
   if (arguments.tube_radius) return arguments.tube_radius->on(bounding_box(mesh).diagonal());
   const auto& frequencies = result.families.front().pattern.waves.frequencies;
@@ -305,7 +305,7 @@ float tube_radius_of(const CurvesArguments& arguments, const Result& result) {
   return static_cast<float>(static_cast<double>(frequencies.size()) / (12 * sum));
 }
 
-std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Result& result) {
+std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const CurvesResult& result) {
   const TubeOptions options{tube_radius_of(arguments, result), arguments.tube_sides};
   std::vector<Ornament> ornaments;
   for (const Family& family : result.families) {
@@ -344,7 +344,7 @@ std::vector<DataArray> arrays_of(const Family& family, const Mesh& mesh, DataArr
   return arrays;
 }
 
-void write_lines(const std::string& path, const Result& result, ProgressDisplay& display) {
+void write_lines(const std::string& path, const CurvesResult& result, ProgressDisplay& display) {
   const Preparation& prepared = result.prepared;
   DataArrays input = held_beside(kCurveColumns, path, prepared.arrays, display);
   std::vector<NamedLines> lines;
@@ -356,7 +356,7 @@ void write_lines(const std::string& path, const Result& result, ProgressDisplay&
 }
 
 void write(CurveOutput kind, const std::string& path, const CLI::App& command,
-           const CurvesArguments& arguments, const Result& result, ProgressDisplay& display) {
+           const CurvesArguments& arguments, const CurvesResult& result, ProgressDisplay& display) {
   const Surface& surface = result.prepared.surface;
   std::vector<PenLines> pens;
   for (const Family& family : result.families) {
@@ -395,7 +395,7 @@ void check_options(const CLI::App& command, const CurvesArguments& arguments,
   }
 }
 
-void run(const CLI::App& command, const CurvesArguments& arguments) {
+void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
   std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
   if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
   const auto files = plan_files<CurveOutput>(
@@ -408,12 +408,11 @@ void run(const CLI::App& command, const CurvesArguments& arguments) {
   }
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
-  const Result result = make_and_write(
+  const CurvesResult result = make_and_write(
       files, arguments.quiet,
       [&](ProgressDisplay& display) { return make_result(arguments, display); },
-      [&](CurveOutput kind, const std::string& path, const Result& made, ProgressDisplay& display) {
-        write(kind, path, command, arguments, made, display);
-      });
+      [&](CurveOutput kind, const std::string& path, const CurvesResult& made,
+          ProgressDisplay& display) { write(kind, path, command, arguments, made, display); });
   if (arguments.quiet) return;
   print(std::cout, result);
   print_written(std::cout, files);
@@ -449,7 +448,7 @@ void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
       ->check(CLI::Range(3, 64));
 }
 
-void add_options(CLI::App& command, CurvesArguments& arguments) {
+void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
   add_second_wave_options(command, arguments.second);
@@ -463,8 +462,8 @@ void add_options(CLI::App& command, CurvesArguments& arguments) {
 }  // namespace
 
 Command add_curves_command(CLI::App& app) {
-  return add_command<CurvesArguments>(app, "curves", "Trace the stripes as curves", kExamples,
-                                      add_options, run);
+  return add_command<CurvesArguments>(app, "curves", "Trace the stripes as curves", kCurvesExamples,
+                                      add_curves_options, run_curves);
 }
 
 }  // namespace brindle::tool

@@ -16,7 +16,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kInfoExamples = R"(Examples:
   brindle info horse.ply
   brindle info shape:mobius
   brindle info points.csv
@@ -145,11 +145,11 @@ void run_mesh(const SurfaceOptions& options) {
   print_repairs(describe(loaded));
 }
 
-void run(const CLI::App& /*command*/, const SurfaceOptions& options) {
+void run_info(const CLI::App& /*command*/, const SurfaceOptions& options) {
   is_points(options) ? run_points(options) : run_mesh(options);
 }
 
-void add_options(CLI::App& command, SurfaceOptions& arguments) {
+void add_info_options(CLI::App& command, SurfaceOptions& arguments) {
   add_surface_options(command, arguments);
   add_point_options(command, arguments);
 }
@@ -158,7 +158,7 @@ void add_options(CLI::App& command, SurfaceOptions& arguments) {
 
 Command add_info_command(CLI::App& app) {
   return add_command<SurfaceOptions>(app, "info", "What kind of surface a mesh or a point cloud is",
-                                     kExamples, add_options, run);
+                                     kInfoExamples, add_info_options, run_info);
 }
 
 }  // namespace brindle::tool

@@ -16,7 +16,7 @@ namespace {
 
 enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kCancelled = 130 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kToolExamples = R"(Examples:
   brindle stripe shape:torus --output torus.png
   brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
   brindle compare horse.ply --stripes 160
@@ -102,7 +102,7 @@ ExitCode parse_and_run(int argc, char** argv) {
       },
       "List the built-in shapes and exit");
   app.require_subcommand(1);
-  app.footer(kExamples);
+  app.footer(kToolExamples);
   const std::vector<Command> commands = {add_stripe_command(app),  add_compare_command(app),
                                          add_curves_command(app),  add_sample_command(app),
                                          add_animate_command(app), add_info_command(app),

@@ -31,7 +31,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kSampleExamples = R"(Examples:
   brindle sample horse.ply --stripes 100 --output samples.csv
   brindle sample scan.obj --stripes 30 --stripes-v 90 --output anisotropic.ply
   brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
@@ -61,7 +61,7 @@ struct SampleArguments {
 
 enum class SampleOutput { samples, picture, report };
 
-SampleOutput planned(const std::string& path) {
+SampleOutput planned_sample(const std::string& path) {
   check_output_path(path);
   const std::string kind = lower_extension(path);
   if (kind == ".json") return SampleOutput::report;
@@ -75,7 +75,7 @@ SampleOutput planned(const std::string& path) {
                           ".json for a report");
 }
 
-struct Result {
+struct SampleResult {
   Preparation prepared;
   StripePattern u, v;
   std::vector<Sample> samples;
@@ -93,13 +93,13 @@ WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surfac
           pattern.solution.z, arguments.solving.stripes.phase_shift};
 }
 
-void drop_and_measure(Result& result, float min_distance) {
+void drop_and_measure(SampleResult& result, float min_distance) {
   result.doubles = drop_doubles(result.samples, min_distance);
   result.spacing = measure_sample_spacing(result.samples);
 }
 
-Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
-  Result result;
+SampleResult make_result(const SampleArguments& arguments, ProgressDisplay& display) {
+  SampleResult result;
   result.prepared = prepare(arguments.surface, arguments.waves, display);
   const Surface& surface = result.prepared.surface;
   WaveSet waves_v = make_second_waves(result.prepared, arguments.second);
@@ -133,7 +133,7 @@ Result make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   return result;
 }
 
-nlohmann::ordered_json to_json(const Result& result) {
+nlohmann::ordered_json to_json(const SampleResult& result) {
   const Surface& surface = result.prepared.surface;
   const auto both = [&](double StripeMilliseconds::*part) {
     return result.u.milliseconds.*part + result.v.milliseconds.*part;
@@ -166,7 +166,7 @@ nlohmann::ordered_json to_json(const Result& result) {
   return json;
 }
 
-void print(std::ostream& out, const Result& result) {
+void print(std::ostream& out, const SampleResult& result) {
   print_waves(out, result.prepared.figures);
   out << formatted("samples   %zu, %zu more left out as too near to others\n",
                    result.samples.size(), result.doubles)
@@ -229,7 +229,8 @@ DataArray frequencies_of(const char* name, std::span<const Sample> samples,
   return make_data_array(name, 1, frequencies);
 }
 
-void write_all_samples(const std::string& path, const Result& result, ProgressDisplay& display) {
+void write_all_samples(const std::string& path, const SampleResult& result,
+                       ProgressDisplay& display) {
   const Mesh& mesh = result.prepared.surface.mesh;
   const std::vector<Sample>& samples = result.samples;
   std::vector<DataArray> arrays = {frequencies_of("frequency_u", samples, &Sample::spacing_u),
@@ -243,7 +244,7 @@ void write_all_samples(const std::string& path, const Result& result, ProgressDi
 }
 
 void write(SampleOutput kind, const std::string& path, const CLI::App& command,
-           const SampleArguments& arguments, const Result& result, ProgressDisplay& display) {
+           const SampleArguments& arguments, const SampleResult& result, ProgressDisplay& display) {
   switch (kind) {
     case SampleOutput::samples:
       return write_all_samples(path, result, display);
@@ -285,28 +286,29 @@ void check(const CLI::App& command, const SampleArguments& arguments,
   }
 }
 
-void run(const CLI::App& command, const SampleArguments& arguments) {
+void run_sample(const CLI::App& command, const SampleArguments& arguments) {
   std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
   if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
-  const auto files = plan_files<SampleOutput>(inputs, arguments.outputs, arguments.report, planned);
+  const auto files =
+      plan_files<SampleOutput>(inputs, arguments.outputs, arguments.report, planned_sample);
   check(command, arguments, files);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
-  const Result result = make_and_write(
+  const SampleResult result = make_and_write(
       files, arguments.quiet,
       [&](ProgressDisplay& display) {
-        Result made = make_result(arguments, display);
+        SampleResult made = make_result(arguments, display);
         if (made.samples.empty()) display.note(kNoSamples);
         return made;
       },
-      [&](SampleOutput kind, const std::string& path, const Result& made,
+      [&](SampleOutput kind, const std::string& path, const SampleResult& made,
           ProgressDisplay& display) { write(kind, path, command, arguments, made, display); });
   if (arguments.quiet) return;
   print(std::cout, result);
   print_written(std::cout, files);
 }
 
-void add_options(CLI::App& command, SampleArguments& arguments) {
+void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_point_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
@@ -324,7 +326,7 @@ void add_options(CLI::App& command, SampleArguments& arguments) {
 
 Command add_sample_command(CLI::App& app) {
   return add_command<SampleArguments>(app, "sample", "Sample a surface where two patterns cross",
-                                      kExamples, add_options, run);
+                                      kSampleExamples, add_sample_options, run_sample);
 }
 
 }  // namespace brindle::tool

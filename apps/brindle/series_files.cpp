@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kExpected =
+constexpr const char* kExpectedSeries =
     "a .pvd file, or names with a number or a wildcard such as 'v%04d.vtp' or 'v*.vtp'";
 
 /// The names of a folder's files.
@@ -145,10 +145,10 @@ bool has_wildcard(const std::string& text) { return text.find_first_of("*?") != 
 
 std::vector<TimedFile> series_files(const std::string& option, const std::string& name) {
   const fs::path path(name);
-  if (has_wildcard(path.parent_path().string())) wrong_usage(option, kExpected, name);
+  if (has_wildcard(path.parent_path().string())) wrong_usage(option, kExpectedSeries, name);
   if (has_wildcard(name)) return matching_files(name);
   if (const auto names = parse_frame_names(path)) return numbered_files(name, *names);
-  if (lower_extension(path) != ".pvd") wrong_usage(option, kExpected, name);
+  if (lower_extension(path) != ".pvd") wrong_usage(option, kExpectedSeries, name);
   return read_pvd(path);
 }
 

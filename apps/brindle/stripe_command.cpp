@@ -25,7 +25,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kStripeExamples =
     R"(Stripes run ACROSS the direction: a wave runs along it, and stripes are the wave's crests. --along
 turns them.
 
@@ -264,7 +264,7 @@ void write_outputs(const std::vector<Output>& outputs, Job& job, const StripeArg
   }
 }
 
-void run(const CLI::App& command, const StripeArguments& arguments) {
+void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
   check_solver(arguments.device, arguments.solving.stripes.solver);
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
   const std::vector<Output> outputs = checked_outputs(command, arguments);
@@ -302,7 +302,7 @@ void add_previous_options(CLI::App& command, StripeArguments& arguments) {
   add_match_option(command, arguments.match);
 }
 
-void add_options(CLI::App& command, StripeArguments& arguments) {
+void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_point_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
@@ -323,7 +323,7 @@ void add_options(CLI::App& command, StripeArguments& arguments) {
 
 Command add_stripe_command(CLI::App& app) {
   return add_command<StripeArguments>(app, "stripe", "Lay stripes over a surface or a point cloud",
-                                      kExamples, add_options, run);
+                                      kStripeExamples, add_stripe_options, run_stripe);
 }
 
 }  // namespace brindle::tool
