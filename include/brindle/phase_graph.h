@@ -1,6 +1,7 @@
 /// The phase graph: all that a solver has to know (docs/method.md, "Phase graph").
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +42,10 @@ struct WaveSet {
   std::vector<Vec3> positions;
   std::vector<Vec3> directions;    ///< unit tangent vectors or zero (no wave: couplings are 0)
   std::vector<float> frequencies;  ///< stripes per unit length
+
+  Wave wave(std::size_t node) const {
+    return {positions[node], directions[node], frequencies[node]};
+  }
 };
 
 /// The couplings of the waves along all edges of `adjacency`, with the paper's weight

@@ -18,7 +18,6 @@ namespace brindle {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r";
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(kSpace);

@@ -24,7 +24,6 @@ std::string_view without_plus(std::string_view word) {
 }
 
 /// What some programs put before UTF-8.
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 /// Whether the value is as far from one float as from the next.
 bool halfway_between_floats(double value) {

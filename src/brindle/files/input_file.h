@@ -14,6 +14,9 @@
 
 namespace brindle {
 
+/// What may stand before the first line of a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 class InputFile {
  public:
   /// Throws Error, with the remedy, if there is no such file, it is a folder or no regular file,

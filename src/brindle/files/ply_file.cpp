@@ -26,7 +26,7 @@
 namespace brindle {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, NumberType>, 16> kNumbers = {
+constexpr std::array<std::pair<std::string_view, NumberType>, 16> kNumberNames = {
     {{"char", NumberType::int8},
      {"int8", NumberType::int8},
      {"uchar", NumberType::uint8},
@@ -130,7 +130,7 @@ class HeaderReader {
   }
 
   NumberType number(std::string_view name) {
-    for (const auto& [known, kind] : kNumbers) {
+    for (const auto& [known, kind] : kNumberNames) {
       if (known == name) return kind;
     }
     file_.fail("unknown type of number " + in_quotes(name));

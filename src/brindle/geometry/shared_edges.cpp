@@ -9,11 +9,11 @@ namespace brindle {
 namespace {
 
 /// A side of a triangle, told by the corners at its vertices of lower and higher number.
-struct Side {
+struct SortedSide {
   Index low, high;
   Index corner_of_low, corner_of_high;
 
-  bool operator<(const Side& other) const {
+  bool operator<(const SortedSide& other) const {
     if (low != other.low) return low < other.low;
     if (high != other.high) return high < other.high;
     return corner_of_low / 3 < other.corner_of_low / 3;
@@ -26,13 +26,13 @@ std::vector<SharedEdge> shared_edges(std::span<const Triangle> triangles) {
   if (triangles.size() > std::numeric_limits<Index>::max() / 3) {
     throw Error("the mesh has too many triangles; take a smaller one");
   }
-  std::vector<Side> sides;
+  std::vector<SortedSide> sides;
   sides.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (Index c = 0; c < 3; ++c) {
       const Index next = (c + 1) % 3;
       const auto first = static_cast<Index>(3 * t);
-      Side side{triangles[t][c], triangles[t][next], first + c, first + next};
+      SortedSide side{triangles[t][c], triangles[t][next], first + c, first + next};
       if (side.low > side.high) {
         side = {side.high, side.low, side.corner_of_high, side.corner_of_low};
       }
@@ -43,8 +43,8 @@ std::vector<SharedEdge> shared_edges(std::span<const Triangle> triangles) {
   std::vector<SharedEdge> edges;
   edges.reserve(sides.size() / 2);
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side& a = sides[i - 1];
-    const Side& b = sides[i];
+    const SortedSide& a = sides[i - 1];
+    const SortedSide& b = sides[i];
     if (a.low != b.low || a.high != b.high) continue;
     edges.push_back({{a.corner_of_low, b.corner_of_low}, {a.corner_of_high, b.corner_of_high}});
   }

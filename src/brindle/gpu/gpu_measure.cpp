@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned kResultBinding = 0;
 constexpr unsigned kLastPhaseBinding = kGaugeBinding;
-constexpr GLint kPartCount = 0;
+constexpr GLint kSumPartCount = 0;
 constexpr GLint kResultNumber = 1;
 constexpr GLuint64 kPatience = 10'000'000'000;  // nanoseconds between two looks at a fence
 
@@ -57,7 +57,7 @@ void GpuMeasure::begin(const GpuHierarchy& hierarchy, GLuint last_phases) {
   bind_storage(kScratchBinding, s.parts);
   dispatch(kernels.measure, hierarchy.topology().level(0).slot_count);
   bind_storage(kResultBinding, s.results);
-  glProgramUniform1ui(kernels.sum_parts.name(), kPartCount, static_cast<GLuint>(s.part_count));
+  glProgramUniform1ui(kernels.sum_parts.name(), kSumPartCount, static_cast<GLuint>(s.part_count));
   glProgramUniform1ui(kernels.sum_parts.name(), kResultNumber, s.begun % 2);
   dispatch_one_group(kernels.sum_parts);
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);

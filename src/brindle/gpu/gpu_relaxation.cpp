@@ -25,7 +25,7 @@ enum RelaxLocation : GLint { kStrength = 3, kFirstPart = 4 };
 enum JudgeLocation : GLint { kPartCount = 0, kCommandCount = 1, kEpsilon = 2 };
 
 /// Iterations that are under way before somebody asks whether they have converged.
-constexpr int kBatch = 8;
+constexpr int kIterationBatch = 8;
 
 using Command = std::array<GLuint, 3>;
 
@@ -109,7 +109,7 @@ void relax_to_convergence(const GpuHierarchy& hierarchy, const GpuRelaxation& re
   GpuRelaxation::Standing standing;
   const auto limit = static_cast<std::uint32_t>(options.max_iterations);
   while (!standing.converged && standing.iterations < limit) {
-    const std::uint32_t end = std::min<std::uint32_t>(standing.iterations + kBatch, limit);
+    const std::uint32_t end = std::min<std::uint32_t>(standing.iterations + kIterationBatch, limit);
     for (std::uint32_t i = standing.iterations; i < end; ++i) {
       const bool skip = options.skip_last_third && i % 2 == 1;
       relaxation.iterate(hierarchy, skip ? first_two_thirds : all);

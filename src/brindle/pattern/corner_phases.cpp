@@ -1,17 +1,13 @@
 #include "brindle/corner_phases.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
 #include "brindle/fragment_phase.h"
 
 namespace brindle {
-namespace {
-
-constexpr float kTwoPi = 2 * std::numbers::pi_v<float>;
-
-}  // namespace
+namespace {}  // namespace
 
 float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind) {
   const float shift = phase_shift(kind, j.wave, i.wave).radians;

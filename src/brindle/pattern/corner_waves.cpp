@@ -12,8 +12,7 @@ std::array<CornerWave, 3> corner_waves(const Triangle& triangle, const WaveSet& 
   std::array<CornerWave, 3> corners;
   for (int m = 0; m < 3; ++m) {
     const Index vertex = triangle[m];
-    corners[m] = {{waves.positions[vertex], waves.directions[vertex], waves.frequencies[vertex]},
-                  z[vertex]};
+    corners[m] = {waves.wave(vertex), z[vertex]};
   }
   return corners;
 }

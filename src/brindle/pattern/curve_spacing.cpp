@@ -13,8 +13,8 @@
 namespace brindle {
 namespace {
 
-constexpr float kReach = 1.6f;    // how far a neighbour is looked for, times 1/f
-constexpr float kStep = 0.2f;     // between points, times 1/f
+constexpr float kNeighborReach = 1.6f;  // how far a neighbour is looked for, times 1/f
+constexpr float kStep = 0.2f;           // between points, times 1/f
 constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
 
 /// Points along all curves, with what a measurement needs to know.
@@ -94,11 +94,13 @@ float bending(const Vec3& way, const Vec3& normal, const Vec3& other) {
   return half < 1e-3f ? 1.0f : half / std::sin(std::min(half, 1.5f));
 }
 
-struct Sums {
+struct RatioSums {
   Moments ratio;
   double within = 0;
 
-  Sums operator+(const Sums& other) const { return {ratio + other.ratio, within + other.within}; }
+  RatioSums operator+(const RatioSums& other) const {
+    return {ratio + other.ratio, within + other.within};
+  }
   void add(double r) {
     ratio.add(r);
     within += r >= 0.9 && r <= 1.1;
@@ -106,7 +108,7 @@ struct Sums {
 };
 
 /// Adds the distances to the nearest curves on either side of a mark.
-void measure(const Marks& marks, Index i, const std::vector<Index>& near, Sums& sums) {
+void measure(const Marks& marks, Index i, const std::vector<Index>& near, RatioSums& sums) {
   const Vec3& p = marks.lines.points[i];
   const Vec3& normal = marks.lines.normals[i];
   const Vec3 sideways = normal.cross(marks.along[i]).stableNormalized();
@@ -125,7 +127,7 @@ void measure(const Marks& marks, Index i, const std::vector<Index>& near, Sums& 
   }
   for (const float distance : nearest) {
     const double ratio = static_cast<double>(distance) * marks.frequencies[i];
-    if (ratio <= kReach) sums.add(ratio);
+    if (ratio <= kNeighborReach) sums.add(ratio);
   }
 }
 
@@ -142,12 +144,12 @@ CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurve
   Marks marks = marks_along(curves, step);
   add_frequencies(pattern, marks);
   const PointTree tree(marks.lines.points);
-  const Sums sums =
-      parallel_sum<Sums>(marks.lines.points.size(), [&](std::size_t begin, std::size_t end) {
-        Sums part;
+  const RatioSums sums =
+      parallel_sum<RatioSums>(marks.lines.points.size(), [&](std::size_t begin, std::size_t end) {
+        RatioSums part;
         std::vector<Index> near;
         for (std::size_t i = begin; i < end; ++i) {
-          tree.within(marks.lines.points[i], kReach / marks.frequencies[i], near);
+          tree.within(marks.lines.points[i], kNeighborReach / marks.frequencies[i], near);
           measure(marks, static_cast<Index>(i), near, part);
         }
         return part;

@@ -28,8 +28,7 @@ LiftedWaves::LiftedWaves(const WavePattern& pattern) : pattern_(pattern) {
   turns_.resize(waves_.size());
   parallel_for(waves_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      waves_[v] = canonical(
-          {{waves.positions[v], waves.directions[v], waves.frequencies[v]}, pattern.z[v]});
+      waves_[v] = canonical({waves.wave(v), pattern.z[v]});
       turns_[v] = waves.directions[v].isZero(0) ? 0 : turns_after_peak(waves_[v].z);
     }
   });

@@ -13,17 +13,17 @@
 namespace brindle {
 namespace {
 
-struct Sums {
+struct PointSums {
   std::size_t count = 0, over_5deg = 0;
   double angle = 0, spacing = 0;
 
-  Sums operator+(const Sums& o) const {
+  PointSums operator+(const PointSums& o) const {
     return {count + o.count, over_5deg + o.over_5deg, angle + o.angle, spacing + o.spacing};
   }
 };
 
 CornerWave wave_at(const WaveSet& waves, std::span<const Complex> z, Index i) {
-  return {{waves.positions[i], waves.directions[i], waves.frequencies[i]}, z[i]};
+  return {waves.wave(i), z[i]};
 }
 
 /// The gradient along the wave's direction and across it, in radians per unit length.
@@ -53,7 +53,7 @@ PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<co
                                      const WaveSet& waves, std::span<const Complex> z,
                                      PhaseShiftKind kind) {
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
-    Sums sums;
+    PointSums sums;
     std::vector<CornerWave> neighbors;
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       if (waves.directions[i].isZero(0)) continue;
@@ -72,7 +72,7 @@ PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<co
     }
     return sums;
   };
-  const Sums sums = parallel_sum<Sums>(neighborhood.node_count(), sums_of);
+  const PointSums sums = parallel_sum<PointSums>(neighborhood.node_count(), sums_of);
   const double count = std::max<double>(1, static_cast<double>(sums.count));
   PatternQuality quality;
   quality.angle_error_mean_deg = sums.angle / count;

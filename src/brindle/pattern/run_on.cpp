@@ -12,8 +12,8 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-constexpr double kReach = 2;      // periods
-constexpr double kBeyond = 1e-9;  // what is nearer than this, over the triangle's size, is here
+constexpr double kRunOnReach = 2;  // periods
+constexpr double kBeyond = 1e-9;   // what is nearer than this, over the triangle's size, is here
 constexpr int kMostTriangles = 4096;
 
 std::array<Point, 3> corners_of(const Mesh& mesh, std::size_t t) {
@@ -176,7 +176,7 @@ std::optional<std::vector<TrianglePoint>> RunOn::way(std::size_t t, const Stripe
   for (int m = 0; m < 3; ++m) came += came_along[m] * corners[m];
   const Point forward = came.dot(across) < 0 ? Point(-across) : across;
   std::optional<std::vector<TrianglePoint>> shortest;
-  double reach = kReach / static_cast<double>(wave.frequency);
+  double reach = kRunOnReach / static_cast<double>(wave.frequency);
   for (const double side : {1.0, -1.0}) {
     Walker walker{t, end, (forward + side * aside).normalized(), reach};
     if (!walk(walker)) continue;

@@ -15,13 +15,13 @@
 namespace brindle {
 namespace {
 
-using Point = Eigen::Vector2d;  // the second and third barycentric coordinate
+using Barycentric2 = Eigen::Vector2d;  // the second and third barycentric coordinate
 
 /// V's crossings of an edge count as this much farther along it, seen from its lower vertex. So
 /// crossings of U and V never coincide, and the triangles of the edge agree on their order.
 constexpr double kNudge = 1e-10;
 
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Barycentric2& a, const Barycentric2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Where a crossing of an edge is, going round the triangle: the edge's number plus the share of
 /// its length.
@@ -30,7 +30,7 @@ double place_around(const PieceEnd& end, double nudge) {
 }
 
 struct Segment {
-  std::array<Point, 2> ends;
+  std::array<Barycentric2, 2> ends;
   std::array<double, 2> around;  ///< `place_around`, where both ends are on edges
   bool from_edge_to_edge;
 };
@@ -61,7 +61,7 @@ void make_segments(const LiftedTriangle& triangle, double nudge, std::vector<Str
 }
 
 /// What lies exactly on a line counts as on its left, for both pieces that meet there.
-bool left_of(const Point& p, const Segment& line) {
+bool left_of(const Barycentric2& p, const Segment& line) {
   return cross(line.ends[1] - line.ends[0], p - line.ends[0]) >= 0;
 }
 
@@ -76,15 +76,15 @@ bool segments_cross(const Segment& u, const Segment& v) {
 }
 
 /// Where two segments that cross do so.
-Point crossing_of(const Segment& u, const Segment& v) {
-  const Point along = u.ends[1] - u.ends[0];
-  const Point other = v.ends[1] - v.ends[0];
+Barycentric2 crossing_of(const Segment& u, const Segment& v) {
+  const Barycentric2 along = u.ends[1] - u.ends[0];
+  const Barycentric2 other = v.ends[1] - v.ends[0];
   const double area = cross(along, other);
   const double t = area == 0 ? 0.5 : cross(v.ends[0] - u.ends[0], other) / area;
   return u.ends[0] + std::clamp(t, 0.0, 1.0) * along;
 }
 
-Vec3 inside_triangle(const Point& p) {
+Vec3 inside_triangle(const Barycentric2& p) {
   Vec3 b(static_cast<float>(1 - p.x() - p.y()), static_cast<float>(p.x()),
          static_cast<float>(p.y()));
   b = b.cwiseMax(0.0f);

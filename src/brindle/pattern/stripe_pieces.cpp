@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kRadiansPerTurn = 2 * std::numbers::pi;
 
 /// More peaks than that along one edge are noise, and would fill the memory.
 constexpr double kMostPeaks = 1 << 24;
@@ -237,7 +237,7 @@ CornerWave canonical(const CornerWave& corner) {
 }
 
 Turns turns_after_peak(Complex z) {
-  const double turns = std::atan2(z.imag(), z.real()) / kTwoPi - 0.25;
+  const double turns = std::atan2(z.imag(), z.real()) / kRadiansPerTurn - 0.25;
   const Turns rounded = std::llround((turns - std::floor(turns)) * static_cast<double>(kWholeTurn));
   return std::clamp<Turns>(rounded, 1, kWholeTurn - 1);
 }
@@ -251,7 +251,7 @@ EdgeLift lift_edge(const CornerWave& first, Turns first_turns, const CornerWave&
     end.direction = -end.direction;
     second_turns = kWholeTurn - second_turns;
   }
-  const double shift = phase_shift(kind, first.wave, end).radians / kTwoPi;
+  const double shift = phase_shift(kind, first.wave, end).radians / kRadiansPerTurn;
   const double peaks =
       shift + static_cast<double>(first_turns - second_turns) / static_cast<double>(kWholeTurn);
   lift.peaks = static_cast<std::int32_t>(std::lround(std::clamp(peaks, -kMostPeaks, kMostPeaks)));

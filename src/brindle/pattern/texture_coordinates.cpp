@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
 #include "brindle/corner_phases.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/shared_edges.h"
 
 namespace brindle {
 namespace {
-
-constexpr float kTwoPi = 2 * std::numbers::pi_v<float>;
 
 /// A coordinate as the sum of what the phase alone says and whole tiles. Triangles that share a
 /// vertex have bit for bit the same `base` there, if they have the same orientation.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
 #include "brindle/corner_phases.h"
 #include "brindle/quality.h"
 #include "brindle/texture_waves.h"
@@ -94,7 +95,6 @@ TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, Phas
     if (at_branch[triangle[0]] || at_branch[triangle[1]] || at_branch[triangle[2]]) continue;
     const std::array<Vec3, 3> position{mesh.positions[triangle[0]], mesh.positions[triangle[1]],
                                        mesh.positions[triangle[2]]};
-    constexpr float kTwoPi = 2 * std::numbers::pi_v<float>;
     const Distortion d = distortion(linear_gradient(position, phases[t].u.phase) / kTwoPi,
                                     linear_gradient(position, phases[t].v.phase) / kTwoPi,
                                     mean_frequency(waves.u[t]) * mean_frequency(waves.v[t]));

@@ -12,9 +12,6 @@
 namespace brindle {
 namespace {
 
-/// Slices that one task works on at least.
-constexpr std::size_t kSliceGrain = 64;
-
 Level make_level(LevelTopology topology) {
   const SlicedLayout& layout = *topology.layout;
   SlicedCouplings couplings(layout);

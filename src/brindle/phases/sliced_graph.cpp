@@ -19,9 +19,6 @@ constexpr std::size_t kBlock = 2048;
 /// Ranges (a colour in a block) that one task updates at least.
 constexpr std::size_t kRangeGrain = 4;
 
-/// Slices that one task updates at least.
-constexpr std::size_t kSliceGrain = 64;
-
 /// Slots of one block of nodes; the ranges that its colours fill go to `ranges`.
 void assign_block(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
                   std::span<Index> block, std::vector<std::vector<SliceRange>>& ranges) {

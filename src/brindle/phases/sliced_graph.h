@@ -22,6 +22,9 @@ struct SliceRange {
   Index end;
 };
 
+/// Slices that one task works on at least.
+inline constexpr std::size_t kSliceGrain = 64;
+
 /// Where everything stands (sliced ELLPACK, Kreutzer et al. 2014). Nodes are renumbered to slots:
 /// block by block of nodes that are close together, in a block colour by colour, in a colour by
 /// degree. The nodes of one colour in one block fill whole slices of `kLanes` slots. The neighbours

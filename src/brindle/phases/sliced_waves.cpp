@@ -11,9 +11,6 @@
 namespace brindle {
 namespace {
 
-/// Slices that one task couples at least.
-constexpr std::size_t kSliceGrain = 64;
-
 bool same(const SlicedWave& a, const SlicedWave& b) {
   return std::ranges::equal(a.position, b.position) && a.root_frequency == b.root_frequency &&
          std::ranges::equal(a.direction, b.direction);

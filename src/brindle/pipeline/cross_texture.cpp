@@ -13,8 +13,7 @@ namespace {
 
 CornerWave wave_of(const CrossPattern& cross, Index node) {
   const WaveSet& waves = cross.cover.waves;
-  return {{waves.positions[node], waves.directions[node], waves.frequencies[node]},
-          cross.pattern.solution.z[node]};
+  return {waves.wave(node), cross.pattern.solution.z[node]};
 }
 
 /// The wave that continues both, which belong together, to a point beside them.

@@ -14,7 +14,7 @@ namespace {
 static_assert(sizeof(Triangle) == 12 && sizeof(Vec3) == 12 && sizeof(Complex) == 8);
 
 /// Triangles drawn at once. Software renderers keep all that they have not yet drawn in memory.
-constexpr std::size_t kBatch = 1 << 16;
+constexpr std::size_t kTriangleBatch = 1 << 16;
 
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
   std::vector<Eigen::Vector4f> packed(waves.directions.size());
@@ -155,10 +155,10 @@ void GlSurface::draw(const ShaderProgram& program, const Camera& camera,
   if (foreign_phases_ != 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPhases, foreign_phases_);
   glUseProgram(program.name());
   glBindVertexArray(no_attributes_);
-  for (std::size_t first = 0; first < triangle_count_; first += kBatch) {
+  for (std::size_t first = 0; first < triangle_count_; first += kTriangleBatch) {
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
-                 static_cast<GLsizei>(3 * std::min(kBatch, triangle_count_ - first)));
-    if (first + kBatch < triangle_count_) glFinish();
+                 static_cast<GLsizei>(3 * std::min(kTriangleBatch, triangle_count_ - first)));
+    if (first + kTriangleBatch < triangle_count_) glFinish();
   }
 }
 

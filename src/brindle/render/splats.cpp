@@ -17,7 +17,7 @@ namespace brindle {
 namespace {
 
 /// Points drawn at once. Software renderers keep all that they have not yet drawn in memory.
-constexpr std::size_t kBatch = 1 << 15;
+constexpr std::size_t kSplatBatch = 1 << 15;
 
 /// Radius of a disc over the mean distance to the neighbours: larger ones stick out at creases,
 /// smaller ones leave holes where points are uneven.
@@ -101,10 +101,10 @@ void SplatRenderer::State::draw_splats(bool behind) const {
   glUseProgram(splat.name());
   glBindVertexArray(no_attributes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, splats);
-  for (std::size_t first = 0; first < splat_count; first += kBatch) {
+  for (std::size_t first = 0; first < splat_count; first += kSplatBatch) {
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * first),
-                 static_cast<GLsizei>(6 * std::min(kBatch, splat_count - first)));
-    if (first + kBatch < splat_count) glFinish();
+                 static_cast<GLsizei>(6 * std::min(kSplatBatch, splat_count - first)));
+    if (first + kSplatBatch < splat_count) glFinish();
   }
 }
 

@@ -127,10 +127,6 @@ WeightedEdges merge_edges(const Adjacency& fine, std::span<const float> weights,
   return merged;
 }
 
-Wave wave_at(const WaveSet& waves, Index node) {
-  return {waves.positions[node], waves.directions[node], waves.frequencies[node]};
-}
-
 /// How each node's phase follows from that of its average: by the shift between the two waves.
 void set_transfer(AveragedLevel& level, const Nodes& fine, const Nodes& coarse,
                   PhaseShiftKind kind) {
@@ -138,7 +134,7 @@ void set_transfer(AveragedLevel& level, const Nodes& fine, const Nodes& coarse,
   level.transfer_reflects.resize(level.parent.size());
   for (Index i = 0; i < level.parent.size(); ++i) {
     const PhaseShift shift =
-        phase_shift(kind, wave_at(coarse.waves, level.parent[i]), wave_at(fine.waves, i));
+        phase_shift(kind, coarse.waves.wave(level.parent[i]), fine.waves.wave(i));
     level.transfer_reflects[i] = shift.reflecting;
     level.transfer[i] =
         shift.reflecting ? -std::polar(1.0f, -shift.radians) : std::polar(1.0f, shift.radians);

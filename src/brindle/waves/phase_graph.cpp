@@ -7,14 +7,6 @@
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
-namespace {
-
-Wave wave_at(const WaveSet& waves, Index node) {
-  return {waves.positions[node], waves.directions[node], waves.frequencies[node]};
-}
-
-}  // namespace
-
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind, std::span<const float> edge_weights) {
   const std::size_t nodes = adjacency->node_count();
@@ -25,9 +17,9 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
   graph.reflecting.resize(edges);
   parallel_for(nodes, [&](std::size_t begin, std::size_t end) {
     for (Index i = static_cast<Index>(begin); i < end; ++i) {
-      const Wave w_i = wave_at(waves, i);
+      const Wave w_i = waves.wave(i);
       for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
-        const Wave w_j = wave_at(waves, adjacency->neighbors[edge]);
+        const Wave w_j = waves.wave(adjacency->neighbors[edge]);
         float weight = std::abs(w_i.direction.dot(w_j.direction));
         if (!edge_weights.empty()) weight *= edge_weights[edge];
         const PhaseShift shift = phase_shift(kind, w_j, w_i);

@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
+#include "brindle/base/two_pi.h"
+
 namespace brindle {
 namespace {
-
-constexpr float kTwoPi = 2 * std::numbers::pi_v<float>;
 
 constexpr std::array<std::pair<std::string_view, PhaseShiftKind>, 3> kNames{
     {{"aligned", PhaseShiftKind::aligned},

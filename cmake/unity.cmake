@@ -1,0 +1,15 @@
+# Lets CMAKE_UNITY_BUILD compile the sources of a folder as one: heavy headers are read and their
+# templates made once for all of them. Names in anonymous namespaces are therefore unique in a folder.
+function(brindle_unity_by_folder target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(folder ${target} SOURCE_DIR)
+  foreach(source ${sources})
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} OUTPUT_VARIABLE path)
+    cmake_path(GET path PARENT_PATH group)
+    cmake_path(GET group FILENAME group)
+    if(path MATCHES "\\.cpp$")
+      set_source_files_properties(${path} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+endfunction()
