@@ -34,22 +34,17 @@ Field rows_field(const Surface& surface, const std::string& path,
           std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
 }
 
-std::string name_of(TensorAxis axis) {
-  return axis == TensorAxis::major ? "major" : axis == TensorAxis::minor ? "minor" : "max-abs";
-}
-
 Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
-  const TensorAxis axis = options.tensor.value_or(TensorAxis::major);
-  TensorField tensor = tensor_field_of(surface, array, axis);
+  TensorField tensor = tensor_field_of(surface, array, options.tensor.value_or(TensorAxis::major));
   Field field{std::move(tensor.directions), {}, {}};
   field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
   if (!options.tensor) {
-    field.notes += "the array '" + array.name + "' is a tensor: waves run along its " +
-                   name_of(axis) + " axis; --tensor chooses\n";
+    field.notes += "the array '" + array.name +
+                   "' is a tensor: waves run along its major axis; --tensor chooses\n";
   }
   if (tensor.not_symmetric > 0) {
-    field.notes += std::to_string(tensor.not_symmetric) + " rows of the tensor '" + array.name +
-                   "' are not symmetric: their symmetric part counts\n";
+    field.notes += "at " + std::to_string(tensor.not_symmetric) + " vertices the tensor '" +
+                   array.name + "' is not symmetric: its symmetric part counts\n";
   }
   return field;
 }

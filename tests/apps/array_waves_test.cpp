@@ -300,7 +300,7 @@ TEST_F(ArrayWaves, RunAlongTensors) {
   }
   const ToolResult result = run({"stripe", "plate.vtp", "--field", "array:skew"});
   EXPECT_TRUE(has(result.err, "the array 'skew' is a tensor: waves run along its major axis"));
-  EXPECT_TRUE(has(result.err, "121 rows of the tensor 'skew' are not symmetric")) << result.err;
+  EXPECT_TRUE(has(result.err, "at 121 vertices the tensor 'skew' is not symmetric")) << result.err;
   EXPECT_FALSE(has(run({"stripe", "plate.vtp", "--field", "array:stress", "--tensor", "major"}).err,
                    "tensor"));
   for (const char* axis : {"minor", "max-abs"}) {
@@ -393,6 +393,23 @@ TEST_F(ArrayWaves, OfAnotherMeshEndFarFromIt) {
       << result.err;
   expect_refusal(1, "part.vtp: no array 'speed'",
                  {"stripe", "whole.vtp", "--field", "array:speed", "--field-mesh", "part.vtp"});
+}
+
+TEST_F(ArrayWaves, MayBeTakenFromPoints) {
+  const TextMesh mesh = hill(11, 0);
+  write("hill.vtp", mesh);
+  std::string points = "velocity:0,velocity:1,velocity:2,Points:0,Points:1,Points:2\n";
+  for (const auto& [x, y, z] : mesh.positions) {
+    points += "0,2,1," + std::to_string(x) + ',' + std::to_string(y) + ",0\n";
+  }
+  write_text(folder / "points.csv", points);
+  EXPECT_EQ(lines({"hill.vtp", "--field", "array:velocity", "--field-mesh", "points.csv"}),
+            lines({"hill.vtp", "--direction", "0,2,1"}));
+#ifdef BRINDLE_HAS_NANOFLANN
+  const Json report = this->report({"points.csv", "--field", "array:velocity"});
+  EXPECT_EQ(report.at("kind"), "points");
+  EXPECT_EQ(report.at("energy"), this->report({"points.csv", "--direction", "0,2,1"}).at("energy"));
+#endif
 }
 
 TEST_F(ArrayWaves, OfAnotherMeshAreForShapesToo) {
