@@ -69,7 +69,14 @@ Field array_field(const Surface& surface, const DataArray& array, const ArrayOpt
 
 Field file_field(const Surface& surface, const WaveOptions& options, const FileData& data) {
   const CsvFieldName name = csv_field_name(options.field);
-  if (const auto array = csv_field_array(name)) return array_field(surface, *array, options.arrays);
+  if (const std::optional<CsvField> csv = read_csv_field(name)) {
+    Field field = array_field(surface, csv->array, options.arrays);
+    if (!csv->frequency) return field;
+    field.frequencies = frequencies_of(*csv->frequency, field.directions);
+    field.missing.without_frequency =
+        drop_waves_without_frequency(field.directions, field.frequencies);
+    return field;
+  }
   if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
   return rows_field(surface, name.path, data.vertex_of_row);
 }
