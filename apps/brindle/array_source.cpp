@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -44,7 +45,7 @@ std::string list_of(std::span<const DataArray> arrays) {
   std::string text;
   for (const DataArray& array : arrays) {
     if (!text.empty()) text += ", ";
-    text += array.name;
+    text += printable(array.name);
     if (array.components > 1) text += " (" + std::to_string(array.components) + ")";
   }
   return text;
@@ -65,7 +66,7 @@ namespace {
   }
   const std::string meant = nearest(name, known);
   std::string text = file + ": no array '" + name + "'";
-  if (!meant.empty()) text += "; did you mean '" + meant + "'?";
+  if (!meant.empty()) text += "; did you mean '" + printable(meant) + "'?";
   text += meant.empty() ? "; there are" : " There are";
   if (!arrays.points.empty()) text += " per point: " + list_of(arrays.points);
   if (!arrays.points.empty() && !arrays.cells.empty()) text += "; and";

@@ -34,22 +34,17 @@ Field rows_field(const Surface& surface, const std::string& path,
           std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
 }
 
-std::string name_of(TensorAxis axis) {
-  return axis == TensorAxis::major ? "major" : axis == TensorAxis::minor ? "minor" : "max-abs";
-}
-
 Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
-  const TensorAxis axis = options.tensor.value_or(TensorAxis::major);
-  TensorField tensor = tensor_field_of(surface, array, axis);
+  TensorField tensor = tensor_field_of(surface, array, options.tensor.value_or(TensorAxis::major));
   Field field{std::move(tensor.directions), {}, {}};
   field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
   if (!options.tensor) {
-    field.notes += "the array '" + array.name + "' is a tensor: waves run along its " +
-                   name_of(axis) + " axis; --tensor chooses\n";
+    field.notes += "the array '" + array.name +
+                   "' is a tensor: waves run along its major axis; --tensor chooses\n";
   }
   if (tensor.not_symmetric > 0) {
-    field.notes += std::to_string(tensor.not_symmetric) + " rows of the tensor '" + array.name +
-                   "' are not symmetric: their symmetric part counts\n";
+    field.notes += "at " + std::to_string(tensor.not_symmetric) + " vertices the tensor '" +
+                   array.name + "' is not symmetric: its symmetric part counts\n";
   }
   return field;
 }
@@ -74,7 +69,14 @@ Field array_field(const Surface& surface, const DataArray& array, const ArrayOpt
 
 Field file_field(const Surface& surface, const WaveOptions& options, const FileData& data) {
   const CsvFieldName name = csv_field_name(options.field);
-  if (const auto array = csv_field_array(name)) return array_field(surface, *array, options.arrays);
+  if (const std::optional<CsvField> csv = read_csv_field(name)) {
+    Field field = array_field(surface, csv->array, options.arrays);
+    if (!csv->frequency) return field;
+    field.frequencies = frequencies_of(*csv->frequency, field.directions);
+    field.missing.without_frequency =
+        drop_waves_without_frequency(field.directions, field.frequencies);
+    return field;
+  }
   if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
   return rows_field(surface, name.path, data.vertex_of_row);
 }
