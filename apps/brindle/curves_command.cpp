@@ -322,8 +322,8 @@ void write_tubes(const std::string& path, const std::vector<Ornament>& ornaments
 }
 
 // Columns and arrays of all formats, which those of the input's file do not replace.
-const std::vector<std::string> kOwnColumns = {"kind",   "curve",    "closed",      "length",
-                                              "normal", "triangle", "barycentric", "frequency"};
+const std::vector<std::string> kCurveColumns = {"kind",   "curve",    "closed",      "length",
+                                                "normal", "triangle", "barycentric", "frequency"};
 
 // Where each point is on the mesh, and what is there.
 std::vector<DataArray> arrays_of(const Family& family, const Mesh& mesh, DataArrays input) {
@@ -346,7 +346,7 @@ std::vector<DataArray> arrays_of(const Family& family, const Mesh& mesh, DataArr
 
 void write_lines(const std::string& path, const Result& result, ProgressDisplay& display) {
   const Preparation& prepared = result.prepared;
-  DataArrays input = held_beside(kOwnColumns, path, prepared.arrays, display);
+  DataArrays input = held_beside(kCurveColumns, path, prepared.arrays, display);
   std::vector<NamedLines> lines;
   for (const Family& family : result.families) {
     lines.push_back(

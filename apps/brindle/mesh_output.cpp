@@ -40,8 +40,9 @@ struct WrittenWaves {
   std::string named(const char* name) const { return name + suffix; }
 };
 
-// `missing` stands where there is no wave.
-void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing) {
+// `missing` stands where there is no wave. Points have no `branches`.
+void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing,
+               const std::vector<float>& branches) {
   std::vector<float> phases, sines;
   std::vector<std::uint8_t> valid;
   for (std::size_t v = 0; v < written.z.size(); ++v) {
@@ -53,6 +54,9 @@ void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, floa
   arrays.push_back(make_data_array(written.named("phase"), 1, phases));
   arrays.push_back(make_data_array(written.named("direction"), written.waves.directions));
   arrays.push_back(make_data_array(written.named("frequency"), 1, written.waves.frequencies));
+  if (!branches.empty()) {
+    arrays.push_back(make_data_array(written.named("branch"), 1, branches));
+  }
   arrays.push_back(make_data_array(written.named("sin_phase"), 1, sines));
   arrays.push_back(make_data_array(written.named("valid"), 1, valid));
 }
@@ -125,12 +129,9 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
   DataArrays own;
   if (points) own.points.push_back(make_data_array("normal", surface.normals));
   if (holds_waves(path)) {
-    add_waves(own.points, {pattern.waves, pattern.solution.z, ""}, missing_in(path));
-    if (!points) {
-      own.points.push_back(
-          make_data_array("branch", 1, branches_at_vertices(surface.mesh, pattern.corners)));
-      add_cells(own.cells, path, pattern, "");
-    }
+    add_waves(own.points, {pattern.waves, pattern.solution.z, ""}, missing_in(path),
+              points ? std::vector<float>() : branches_at_vertices(surface.mesh, pattern.corners));
+    if (!points) add_cells(own.cells, path, pattern, "");
   }
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) {
@@ -144,12 +145,11 @@ void add_carried_waves(DataArrays& own, const std::filesystem::path& path,
                        const TexturedMesh& textured, const Mesh& mesh, const StripePattern& pattern,
                        const std::string& suffix) {
   const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
-  add_waves(own.points, {waves, z, suffix}, missing_in(path));
   std::vector<float> flags =
       carried_values(textured, branches_at_vertices(mesh, pattern.corners), 1);
   // A barycentre is at a branch if all corners are.
   for (float& flag : flags) flag = std::floor(flag);
-  own.points.push_back(make_data_array("branch" + suffix, 1, flags));
+  add_waves(own.points, {waves, z, suffix}, missing_in(path), flags);
   std::vector<DataArray> cells;
   add_cells(cells, path, pattern, suffix);
   for (const DataArray& array : cells) {
@@ -200,14 +200,14 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
 
 }  // namespace
 
-KeptData take_file_data(Preparation& prepared) {
+InputData take_input_data(Preparation& prepared) {
   return {std::move(prepared.arrays), std::move(prepared.original_ids),
           std::move(prepared.partners)};
 }
 
-KeptData on_cross_texture(const KeptData& data, std::span<const Triangle> triangles,
-                          const CrossCover& cover) {
-  KeptData result{{}, data.original_ids, data.partners};
+InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
+                           const CrossCover& cover) {
+  InputData result{{}, data.original_ids, data.partners};
   const auto vertices = static_cast<Index>(data.original_ids.size());
   std::vector<RowBlend> points;
   for (Index v = 0; v < vertices; ++v) points.push_back({{v, v, v}, {1, 0, 0}});

@@ -17,24 +17,24 @@
 namespace brindle::tool {
 
 /// What comes with a surface from its file and goes along into others.
-struct KeptData {
+struct InputData {
   DataArrays arrays;                       ///< a row per vertex, and per triangle
   std::vector<std::int64_t> original_ids;  ///< `Preparation`
   std::vector<Index> partners;             ///< `Preparation`
 };
 
 /// Takes it out of `prepared`.
-KeptData take_file_data(Preparation& prepared);
+InputData take_input_data(Preparation& prepared);
 
 /// The same on the surface of a cross texture (`CrossTexture`), of a surface of those triangles.
-KeptData on_cross_texture(const KeptData& data, std::span<const Triangle> triangles,
+InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
                           const CrossCover& cover);
 
 /// What a mesh file is written from.
 struct MadeMesh {
   const Surface& surface;
   const StripeResult& result;
-  const KeptData& data;
+  const InputData& data;
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   bool uv = false;  ///< texture coordinates also without a texture
 };

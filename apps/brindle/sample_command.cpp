@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <numbers>
 
@@ -199,9 +200,9 @@ void add_disc(const Sample& sample, Mesh& mesh) {
 }
 
 // Columns and arrays of all formats, which those of the input's file do not replace.
-const std::vector<std::string> kOwnColumns = {"normal",      "direction_u", "direction_v",
-                                              "spacing_u",   "spacing_v",   "triangle",
-                                              "barycentric", "frequency_u", "frequency_v"};
+const std::vector<std::string> kSampleColumns = {"normal",      "direction_u", "direction_v",
+                                                 "spacing_u",   "spacing_v",   "triangle",
+                                                 "barycentric", "frequency_u", "frequency_v"};
 
 std::vector<TrianglePoint> places_of(std::span<const Sample> samples) {
   std::vector<TrianglePoint> places;
@@ -211,6 +212,13 @@ std::vector<TrianglePoint> places_of(std::span<const Sample> samples) {
     places.push_back({sample.triangle, {b[0], b[1], b[2]}});
   }
   return places;
+}
+
+// Of samples of points, whose numbers stand for triangles.
+std::vector<Index> points_of(std::span<const Sample> samples) {
+  std::vector<Index> points;
+  for (const Sample& sample : samples) points.push_back(sample.triangle);
+  return points;
 }
 
 // What samples have as spacings.
@@ -226,13 +234,11 @@ void write_all_samples(const std::string& path, const Result& result, ProgressDi
   const std::vector<Sample>& samples = result.samples;
   std::vector<DataArray> arrays = {frequencies_of("frequency_u", samples, &Sample::spacing_u),
                                    frequencies_of("frequency_v", samples, &Sample::spacing_v)};
-  // Samples of points lie in no triangle.
-  if (!mesh.triangles.empty()) {
-    const DataArrays held = held_beside(kOwnColumns, path, result.prepared.arrays, display);
-    for (DataArray& array : arrays_at(places_of(samples), mesh.triangles, held)) {
-      arrays.push_back(std::move(array));
-    }
-  }
+  const DataArrays held = held_beside(kSampleColumns, path, result.prepared.arrays, display);
+  std::vector<DataArray> carried = mesh.triangles.empty()
+                                       ? rows_of(held.points, points_of(samples))
+                                       : arrays_at(places_of(samples), mesh.triangles, held);
+  std::move(carried.begin(), carried.end(), std::back_inserter(arrays));
   write_samples(path, samples, mesh.origin, arrays);
 }
 

@@ -23,7 +23,7 @@ void StepFiles::add(const SeriesStep& step, const SolvedFrame& solved) {
     pattern.solution.z.assign(solved.z.begin(), solved.z.end());
     pattern.corners.assign(solved.corners.begin(), solved.corners.end());
     const StripeResult result{std::move(pattern)};
-    const KeptData data{prepared.arrays, prepared.original_ids, prepared.partners};
+    const InputData data{prepared.arrays, prepared.original_ids, prepared.partners};
     for (const FrameOutput& output : outputs_) {
       write_made_mesh(frame_path(output, times_.size()),
                       {prepared.surface, result, data, phase_shift_}, picture_, display_);

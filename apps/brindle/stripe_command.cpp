@@ -92,7 +92,7 @@ struct Job {
   Surface surface;
   StripeResult result;
   Report report;
-  KeptData data;
+  InputData data;
 };
 
 Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTile tile,
@@ -101,8 +101,8 @@ Job make_cross(Preparation prepared, const StripeArguments& arguments, TextureTi
   const CrossPattern cross = cross_pattern(prepared.surface, prepared.waves, options, progress);
   CrossTexture texture = cross_texture(prepared.surface, cross, options.phase_shift);
   const Report report = make_report(prepared, texture, options.solver.solver);
-  KeptData data =
-      on_cross_texture(take_file_data(prepared), prepared.surface.mesh.triangles, cross.cover);
+  InputData data =
+      on_cross_texture(take_input_data(prepared), prepared.surface.mesh.triangles, cross.cover);
   return {std::move(texture.surface),
           {Texture{std::move(texture.pattern), std::move(tile)}},
           report,
@@ -120,7 +120,7 @@ Job make_job(Preparation prepared, const StripeArguments& arguments,
   const Report report = result.texture() != nullptr
                             ? make_report(prepared, result.texture()->pattern, solver)
                             : make_report(prepared, result.stripes(), solver);
-  KeptData data = take_file_data(prepared);
+  InputData data = take_input_data(prepared);
   return {std::move(prepared.surface), std::move(result), report, std::move(data)};
 }
 

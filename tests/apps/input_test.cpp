@@ -157,11 +157,12 @@ TEST_F(Input, JoinedVerticesAreWrittenWithTheirPartnersWave) {
   const std::string file = content(folder / "a.ply");
   const std::string end = "end_header\n";
   const char* row = file.data() + file.find(end) + end.size();
-  // Position, phase, direction, frequency, branch.
+  // Position, phase, direction, frequency, branch; then sin_phase, valid and original_id.
   constexpr std::size_t kNumbers = 9;
+  constexpr std::size_t kRow = kNumbers * sizeof(float) + 4 + 1 + 4;
   const auto vertex = [&](std::size_t v) {
     std::vector<float> numbers(kNumbers);
-    std::memcpy(numbers.data(), row + v * kNumbers * sizeof(float), kNumbers * sizeof(float));
+    std::memcpy(numbers.data(), row + v * kRow, kNumbers * sizeof(float));
     return numbers;
   };
   EXPECT_EQ(vertex(4), vertex(1));

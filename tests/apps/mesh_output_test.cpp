@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/data_arrays.h"
+#include "brindle/files.h"
+#include "brindle/shapes.h"
 #include "brindle/types.h"
 #include "files/written_vtp.h"
 #include "tool.h"
@@ -170,6 +173,164 @@ TEST_F(MeshOutput, UvWithoutEffectIsRefused) {
   if (run({"stripe", "shape:torus", "-o", "a.png"}).exit_code != 0) return;  // no pictures here
   std::filesystem::remove(folder / "a.png");
   expect_refusal(2, "--uv", {"stripe", "shape:torus", "--uv", "--texture", "dots", "-o", "a.vtp"});
+}
+
+/// Every type with every number of components, of bytes that no conversion would keep.
+std::vector<DataArray> all_kinds(std::size_t rows, const std::string& prefix) {
+  std::vector<DataArray> arrays;
+  std::uint32_t state = 7;
+  for (const NumberType type :
+       {NumberType::float32, NumberType::float64, NumberType::int8, NumberType::uint8,
+        NumberType::int16, NumberType::uint16, NumberType::int32, NumberType::uint32,
+        NumberType::int64, NumberType::uint64}) {
+    for (const int components : {1, 2, 3, 6, 9}) {
+      DataArray array{prefix + std::string(name_of(type)) + "_" + std::to_string(components),
+                      type,
+                      components,
+                      {}};
+      array.bytes.resize(rows * static_cast<std::size_t>(components) * size_of(type));
+      for (std::byte& byte : array.bytes) {
+        state = state * 1664525 + 1013904223;
+        byte = static_cast<std::byte>(state >> 24);
+      }
+      arrays.push_back(std::move(array));
+    }
+  }
+  return arrays;
+}
+
+std::string bytes_of(const DataArray& array) {
+  return {reinterpret_cast<const char*>(array.bytes.data()), array.bytes.size()};
+}
+
+TEST_F(MeshOutput, AllArraysOfTheInputAreKeptBitForBit) {
+  const Mesh torus = make_shape("torus,resolution=20");
+  DataArrays input{all_kinds(torus.vertex_count(), "p "), all_kinds(torus.triangle_count(), "c ")};
+  input.points[0].name = "<\"heat\"> & more";
+  write_mesh(folder / "in.vtp", torus, input.points, input.cells);
+  runs({"stripe", "in.vtp", "-o", "out.vtp"});
+  runs({"stripe", "out.vtp", "-o", "again.vtp"});
+  for (const char* name : {"out.vtp", "again.vtp"}) {
+    const WrittenVtp file = vtp(name);
+    input.points[0].name = "&lt;&quot;heat&quot;&gt; &amp; more";
+    for (const DataArray& array : input.points) {
+      EXPECT_EQ(file.bytes("PointData", array.name), bytes_of(array)) << array.name;
+    }
+    for (const DataArray& array : input.cells) {
+      EXPECT_EQ(file.bytes("CellData", array.name), bytes_of(array)) << array.name;
+    }
+  }
+}
+
+TEST_F(MeshOutput, ArraysThatAFormatCannotHoldAreNamed) {
+  const Mesh torus = make_shape("torus,resolution=20");
+  const std::vector<DataArray> points = {
+      make_data_array("stress", 9, std::vector<float>(9 * torus.vertex_count())),
+      make_data_array("speed", 1, std::vector<double>(torus.vertex_count(), 0.5))};
+  const DataArray region = make_data_array("region", 1, std::vector<int>(torus.triangle_count()));
+  write_mesh(folder / "in.vtp", torus, points, {&region, 1});
+  const ToolResult glb = run({"stripe", "in.vtp", "-o", "a.glb"});
+  EXPECT_EQ(glb.exit_code, 0);
+  EXPECT_NE(glb.err.find("array 'stress' (9 components) is not kept in .glb\n"), std::string::npos)
+      << glb.err;
+  EXPECT_NE(glb.err.find("array 'region' (per triangle) is not kept in .glb\n"), std::string::npos);
+  EXPECT_EQ(glb.err.find("speed"), std::string::npos);
+  EXPECT_NE(content(folder / "a.glb").find("\"_SPEED\""), std::string::npos);
+  const ToolResult obj = run({"stripe", "in.vtp", "-o", "a.obj"});
+  EXPECT_NE(obj.err.find("array 'speed' (1 component) is not kept in .obj\n"), std::string::npos);
+  const ToolResult both = run({"stripe", "in.vtp", "-o", "a.ply", "-o", "a.vtp"});
+  EXPECT_EQ(both.err.find("not kept"), std::string::npos) << both.err;
+  EXPECT_EQ(run({"stripe", "in.vtp", "-q", "-o", "a.obj"}).err, "");
+}
+
+TEST_F(MeshOutput, NewArraysTakeThePlaceOfOldOnes) {
+  const Mesh torus = make_shape("torus,resolution=20");
+  const std::vector<DataArray> points = {
+      make_data_array("phase", 2, std::vector<double>(2 * torus.vertex_count())),
+      make_data_array("valid", 1, std::vector<float>(torus.vertex_count()))};
+  const DataArray branch = make_data_array("branch", 1, std::vector<int>(torus.triangle_count()));
+  write_mesh(folder / "in.vtp", torus, points, {&branch, 1});
+  runs({"stripe", "in.vtp", "-o", "out.vtp"});
+  runs({"stripe", "shape:torus,resolution=20", "-o", "plain.vtp"});
+  EXPECT_EQ(content(folder / "out.vtp"), content(folder / "plain.vtp"));
+}
+
+TEST_F(MeshOutput, ArraysFollowSplitTriangles) {
+  const Mesh sphere = make_shape("sphere,resolution=20");
+  std::vector<std::int64_t> numbers(sphere.triangle_count());
+  for (std::size_t t = 0; t < numbers.size(); ++t) numbers[t] = static_cast<std::int64_t>(t);
+  const DataArray place = make_data_array("place", sphere.positions);
+  const DataArray number = make_data_array("number", 1, numbers);
+  write_mesh(folder / "in.vtp", sphere, {&place, 1}, {&number, 1});
+  for (const Arguments& more :
+       std::vector<Arguments>{{"--uv"}, {"--texture", "dots"}, {"--cross"}}) {
+    Arguments arguments = {"stripe", "in.vtp", "-o", "out.vtp"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    if (more[0] != "--uv" && run({"stripe", "in.vtp", "-o", "a.png"}).exit_code != 0) continue;
+    runs(arguments);
+    const WrittenVtp file = vtp("out.vtp");
+    const std::vector<Vec3> points = points_of(file);
+    const auto places = file.array<float>("PointData", "place");
+    ASSERT_EQ(places.size(), 3 * points.size());
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      ASSERT_LT((points[v] - Vec3(&places[3 * v])).norm(), 1e-6f) << more[0];
+    }
+    const auto corners = file.array<std::int64_t>("Polys", "connectivity");
+    const auto triangles = file.array<std::int64_t>("CellData", "number");
+    ASSERT_EQ(corners.size(), 3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      Vec3 inside = Vec3::Zero(), whole = Vec3::Zero();
+      float size = 0;
+      for (std::size_t m = 0; m < 3; ++m) {
+        inside += points[static_cast<std::size_t>(corners[3 * t + m])] / 3;
+        const Triangle& original = sphere.triangles[static_cast<std::size_t>(triangles[t])];
+        whole += sphere.positions[original[m]] / 3;
+        size = std::max(
+            size, (sphere.positions[original[m]] - sphere.positions[original[(m + 1) % 3]]).norm());
+      }
+      ASSERT_LT((inside - whole).norm(), 0.5f * size) << more[0];
+    }
+  }
+}
+
+TEST_F(MeshOutput, CurvesAndSamplesHaveLinearFunctionsExactly) {
+  const Mesh knot = make_shape("trefoil");
+  std::vector<double> linear;
+  for (const Vec3& p : knot.positions) {
+    linear.push_back(2.0 * static_cast<double>(p[0]) - static_cast<double>(p[1]) +
+                     0.5 * static_cast<double>(p[2]));
+  }
+  std::vector<std::int64_t> numbers(knot.triangle_count());
+  for (std::size_t t = 0; t < numbers.size(); ++t) numbers[t] = static_cast<std::int64_t>(t);
+  const std::vector<DataArray> of_points = {
+      make_data_array("linear", 1, linear),
+      make_data_array("always", 1, std::vector<double>(knot.vertex_count(), 300))};
+  const DataArray number = make_data_array("number", 1, numbers);
+  write_mesh(folder / "in.vtp", knot, of_points, {&number, 1});
+  runs({"curves", "in.vtp", "--resample", "1%", "-o", "curves.vtp", "-o", "curves.ply"});
+  runs({"sample", "in.vtp", "-o", "samples.vtp", "-o", "samples.csv"});
+  for (const char* name : {"curves.vtp", "samples.vtp"}) {
+    const WrittenVtp file = vtp(name);
+    const std::vector<Vec3> points = points_of(file);
+    const auto found = file.array<double>("PointData", "linear");
+    ASSERT_EQ(found.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& p = points[i];
+      ASSERT_NEAR(found[i], 2 * p[0] - p[1] + 0.5f * p[2], 2e-5) << name;
+    }
+    for (const double number_300 : file.array<double>("PointData", "always")) {
+      ASSERT_DOUBLE_EQ(number_300, 300);
+    }
+    const auto triangle = file.array<std::uint32_t>("PointData", "triangle");
+    const auto carried = file.array<std::int64_t>("PointData", "number");
+    EXPECT_TRUE(std::equal(triangle.begin(), triangle.end(), carried.begin(), carried.end()));
+  }
+  EXPECT_NE(content(folder / "samples.csv").find(",frequency_u,frequency_v,linear,always,number\n"),
+            std::string::npos);
+  EXPECT_NE(content(folder / "curves.ply").find("property double linear\n"), std::string::npos);
+  const ToolResult obj = run({"curves", "in.vtp", "-o", "curves.obj"});
+  EXPECT_NE(obj.err.find("array 'linear' (1 component) is not kept in .obj\n"), std::string::npos)
+      << obj.err;
 }
 
 /// Points must be where their triangle and barycentric coordinates say.

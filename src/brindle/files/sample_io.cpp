@@ -92,13 +92,13 @@ void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::
 }
 
 template <class Value>
-DataArray numbers(const char* name, std::span<const Sample> samples, const Value& value) {
+DataArray sample_numbers(const char* name, std::span<const Sample> samples, const Value& value) {
   std::vector<decltype(value(Sample()))> result;
   for (const Sample& sample : samples) result.push_back(value(sample));
   return make_data_array(name, 1, result);
 }
 
-DataArray vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
+DataArray sample_vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
   std::vector<Vec3> result;
   for (const Sample& sample : samples) result.push_back(sample.*member);
   return make_data_array(name, result);
@@ -111,13 +111,13 @@ void write_points(std::ostream& out, std::span<const Sample> samples, const Eige
   std::vector<Index> cells(samples.size());
   std::iota(cells.begin(), cells.end(), Index{0});
   std::vector<DataArray> arrays = {
-      vectors("normal", samples, &Sample::normal),
-      vectors("direction_u", samples, &Sample::direction_u),
-      vectors("direction_v", samples, &Sample::direction_v),
-      numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
-      numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
-      vectors("barycentric", samples, &Sample::barycentric),
-      numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
+      sample_vectors("normal", samples, &Sample::normal),
+      sample_vectors("direction_u", samples, &Sample::direction_u),
+      sample_vectors("direction_v", samples, &Sample::direction_v),
+      sample_numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
+      sample_numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
+      sample_vectors("barycentric", samples, &Sample::barycentric),
+      sample_numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
   arrays.insert(arrays.end(), more.begin(), more.end());
   write_vtp(out,
             {.points = points, .single_points = cells, .point_arrays = arrays, .origin = origin});

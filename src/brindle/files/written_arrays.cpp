@@ -39,7 +39,7 @@ bool holds_exactly(From number) {
 }
 
 template <class To, class From>
-bool convert(const DataArray& array, DataArray& result) {
+bool convert_exactly(const DataArray& array, DataArray& result) {
   result.bytes.resize(array.bytes.size() / sizeof(From) * sizeof(To));
   std::byte* out = result.bytes.data();
   for (std::size_t at = 0; at < array.bytes.size(); at += sizeof(From), out += sizeof(To)) {
@@ -276,7 +276,7 @@ std::optional<DataArray> exactly_as(const DataArray& array, NumberType type) {
   DataArray result{array.name, type, array.components, {}};
   bool exact = false;
   with_number_type(array.type, [&]<class From>(From) {
-    with_number_type(type, [&]<class To>(To) { exact = convert<To, From>(array, result); });
+    with_number_type(type, [&]<class To>(To) { exact = convert_exactly<To, From>(array, result); });
   });
   return exact ? std::optional(std::move(result)) : std::nullopt;
 }
