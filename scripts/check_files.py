@@ -8,11 +8,18 @@ VTK (python3-vtk9) reads and draws .obj with its material, .ply, .vtp, .gltf and
 command line (assimp-utils) turns .obj, .ply, .gltf and .glb into OBJ files, which VTK then draws.
 Each picture is taken from where Brindle takes its own, and every pixel away from borders must show
 figure or ground as Brindle's does. So must the sine of the phase, which VTK draws between vertices
-(docs/paraview.md). All arrays of .vtp and .ply files must arrive bit for bit. Needs a display, or xvfb-run (xvfb, xauth). Exits with 0 if all
-agree, 1 if not, 77 if a program is missing.
+(docs/paraview.md). All arrays of .vtp and .ply files must arrive bit for bit.
+
+And the other way round: VTK writes .vtp, .vtu and .vtk files with arrays of all types, in all
+encodings and compressions; Brindle reads them and writes them as .vtp, where VTK must find every
+number as it was, bit for bit, at its point and in the triangles of its cell.
+
+Needs a display, or xvfb-run (xvfb, xauth). Exits with 0 if all agree, 1 if not, 77 if a program is
+missing.
 """
 
 import argparse
+import itertools
 import os
 import re
 import shutil
@@ -31,7 +38,7 @@ WANTED_AGREEMENT = 0.99
 try:
     import numpy as np
     import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
+    from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 except ImportError as missing:
     print(f"skipped: {missing}; install python3-vtk9 and python3-numpy")
     sys.exit(SKIPPED)
@@ -380,6 +387,172 @@ def check_sine(brindle, mesh, folder):
     return share >= WANTED_AGREEMENT
 
 
+NUMBERS = ("float32", "float64", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64",
+           "uint64")
+COMPONENTS = (1, 3, 2, 9, 6, 1, 3, 1, 1, 4)
+POINTS = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (1, 1, 0), (2, 1, 0), (0, 2, 0), (1, 2, 0),
+          (2, 2, 0.5)]
+
+
+def cells_of(lists):
+    cells = vtk.vtkCellArray()
+    for points in lists:
+        cells.InsertNextCell(len(points), points)
+    return cells
+
+
+def add_arrays(data, rows, random):
+    """Arrays of all types, with numbers of all sizes, and one that numbers the rows."""
+    for kind, components in zip(NUMBERS, COMPONENTS):
+        size = (rows, components)
+        if np.issubdtype(kind, np.floating):
+            values = (random.standard_normal(size) * 10.0 ** random.integers(-30, 15, size))
+            values = values.astype(kind)
+        else:
+            values = random.integers(np.iinfo(kind).min, np.iinfo(kind).max, size, kind, True)
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(f"{kind} of \u00e4")
+        data.AddArray(array)
+    numbers = numpy_to_vtk(np.arange(rows, dtype=np.int32), deep=True)
+    numbers.SetName("number")
+    data.AddArray(numbers)
+
+
+def vtk_points():
+    points = vtk.vtkPoints()
+    for point in POINTS:
+        points.InsertNextPoint(*point)
+    return points
+
+
+def poly_data():
+    data = vtk.vtkPolyData()
+    data.SetPoints(vtk_points())
+    data.SetVerts(cells_of([[0], [1, 2]]))
+    data.SetLines(cells_of([[0, 1, 2], [3, 4], [1, 5]]))
+    data.SetPolys(cells_of([[0, 1, 4, 3], [4, 5, 8]]))
+    data.SetStrips(cells_of([[3, 4, 6, 7], [1, 2, 4]]))
+    return data
+
+
+def grid():
+    data = vtk.vtkUnstructuredGrid()
+    data.SetPoints(vtk_points())
+    for kind, points in ((vtk.VTK_QUAD, [0, 1, 4, 3]), (vtk.VTK_TETRA, [0, 1, 3, 8]),
+                         (vtk.VTK_PIXEL, [1, 2, 4, 5]), (vtk.VTK_LINE, [0, 1]),
+                         (vtk.VTK_TRIANGLE_STRIP, [3, 4, 6, 7]), (vtk.VTK_TRIANGLE, [4, 5, 8])):
+        data.InsertNextCell(kind, len(points), points)
+    return data
+
+
+def xml_files(data, folder):
+    """The data in every form of VTK's XML, with the compressor."""
+    kind = "vtp" if data.IsA("vtkPolyData") else "vtu"
+    writer = vtk.vtkXMLPolyDataWriter() if kind == "vtp" else vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(data)
+    compressors = {"none": None, "zlib": vtk.vtkZLibDataCompressor(),
+                   "lz4": vtk.vtkLZ4DataCompressor(), "lzma": vtk.vtkLZMADataCompressor()}
+    for mode, compressor, size, order in itertools.product(
+            ("ascii", "binary", "appended", "raw"), compressors, (32, 64), ("little", "big")):
+        {"ascii": writer.SetDataModeToAscii, "binary": writer.SetDataModeToBinary,
+         "appended": writer.SetDataModeToAppended, "raw": writer.SetDataModeToAppended}[mode]()
+        writer.SetEncodeAppendedData(mode == "appended")
+        writer.SetCompressor(compressors[compressor])
+        writer.SetHeaderType(size)
+        writer.SetByteOrder(1 if order == "little" else 0)
+        writer.SetNumberOfPieces(2 if kind == "vtp" and order == "big" else 1)
+        name = f"{mode}_{compressor}_{size}_{order}.{kind}"
+        writer.SetFileName(os.path.join(folder, name))
+        writer.Write()
+        yield name, compressor
+
+
+def legacy_files(data, folder):
+    kind = "polydata" if data.IsA("vtkPolyData") else "grid"
+    writer = vtk.vtkPolyDataWriter() if kind == "polydata" else vtk.vtkUnstructuredGridWriter()
+    writer.SetInputData(data)
+    for version, binary in itertools.product((42, 51), (False, True)):
+        writer.SetFileVersion(version)
+        writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
+        name = f"{kind}_{version}_{'binary' if binary else 'ascii'}.vtk"
+        writer.SetFileName(os.path.join(folder, name))
+        writer.Write()
+        yield name, "none"
+
+
+def read_by_vtk(path):
+    kind = os.path.splitext(path)[1]
+    if kind == ".vtk":
+        reader = vtk.vtkGenericDataObjectReader()
+    else:
+        reader = (vtk.vtkXMLPolyDataReader() if kind == ".vtp"
+                  else vtk.vtkXMLUnstructuredGridReader())
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def points_of_cells(data):
+    cells = []
+    for c in range(data.GetNumberOfCells()):
+        points = data.GetCell(c).GetPointIds()
+        cells.append({points.GetId(i) for i in range(points.GetNumberOfIds())})
+    return cells
+
+
+def same_rows(theirs, ours, rows):
+    """Whether each array of theirs is in ours, of its type, with these of its rows."""
+    for i in range(theirs.GetNumberOfArrays()):
+        array = theirs.GetArray(i)
+        other = ours.GetArray(array.GetName())
+        if other is None:
+            return f"has lost '{array.GetName()}'"
+        wanted, found = vtk_to_numpy(array)[rows], vtk_to_numpy(other)
+        if wanted.dtype != found.dtype or wanted.tobytes() != found.tobytes():
+            return f"has changed '{array.GetName()}'"
+    return ""
+
+
+def difference(theirs, ours):
+    """What is wrong with a mesh that Brindle has written, or nothing."""
+    if ours.GetNumberOfPoints() != theirs.GetNumberOfPoints():
+        return "has other points"
+    wrong = same_rows(theirs.GetPointData(), ours.GetPointData(), slice(None))
+    # Pieces repeat each other, so any cell of that number will do.
+    numbers = list(vtk_to_numpy(theirs.GetCellData().GetArray("number")))
+    cell_of = [numbers.index(n) for n in vtk_to_numpy(ours.GetCellData().GetArray("number"))]
+    wrong = wrong or same_rows(theirs.GetCellData(), ours.GetCellData(), cell_of)
+    cells = points_of_cells(theirs)
+    outside = [t for t, points in enumerate(points_of_cells(ours))
+               if not points <= cells[cell_of[t]]]
+    return wrong or ("has triangles with rows of other cells" if outside else "")
+
+
+def check_reading(brindle, folder):
+    random = np.random.default_rng(5)
+    files, wrong = 0, 0
+    for data in (poly_data(), grid()):
+        add_arrays(data.GetPointData(), data.GetNumberOfPoints(), random)
+        add_arrays(data.GetCellData(), data.GetNumberOfCells(), random)
+        for name, compressor in [*xml_files(data, folder), *legacy_files(data, folder)]:
+            path = os.path.join(folder, name)
+            result = subprocess.run(
+                [brindle, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1", "--quiet",
+                 "--output", path + ".out.vtp"], capture_output=True, text=True, check=False)
+            if compressor in ("lz4", "lzma"):
+                problem = "" if result.returncode == 1 and "ZLib" in result.stderr else "is read"
+            elif result.returncode != 0:
+                problem = "is refused: " + result.stderr
+            else:
+                problem = difference(read_by_vtk(path), read_by_vtk(path + ".out.vtp"))
+            files += 1
+            wrong += problem != ""
+            if problem:
+                print(f"{path} {problem}")
+    print(f"{files} files of VTK read with all arrays, {wrong} of them wrong")
+    return wrong == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("brindle", help="the program")
@@ -397,7 +570,8 @@ def main():
     if not mesh.startswith("shape:"):
         mesh = os.path.abspath(mesh)
     good = [check(brindle, mesh, tile, folder) for tile in arguments.tiles.split(",")]
-    good += [check_arrays(brindle, mesh, folder), check_sine(brindle, mesh, folder)]
+    good += [check_arrays(brindle, mesh, folder), check_sine(brindle, mesh, folder),
+             check_reading(brindle, folder)]
     if not arguments.keep and all(good):
         shutil.rmtree(folder)
     sys.exit(0 if all(good) else 1)

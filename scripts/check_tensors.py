@@ -22,7 +22,7 @@ SKIPPED = 77
 SIDE = 40  # vertices
 LIMIT_DEG = 15
 UNDECIDED_DEG = 1e-3  # so near to the limit both answers are right
-WANTED_COSINE = 1 - 1e-6
+WORST_DEG = 1e-3
 
 try:
     import numpy as np
@@ -120,18 +120,18 @@ def compare(directions, tensors, normal, axis, report):
     waves = np.abs(directions).sum(axis=1) > 0
     projected = axes - np.outer(axes @ normal, normal)
     projected /= np.linalg.norm(projected, axis=1)[:, None]
-    cosines = np.abs((projected * directions).sum(axis=1))[wanted & waves]
+    sines = np.linalg.norm(np.cross(projected, directions), axis=1)[wanted & waves]
+    off = np.degrees(np.arcsin(np.clip(sines, 0, 1)))
     failures = []
     if (waves != wanted)[decided].any():
         failures.append(f"{(waves != wanted)[decided].sum()} vertices with and without wave")
-    if cosines.min() < WANTED_COSINE:
-        failures.append(f"{(cosines < WANTED_COSINE).sum()} axes are others")
+    if off.max() > WORST_DEG:
+        failures.append(f"{(off > WORST_DEG).sum()} axes are others")
     if abs(report["tensor_vertices_near_normal"] - near.sum()) > (~decided).sum():
         failures.append(f"near the normal: {near.sum()} wanted")
     if report["tensor_vertices_isotropic"] != (finite & ~single).sum():
         failures.append(f"isotropic: {(finite & ~single).sum()} wanted")
-    print(f"{axis:8} {waves.sum():5} axes, off by at most "
-          f"{np.degrees(np.arccos(np.clip(cosines.min(), 0, 1))):.4f} degrees; "
+    print(f"{axis:8} {waves.sum():5} axes, off by at most {off.max():.1e} degrees; "
           f"{report['tensor_vertices_near_normal']:4} near the normal, "
           f"{report['tensor_vertices_isotropic']:3} isotropic  {'; '.join(failures)}")
     return not failures

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "csv_field.h"
 
 namespace brindle::tool {
 namespace {
@@ -60,8 +61,11 @@ void add_array_options(CLI::App& app, ArrayOptions& options) {
       ->type_name("L|P%");
 }
 
-void check_array_options(const CLI::App& command, const ArrayOptions& options, bool field) {
-  if (!field) refuse_given(command, {"--tensor"}, "the field is no tensor; add --field array:NAME");
+void check_array_options(const CLI::App& command, const ArrayOptions& options,
+                         const std::string& field) {
+  if (!is_array(field) && csv_field_name(field).array.empty()) {
+    refuse_given(command, {"--tensor"}, "the field is no tensor; add --field array:NAME");
+  }
   if (options.frequency_by.empty()) {
     refuse_given(command, {"--frequency-range"},
                  "nothing varies the frequency; add --frequency-by array:NAME");
@@ -70,7 +74,7 @@ void check_array_options(const CLI::App& command, const ArrayOptions& options, b
                                "--frequency array:" + options.frequency +
                                    " says all of the frequencies; leave out one of both");
   }
-  if (!field && options.frequency_by.empty() && options.frequency.empty()) {
+  if (!is_array(field) && options.frequency_by.empty() && options.frequency.empty()) {
     refuse_given(command, {"--field-mesh"},
                  "no array is taken from it; add --field array:NAME or --frequency-by array:NAME");
   }

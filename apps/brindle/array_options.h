@@ -31,8 +31,9 @@ std::string parse_array(const std::string& option, const std::string& value);
 /// --tensor, --frequency-by, --frequency-range, --field-mesh and --max-distance.
 void add_array_options(CLI::App& app, ArrayOptions& options);
 
-/// Throws CLI::ValidationError for options that leave each other without effect. `field` says
-/// whether the field is an array.
-void check_array_options(const CLI::App& command, const ArrayOptions& options, bool field);
+/// Throws CLI::ValidationError for options that leave each other without effect. `field` is what
+/// --field says.
+void check_array_options(const CLI::App& command, const ArrayOptions& options,
+                         const std::string& field);
 
 }  // namespace brindle::tool

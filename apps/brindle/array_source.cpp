@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -26,7 +27,7 @@ struct Choice {
   bool of_cells = false;
 };
 
-Choice choice_of(const DataArrays& arrays, std::string_view name) {
+Choice find_choice(const DataArrays& arrays, std::string_view name) {
   if (const DataArray* array = find_array(arrays.points, name)) return {array, false};
   if (const DataArray* array = find_array(arrays.cells, name)) return {array, true};
   if (name.starts_with(kPoints)) {
@@ -38,16 +39,19 @@ Choice choice_of(const DataArrays& arrays, std::string_view name) {
   return {};
 }
 
-/// "velocity (3), speed".
+}  // namespace
+
 std::string list_of(std::span<const DataArray> arrays) {
   std::string text;
   for (const DataArray& array : arrays) {
     if (!text.empty()) text += ", ";
-    text += array.name;
+    text += printable(array.name);
     if (array.components > 1) text += " (" + std::to_string(array.components) + ")";
   }
   return text;
 }
+
+namespace {
 
 [[noreturn]] void refuse_name(const DataArrays& arrays, const std::string& name,
                               const std::string& file) {
@@ -62,12 +66,18 @@ std::string list_of(std::span<const DataArray> arrays) {
   }
   const std::string meant = nearest(name, known);
   std::string text = file + ": no array '" + name + "'";
-  if (!meant.empty()) text += "; did you mean '" + meant + "'?";
+  if (!meant.empty()) text += "; did you mean '" + printable(meant) + "'?";
   text += meant.empty() ? "; there are" : " There are";
   if (!arrays.points.empty()) text += " per point: " + list_of(arrays.points);
   if (!arrays.points.empty() && !arrays.cells.empty()) text += "; and";
   if (!arrays.cells.empty()) text += " per cell: " + list_of(arrays.cells);
   throw Error(text);
+}
+
+Choice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file) {
+  const Choice choice = find_choice(arrays, name);
+  if (choice.array == nullptr) refuse_name(arrays, name, file);
+  return choice;
 }
 
 /// Every line with the name of the file before it.
@@ -82,6 +92,10 @@ std::string lines_about(const std::string& file, const std::string& text) {
 }
 
 }  // namespace
+
+DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file) {
+  return *choice_of(arrays, name, file).array;
+}
 
 /// The mesh of another file, with its arrays.
 struct OtherMesh {
@@ -131,8 +145,7 @@ ArraySource::~ArraySource() = default;
 
 ArraySource::PerVertex ArraySource::array(const std::string& name) const {
   const DataArrays& arrays = other_ ? other_->arrays : own_;
-  const auto [array, of_cells] = choice_of(arrays, name);
-  if (array == nullptr) refuse_name(arrays, name, other_ ? other_->file : file_);
+  const auto [array, of_cells] = choice_of(arrays, name, other_ ? other_->file : file_);
   const std::size_t nonfinite = nonfinite_rows(*array);
   if (other_) {
     return {of_cells ? carried_from_cells(*array, other_->rows)

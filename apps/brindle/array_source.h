@@ -3,13 +3,22 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "array_options.h"
 #include "brindle/data_arrays.h"
+#include "brindle/direction_field.h"
 #include "brindle/surface.h"
 
 namespace brindle::tool {
+
+/// "velocity (3), speed".
+std::string list_of(std::span<const DataArray> arrays);
+
+/// The array NAME, points/NAME or cells/NAME. Throws Error, naming `file` and all arrays there are,
+/// for another name.
+DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file);
 
 struct OtherMesh;
 

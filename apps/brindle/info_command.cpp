@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <sstream>
 
+#include "brindle/base/printable.h"
 #include "brindle/geometry/local_positions.h"
 #include "brindle/points/point_neighborhood.h"
 #include "commands.h"
@@ -15,7 +19,8 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   brindle info horse.ply
   brindle info shape:mobius
-  brindle info points.csv)";
+  brindle info points.csv
+  brindle info flow.vtp)";
 
 // Coordinates far from zero need the digits that tell them apart.
 std::string coordinates(const Vec3& point, const Eigen::Vector3d& origin) {
@@ -65,6 +70,43 @@ void print_statistics(std::ostream& out, const PointCloud& cloud,
       << statistics.spacing_mean << '\n';
 }
 
+// A name as it is, so that it can be typed, unless it has what a terminal would obey.
+std::string shown(const std::string& name) {
+  const bool plain = std::ranges::none_of(
+      name, [](unsigned char c) { return c < 0x20 || c == 0x7f || c == 0xc2; });
+  return plain ? name : printable(name);
+}
+
+std::string type_of(const DataArray& array) {
+  std::string type(name_of(array.type));
+  if (array.components > 1) type += " x " + std::to_string(array.components);
+  return type;
+}
+
+std::string range_of(const DataArray& array, const ArrayFigures& figures) {
+  std::ostringstream text;
+  if (array.components > 1) text << "length ";
+  text << figures.minimum << " to " << figures.maximum;
+  if (figures.rows_nan > 0) text << ", NaN in " << figures.rows_nan << " rows";
+  return text.str();
+}
+
+// A line per array, its columns below each other.
+void print_arrays(std::ostream& out, const std::string& of, std::span<const DataArray> arrays) {
+  if (arrays.empty()) return;
+  std::size_t name_width = 0, type_width = 0;
+  for (const DataArray& array : arrays) {
+    name_width = std::max(name_width, shown(array.name).size());
+    type_width = std::max(type_width, type_of(array).size());
+  }
+  out << "arrays of " << of << '\n' << std::left;
+  for (const DataArray& array : arrays) {
+    out << "  " << std::setw(static_cast<int>(name_width)) << shown(array.name) << "  "
+        << std::setw(static_cast<int>(type_width)) << type_of(array) << "  "
+        << range_of(array, measure_array(array)) << '\n';
+  }
+}
+
 void print_repairs(const std::string& repairs) {
   std::cout << (repairs.empty() ? "nothing had to be repaired\n" : repairs);
 }
@@ -83,6 +125,7 @@ void run_points(const SurfaceOptions& options) {
         loaded.cloud, point_neighborhood(loaded.cloud.positions, loaded.cloud.used, neighbors));
   }
   print_statistics(std::cout, loaded.cloud, statistics);
+  print_arrays(std::cout, "points", loaded.arrays);
   print_repairs(describe(loaded));
 }
 
@@ -97,6 +140,8 @@ void run_mesh(const SurfaceOptions& options) {
     statistics = mesh_statistics(loaded.mesh);
   }
   print_statistics(std::cout, loaded.mesh, statistics);
+  print_arrays(std::cout, "points", loaded.arrays.points);
+  print_arrays(std::cout, "cells", loaded.arrays.cells);
   print_repairs(describe(loaded));
 }
 

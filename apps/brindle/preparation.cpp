@@ -7,6 +7,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/points.h"
+#include "make_waves.h"
 
 namespace brindle::tool {
 namespace {

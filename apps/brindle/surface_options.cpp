@@ -38,7 +38,8 @@ void check_exists(const SurfaceOptions& options) {
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options) {
   app.add_option("MESH", options.mesh,
-                 "a file (.obj .ply .stl .off .gltf .glb) or a built-in shape, such as shape:torus "
+                 "a file (.vtp .vtu .vtk .ply .obj .stl .off .gltf .glb) or a built-in shape, such "
+                 "as shape:torus "
                  "or shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
       ->required()
       ->check([](const std::string& mesh) {
@@ -53,8 +54,8 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
 void add_point_options(CLI::App& app, SurfaceOptions& options) {
   app.add_flag(
       "--points", options.points,
-      "take the vertices alone, as points; files without faces (.ply, .obj, .csv with rows "
-      "x,y,z or x,y,z,nx,ny,nz) are points anyway");
+      "take the vertices alone, as points; files without faces (.vtp, .vtu, .vtk, .ply, .obj, .csv "
+      "with rows x,y,z or x,y,z,nx,ny,nz, or with columns of these names) are points anyway");
   app.add_option("--neighbors", options.neighbors, "points: join each to its K nearest (default 8)")
       ->type_name("K")
       ->check(CLI::Range(3, 100));
@@ -74,11 +75,11 @@ std::string describe_kind(const SurfaceOptions& options) {
 }
 
 std::string describe(const LoadedPoints& loaded) {
-  return describe_origin(loaded.cloud.origin) + describe(loaded.repair);
+  return describe_origin(loaded.cloud.origin) + loaded.left_out + describe(loaded.repair);
 }
 
 std::string describe(const LoadedMesh& loaded) {
-  return describe_origin(loaded.mesh.origin) + describe(loaded.repair);
+  return describe_origin(loaded.mesh.origin) + loaded.left_out + describe(loaded.repair);
 }
 
 bool is_points(const SurfaceOptions& options) {

@@ -10,6 +10,7 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "csv_field.h"
 
 namespace brindle::tool {
 namespace {
@@ -94,7 +95,7 @@ std::vector<UsedFile> input_files(const SurfaceOptions& surface, const WaveOptio
 
 std::vector<UsedFile> field_files(const WaveOptions& waves) {
   std::vector<UsedFile> files;
-  if (is_field_file(waves)) files.push_back({"--field", waves.field});
+  if (is_field_file(waves)) files.push_back({"--field", csv_field_name(waves.field).path});
   if (waves.arrays.mesh.empty()) return files;
   for (UsedFile& file : files_of_mesh("--field-mesh", waves.arrays.mesh)) {
     files.push_back(std::move(file));

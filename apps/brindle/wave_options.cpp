@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numbers>
 #include <string_view>
 #include <vector>
 
-#include "array_source.h"
-#include "brindle/array_field.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/curvature.h"
-#include "brindle/files.h"
 #include "brindle/frequency_field.h"
-#include "brindle/smooth_field.h"
-#include "brindle/tensor_field.h"
-#include "brindle/waves/orientation.h"
 #include "command_line.h"
 #include "option_values.h"
 
@@ -30,118 +23,6 @@ std::optional<CurvatureDirection> parse_curvature_direction(std::string_view nam
   if (name == "max") return CurvatureDirection::maximum;
   if (name == "min") return CurvatureDirection::minimum;
   return std::nullopt;
-}
-
-struct Field {
-  DirectionField directions;
-  FrequencyField frequencies;    // empty if the field says nothing of them
-  FrequencyField frequencies_v;  // the same of crossing stripes
-  std::optional<std::size_t> rows_nonfinite = {};
-  MissingWaves missing = {};
-  std::string notes = {};
-};
-
-bool is_smooth(const WaveOptions& options) {
-  return !options.direction && (options.field == "smooth" || options.field == "curvature");
-}
-
-float curvature_anchor(const WaveOptions& options) {
-  return options.curvature_anchor.value_or(options.field == "curvature" ? kDefaultCurvatureAnchor
-                                                                        : 0);
-}
-
-Field read_field(const Surface& surface, const WaveOptions& options,
-                 std::span<const Index> vertex_of_row) {
-  FieldFile file = read_field_csv(options.field, surface.mesh.vertex_count(), vertex_of_row);
-  const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
-                                       [](const Vec3& vector) { return !vector.allFinite(); });
-  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
-          std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
-}
-
-std::string name_of(TensorAxis axis) {
-  return axis == TensorAxis::major ? "major" : axis == TensorAxis::minor ? "minor" : "max-abs";
-}
-
-Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
-  const TensorAxis axis = options.tensor.value_or(TensorAxis::major);
-  TensorField tensor = tensor_field_of(surface, array, axis);
-  Field field{std::move(tensor.directions), {}, {}};
-  field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
-  if (!options.tensor) {
-    field.notes += "the array '" + array.name + "' is a tensor: waves run along its " +
-                   name_of(axis) + " axis; --tensor chooses\n";
-  }
-  if (tensor.not_symmetric > 0) {
-    field.notes += std::to_string(tensor.not_symmetric) + " rows of the tensor '" + array.name +
-                   "' are not symmetric: their symmetric part counts\n";
-  }
-  return field;
-}
-
-Field array_field(const Surface& surface, const WaveOptions& options, const ArraySource& arrays) {
-  const auto [array, rows_nonfinite] = arrays.array(parse_array("--field", options.field));
-  Field field;
-  if (is_tensor(array)) {
-    field = tensor_field(surface, array, options.arrays);
-  } else if (options.arrays.tensor) {
-    throw CLI::ValidationError("--tensor", "has no effect here: the array '" + array.name +
-                                               "' has " + std::to_string(array.components) +
-                                               " numbers in a row, and is no tensor");
-  } else {
-    field.directions = direction_field_of(surface, array);
-  }
-  field.rows_nonfinite = rows_nonfinite;
-  return field;
-}
-
-Field make_field(const Surface& surface, const WaveOptions& options, const FileData& data,
-                 const ArraySource& arrays) {
-  if (options.direction)
-    return {projected_direction_field(*options.direction, surface.normals), {}, {}};
-  if (is_smooth(options)) {
-    SmoothFieldOptions smooth;
-    smooth.symmetry = options.cross ? 4 : 2;
-    smooth.curvature_anchor = curvature_anchor(options);
-    smooth.curvature_direction = options.curvature_direction;
-    smooth.feature_anchor = options.feature_anchor;
-    smooth.feature_angle_deg = options.feature_angle_deg;
-    return {smooth_direction_field(surface, smooth), {}, {}};
-  }
-  if (options.field == "raw-curvature") {
-    const auto curvatures =
-        principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
-    DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
-    // The solvers are faster where few neighbours run against each other.
-    orient_alike(*surface.neighborhood, directions);
-    return {std::move(directions), {}, {}};
-  }
-  if (is_array(options.field)) return array_field(surface, options, arrays);
-  return read_field(surface, options, data.vertex_of_row);
-}
-
-// What options say goes before what the field says.
-void choose_frequencies(const Surface& surface, const WaveOptions& options,
-                        const ArraySource& arrays, Field& field) {
-  const ArrayOptions& wanted = options.arrays;
-  if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
-    if (!field.frequencies.empty() && !options.stripes && !options.frequency) return;
-    field.frequencies = constant_frequency_field(constant_frequency(surface.mesh, options),
-                                                 surface.mesh.vertex_count());
-  } else if (!wanted.frequency.empty()) {
-    field.frequencies = frequencies_of(arrays.array(wanted.frequency).array, field.directions);
-  } else {
-    field.frequencies = frequencies_by(surface, arrays.array(wanted.frequency_by).array,
-                                       constant_frequency(surface.mesh, options), wanted.range);
-  }
-  field.frequencies_v.clear();
-}
-
-// Waves of arrays that are not everywhere.
-void drop_waves(const ArrayOptions& options, Field& field) {
-  if (options.frequency.empty() && options.frequency_by.empty()) return;
-  field.missing.without_frequency =
-      drop_waves_without_frequency(field.directions, field.frequencies);
 }
 
 // What neither is a field nor looks like a file.
@@ -160,6 +41,15 @@ void check_field_name(const WaveOptions& options) {
 }
 
 }  // namespace
+
+bool is_smooth(const WaveOptions& options) {
+  return !options.direction && (options.field == "smooth" || options.field == "curvature");
+}
+
+float curvature_anchor(const WaveOptions& options) {
+  return options.curvature_anchor.value_or(options.field == "curvature" ? kDefaultCurvatureAnchor
+                                                                        : 0);
+}
 
 bool is_field_file(const WaveOptions& options) {
   return !options.direction && !is_array(options.field) &&
@@ -181,7 +71,7 @@ bool needs_own_arrays(const WaveOptions& options) {
 
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
-  check_array_options(command, options.arrays, !options.direction && is_array(options.field));
+  check_array_options(command, options.arrays, options.field);
   if (options.cross) {
     refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
   }
@@ -274,7 +164,8 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
          "smooth (default); curvature, the smooth field drawn to principal curvature; "
          "raw-curvature, the latter alone; array:NAME, vectors or tensors that the mesh's "
          "file has per point or per cell (array:points/NAME, array:cells/NAME); or a CSV "
-         "file with one row a vertex: x,y,z, x,y,z,frequency or x,y,z,frequency,frequency_v")
+         "file with one row a vertex: x,y,z, x,y,z,frequency, x,y,z,frequency,frequency_v, or "
+         "columns with names (FILE.csv:NAME if they hold several vectors)")
       ->type_name("FILE|array:NAME|smooth|curvature|raw-curvature")
       ->excludes(direction);
   add_named_option(app, "--curvature-direction", options.curvature_direction,
@@ -322,33 +213,6 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
       ->needs(texture)
       ->excludes(cross)
       ->excludes(stripes);
-}
-
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data) {
-  const ArraySource arrays(surface, data.arrays, data.name, options.arrays);
-  Field field = make_field(surface, options, data, arrays);
-  const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
-  if (turn_deg != 0) {
-    field.directions =
-        rotated(field.directions, surface.normals, turn_deg * std::numbers::pi_v<float> / 180);
-  }
-  field.missing.too_far = arrays.drop_too_far(field.directions);
-  choose_frequencies(surface, options, arrays, field);
-  drop_waves(options.arrays, field);
-  const auto everywhere = [&](float frequency) {
-    return constant_frequency_field(frequency, surface.mesh.vertex_count());
-  };
-  if (options.frequency_v) field.frequencies_v = everywhere(*options.frequency_v);
-  if (options.stripes_v) {
-    field.frequencies_v =
-        everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
-  }
-  return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
-          std::move(field.frequencies_v),
-          field.rows_nonfinite,
-          field.missing,
-          arrays.notes() + field.notes};
 }
 
 }  // namespace brindle::tool

@@ -2,17 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "array_options.h"
 #include "brindle/direction_field.h"
-#include "brindle/frequency_field.h"
-#include "brindle/phase_graph.h"
 #include "brindle/surface.h"
-#include "wave_figures.h"
 
 namespace brindle::tool {
 
@@ -33,22 +29,9 @@ struct WaveOptions {
   ArrayOptions arrays;
 };
 
-/// What the file of a mesh says beside the mesh.
-struct FileData {
-  std::string name;          ///< of the file
-  const DataArrays& arrays;  ///< a row per vertex of the surface, and per triangle
-  /// Rows of a field file may stand for those of the mesh's file (`Preparation`).
-  std::span<const Index> vertex_of_row = {};
-};
-
-/// Waves without phases, and the frequencies of those that cross them.
-struct WavesAndCrossing {
-  WaveSet waves;                                    ///< one wave per vertex
-  FrequencyField frequencies_v;                     ///< one per vertex; empty: those of `waves`
-  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
-  MissingWaves missing;
-  std::string notes;  ///< lines for the user
-};
+/// Whether the field is `smooth_direction_field`, drawn to curvature with this weight or not.
+bool is_smooth(const WaveOptions& options);
+float curvature_anchor(const WaveOptions& options);
 
 /// Whether the field comes from a file of its own.
 bool is_field_file(const WaveOptions& options);
@@ -87,10 +70,5 @@ void refuse_triangle_options(const CLI::App& command);
 
 /// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);
-
-/// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor if the
-/// field turns out to be no tensor.
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data);
 
 }  // namespace brindle::tool

@@ -69,14 +69,17 @@ struct LoadedMesh {
   std::string left_out = {};
 };
 
-/// Reads OBJ, PLY, OFF, STL, glTF and GLB, told apart by the path's extension; polygons are cut
-/// into triangles, and all objects of the file become one mesh.
+/// Reads VTP, VTU, legacy VTK, PLY, OBJ, OFF, STL, glTF and GLB, told apart by the path's
+/// extension; polygons are cut into triangles, and all objects of the file become one mesh. Arrays
+/// of numbers in files of VTK, properties of PLY and attributes of glTF come with it, of the types
+/// that they have there. What else the file holds is told in `left_out`.
 ///
-/// Vertices of OBJ, PLY and OFF files keep their numbers, so that data per vertex match, whether or
-/// not a triangle uses them. In every format, triangles use the first of all vertices that stand
-/// at exactly one place: files often repeat vertices along seams of texture, or for every
-/// triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they are
-/// removed. Coordinates that are large against the mesh's size are made relative to `Mesh::origin`.
+/// Vertices of VTK, OBJ, PLY and OFF files keep their numbers, so that data per vertex match,
+/// whether or not a triangle uses them. In every format, triangles use the first of all vertices
+/// that stand at exactly one place: files often repeat vertices along seams of texture, or for
+/// every triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they
+/// are removed. Coordinates that are large against the mesh's size are made relative to
+/// `Mesh::origin`.
 ///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
@@ -105,13 +108,16 @@ void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
 /// All files that `write_textured_mesh` writes for `path`, that itself last.
 std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
 
-/// Whether a file holds points and no faces: .csv, and .ply and .obj without faces. False for what
+/// Whether a file holds points and no faces: .csv, and .vtp, .vtu, .vtk, .ply and .obj without
+/// faces (and without volume cells, of which VTK can make faces). False for what
 /// cannot be read: `read_mesh` will say why.
 bool is_point_file(const std::filesystem::path& path);
 
 /// Reads points, and normals if there are as many, from
-/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz (`read_csv`);
-/// - PLY and OBJ: the vertices, whether or not there are faces;
+/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz; or, where the first row names columns, those called
+///   Points:0 to Points:2, or x, y and z, and Normals:0 to Normals:2, or nx, ny and nz. The others
+///   are arrays, as `read_csv_arrays` makes them;
+/// - PLY, OBJ and VTK's files: the vertices, whether or not there are faces, with their arrays;
 /// - any other mesh file: the vertices, without normals.
 /// Throws Error naming the file, the line where there is one, and the remedy for a file that cannot
 /// be read or has no point with finite coordinates.

@@ -24,7 +24,7 @@ struct TensorField {
   DirectionField directions;    ///< signs are such that neighbours run alike
   std::size_t near_normal = 0;  ///< vertices without a wave: the axis is too near to the normal
   std::size_t isotropic = 0;    ///< vertices without a wave: more than one axis has the eigenvalue
-  std::size_t not_symmetric = 0;  ///< rows, by more than a millionth of their largest number
+  std::size_t not_symmetric = 0;  ///< vertices, by more than a millionth of their largest number
 };
 
 /// One eigenvector per vertex, projected into the tangent plane. Rows are 6 numbers in VTK's order,

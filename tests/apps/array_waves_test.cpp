@@ -127,6 +127,36 @@ TEST_F(ArrayWaves, AreThoseOfACsvFileBitForBit) {
   EXPECT_EQ(report.at("vertices_without_wave"), 2);
 }
 
+TEST_F(ArrayWaves, AreThoseOfNamedColumns) {
+  TextMesh mesh = hill(11, 0);
+  mesh.points = {per_point(mesh, "v", vortex)};
+  write("hill.vtp", mesh);
+  std::string one = "speed,velocity:2,velocity:1,velocity:0,Points:0,Points:1,Points:2\n";
+  std::string two = "a:x,a:y,a:z,velocity:x,velocity:y,velocity:z\n";
+  std::string stress = "stress:xx,stress:yy,stress:zz,stress:xy,stress:yz,stress:xz\n";
+  const auto text = [](double number) { return std::to_string(number); };
+  for (const auto& [x, y, z] : mesh.positions) {
+    const Row v = vortex(x, y);
+    one += "1," + text(v[2]) + ',' + text(v[1]) + ',' + text(v[0]) + ",1,2,3\n";
+    two += "0,1,0," + text(v[0]) + ',' + text(v[1]) + ',' + text(v[2]) + '\n';
+    stress += "3,1,2,0,0,0\n";
+  }
+  write_text(folder / "one.csv", one);
+  write_text(folder / "two.csv", two);
+  write_text(folder / "stress.csv", stress);
+  const std::string expected = lines({"hill.vtp", "--field", "array:v"});
+  EXPECT_EQ(lines({"hill.vtp", "--field", "one.csv"}), expected);
+  EXPECT_EQ(lines({"hill.vtp", "--field", "two.csv:velocity"}), expected);
+  expect_refusal(1, "two.csv has several vectors: a (3), velocity (3); choose one: two.csv:a",
+                 {"stripe", "hill.vtp", "--field", "two.csv"});
+  expect_refusal(1, "two.csv: no array 'velocty'; did you mean 'velocity'?",
+                 {"stripe", "hill.vtp", "--field", "two.csv:velocty"});
+  const Json minor = report({"hill.vtp", "--field", "stress.csv:stress", "--tensor", "minor"});
+  EXPECT_EQ(minor.at("energy"), report({"hill.vtp", "--direction", "0,1,0"}).at("energy"));
+  expect_refusal(2, "is no tensor",
+                 {"stripe", "hill.vtp", "--field", "one.csv:velocity", "--tensor", "minor"});
+}
+
 TEST_F(ArrayWaves, OfCellsAreMovedToPoints) {
   TextMesh mesh = hill();
   mesh.cells = {per_cell(mesh, "velocity", vortex)};
@@ -270,7 +300,7 @@ TEST_F(ArrayWaves, RunAlongTensors) {
   }
   const ToolResult result = run({"stripe", "plate.vtp", "--field", "array:skew"});
   EXPECT_TRUE(has(result.err, "the array 'skew' is a tensor: waves run along its major axis"));
-  EXPECT_TRUE(has(result.err, "121 rows of the tensor 'skew' are not symmetric")) << result.err;
+  EXPECT_TRUE(has(result.err, "at 121 vertices the tensor 'skew' is not symmetric")) << result.err;
   EXPECT_FALSE(has(run({"stripe", "plate.vtp", "--field", "array:stress", "--tensor", "major"}).err,
                    "tensor"));
   for (const char* axis : {"minor", "max-abs"}) {
@@ -363,6 +393,23 @@ TEST_F(ArrayWaves, OfAnotherMeshEndFarFromIt) {
       << result.err;
   expect_refusal(1, "part.vtp: no array 'speed'",
                  {"stripe", "whole.vtp", "--field", "array:speed", "--field-mesh", "part.vtp"});
+}
+
+TEST_F(ArrayWaves, MayBeTakenFromPoints) {
+  const TextMesh mesh = hill(11, 0);
+  write("hill.vtp", mesh);
+  std::string points = "velocity:0,velocity:1,velocity:2,Points:0,Points:1,Points:2\n";
+  for (const auto& [x, y, z] : mesh.positions) {
+    points += "0,2,1," + std::to_string(x) + ',' + std::to_string(y) + ",0\n";
+  }
+  write_text(folder / "points.csv", points);
+  EXPECT_EQ(lines({"hill.vtp", "--field", "array:velocity", "--field-mesh", "points.csv"}),
+            lines({"hill.vtp", "--direction", "0,2,1"}));
+#ifdef BRINDLE_HAS_NANOFLANN
+  const Json report = this->report({"points.csv", "--field", "array:velocity"});
+  EXPECT_EQ(report.at("kind"), "points");
+  EXPECT_EQ(report.at("energy"), this->report({"points.csv", "--direction", "0,2,1"}).at("energy"));
+#endif
 }
 
 TEST_F(ArrayWaves, OfAnotherMeshAreForShapesToo) {

@@ -9,7 +9,7 @@
 #include "tool.h"
 #include "vtp_text.h"
 
-#if defined(BRINDLE_HAS_GL) && defined(BRINDLE_HAS_CHOLMOD) && defined(BRINDLE_TESTS_NANOFLANN)
+#if defined(BRINDLE_HAS_GL) && defined(BRINDLE_HAS_CHOLMOD) && defined(BRINDLE_HAS_NANOFLANN)
 
 namespace brindle::test {
 namespace {

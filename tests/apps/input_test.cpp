@@ -190,7 +190,7 @@ TEST_F(Input, AFileTakenForPointsIsSpokenOf) {
   write_text(folder / "a.csv", csv + "0,0,0\n");
   expect_refusal(1, "animate", {"animate", "a.obj", "--frames", "1", "--report", "r.json"});
   expect_refusal(1, "bench", {"bench", "a.csv", "--quick"});
-#ifdef BRINDLE_TESTS_NANOFLANN
+#ifdef BRINDLE_HAS_NANOFLANN
   const std::string note = "a.obj has no faces: its vertices are taken for points";
   EXPECT_TRUE(contains(run({"stripe", "a.obj", "--direction", "1,0,0"}).err, note));
   EXPECT_FALSE(contains(run({"stripe", "a.obj", "--points", "--direction", "1,0,0"}).err, note));
@@ -227,6 +227,23 @@ TEST_F(Input, NamesNearToAShapeAreSuggested) {
   const ToolResult other = run({"info", "scan.ply"});
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_FALSE(contains(other.err, "did you mean")) << other.err;
+}
+
+TEST_F(Input, InfoListsTheArraysOfAFile) {
+  write_text(folder / "a.vtk",
+             "# vtk DataFile Version 4.2\nof a test\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+             "0 0 0 1 0 0 1 1 0 0 1 0\nPOLYGONS 1 5\n4 0 1 2 3\nLINES 1 3\n2 0 1\nPOINT_DATA 4\n"
+             "VECTORS velocity float\n3 4 0 0 0 0 nan 0 0 1 0 0\nFIELD more 1\nid 1 4 int\n"
+             "7 8 9 10\nCELL_DATA 2\nSCALARS part double\nLOOKUP_TABLE default\n1 2.5\n");
+  const ToolResult info = run({"info", "a.vtk"});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+  for (const char* line :
+       {"arrays of points\n  velocity  float32 x 3  length 0 to 5, NaN in 1 rows\n",
+        "  id        int32        7 to 10\n", "arrays of cells\n  part  float64  2.5 to 2.5\n",
+        "1 cells that are points or lines: left out"}) {
+    EXPECT_TRUE(contains(info.out, line)) << info.out;
+  }
+  EXPECT_EQ(report("a.vtk", {"--direction", "1,0,0"})["triangles"], 2);
 }
 
 TEST_F(Input, ExtensionsMayBeOfAnyCase) {

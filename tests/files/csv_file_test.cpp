@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/files.h"
 
 namespace brindle {
 namespace {
@@ -85,6 +86,91 @@ TEST_F(CsvFile, ShowsNoBytesThatATerminalObeys) {
   const std::string message = error_of("1,2,3\n\x1b[2J\xff," + std::string(100000, 'x') + "\n");
   EXPECT_NE(message.find("\\x1b[2J\\xff"), std::string::npos) << message;
   EXPECT_LT(message.size(), 500u);
+}
+
+struct CsvArrays : CsvFile {
+  std::vector<DataArray> arrays(const std::string& text) const {
+    std::ofstream(path, std::ios::binary) << text;
+    return read_csv_arrays(path);
+  }
+  std::string error_of_arrays(const std::string& text) const {
+    try {
+      arrays(text);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+DataArray doubles(const std::string& name, int components, const std::vector<double>& numbers) {
+  return make_data_array(name, components, numbers);
+}
+
+TEST_F(CsvArrays, ColumnsOfOneArrayComeTogetherInAnyOrder) {
+  const std::vector<DataArray> expected = {
+      doubles("velocity", 3, {1, 2, 3, 4, 5, 6}), doubles("p", 1, {7, 8}),
+      doubles("Points", 3, {9, 10, 11, 12, 13, 14}), doubles("flow", 3, {1, 2, 3, 4, 5, 6}),
+      doubles("pair", 2, {1, 2, 3, 4})};
+  const std::string names[] = {"velocity:1", "velocity:0", "p",      "velocity:2",
+                               "Points_2",   "Points_0",   "flow_y", "Points_1",
+                               "flow_X",     "flow_z",     "pair_0", "pair_1"};
+  const std::string rows[2][12] = {{"2", "1", "7", "3", "11", "9", "2", "10", "1", "3", "1", "2"},
+                                   {"5", "4", "8", "6", "14", "12", "5", "13", "4", "6", "3", "4"}};
+  for (const std::string separator : {",", ";", "\t", " ; "}) {
+    for (const std::string quote : {"", "\""}) {
+      std::string text;
+      for (const std::string& name : names) text += quote + name + quote + separator;
+      text.resize(text.size() - separator.size());
+      for (const auto& row : rows) {
+        text += '\n';
+        for (const std::string& cell : row) text += quote + cell + quote + separator;
+        text.resize(text.size() - separator.size());
+      }
+      EXPECT_EQ(arrays(text + "\n"), expected) << text;
+    }
+  }
+}
+
+TEST_F(CsvArrays, TensorsHaveTheOrderOfVtk) {
+  EXPECT_EQ(arrays("s_XZ,s_XX,s_YY,s_ZZ,s_XY,s_YZ\n6,1,2,3,4,5\n"),
+            (std::vector<DataArray>{doubles("s", 6, {1, 2, 3, 4, 5, 6})}));
+  EXPECT_EQ(arrays("t:xx,t:xy,t:xz,t:yx,t:yy,t:yz,t:zx,t:zy,t:zz\n1,2,3,4,5,6,7,8,9\n"),
+            (std::vector<DataArray>{doubles("t", 9, {1, 2, 3, 4, 5, 6, 7, 8, 9})}));
+}
+
+TEST_F(CsvArrays, WhatIsNoWholeArrayStaysApart) {
+  EXPECT_EQ(arrays("v:0,v:2,w_x,w_y,u:0,x,y,z\n1,2,3,4,5,6,7,8\n"),
+            (std::vector<DataArray>{doubles("v:0", 1, {1}), doubles("v:2", 1, {2}),
+                                    doubles("w_x", 1, {3}), doubles("w_y", 1, {4}),
+                                    doubles("u:0", 1, {5}), doubles("x", 1, {6}),
+                                    doubles("y", 1, {7}), doubles("z", 1, {8})}));
+}
+
+TEST_F(CsvArrays, NamesMayHoldSeparatorsAndWordsFormNoArray) {
+  EXPECT_EQ(arrays("\"a,b\",\"say \"\"c\"\"\",block\n1,2,left\n3,4,\"5\"\n"),
+            (std::vector<DataArray>{doubles("a,b", 1, {1, 3}), doubles("say \"c\"", 1, {2, 4})}));
+}
+
+TEST_F(CsvArrays, NumbersAreTheNearestDoublesAndEmptyCellsNaN) {
+  // As a float this would be rounded up.
+  EXPECT_EQ(arrays("a\n1.00000005960464484\n"),
+            (std::vector<DataArray>{doubles("a", 1, {1.00000005960464484})}));
+  const std::vector<DataArray> read = arrays("a,b\n1,\n,2\n");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(measure_array(read[0]).rows_nan, 1u);
+  EXPECT_EQ(measure_array(read[1]).rows_nan, 1u);
+}
+
+TEST_F(CsvArrays, ErrorsNameTheLineAndTheColumn) {
+  const std::string message = error_of_arrays("a,v:0\n1,2\n# note\n3,four\n");
+  EXPECT_NE(message.find("line 4"), std::string::npos) << message;
+  EXPECT_NE(message.find("column 'v:0' has 'four'"), std::string::npos) << message;
+  EXPECT_NE(error_of_arrays("a;b\n1;2\n1,5;2\n").find("decimal points"), std::string::npos);
+  EXPECT_NE(error_of_arrays("a,b\n1,2\n\"1,234\",2\n").find("thousands"), std::string::npos);
+  EXPECT_NE(error_of_arrays("a,b\n1,2\n1,2,3\n").find("line 3: 3 cells"), std::string::npos);
+  EXPECT_NE(error_of_arrays("1,2\n3,4\n").find("name"), std::string::npos);
+  EXPECT_NE(error_of_arrays("a,b\n").find("no numbers"), std::string::npos);
 }
 
 }  // namespace

@@ -49,6 +49,32 @@ TEST_F(FieldCsv, ReadsTheFrequencyFromTheFourthColumn) {
   EXPECT_EQ(read("1,0,0,12.5\n0,1,0,3\n", 2).frequencies, (std::vector<float>{12.5f, 3}));
 }
 
+TEST_F(FieldCsv, ColumnsAreTakenByTheirNames) {
+  for (const std::string text :
+       {"z,y,x\n3,2,1\n6,5,4\n", "p;Z;\"Y\";q;X;r\n0;3;2;0;1;0\n0;6;5;0;4;0\n",
+        "name,x,y,z,a,b\nleft,1,2,3,0,0\nright,4,5,6,0,0\n"}) {
+    const FieldFile field = read(text, 2);
+    EXPECT_EQ(field.vectors, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}})) << text;
+    EXPECT_TRUE(field.frequencies.empty()) << text;
+  }
+  const FieldFile field = read("frequency_v,x,y,z,frequency\n8,1,2,3,7\n", 1);
+  EXPECT_EQ(field.vectors[0], Vec3(1, 2, 3));
+  EXPECT_EQ(field.frequencies, (std::vector<float>{7}));
+  EXPECT_EQ(field.frequencies_v, (std::vector<float>{8}));
+}
+
+TEST_F(FieldCsv, OtherNamesBehindXYZAreFrequenciesAsWithoutNames) {
+  const FieldFile field = read("x,y,z,f,g\n1,2,3,4,5\n", 1);
+  EXPECT_EQ(field.frequencies, (std::vector<float>{4}));
+  EXPECT_EQ(field.frequencies_v, (std::vector<float>{5}));
+}
+
+TEST_F(FieldCsv, NamedColumnsNameTheirErrors) {
+  EXPECT_NE(error("z,y,x\n1,2,3\n1,b,3\n", 2).find("line 3: column 'y'"), std::string::npos);
+  EXPECT_NE(error("z,y,x\n1,b,3\n", 1).find("column 'y'"), std::string::npos);
+  EXPECT_NE(error("frequency,x,y,z\n0,1,2,3\n", 1).find("line 2"), std::string::npos);
+}
+
 TEST_F(FieldCsv, NanMeansNoWave) {
   EXPECT_TRUE(std::isnan(read("nan,nan,nan\n", 1).vectors[0].x()));
 }

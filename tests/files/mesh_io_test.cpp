@@ -303,7 +303,8 @@ TEST_F(MeshIo, DeviceIsRefused) {
 }
 
 TEST_F(MeshIo, UnknownExtensionListsTheKnown) {
-  EXPECT_NAMES(error_of("a.docx", kPyramidObj), ".vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb");
+  EXPECT_NAMES(error_of("a.docx", kPyramidObj),
+               ".vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb");
   EXPECT_NAMES(error_of("noextension", kPyramidObj), ".ply");
 }
 
@@ -626,6 +627,30 @@ std::string gltf_triangle(const std::string& old = "", const std::string& now = 
 TEST_F(MeshIo, MovesMeshesOfGltfToTheirNodes) {
   const Mesh mesh = read("a.gltf", gltf_triangle()).mesh;
   EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{5, 0, 0}, {7, 0, 0}, {5, 2, 0}}));
+}
+
+TEST_F(MeshIo, ReadsAttributesOfGltfAsArrays) {
+  // All from the numbers of the positions, by other names.
+  const auto with = [&](const std::string& attributes, const std::string& node) {
+    std::string text = gltf_triangle("\"POSITION\":0", "\"POSITION\":0," + attributes);
+    return text.replace(text.find("\"scale\":[2,2,2]"), 15, node);
+  };
+  const std::vector<float> numbers = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const LoadedMesh loaded =
+      read("a.gltf", with(R"("NORMAL":0,"_WIND":0,"_Speed":1,"COLOR_1":0)", "\"scale\":[1,1,1]"));
+  const std::vector<DataArray>& arrays = loaded.arrays.points;
+  ASSERT_EQ(arrays.size(), 4u);
+  EXPECT_EQ(*find_array(arrays, "normal"), make_data_array("normal", 3, numbers));
+  EXPECT_EQ(*find_array(arrays, "wind"), make_data_array("wind", 3, numbers));
+  EXPECT_EQ(*find_array(arrays, "color_1"), make_data_array("color_1", 3, numbers));
+  EXPECT_EQ(*find_array(arrays, "Speed"),
+            make_data_array("Speed", 1, std::vector<std::uint8_t>{0, 1, 2}));
+  // A quarter turn about z, and twice as wide: normals turn, other vectors do not.
+  const LoadedMesh turned = read(
+      "b.gltf", with(R"("NORMAL":0,"_WIND":0)", "\"matrix\":[0,2,0,0,-1,0,0,0,0,0,1,0,0,0,0,1]"));
+  EXPECT_EQ(vectors_of(find_array(turned.arrays.points, "normal")->view(), "normals"),
+            (std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}));
+  EXPECT_EQ(*find_array(turned.arrays.points, "wind"), make_data_array("wind", 3, numbers));
 }
 
 TEST_F(MeshIo, TurnsMirroredMeshesOfGltfInsideOut) {

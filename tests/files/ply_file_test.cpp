@@ -129,5 +129,75 @@ TEST_F(PlyFile, ReadsDoublesFarFromZero) {
   }
 }
 
+TEST_F(PlyFile, PropertiesBecomeArraysOfTheirTypes) {
+  for (const std::string& format : kFormats) {
+    Writer file{format, "ply\nformat " + format +
+                            " 1.0\nelement vertex 4\nproperty int id\nproperty float x\n"
+                            "property uchar green\nproperty float y\nproperty float z\n"
+                            "property uchar red\nproperty uchar blue\nproperty double v_z\n"
+                            "property double v_x\nproperty list uchar int tags\n"
+                            "property double v_y\nproperty float nx\nproperty float ny\n"
+                            "element face 2\nproperty ushort part\n"
+                            "property list uchar int vertex_indices\nproperty short q_1\n"
+                            "property short q_0\nend_header\n"};
+    for (int v = 0; v < 4; ++v) {
+      const auto number = static_cast<double>(v);
+      file.put(std::int32_t{-2000000000 + v});
+      file.put(static_cast<float>(v / 2));
+      file.put(static_cast<std::uint8_t>(v));
+      file.put(static_cast<float>(v % 2));
+      file.put(0.0f);
+      file.put(static_cast<std::uint8_t>(255));
+      file.put(static_cast<std::uint8_t>(7));
+      file.put(number + 0.25);
+      file.put(number);
+      file.put(static_cast<std::uint8_t>(2));
+      file.put(std::int32_t{1});
+      file.put(std::int32_t{2});
+      file.put(number + 0.125);
+      file.put(1.0f);
+      file.put(0.5f);
+      file.end_row();
+    }
+    // A quadrangle, and a triangle without area, which is dropped.
+    for (const std::vector<std::int32_t>& face : {std::vector{1, 1, 0}, std::vector{0, 2, 3, 1}}) {
+      file.put(static_cast<std::uint16_t>(60000 + face.size()));
+      file.put(static_cast<std::uint8_t>(face.size()));
+      for (const std::int32_t corner : face) file.put(corner);
+      file.put(std::int16_t{-30000});
+      file.put(std::int16_t{5});
+      file.end_row();
+    }
+    const LoadedMesh loaded = read_mesh(save(file.content));
+    const std::vector<std::int32_t> ids = {-2000000000, -1999999999, -1999999998, -1999999997};
+    EXPECT_EQ(
+        loaded.arrays.points,
+        (std::vector<DataArray>{
+            make_data_array("id", 1, ids),
+            make_data_array("color", 3,
+                            std::vector<std::uint8_t>{255, 0, 7, 255, 1, 7, 255, 2, 7, 255, 3, 7}),
+            make_data_array("v", 3,
+                            std::vector<double>{0, 0.125, 0.25, 1, 1.125, 1.25, 2, 2.125, 2.25, 3,
+                                                3.125, 3.25}),
+            make_data_array("nx", 1, std::vector<float>(4, 1)),
+            make_data_array("ny", 1, std::vector<float>(4, 0.5f))}))
+        << format;
+    EXPECT_EQ(loaded.arrays.cells,
+              (std::vector<DataArray>{
+                  make_data_array("part", 1, std::vector<std::uint16_t>{60004, 60004}),
+                  make_data_array("q", 2, std::vector<std::int16_t>{5, -30000, 5, -30000})}))
+        << format;
+    EXPECT_EQ(loaded.repair.triangles_degenerate, 1u);
+    EXPECT_NE(loaded.left_out.find("'tags'"), std::string::npos);
+  }
+}
+
+TEST_F(PlyFile, NumbersInTextMustFitTheirType) {
+  save(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar level\nend_header\n0 0 0 256\n");
+  EXPECT_THROW(read_points(path), Error);
+}
+
 }  // namespace
 }  // namespace brindle

@@ -45,6 +45,21 @@ TEST_F(PointIo, ReadsCsvWithAndWithoutNormals) {
   EXPECT_EQ(full.normals, (std::vector<Vec3>{{0, 0, 1}, {0, -1, 0}}));
 }
 
+TEST_F(PointIo, ReadsColumnsByTheirNamesAndTheOthersAsArrays) {
+  const LoadedPoints loaded =
+      read_points(file("a.csv",
+                       "\"speed\",\"Points:1\",\"v:0\",\"v:1\",\"v:2\",\"Points:0\",\"Points:2\"\n"
+                       "7,2,10,11,12,1,3\n8,5,13,14,15,4,6\n"));
+  EXPECT_EQ(loaded.cloud.positions, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(loaded.arrays,
+            (std::vector<DataArray>{
+                make_data_array("speed", 1, std::vector<double>{7, 8}),
+                make_data_array("v", 3, std::vector<double>{10, 11, 12, 13, 14, 15})}));
+  const LoadedPoints named = read_points(file("b.csv", "nz,ny,nx,z,y,x\n2,0,0,3,2,1\n"));
+  EXPECT_EQ(named.cloud.positions, (std::vector<Vec3>{{1, 2, 3}}));
+  EXPECT_EQ(named.cloud.normals, (std::vector<Vec3>{{0, 0, 1}}));
+}
+
 TEST_F(PointIo, ReadsPlyWithNormalsAmongOtherProperties) {
   const auto path = file("a.ply", kPlyStart +
                                       "element vertex 2\nproperty float nx\nproperty float x\n"

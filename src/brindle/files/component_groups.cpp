@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <map>
 #include <string>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "brindle/files/input_file.h"
+#include "brindle/files/letters.h"
 
 namespace brindle {
 namespace {
@@ -18,13 +18,6 @@ using Columns = std::vector<std::size_t>;
 
 /// Columns whose names differ in what follows the last ':' or '_', by that, in small letters.
 using Family = std::map<std::string, std::size_t>;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// Endings that make one array, in the order of its components.
 std::vector<std::vector<std::string>> sets_of_endings(const Family& family) {
@@ -82,7 +75,8 @@ std::vector<DataArray> grouped_columns(std::vector<DataArray> columns) {
     const std::string& name = columns[c].name;
     const std::size_t separator = name.find_last_of(":_");
     if (separator == std::string::npos || separator == 0) continue;
-    families[name.substr(0, separator + 1)].try_emplace(lower(name.substr(separator + 1)), c);
+    families[name.substr(0, separator + 1)].try_emplace(small_letters(name.substr(separator + 1)),
+                                                        c);
   }
   std::vector<std::pair<std::size_t, DataArray>> arrays;  // with their first columns
   std::vector<char> taken(columns.size(), 0);

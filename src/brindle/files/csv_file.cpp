@@ -1,7 +1,6 @@
 #include "brindle/files/csv_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -12,6 +11,7 @@
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/letters.h"
 #include "brindle/files/piecewise_arrays.h"
 
 namespace brindle {
@@ -131,15 +131,9 @@ std::string at_line(const std::filesystem::path& path, std::size_t line) {
   return "'" + path.string() + "', line " + std::to_string(line) + ": ";
 }
 
-bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
-}
-
 std::vector<double> CsvTable::numbers_of(std::string_view name) const {
   for (const DataArray& column : columns) {
-    if (name.empty() || !same_name(column.name, name)) continue;
+    if (name.empty() || !same_letters(column.name, name)) continue;
     std::vector<double> numbers(column.rows());
     std::memcpy(numbers.data(), column.bytes.data(), column.bytes.size());
     return numbers;

@@ -24,9 +24,6 @@ struct CsvKind {
 /// Where a row stands, as messages begin: "'path', line 7: ".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
 
-/// Whether names of columns are the same but for small and capital letters.
-bool same_name(std::string_view a, std::string_view b);
-
 /// Columns of numbers that the first row names.
 struct CsvTable {
   std::vector<DataArray> columns;  ///< float64, one component each

@@ -12,6 +12,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/csv_file.h"
+#include "brindle/files/letters.h"
 #include "brindle/waves/float_vector.h"
 
 namespace brindle {
@@ -42,7 +43,7 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
 
 /// Whether the name of a column is among these.
 bool has_name(std::span<const std::string> names, std::string_view name) {
-  return std::ranges::any_of(names, [&](auto& other) { return same_name(other, name); });
+  return std::ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
 }
 
 /// The columns x, y, z and those of frequencies that a table has.
@@ -76,7 +77,7 @@ void read_named_field(const std::filesystem::path& path, CsvFile& file,
 bool has_named_columns(const std::vector<std::string>& names) {
   if (!has_name(names, "x") || !has_name(names, "y") || !has_name(names, "z")) return false;
   const bool first =
-      same_name(names[0], "x") && same_name(names[1], "y") && same_name(names[2], "z");
+      same_letters(names[0], "x") && same_letters(names[1], "y") && same_letters(names[2], "z");
   return !first || names.size() > 5 || has_name(names, "frequency") ||
          has_name(names, "frequency_v");
 }

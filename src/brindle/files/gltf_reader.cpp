@@ -23,6 +23,7 @@
 #include "brindle/base/printable.h"
 #include "brindle/files/base64.h"
 #include "brindle/files/gltf_document.h"
+#include "brindle/files/letters.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/percent_decoded.h"
 #include "brindle/files/piecewise_arrays.h"
@@ -177,10 +178,11 @@ class GltfReader {
       if (other) continue;
       const Json& described = item("accessors", accessor.get<std::uint64_t>());
       DataArray array{array_name(semantic), number_type(described), components(described), {}};
-      // Columns of smaller numbers are padded; nobody stores data like that.
+      // Columns of smaller numbers are padded; nobody stores data like that. Nor are there any
+      // without a view, but zeros.
       const bool padded = described["type"].get<std::string>().starts_with("MAT") &&
                           array.type != NumberType::float32;
-      if (padded) continue;
+      if (padded || !described.contains("bufferView")) continue;
       const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
       for_each_element(accessor.get<std::uint64_t>(), row, [&](const char* bytes) {
         const auto* begin = reinterpret_cast<const std::byte*>(bytes);
@@ -204,11 +206,8 @@ class GltfReader {
     if (semantic.starts_with("COLOR_")) return numbered("COLOR_", "color");
     const bool small = std::any_of(semantic.begin(), semantic.end(),
                                    [](unsigned char c) { return std::islower(c); });
-    std::string name = semantic.substr(semantic.starts_with('_') ? 1 : 0);
-    if (small) return name;
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name;
+    const std::string name = semantic.substr(semantic.starts_with('_') ? 1 : 0);
+    return small ? name : small_letters(name);
   }
 
   static NumberType number_type(const Json& accessor) {

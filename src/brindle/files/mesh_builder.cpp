@@ -1,5 +1,6 @@
 #include "brindle/files/mesh_builder.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -8,6 +9,14 @@
 
 namespace brindle {
 namespace {
+
+/// Room for so many more entries; at least twice as many as before, so that many pieces take no
+/// longer than one.
+template <class Entry>
+void make_room(std::vector<Entry>& entries, std::size_t more) {
+  const std::size_t wanted = entries.size() + more;
+  if (wanted > entries.capacity()) entries.reserve(std::max(wanted, 2 * entries.capacity()));
+}
 
 /// Rows of cells as rows of triangles.
 void spread_over_triangles(std::vector<DataArray>& cells, std::span<const Index> cell_of_triangle) {
@@ -21,6 +30,13 @@ void spread_over_triangles(std::vector<DataArray>& cells, std::span<const Index>
 }
 
 }  // namespace
+
+void MeshBuilder::reserve_vertices(std::size_t more) { make_room(positions_, more); }
+
+void MeshBuilder::reserve_polygons(std::size_t more, std::size_t corners) {
+  make_room(polygons_, more + corners);
+  make_room(cells_, more);
+}
 
 void MeshBuilder::add_polygon(std::span<const Index> corners, Index cell) {
   polygons_.push_back(static_cast<Index>(corners.size()));

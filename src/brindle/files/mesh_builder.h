@@ -13,7 +13,11 @@ namespace brindle {
 
 class MeshBuilder {
  public:
-  void reserve_vertices(std::size_t count) { positions_.reserve(count); }
+  /// Makes room for so many more vertices.
+  void reserve_vertices(std::size_t more);
+
+  /// Makes room for so many more polygons with so many corners in all.
+  void reserve_polygons(std::size_t more, std::size_t corners);
 
   void add_vertex(const Eigen::Vector3d& position) { positions_.push_back(position); }
 

@@ -413,7 +413,7 @@ class PlyReader {
         file_.fail_whole("has vertices without '" + std::string(kAxes[axis]) + "'");
       }
     }
-    mesh_.reserve_vertices(mesh_.vertex_count() + element.count);
+    mesh_.reserve_vertices(element.count);
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::vector<DataArray> columns = columns_of(element, kAxes);
     read_rows(

@@ -12,6 +12,7 @@
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
 #include "brindle/files/csv_file.h"
+#include "brindle/files/letters.h"
 #include "brindle/files/obj_file.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_file.h"
@@ -35,7 +36,7 @@ constexpr std::array<Names, 3> kNormals = {{{"Normals:0", "Normals:1", "Normals:
 const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {
   for (const Names& three : known) {
     const bool all = std::ranges::all_of(three, [&](std::string_view wanted) {
-      return std::ranges::any_of(names, [&](auto& name) { return same_name(name, wanted); });
+      return std::ranges::any_of(names, [&](auto& name) { return same_letters(name, wanted); });
     });
     if (all) return &three;
   }
@@ -46,8 +47,8 @@ const Names* names_among(std::span<const Names> known, std::span<const std::stri
 bool has_named_points(const std::vector<std::string>& names) {
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr) return false;
-  const bool plain = (names.size() == 3 || names.size() == 6) && same_name(names[0], "x") &&
-                     same_name(names[1], "y") && same_name(names[2], "z");
+  const bool plain = (names.size() == 3 || names.size() == 6) && same_letters(names[0], "x") &&
+                     same_letters(names[1], "y") && same_letters(names[2], "z");
   return !plain;
 }
 
@@ -75,7 +76,8 @@ LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   }
   LoadedPoints loaded = make_placed_point_cloud(vectors_in(table, *positions), std::move(normals));
   std::erase_if(table.columns, [&](const DataArray& column) {
-    return std::ranges::any_of(*positions, [&](auto name) { return same_name(column.name, name); });
+    return std::ranges::any_of(*positions,
+                               [&](auto name) { return same_letters(column.name, name); });
   });
   loaded.arrays = grouped_columns(std::move(table.columns));
   make_names_unique(loaded.arrays);

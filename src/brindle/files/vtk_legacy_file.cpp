@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "brindle/files.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/letters.h"
 #include "brindle/files/percent_decoded.h"
 #include "brindle/files/text_numbers.h"
 #include "brindle/files/vtk_surface.h"
@@ -44,13 +44,6 @@ constexpr std::array<LegacyType, 16> kLegacyTypes = {{{"float", NumberType::floa
                                                       {"vtktypeint64", NumberType::int64},
                                                       {"vtktypeuint64", NumberType::uint64},
                                                       {"vtkidtype", NumberType::int64}}};
-
-std::string small_letters(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 bool is_text_type(const std::string& type) {
   return type == "string" || type == "utf8_string" || type == "unicode_string" || type == "variant";

@@ -66,20 +66,21 @@ std::size_t sides_of(std::uint8_t type, std::size_t points) {
   }
 }
 
-/// The numbers of an array as whole ones; those that `Number` cannot hold become its largest.
+/// A whole number as another type; one that it cannot hold, and any other, as its largest.
+template <class Number, class Stored>
+Number as(Stored value) {
+  if constexpr (std::is_integral_v<Stored>) {
+    if (std::in_range<Number>(value)) return static_cast<Number>(value);
+  }
+  return std::numeric_limits<Number>::max();
+}
+
 template <class Number>
 std::vector<Number> as_numbers(const DataArray& array) {
-  std::vector<Number> result(array.rows() * static_cast<std::size_t>(array.components));
-  with_number_type(array.type, [&]<class Stored>(Stored) {
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      Stored value;
-      std::memcpy(&value, &array.bytes[i * sizeof value], sizeof value);
-      constexpr auto kMost = std::numeric_limits<Number>::max();
-      result[i] = kMost;
-      if constexpr (std::is_integral_v<Stored>) {
-        if (std::in_range<Number>(value)) result[i] = static_cast<Number>(value);
-      }
-    }
+  std::vector<Number> result;
+  result.reserve(array.rows() * static_cast<std::size_t>(array.components));
+  for_each_number(array.view(), [&](std::size_t, std::size_t, auto value) {
+    result.push_back(as<Number>(value));
   });
   return result;
 }
@@ -120,14 +121,14 @@ void VtkSurface::add(VtkPiece piece) {
   const bool has_cells = cells > cell_;
   const auto first_point = static_cast<Index>(builder_.vertex_count());
   add_points(piece.points);
-  for (const VtkCells& c : piece.cells) add_cells(c, first_point);
+  for (VtkCells& c : piece.cells) add_cells(std::move(c), first_point);
   if (points > 0) point_arrays_.add(std::move(piece.arrays.points));
   if (has_cells) cell_arrays_.add(std::move(piece.arrays.cells));
   if (normals_.empty()) normals_ = std::move(piece.normals);
 }
 
 void VtkSurface::add_points(const DataArray& points) {
-  builder_.reserve_vertices(builder_.vertex_count() + points.rows());
+  builder_.reserve_vertices(points.rows());
   with_number_type(points.type, [&]<class Number>(Number) {
     for (std::size_t row = 0; row < points.rows(); ++row) {
       std::array<Number, 3> place{};
@@ -138,22 +139,25 @@ void VtkSurface::add_points(const DataArray& points) {
   });
 }
 
-void VtkSurface::add_cells(const VtkCells& cells, Index first_point) {
+void VtkSurface::add_cells(VtkCells cells, Index first_point) {
   std::vector<Index> points = as_numbers<Index>(cells.points);
+  cells.points.bytes = {};  // memory for what follows
   check_below(file_, points, builder_.vertex_count() - first_point);
   for (Index& point : points) point += first_point;
-  const auto ends = as_numbers<std::uint64_t>(cells.ends);
+  builder_.reserve_polygons(cells.ends.rows(), points.size());
   std::uint64_t begin = 0;
-  for (std::size_t c = 0; c < ends.size(); ++c, ++cell_) {
-    if (ends[c] < begin || ends[c] > points.size()) {
+  for_each_number(cells.ends.view(), [&](std::size_t cell, std::size_t, auto stored) {
+    const auto end = as<std::uint64_t>(stored);
+    if (end < begin || end > points.size()) {
       file_.fail_whole("has cells whose offsets do not rise within their " +
                        std::to_string(points.size()) +
                        " points; the file is damaged, export it again");
     }
-    add_cell(cells.types.empty() ? cells.type : cells.types[c],
-             std::span(points).subspan(begin, ends[c] - begin));
-    begin = ends[c];
-  }
+    add_cell(cells.types.empty() ? cells.type : cells.types[cell],
+             std::span(points).subspan(begin, end - begin));
+    ++cell_;
+    begin = end;
+  });
 }
 
 void VtkSurface::add_cell(std::uint8_t type, std::span<const Index> points) {

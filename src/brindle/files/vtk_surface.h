@@ -54,7 +54,7 @@ class VtkSurface {
 
  private:
   void add_points(const DataArray& points);
-  void add_cells(const VtkCells& cells, Index first_point);
+  void add_cells(VtkCells cells, Index first_point);
   void add_cell(std::uint8_t type, std::span<const Index> points);
   /// A cell with points amid its sides, which follow its corners.
   void add_curved(std::span<const Index> points, std::size_t sides);
