@@ -85,13 +85,19 @@ std::vector<Number> as_numbers(const DataArray& array) {
   return result;
 }
 
-/// Throws unless all are below `end`.
-void check_below(const InputFile& file, std::span<const Index> points, std::size_t end) {
-  Index largest = 0;
-  for (const Index point : points) largest = std::max(largest, point);
-  if (points.empty() || largest < end) return;
-  file.fail_whole("has cells over points that do not exist: there are " + std::to_string(end) +
-                  "; the file is damaged, export it again");
+/// Reads the number at a place of an array as an Index.
+using IndexReader = Index (*)(const std::byte* numbers, std::size_t place);
+
+IndexReader index_reader(NumberType type) {
+  IndexReader reader = nullptr;
+  with_number_type(type, [&]<class Stored>(Stored) {
+    reader = [](const std::byte* numbers, std::size_t place) {
+      Stored value;
+      std::memcpy(&value, numbers + place * sizeof value, sizeof value);
+      return as<Index>(value);
+    };
+  });
+  return reader;
 }
 
 }  // namespace
@@ -121,7 +127,7 @@ void VtkSurface::add(VtkPiece piece) {
   const bool has_cells = cells > cell_;
   const auto first_point = static_cast<Index>(builder_.vertex_count());
   add_points(piece.points);
-  for (VtkCells& c : piece.cells) add_cells(std::move(c), first_point);
+  for (const VtkCells& c : piece.cells) add_cells(c, first_point);
   if (points > 0) point_arrays_.add(std::move(piece.arrays.points));
   if (has_cells) cell_arrays_.add(std::move(piece.arrays.cells));
   if (normals_.empty()) normals_ = std::move(piece.normals);
@@ -139,25 +145,32 @@ void VtkSurface::add_points(const DataArray& points) {
   });
 }
 
-void VtkSurface::add_cells(VtkCells cells, Index first_point) {
-  std::vector<Index> points = as_numbers<Index>(cells.points);
-  cells.points.bytes = {};  // memory for what follows
-  check_below(file_, points, builder_.vertex_count() - first_point);
-  for (Index& point : points) point += first_point;
-  builder_.reserve_polygons(cells.ends.rows(), points.size());
+void VtkSurface::add_cells(const VtkCells& cells, Index first_point) {
+  const std::size_t points = cells.points.rows();
+  const Index existing = static_cast<Index>(builder_.vertex_count()) - first_point;
+  const IndexReader read = index_reader(cells.points.type);
+  builder_.reserve_polygons(cells.ends.rows(), points);
   std::uint64_t begin = 0;
   for_each_number(cells.ends.view(), [&](std::size_t cell, std::size_t, auto stored) {
     const auto end = as<std::uint64_t>(stored);
-    if (end < begin || end > points.size()) {
+    if (end < begin || end > points) {
       file_.fail_whole("has cells whose offsets do not rise within their " +
-                       std::to_string(points.size()) +
-                       " points; the file is damaged, export it again");
+                       std::to_string(points) + " points; the file is damaged, export it again");
     }
-    add_cell(cells.types.empty() ? cells.type : cells.types[cell],
-             std::span(points).subspan(begin, end - begin));
+    cell_points_.clear();
+    for (; begin < end; ++begin) {
+      const Index point = read(cells.points.bytes.data(), begin);
+      if (point >= existing) fail_point(existing);
+      cell_points_.push_back(point + first_point);
+    }
+    add_cell(cells.types.empty() ? cells.type : cells.types[cell], cell_points_);
     ++cell_;
-    begin = end;
   });
+}
+
+void VtkSurface::fail_point(Index existing) const {
+  file_.fail_whole("has cells over points that do not exist: there are " +
+                   std::to_string(existing) + "; the file is damaged, export it again");
 }
 
 void VtkSurface::add_cell(std::uint8_t type, std::span<const Index> points) {

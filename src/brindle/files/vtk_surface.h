@@ -54,10 +54,11 @@ class VtkSurface {
 
  private:
   void add_points(const DataArray& points);
-  void add_cells(VtkCells cells, Index first_point);
+  void add_cells(const VtkCells& cells, Index first_point);
   void add_cell(std::uint8_t type, std::span<const Index> points);
   /// A cell with points amid its sides, which follow its corners.
   void add_curved(std::span<const Index> points, std::size_t sides);
+  [[noreturn]] void fail_point(Index existing) const;
   void check_size(std::span<const Index> points, std::size_t least) const;
   std::string left_out() const;
 
@@ -65,7 +66,7 @@ class VtkSurface {
   MeshBuilder builder_;
   PiecewiseArrays point_arrays_, cell_arrays_;
   std::string normals_;
-  std::vector<Index> corners_;  ///< of one cell, kept for its memory
+  std::vector<Index> cell_points_, corners_;  ///< of one cell, kept for their memory
   Index cell_ = 0;
   std::size_t volumes_ = 0, points_and_lines_ = 0, unknown_ = 0;
 };

@@ -202,13 +202,21 @@ class VtkXmlReader {
     return element.find_child_by_attribute("DataArray", "Name", name);
   }
 
+  DataArray read_column(const Xml& element, std::uint64_t rows) {
+    DataArray column = arrays_.read(element, rows);
+    if (column.components != 1) {
+      fail_damaged("has " + in_quotes(column.name) + " of cells with several components");
+    }
+    return column;
+  }
+
   VtkCells read_cells(const Xml& element, std::uint64_t cells) {
     VtkCells result;
     if (cells == 0) return result;
     const Xml points = named(element, "connectivity"), ends = named(element, "offsets");
     if (!points || !ends) fail_damaged("lacks the points of its cells");
-    result.ends = arrays_.read(ends, cells);
-    result.points = arrays_.read(points, vtk_points_of_cells(result.ends));
+    result.ends = read_column(ends, cells);
+    result.points = read_column(points, vtk_points_of_cells(result.ends));
     return result;
   }
 
@@ -217,7 +225,7 @@ class VtkXmlReader {
     if (cells == 0) return {};
     const Xml element = named(piece.child("Cells"), "types");
     if (!element) fail_damaged("lacks the types of its cells");
-    return vtk_cell_types(arrays_.read(element, cells));
+    return vtk_cell_types(read_column(element, cells));
   }
 
   /// The arrays of points or cells.
