@@ -2,9 +2,9 @@
 #pragma once
 
 #define BRINDLE_VERSION_MAJOR 0
-#define BRINDLE_VERSION_MINOR 2
+#define BRINDLE_VERSION_MINOR 3
 #define BRINDLE_VERSION_PATCH 0
-#define BRINDLE_VERSION "0.2.0"
+#define BRINDLE_VERSION "0.3.0"
 
 #include "brindle/export.h"
 
