@@ -323,7 +323,10 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
   if (arguments.quiet) return;
   print_report(std::cout, report);
   for (const FrameOutput& output : arguments.outputs) {
-    print_written(std::cout, files_of(output, counts_of(arguments, series)));
+    std::vector<std::filesystem::path> files = files_of(output, counts_of(arguments, series));
+    if (output.meshes) files.pop_back();  // the collection, which is one of a kind
+    print_written(std::cout, files);
+    if (output.meshes) print_written(std::cout, collection_path(output));
   }
   if (!arguments.report.empty()) print_written(std::cout, std::filesystem::path(arguments.report));
 }

@@ -28,7 +28,7 @@ InputData take_input_data(Preparation& prepared);
 
 /// The same on the surface of a cross texture (`CrossTexture`), of a surface of those triangles.
 InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
-                          const CrossCover& cover);
+                           const CrossCover& cover);
 
 /// What a mesh file is written from.
 struct MadeMesh {

@@ -52,8 +52,9 @@ void write_line_drawing(const std::filesystem::path& /*path*/, const Surface& /*
 
 struct MovingPicture::State {};
 
-MovingPicture::MovingPicture(std::vector<FrameOutput> /*outputs*/, const PictureOptions& /*options*/,
-                             int /*frames_per_second*/, bool /*own_context*/) {
+MovingPicture::MovingPicture(std::vector<FrameOutput> /*outputs*/,
+                             const PictureOptions& /*options*/, int /*frames_per_second*/,
+                             bool /*own_context*/) {
   check_pictures_available();
 }
 

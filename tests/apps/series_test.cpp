@@ -199,6 +199,21 @@ TEST_F(Series, StripesDoNotSwellWithTheMesh) {
   EXPECT_EQ(frequency("o0000.vtp"), frequency("o0001.vtp"));
 }
 
+TEST_F(Series, WavesThatComeUpHaveNoLastPhase) {
+  write_csv_steps(2);
+  std::string field = content(folder / "f0000.csv");
+  std::size_t end = 0;
+  for (int row = 0; row < 40; ++row) end = field.find('\n', end) + 1;
+  std::string none;
+  for (int row = 0; row < 40; ++row) none += "nan,nan,nan\n";
+  write_text(folder / "f0000.csv", none + field.substr(end));
+  const Json report =
+      this->report({"animate", "knot.obj", "--series", "f%04d.csv", "--stripes", "24"});
+  EXPECT_EQ(report["vertices_without_wave"], 40);
+  EXPECT_EQ(report["frames"][1]["matched_by"], "number");
+  EXPECT_EQ(report["frames"][1]["vertices_unmatched"], 40);
+}
+
 TEST_F(Series, FiguresDoNotDependOnThreads) {
   write_changing_steps(3);
   const auto figures = [&](const char* threads) {

@@ -93,6 +93,20 @@ TEST(Renderer, FragmentsCoverThePictureAndHaveWeights) {
   EXPECT_NEAR(seen, 114 * 114, 500);  // all but the margin
 }
 
+TEST(Renderer, FramesOtherPointsIfToldTo) {
+  const StripedSurface surface = plane_wave(square(2), Vec3::UnitX(), 3);
+  const Vec3 center = bounding_box(surface.mesh).center();
+  std::vector<Vec3> twice_as_large;
+  for (const Vec3& p : surface.mesh.positions) twice_as_large.push_back(center + 2 * (p - center));
+  SurfaceDrawing drawing = surface.drawing();
+  drawing.framed = twice_as_large;
+  Studio::shared().probe.upload(drawing);
+  const FragmentImage image = Studio::shared().probe.draw(plain_options(120, 120));
+  const auto seen = image.triangle.size() - static_cast<std::size_t>(std::ranges::count(
+                                                image.triangle, FragmentImage::kNoTriangle));
+  EXPECT_NEAR(static_cast<double>(seen), 57 * 57, 300);
+}
+
 TEST(Renderer, FlippedWavesGiveTheSamePicture) {
   const StripedSurface surface = plane_wave(saddle(6), Vec3::UnitX(), 9);
   const Image one = Studio::shared().draw(surface.drawing(), plain_options());
