@@ -316,6 +316,9 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     report = series ? play_series(arguments, *series, show, display)
                     : play_scene(arguments, device, show, display);
     report.invocation = invocation_of(command);
+    // One output stands for itself, as it did before there could be several.
+    auto& options = report.invocation["options"];
+    if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
     device.check_errors("solving on the GPU");
     if (picture) picture->finish();
     if (!arguments.report.empty()) write_json(arguments.report, to_json(report));
