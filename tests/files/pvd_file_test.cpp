@@ -15,7 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PvdFile : testing::Test {
-  fs::path folder = fs::path(testing::TempDir()) / "brindle_pvd_test";
+  fs::path folder =
+      fs::path(testing::TempDir()) /
+      (std::string("brindle_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 
   void SetUp() override { fs::create_directories(folder / "steps"); }
   void TearDown() override { fs::remove_all(folder); }
