@@ -264,7 +264,7 @@ void check_options(const CLI::App& command, const AnimateArguments& arguments) {
 AnimationReport play_scene(const AnimateArguments& arguments, const Device& device,
                            const ShowFrame& show, ProgressDisplay& display) {
   display.stage("loading " + arguments.surface.mesh);
-  LoadedMesh loaded = load_mesh(arguments.surface);
+  LoadedMesh loaded = load_mesh(arguments.surface, display.progress());
   display.note(describe(loaded));
   const Surface surface = make_surface(std::move(loaded.mesh));
   AnimationOptions animation = arguments.animation;

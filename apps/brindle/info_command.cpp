@@ -135,7 +135,7 @@ void run_mesh(const SurfaceOptions& options) {
   {
     ProgressDisplay display(false);
     display.stage("loading " + options.mesh);
-    loaded = load_mesh(options);
+    loaded = load_mesh(options, display.progress());
     display.stage("counting");
     statistics = mesh_statistics(loaded.mesh);
   }

@@ -28,7 +28,7 @@ std::vector<std::int64_t> original_ids_of(const LoadedSurface& loaded) {
 // Loads a surface into `result`, with the time that takes.
 void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
   Stopwatch watch;
-  LoadedSurface loaded = load_mesh(options);
+  LoadedSurface loaded = load_mesh(options, display.progress());
   display.note(describe(loaded));
   result.original_ids = original_ids_of(loaded);
   result.vertices_joined = loaded.repair.vertices_joined;

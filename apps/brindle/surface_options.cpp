@@ -99,7 +99,7 @@ bool is_shape(const SurfaceOptions& options) {
   return std::string_view(options.mesh).starts_with(kShapePrefix);
 }
 
-LoadedSurface load_mesh(const SurfaceOptions& options) {
+LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress) {
   if (options.neighbors) {
     throw CLI::ValidationError("--neighbors",
                                "a mesh's vertices are joined by its edges; add --points to take "
@@ -110,7 +110,7 @@ LoadedSurface load_mesh(const SurfaceOptions& options) {
   if (is_shape(options)) {
     loaded.mesh = make_named_shape(options);
   } else {
-    static_cast<LoadedMesh&>(loaded) = read_mesh(options.mesh);
+    static_cast<LoadedMesh&>(loaded) = read_mesh(options.mesh, progress);
   }
   loaded.own_vertices = loaded.mesh.vertex_count();
   if (options.subdivide > 0) subdivide(loaded.mesh, loaded.arrays, options.subdivide);

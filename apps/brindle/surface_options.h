@@ -51,6 +51,6 @@ struct LoadedSurface : LoadedMesh {
 
 /// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a shape that is not
 /// spelt right and for neighbours of points, Error if a file cannot be read.
-LoadedSurface load_mesh(const SurfaceOptions& options);
+LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress = {});
 
 }  // namespace brindle::tool

@@ -13,6 +13,7 @@
 #include "brindle/mesh.h"
 #include "brindle/points.h"
 #include "brindle/polylines.h"
+#include "brindle/progress.h"
 #include "brindle/samples.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -82,8 +83,9 @@ struct LoadedMesh {
 /// `Mesh::origin`.
 ///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
-/// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
-LoadedMesh read_mesh(const std::filesystem::path& path);
+/// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle; and
+/// Cancelled if `progress`, which hears how much of the file is read, asks for it.
+LoadedMesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The vertices that `read_mesh` reads, of a file with or without triangles. Coordinates that are
 /// no numbers stay so. Throws Error as `read_mesh` does.

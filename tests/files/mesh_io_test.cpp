@@ -14,9 +14,11 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/progress.h"
 #include "brindle/shapes.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "brindle/shapes/random.h"
+#include "progress_reports.h"
 
 namespace brindle {
 namespace {
@@ -143,6 +145,37 @@ TEST_F(MeshIo, ReadsBackWhatItWrote) {
       EXPECT_EQ(loaded.mesh.vertex_count(), mesh.vertex_count()) << name;
       EXPECT_EQ(loaded.repair, MeshRepair{}) << name;
     }
+  }
+}
+
+/// Large enough that every format needs more than one piece.
+Mesh large_mesh() { return make_shape("torus,resolution=400"); }
+
+TEST_F(MeshIo, ReadingTellsHowFarItIsAndMayBeCancelledAnywhere) {
+  const Mesh mesh = large_mesh();
+  for (const char* name : {"m.obj", "m.ply", "m.glb"
+#ifdef BRINDLE_HAS_VTK
+                           ,
+                           "m.vtp"
+#endif
+       }) {
+    const fs::path path = folder / name;
+    write_mesh(path, mesh);
+    std::vector<double> fractions;
+    const LoadedMesh whole = read_mesh(path, Progress([&](std::string_view stage, double fraction) {
+                                         EXPECT_EQ(stage, "loading " + path.string());
+                                         fractions.push_back(fraction);
+                                         return true;
+                                       }));
+    ASSERT_GT(fractions.size(), 2u) << name;
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end())) << name;
+    EXPECT_GT(fractions.back(), 0.9) << name;
+    EXPECT_LE(fractions.back(), 1) << name;
+    for (std::size_t last = 0; last < fractions.size(); ++last) {
+      testing_support::Reports reports(static_cast<int>(last));
+      EXPECT_THROW(read_mesh(path, reports.progress()), Cancelled) << name;
+    }
+    EXPECT_EQ(read_mesh(path).mesh.triangles, whole.mesh.triangles) << name;
   }
 }
 

@@ -272,8 +272,8 @@ class GltfCheck {
 
 }  // namespace
 
-GltfDocument read_gltf_document(const std::filesystem::path& path) {
-  InputFile file(path);
+GltfDocument read_gltf_document(const std::filesystem::path& path, const Progress& progress) {
+  InputFile file(path, progress);
   const bool binary = lower_extension(path) != ".gltf";
   GltfDocument document;
   if (binary) {

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/progress.h"
+
 namespace brindle {
 
 /// Words of a GLB file: "glTF", "JSON" and "BIN".
@@ -24,7 +26,7 @@ struct GltfDocument {
 /// Throws Error if the file is truncated, or its nodes or accessors are not what the format asks
 /// for: circles among nodes, numbers of parts that do not exist, data beyond the end of a buffer.
 /// Who reads the document may rely on all that.
-GltfDocument read_gltf_document(const std::filesystem::path& path);
+GltfDocument read_gltf_document(const std::filesystem::path& path, const Progress& progress);
 
 }  // namespace brindle
 

@@ -358,8 +358,8 @@ class GltfReader {
 
 }  // namespace
 
-RawMesh read_gltf(const std::filesystem::path& path) {
-  const GltfDocument document = read_gltf_document(path);
+RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress) {
+  const GltfDocument document = read_gltf_document(path, progress);
   try {
     return GltfReader(path, document).read();
   } catch (const Json::exception& error) {
@@ -374,7 +374,7 @@ RawMesh read_gltf(const std::filesystem::path& path) {
 
 namespace brindle {
 
-RawMesh read_gltf(const std::filesystem::path& path) {
+RawMesh read_gltf(const std::filesystem::path& path, const Progress& /*progress*/) {
   throw Error(path.string() +
               ": this brindle was built without nlohmann-json and so without glTF; choose PLY or "
               "OBJ");

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "brindle/files/raw_mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -15,6 +16,6 @@ namespace brindle {
 /// tangents are turned with their nodes. Throws Error, naming the file and the remedy, for damaged
 /// files, missing buffers, and geometry that needs an extension (Draco and meshopt compression,
 /// quantisation); and in a build without nlohmann-json.
-RawMesh read_gltf(const std::filesystem::path& path);
+RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace brindle

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 #include "brindle/error.h"
 
@@ -16,14 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+constexpr std::size_t kReportedSize = std::size_t{1} << 24;
 
 constexpr std::string_view kTruncated = "ends too early: it is truncated; copy or export it again";
 
 std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
-
-/// What some programs put before UTF-8.
 
 /// Whether the value is as far from one float as from the next.
 bool halfway_between_floats(double value) {
@@ -44,7 +44,8 @@ double towards_nearest_float(double value, std::string_view word) {
 
 }  // namespace
 
-InputFile::InputFile(const fs::path& path) : path_(path) {
+InputFile::InputFile(const fs::path& path, Progress progress)
+    : path_(path), progress_(std::move(progress)), stage_("loading " + path.string()) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
@@ -73,7 +74,14 @@ bool InputFile::fill() {
   const auto read = static_cast<std::size_t>(stream_.gcount());
   end_ += read;
   if (stream_.bad()) fail_whole("cannot be read: input error");
+  report(read);
   return read > 0;
+}
+
+void InputFile::report(std::uint64_t count) {
+  read_ += count;
+  // What is read twice does not count twice.
+  progress_.report(stage_, std::min(1.0, static_cast<double>(read_) / static_cast<double>(size_)));
 }
 
 std::optional<std::string_view> InputFile::next_line() {
@@ -114,10 +122,15 @@ void InputFile::read_at(std::uint64_t place, std::span<std::byte> bytes) {
   if (bytes.size() > size_ || place > size_ - bytes.size()) fail_whole(std::string(kTruncated));
   const auto here = stream_.tellg();
   stream_.seekg(static_cast<std::streamoff>(place));
-  stream_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  const bool whole = static_cast<std::size_t>(stream_.gcount()) == bytes.size();
-  if (stream_.bad()) fail_whole("cannot be read: input error");
-  if (!whole) fail_whole(std::string(kTruncated));
+  while (!bytes.empty()) {
+    const std::span<std::byte> piece = bytes.first(std::min(bytes.size(), kReportedSize));
+    stream_.read(reinterpret_cast<char*>(piece.data()), static_cast<std::streamsize>(piece.size()));
+    if (stream_.bad()) fail_whole("cannot be read: input error");
+    if (static_cast<std::size_t>(stream_.gcount()) < piece.size())
+      fail_whole(std::string(kTruncated));
+    report(piece.size());
+    bytes = bytes.subspan(piece.size());
+  }
   stream_.clear();
   stream_.seekg(here);
 }

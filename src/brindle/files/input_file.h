@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "brindle/progress.h"
+
 namespace brindle {
 
 /// What may stand before the first line of a text in UTF-8.
@@ -20,8 +22,9 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 class InputFile {
  public:
   /// Throws Error, with the remedy, if there is no such file, it is a folder or no regular file,
-  /// cannot be read, or is empty.
-  explicit InputFile(const std::filesystem::path& path);
+  /// cannot be read, or is empty. Whenever more is read, `progress` hears "loading PATH" and how
+  /// much of the file that is.
+  explicit InputFile(const std::filesystem::path& path, Progress progress = {});
 
   /// The next line without its end and, of the first, a byte-order mark; nothing after the last.
   /// Valid until the next call.
@@ -56,7 +59,13 @@ class InputFile {
   /// Moves what is left to the front of the buffer and reads more behind it.
   bool fill();
 
+  /// `count` more bytes have been read.
+  void report(std::uint64_t count);
+
   std::filesystem::path path_;
+  Progress progress_;
+  std::string stage_;
+  std::uint64_t read_ = 0;  ///< bytes
   std::ifstream stream_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer has not been handed out

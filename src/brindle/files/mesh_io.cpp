@@ -25,15 +25,15 @@ constexpr const char* kReadable =
     "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
 
 /// What the file holds, as it has it.
-RawMesh read_raw(const fs::path& path) {
+RawMesh read_raw(const fs::path& path, const Progress& progress) {
   const InputFile readable(path);
   const std::string kind = lower_extension(path);
-  if (kind == ".obj") return {read_obj(path)};
-  if (kind == ".ply") return read_ply(path);
-  if (kind == ".off") return {read_off(path)};
-  if (kind == ".stl") return {read_stl(path)};
-  if (kind == ".gltf" || kind == ".glb") return read_gltf(path);
-  if (is_vtk_format(path)) return read_vtk(path);
+  if (kind == ".obj") return {read_obj(path, progress)};
+  if (kind == ".ply") return read_ply(path, progress);
+  if (kind == ".off") return {read_off(path, progress)};
+  if (kind == ".stl") return {read_stl(path, progress)};
+  if (kind == ".gltf" || kind == ".glb") return read_gltf(path, progress);
+  if (is_vtk_format(path)) return read_vtk(path, progress);
   readable.fail_whole("brindle cannot tell the format by the extension '" +
                       path.extension().string() + "'; " + kReadable);
 }
@@ -142,10 +142,10 @@ void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
 
 }  // namespace
 
-LoadedMesh read_mesh(const fs::path& path) {
+LoadedMesh read_mesh(const fs::path& path, const Progress& progress) {
   std::string why_empty;
   LoadedMesh loaded = with_memory(path, [&] {
-    RawMesh raw = read_raw(path);
+    RawMesh raw = read_raw(path, progress);
     why_empty = std::move(raw.why_empty);
     LoadedMesh result;
     result.mesh = std::move(raw.mesh);
@@ -162,7 +162,7 @@ LoadedMesh read_mesh(const fs::path& path) {
 Mesh read_vertices(const fs::path& path) {
   return with_memory(path, [&] {
     LoadedMesh loaded;
-    loaded.mesh = read_raw(path).mesh;
+    loaded.mesh = read_raw(path, {}).mesh;
     join(path, loaded);
     return std::move(loaded.mesh);
   });

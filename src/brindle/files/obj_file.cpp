@@ -17,7 +17,8 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::filesystem::path& path) : file_(path) {}
+  explicit ObjReader(const std::filesystem::path& path, const Progress& progress = {})
+      : file_(path, progress) {}
 
   Mesh read_mesh() {
     while (const auto line = next_whole_line()) {
@@ -185,7 +186,9 @@ void write_rows(TextOutput& text, std::string_view keyword, const DataArray* arr
 
 }  // namespace
 
-Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read_mesh(); }
+Mesh read_obj(const std::filesystem::path& path, const Progress& progress) {
+  return ObjReader(path, progress).read_mesh();
+}
 
 LoadedPoints read_obj_points(const std::filesystem::path& path) {
   return ObjReader(path).read_points();

@@ -9,13 +9,14 @@
 #include "brindle/files.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
 /// Vertices keep the file's order; texture coordinates, normals, groups and materials are ignored.
 /// Throws Error, naming the line, for coordinates that are no numbers and for faces with fewer than
 /// three corners or with corners that do not exist.
-Mesh read_obj(const std::filesystem::path& path);
+Mesh read_obj(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The vertices alone, with normals if there are as many, one each in the same order, and no face
 /// says otherwise. Throws

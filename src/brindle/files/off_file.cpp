@@ -16,7 +16,7 @@ constexpr std::string_view kRemedy = "; the file is damaged or truncated, export
 
 class OffReader {
  public:
-  explicit OffReader(const std::filesystem::path& path) : file_(path) {}
+  OffReader(const std::filesystem::path& path, const Progress& progress) : file_(path, progress) {}
 
   Mesh read() {
     read_header();
@@ -110,6 +110,8 @@ class OffReader {
 
 }  // namespace
 
-Mesh read_off(const std::filesystem::path& path) { return OffReader(path).read(); }
+Mesh read_off(const std::filesystem::path& path, const Progress& progress) {
+  return OffReader(path, progress).read();
+}
 
 }  // namespace brindle

@@ -284,8 +284,10 @@ std::vector<DataArray> arrays_of(std::vector<DataArray> columns) {
 
 class PlyReader {
  public:
-  explicit PlyReader(const std::filesystem::path& path)
-      : file_(path), header_(HeaderReader(file_).read()), body_(file_, header_.encoding) {}
+  explicit PlyReader(const std::filesystem::path& path, const Progress& progress = {})
+      : file_(path, progress),
+        header_(HeaderReader(file_).read()),
+        body_(file_, header_.encoding) {}
 
   RawMesh read_mesh() {
     read_elements(true);
@@ -499,7 +501,9 @@ void put_rows(BinaryOutput& binary, std::span<const DataArray> arrays, std::size
 
 }  // namespace
 
-RawMesh read_ply(const std::filesystem::path& path) { return PlyReader(path).read_mesh(); }
+RawMesh read_ply(const std::filesystem::path& path, const Progress& progress) {
+  return PlyReader(path, progress).read_mesh();
+}
 
 LoadedPoints read_ply_points(const std::filesystem::path& path) {
   return PlyReader(path).read_points();

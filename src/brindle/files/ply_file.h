@@ -10,6 +10,7 @@
 #include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -18,7 +19,7 @@ namespace brindle {
 /// ny, nz "normal"; red, green, blue and, where there is one, alpha "color"; texture_u, texture_v
 /// or s, t "uv"; and what `grouped_columns` joins. Throws Error, naming the line where there is
 /// one, if the file is not as its header says.
-RawMesh read_ply(const std::filesystem::path& path);
+RawMesh read_ply(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The vertices alone, with their normals if each has nx, ny and nz. Throws as `read_ply` does.
 LoadedPoints read_ply_points(const std::filesystem::path& path);

@@ -34,8 +34,9 @@ void add_triangle(const InputFile& file, MeshBuilder& mesh) {
   mesh.add_polygon(Triangle{end - 3, end - 2, end - 1});
 }
 
-Mesh read_binary(const std::filesystem::path& path, std::uint64_t triangles) {
-  InputFile file(path);
+Mesh read_binary(const std::filesystem::path& path, std::uint64_t triangles,
+                 const Progress& progress) {
+  InputFile file(path, progress);
   file.take(kHeaderSize);
   MeshBuilder mesh;
   mesh.reserve_vertices(3 * triangles);
@@ -65,8 +66,8 @@ Eigen::Vector3d read_vertex(const InputFile& file, std::string_view rest) {
   return position;
 }
 
-Mesh read_text(const std::filesystem::path& path) {
-  InputFile file(path);
+Mesh read_text(const std::filesystem::path& path, const Progress& progress) {
+  InputFile file(path, progress);
   MeshBuilder mesh;
   std::uint64_t facets = 0;
   bool ended = false;
@@ -95,7 +96,7 @@ Mesh read_text(const std::filesystem::path& path) {
 
 }  // namespace
 
-Mesh read_stl(const std::filesystem::path& path) {
+Mesh read_stl(const std::filesystem::path& path, const Progress& progress) {
   InputFile file(path);
   const std::uint64_t size = file.remaining();
   const std::uint64_t triangles = promised_triangles(path);
@@ -104,14 +105,14 @@ Mesh read_stl(const std::filesystem::path& path) {
   // Many programs let binary files begin with "solid" too; their size gives them away.
   if (whole_binary && (!starts_as_text || size == kHeaderSize + kTriangleSize * triangles)) {
     if (triangles == 0) file.fail_whole("has no triangles; export it again");
-    return read_binary(path, triangles);
+    return read_binary(path, triangles, progress);
   }
   if (!starts_as_text) {
     file.fail_whole("is too short for the " + std::to_string(triangles) +
                     " triangles that its header names, or is no STL file: it is truncated or "
                     "damaged; copy or export it again");
   }
-  return read_text(path);
+  return read_text(path, progress);
 }
 
 }  // namespace brindle

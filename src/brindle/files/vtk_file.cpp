@@ -11,8 +11,9 @@ bool is_vtk_format(const std::filesystem::path& path) {
   return kind == ".vtp" || kind == ".vtu" || kind == ".vtk";
 }
 
-RawMesh read_vtk(const std::filesystem::path& path) {
-  return lower_extension(path) == ".vtk" ? read_vtk_legacy(path) : read_vtk_xml(path);
+RawMesh read_vtk(const std::filesystem::path& path, const Progress& progress) {
+  return lower_extension(path) == ".vtk" ? read_vtk_legacy(path, progress)
+                                         : read_vtk_xml(path, progress);
 }
 
 bool vtk_has_faces(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "brindle/files/raw_mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -15,7 +16,7 @@ bool is_vtk_format(const std::filesystem::path& path);
 /// Throws Error, naming the file, the array where there is one, and the remedy, for files that are
 /// damaged or truncated, hold something else, or are compressed otherwise than by zlib; and for
 /// .vtp and .vtu in a build without BRINDLE_VTK.
-RawMesh read_vtk(const std::filesystem::path& path);
+RawMesh read_vtk(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Whether there are cells that are neither points nor lines. Throws as `read_vtk` does.
 bool vtk_has_faces(const std::filesystem::path& path);

@@ -51,7 +51,8 @@ bool is_text_type(const std::string& type) {
 
 class VtkLegacyReader {
  public:
-  explicit VtkLegacyReader(const std::filesystem::path& path) : file_(path) {
+  explicit VtkLegacyReader(const std::filesystem::path& path, const Progress& progress = {})
+      : file_(path, progress) {
     text_.resize(file_.size());
     file_.read_at(0, std::as_writable_bytes(std::span(text_)));
     rest_ = text_;
@@ -453,10 +454,12 @@ class VtkLegacyReader {
 
 }  // namespace
 
-RawMesh read_vtk_legacy(const std::filesystem::path& path) { return VtkLegacyReader(path).read(); }
+RawMesh read_vtk_legacy(const std::filesystem::path& path, const Progress& progress) {
+  return VtkLegacyReader(path, progress).read();
+}
 
 bool vtk_legacy_has_faces(const std::filesystem::path& path) {
-  const RawMesh raw = read_vtk_legacy(path);
+  const RawMesh raw = read_vtk_legacy(path, {});
   return !raw.mesh.triangles.empty() || !raw.why_empty.empty();
 }
 

@@ -67,8 +67,11 @@ std::size_t line_of(std::string_view text, std::ptrdiff_t place) {
 
 class VtkXmlReader {
  public:
-  explicit VtkXmlReader(const std::filesystem::path& path)
-      : file_(path), part_(xml_part(file_)), root_(parsed()), arrays_(file_, encoding()) {}
+  explicit VtkXmlReader(const std::filesystem::path& path, const Progress& progress = {})
+      : file_(path, progress),
+        part_(xml_part(file_)),
+        root_(parsed()),
+        arrays_(file_, encoding()) {}
 
   RawMesh read() {
     VtkSurface surface(file_);
@@ -253,7 +256,9 @@ class VtkXmlReader {
 
 }  // namespace
 
-RawMesh read_vtk_xml(const std::filesystem::path& path) { return VtkXmlReader(path).read(); }
+RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& progress) {
+  return VtkXmlReader(path, progress).read();
+}
 
 bool vtk_xml_has_faces(const std::filesystem::path& path) { return VtkXmlReader(path).has_faces(); }
 
@@ -272,7 +277,9 @@ namespace {
 
 }  // namespace
 
-RawMesh read_vtk_xml(const std::filesystem::path& path) { refuse_vtk(path); }
+RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& /*progress*/) {
+  refuse_vtk(path);
+}
 
 bool vtk_xml_has_faces(const std::filesystem::path& path) { refuse_vtk(path); }
 

@@ -4,11 +4,12 @@
 #include <filesystem>
 
 #include "brindle/files/raw_mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
 /// As `read_vtk` and `vtk_has_faces`, which choose by extension.
-RawMesh read_vtk_xml(const std::filesystem::path& path);
+RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& progress);
 bool vtk_xml_has_faces(const std::filesystem::path& path);
 
 }  // namespace brindle
