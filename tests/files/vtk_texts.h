@@ -178,7 +178,8 @@ inline std::vector<DataArray> arrays_of_every_type(std::size_t rows, bool nan = 
       }
       numbers[0] = std::numeric_limits<Number>::lowest();
       numbers[1] = std::numeric_limits<Number>::max();
-      if (nan) numbers[2] = std::numeric_limits<Number>::quiet_NaN();  // 0 of whole numbers
+      // 0 of whole numbers.
+      if (nan && numbers.size() > 2) numbers[2] = std::numeric_limits<Number>::quiet_NaN();
       arrays.push_back(make_data_array("of " + std::string(name_of(static_cast<NumberType>(type))),
                                        components, numbers));
     });
