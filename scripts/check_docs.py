@@ -4,9 +4,9 @@
     scripts/check_docs.py build/release/apps/brindle/brindle [PAGE...]
                           [--small] [--pictures] [--models FOLDER] [--keep FOLDER]
 
-Every command in a fenced ```sh block of README.md and docs/*.md must end with 0. The commands of one
-page run one after the other in a folder of their own, so a page makes the files that it reads. A block
-may say more behind its "sh":
+Every command in a fenced ```sh block of README.md, docs/*.md and docs/gallery/*.md must end with 0.
+The commands of one page run one after the other in a folder of their own, so a page makes the files
+that it reads. A block may say more behind its "sh":
 
     ```sh models    reads one of the public scans (horse.ply and so on). Without --models the command
                     line alone is checked: the tool must miss the file, not misunderstand the options.
@@ -14,10 +14,10 @@ may say more behind its "sh":
 
 Commands of other programs that build or check (./dev, cmake, ctest, scripts/) are left out.
 
-Also checked: a picture in a page is made by a command of that page; no picture is larger than
-300 kB or without a page; links lead somewhere, and so do sources that cite a page and a section;
-a C++ block is part of the example program that its page names; docs/report.md explains every key
-of the reports that its commands write.
+Also checked: a picture in a page is made by a command of that page, or of one of its folder that it
+links to; no picture is larger than 300 kB or without a page; links lead somewhere, and so do sources
+that cite a page and a section; a C++ block is part of the example program that its page names;
+docs/report.md explains every key of the reports that its commands write.
 
 --small draws thumbnails, which is enough to see that commands work. --pictures copies the pictures
 to docs/images. Ends with 0 if all is well and 1 if not.
@@ -42,7 +42,7 @@ IMAGES = ROOT / "docs" / "images"
 LARGEST_PICTURE = 300_000  # bytes
 THUMBNAIL = "96x72"
 LEFT_OUT = ("./dev", "cmake", "ctest", "scripts/")
-RUN = ("brindle", "awk")
+RUN = ("brindle", "awk", "printf")
 MARKS = {"models", "no-run"}
 MISSING_FILE = 1  # what the tool ends with
 OPEN_KEYS = {"options", "limits"}  # of reports: what they hold depends on the command, the driver
@@ -83,6 +83,10 @@ class Page:
                 text, begun = begun.strip(), ""
                 if text and not text.startswith(("#",) + LEFT_OUT):
                     yield Command(first, text, mark)
+
+    def pages_linked(self):
+        """The pages of the same folder that the page links to."""
+        return re.findall(r"\]\((\w+\.md)\)", self.prose)
 
     def pictures(self):
         """The names of the pictures that the page shows."""
@@ -174,14 +178,21 @@ def run_page(page, arguments, folder):
 # --- pictures ---------------------------------------------------------------------------------
 
 
-def check_pictures(page):
-    """Every picture has one command that makes it."""
-    outputs = [path for command in page.commands() if command.text.startswith("brindle")
-               for path in output_paths(command.text)]
+def check_pictures(page, every_page):
+    """Every picture has one command that makes it, here or, if not, on a page that is linked to."""
+    linked = {(page.path.parent / link).resolve() for link in page.pages_linked()}
+    own = outputs_of([page])
+    others = outputs_of([other for other in every_page if other.path in linked])
     for name in page.pictures():
-        makers = [output for output in outputs if makes(output, name)]
+        makers = ([output for output in own if makes(output, name)] or
+                  [output for output in others if makes(output, name)])
         if len(makers) != 1:
             page.fail(1, f"picture {name} is made by {len(makers)} commands of the page, not by 1")
+
+
+def outputs_of(pages):
+    return [path for page in pages for command in page.commands()
+            if command.text.startswith("brindle") for path in output_paths(command.text)]
 
 
 def copy_pictures(page, folder):
@@ -282,9 +293,9 @@ def check_report_keys(page, folder):
 # ------------------------------------------------------------------------------------------------
 
 
-def check_page(page, arguments, folder):
+def check_page(page, every_page, arguments, folder):
     run_page(page, arguments, folder)
-    check_pictures(page)
+    check_pictures(page, every_page)
     check_links(page)
     check_examples(page)
     if page.path.name == "report.md":
@@ -295,11 +306,13 @@ def check_page(page, arguments, folder):
 
 
 def check(arguments, folder):
-    every_page = [Page(path) for path in [ROOT / "README.md", *sorted(ROOT.glob("docs/*.md"))]]
+    every_page = [Page(path) for path in [ROOT / "README.md", *sorted(ROOT.glob("docs/*.md")),
+                                           *sorted(ROOT.glob("docs/gallery/*.md"))]]
     wanted = {pathlib.Path(name).resolve() for name in arguments.pages}
     pages = [page for page in every_page if not wanted or page.path in wanted]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = [pool.submit(check_page, page, arguments, folder / page.path.stem)
+        jobs = [pool.submit(check_page, page, every_page, arguments,
+                            folder / page.name.removesuffix(".md"))
                 for page in pages]
         failures = [failure for job in jobs for failure in job.result().failures]
     failures += check_picture_files(every_page) + check_citations()
@@ -314,7 +327,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("brindle", help="the tool")
-    parser.add_argument("pages", nargs="*", help="only these (default: README.md and docs/*.md)")
+    parser.add_argument("pages", nargs="*", help="only these (default: all)")
     parser.add_argument("--small", action="store_true", help="draw thumbnails")
     parser.add_argument("--pictures", action="store_true", help="copy pictures to docs/images")
     parser.add_argument("--models", type=pathlib.Path, help="where the public scans are")

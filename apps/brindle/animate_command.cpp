@@ -19,8 +19,12 @@
 #include "progress_display.h"
 #include "series.h"
 #include "series_player.h"
+#include "slack_options.h"
 #include "step_files.h"
+#include "style_options.h"
+#include "styled_frames.h"
 #include "surface_options.h"
+#include "texture_options.h"
 #include "used_files.h"
 #include "wave_options.h"
 #include "written_files.h"
@@ -31,6 +35,7 @@ namespace {
 constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate horse.ply --scene zoom --output zoom.mp4
   brindle animate horse.ply --scene vortices --size 640x480 --output frames/%04d.png
+  brindle animate horse.ply --scene wobble --quality interactive --output draft.mp4
   brindle animate horse.ply --scene zoom --compare-from-scratch --report zoom.json
   brindle animate horse.ply --scene rotate --solver relaxation --iterations 3 --output paper.mp4
   brindle animate horse.ply --scene vortices --device gpu --output gpu.mp4
@@ -38,6 +43,8 @@ constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate --series 'v%04d.vtp' --field array:velocity --output out.mp4
   brindle animate --series run.pvd --field array:velocity --output 'out%04d.vtp'
   brindle animate scan.obj --series 'wind%04d.csv' --between 3 --output frames/%04d.png
+  brindle animate shape:sphere --scene vortices --texture arrows --texture-flow 1 --output flow.mp4
+  brindle animate --series run.pvd --field array:velocity --color-by array:speed --output speed.mp4
 
 A series has a file per step: a mesh each, or fields (.csv) over MESH. Its stripes stay near to
 those of the step before, also where the mesh changes. .vtp files are written per step, with a .pvd
@@ -58,6 +65,9 @@ struct AnimateArguments {
   std::shared_ptr<PictureOptions> picture;
   SeriesOptions series;
   MatchOptions match;
+  SlackOptions slack;
+  StyleOptions style;
+  TextureChoice texture;
   std::vector<FrameOutput> outputs;
   std::string report;
   bool quiet = false;
@@ -76,10 +86,10 @@ std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
 
 // What only series have.
 constexpr const char* kFieldOptions[] = {
-    "--field",          "--curvature-direction", "--curvature-anchor",
-    "--feature-anchor", "--feature-angle",       "--rotate",
-    "--tensor",         "--frequency-by",        "--frequency-range",
-    "--field-mesh",     "--max-distance"};
+    "--field",         "--curvature-direction", "--curvature-anchor", "--feature-anchor",
+    "--feature-angle", "--feature-radius",      "--strokes",          "--rotate",
+    "--tensor",        "--frequency-by",        "--frequency-range",  "--field-mesh",
+    "--max-distance"};
 
 void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   AnimationOptions& animation = arguments.animation;
@@ -166,7 +176,7 @@ struct Counts {
 Counts counts_of(const AnimateArguments& arguments, const std::optional<Series>& series) {
   if (!series) return {static_cast<std::size_t>(arguments.animation.frames), 0};
   const std::size_t steps = series->step_count();
-  return {1 + (steps - 1) * (1 + static_cast<std::size_t>(arguments.series.between)), steps};
+  return {frame_count(arguments.series, steps), steps};
 }
 
 std::vector<std::filesystem::path> files_of(const FrameOutput& output, const Counts& counts) {
@@ -180,13 +190,21 @@ bool draws(const AnimateArguments& arguments) {
 
 std::vector<UsedFile> inputs_of(const AnimateArguments& arguments,
                                 const std::optional<Series>& series) {
-  if (!series) return input_files(arguments.surface, {});
-  std::vector<UsedFile> inputs;
-  if (!arguments.surface.mesh.empty()) inputs = input_files(arguments.surface, {});
+  std::vector<UsedFile> inputs = style_files(arguments.style);
+  if (!arguments.texture.tile.empty()) inputs.push_back({"--texture", arguments.texture.tile});
+  add_slack_files(arguments.slack, inputs);
+  if (!series) {
+    for (UsedFile& file : input_files(arguments.surface, {})) inputs.push_back(std::move(file));
+    return inputs;
+  }
+  if (!arguments.surface.mesh.empty()) {
+    for (UsedFile& file : input_files(arguments.surface, {})) inputs.push_back(std::move(file));
+  }
   for (const TimedFile& step : series->files()) inputs.push_back({"--series", step.file});
   inputs.push_back({"--series", arguments.series.name});
   const std::string& field_mesh = arguments.waves.arrays.mesh;
   if (!field_mesh.empty()) inputs.push_back({"--field-mesh", field_mesh});
+  if (!arguments.waves.strokes.empty()) inputs.push_back({"--strokes", arguments.waves.strokes});
   return inputs;
 }
 
@@ -209,6 +227,7 @@ void check_series_options(const CLI::App& command, const AnimateArguments& argum
   if (arguments.device != DeviceKind::cpu) {
     throw CLI::ValidationError("--device", "series are solved on the processor");
   }
+  refuse_given(command, {"--calm"}, "the mesh of a series may change; it is for scenes");
   if (arguments.series.between > 0) {
     refuse_given(command, {"--match"}, "--between interpolates vertices by their number");
   }
@@ -239,6 +258,20 @@ void check_scene_options(const CLI::App& command, const AnimateArguments& argume
   }
 }
 
+void check_styles(const CLI::App& command, const AnimateArguments& arguments) {
+  const bool texture = !arguments.texture.tile.empty();
+  check_style_options(command, arguments.style, texture);
+  const auto refuse = [&](const char* why) {
+    refuse_style_options(command, why);
+    refuse_given(command, {"--texture"}, why);
+  };
+  if (!draws(arguments)) refuse("no picture is written; add --output");
+  if (!shows_stripes(*arguments.picture)) refuse("--view has colours of its own");
+  if (texture) {
+    refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+  }
+}
+
 // Options that would change nothing.
 void check_options(const CLI::App& command, const AnimateArguments& arguments) {
   const AnimationOptions& animation = arguments.animation;
@@ -252,11 +285,15 @@ void check_options(const CLI::App& command, const AnimateArguments& arguments) {
     }
   }
   if (!draws(arguments)) {
-    refuse_picture_options(command, "no picture is written; add --output");
+    refuse_picture_options(command, arguments.waves, "no picture is written; add --output");
   }
-  if (std::ranges::none_of(arguments.outputs, &FrameOutput::is_video)) {
+  check_styles(command, arguments);
+  // Textures flow by the second.
+  if (std::ranges::none_of(arguments.outputs, &FrameOutput::is_video) &&
+      arguments.style.texture_flow.isZero(0)) {
     refuse_given(command, {"--fps"}, "no video is written; add --output FILE.mp4");
   }
+  check_slack_options(command, arguments.slack);
   is_series(arguments) ? check_series_options(command, arguments)
                        : check_scene_options(command, arguments);
 }
@@ -266,12 +303,20 @@ AnimationReport play_scene(const AnimateArguments& arguments, const Device& devi
   display.stage("loading " + arguments.surface.mesh);
   LoadedMesh loaded = load_mesh(arguments.surface, display.progress());
   display.note(describe(loaded));
+  const std::vector<Index> vertex_of_row = std::move(loaded.vertex_of_row);
+  const DataArrays arrays = std::move(loaded.arrays);
   const Surface surface = make_surface(std::move(loaded.mesh));
   AnimationOptions animation = arguments.animation;
   animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
   animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
   animation.along = arguments.waves.along;
-  return play(surface, animation, device, show, display);
+  animation.animator.slack =
+      make_slack(arguments.slack, surface.mesh.vertex_count(), vertex_of_row);
+  // A row for every vertex of the file says nothing of vertices that were added.
+  const bool rows = arguments.surface.subdivide == 0;
+  const FrameData data{surface, arrays, arguments.surface.mesh,
+                       rows ? std::span(vertex_of_row) : std::span<const Index>()};
+  return play(data, animation, device, show, display);
 }
 
 std::vector<FrameOutput> of_kind(const std::vector<FrameOutput>& outputs, bool meshes) {
@@ -285,7 +330,9 @@ AnimationReport play_series(const AnimateArguments& arguments, Series& series,
                             const ShowFrame& show, ProgressDisplay& display) {
   StepFiles files(of_kind(arguments.outputs, true), arguments.animation.animator.phase_shift,
                   *arguments.picture, display);
-  const SeriesPlay options{arguments.series, arguments.animation.animator, arguments.match,
+  AnimatorOptions animator = arguments.animation.animator;
+  animator.slack = arguments.slack.slack;
+  const SeriesPlay options{arguments.series, animator, arguments.match,
                            arguments.animation.compare_from_scratch};
   AnimationReport report = play(
       series, options, show,
@@ -294,28 +341,49 @@ AnimationReport play_series(const AnimateArguments& arguments, Series& series,
   return report;
 }
 
+// Nothing if frames are drawn as they are.
+std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArguments& arguments,
+                                      ProgressDisplay& display) {
+  std::optional<TextureTile> tile = chosen_tile(arguments.texture, false);
+  if (!tile && !is_styled(command)) return std::nullopt;
+  return FrameStyle{.style = arguments.style,
+                    .tile = std::move(tile),
+                    .oriented = arguments.texture.oriented,
+                    .waves = arguments.waves,
+                    .animator = arguments.animation.animator,
+                    .match = arguments.match,
+                    .frames_per_second = arguments.frames_per_second,
+                    .display = display};
+}
+
 void run_animate(const CLI::App& command, AnimateArguments arguments) {
   if (!is_series(arguments)) refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
-  std::optional<Series> series;
-  if (is_series(arguments)) series.emplace(arguments.series, arguments.surface, arguments.waves);
-  check_outputs(arguments, series);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  std::optional<Series> series;
+  if (is_series(arguments)) {
+    series.emplace(arguments.series, arguments.surface, arguments.waves,
+                   viewpoint_of(*arguments.picture));
+  }
+  check_outputs(arguments, series);
   const ThreadLimit threads(arguments.threads);
   AnimationReport report;
   {
     ProgressDisplay display(arguments.quiet);
     const Device device(arguments.device);
+    const std::optional<FrameStyle> style = frame_style(command, arguments, display);
     std::optional<MovingPicture> picture;
     ShowFrame show;
     if (draws(arguments)) {
       picture.emplace(of_kind(arguments.outputs, false), *arguments.picture,
-                      arguments.frames_per_second, !device.has_context());
+                      arguments.frames_per_second, !device.has_context(),
+                      style ? &*style : nullptr);
       show = [&](const SolvedFrame& frame) { picture->add(frame); };
     }
     report = series ? play_series(arguments, *series, show, display)
                     : play_scene(arguments, device, show, display);
     report.invocation = invocation_of(command);
+    if (picture) report.picture_quality = quality_name(*arguments.picture);
     // One output stands for itself, as it did before there could be several.
     auto& options = report.invocation["options"];
     if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
@@ -339,12 +407,16 @@ void add_animate_options(CLI::App& command, AnimateArguments& arguments) {
   add_scene_options(command, arguments);
   add_series_options(command, arguments);
   add_animator_options(command, arguments.animation.animator);
+  add_slack_options(command, arguments.slack);
   add_device_option(command, arguments.device);
   command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   add_frame_output_options(command, arguments);
   arguments.picture = add_picture_options(command);
+  add_style_options(command, arguments.style);
+  add_flow_option(command, arguments.style);
+  add_texture_options(command, arguments.texture, arguments.waves, nullptr);
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
 

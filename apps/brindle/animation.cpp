@@ -4,6 +4,7 @@
 #include <numbers>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
@@ -22,7 +23,9 @@ FrameInput input_of(const WaveSet& waves) {
   return {waves.positions, waves.directions, waves.frequencies};
 }
 
-double total(const FrameMilliseconds& time) { return time.couple + time.sum + time.solve; }
+double total(const FrameMilliseconds& time) {
+  return time.frequency + time.couple + time.sum + time.solve;
+}
 
 /// The mean over the frames after the first.
 template <class Value>
@@ -61,6 +64,10 @@ nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
                           {"sum", report.milliseconds.sum},
                           {"solve", report.milliseconds.solve},
                           {"render", report.render_milliseconds}};
+  if (report.frequency) {
+    json["milliseconds"]["frequency"] = report.milliseconds.frequency;
+    json["frequency_change"] = to_json(*report.frequency);
+  }
   if (report.from_scratch) json["from_scratch"] = to_json(*report.from_scratch);
   return json;
 }
@@ -148,8 +155,34 @@ MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const Fr
   return m;
 }
 
-AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
+YieldedFrame::YieldedFrame(const SceneFrame& wanted, const FrameResult& result) : wanted_(wanted) {
+  if (result.frequencies.empty()) return;
+  yielded_ = wanted;
+  yielded_->waves.frequencies.assign(result.frequencies.begin(), result.frequencies.end());
+}
+
+std::span<const float> YieldedFrame::frequencies_wanted() const {
+  return yielded_ ? std::span<const float>(wanted_.waves.frequencies) : std::span<const float>();
+}
+
+std::optional<FrequencyReport> YieldedFrame::report(std::span<const CornerPhases> corners,
+                                                    const FrameResult& result) const {
+  if (!yielded_) return std::nullopt;
+  const PatternQuality quality = measure_quality(wanted_.mesh, wanted_.waves, corners);
+  return FrequencyReport{result.frequency_change, quality.spacing_error_mean, {}};
+}
+
+FrameQuality measure_yielded(const YieldedFrame& yielded,
+                             std::shared_ptr<const Adjacency> neighborhood,
+                             const FrameResult& result, PhaseShiftKind kind) {
+  const SceneFrame& frame = yielded.frame();
+  const PhaseGraph graph = build_phase_graph(std::move(neighborhood), frame.waves, kind);
+  return measure(frame, graph, result, kind).figures;
+}
+
+AnimationReport play(const FrameData& data, const AnimationOptions& options, const Device& device,
                      const ShowFrame& show, ProgressDisplay& display) {
+  const Surface& surface = data.surface;
   const Progress progress = display.progress();
   AnimationReport report;
   report.scene = options.scene.kind;
@@ -160,11 +193,11 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
   report.threads = ThreadLimit::current();
   report.device = device.description();
   TurnedScene scene(surface, options);
-  const auto animator = device.animator(surface.neighborhood, options.animator);
+  const auto animator = device.animator(surface, options.animator);
   AnimatorOptions without_last = options.animator;
   without_last.solver = FrameSolver::multilevel;
   without_last.lambda = 0;
-  const auto scratch = device.animator(surface.neighborhood, without_last);
+  const auto scratch = device.animator(surface, without_last);
   const PhaseShiftKind kind = options.animator.phase_shift;
   const std::string source = "the field of the scene '" + std::string(name_of(report.scene)) + "'";
   Stopwatch watch;
@@ -172,21 +205,28 @@ AnimationReport play(const Surface& surface, const AnimationOptions& options, co
     progress.report("frames", static_cast<double>(number) / options.frames);
     FrameReport& frame_report = report.frames.emplace_back();
     watch.lap();
-    const SceneFrame& frame = scene.frame(number);
+    const SceneFrame& wanted = scene.frame(number);
     frame_report.scene_milliseconds = watch.lap();
-    if (number == 0) report.waves = noted_waves(surface, frame.waves, source, display);
-    const FrameResult result = animator->frame(input_of(frame.waves));
+    if (number == 0) report.waves = noted_waves(surface, wanted.waves, source, display);
+    const FrameResult result = animator->frame(input_of(wanted.waves));
+    const YieldedFrame yielded(wanted, result);
+    const SceneFrame& frame = yielded.frame();
     frame_report.milliseconds = result.milliseconds;
     frame_report.unchanged = result.unchanged;
     const PhaseGraph graph = build_phase_graph(surface.neighborhood, frame.waves, kind);
     const MeasuredFrame measured = measure(frame, graph, result, kind);
     frame_report.figures = measured.figures;
+    frame_report.frequency = yielded.report(measured.corners, result);
     if (options.compare_from_scratch) {
-      const FrameResult again = scratch->frame(input_of(frame.waves));
-      frame_report.from_scratch = measure(frame, graph, again, kind).figures;
+      const FrameResult again = scratch->frame(input_of(wanted.waves));
+      const YieldedFrame own(wanted, again);
+      frame_report.from_scratch = measure_yielded(own, surface.neighborhood, again, kind);
     }
     watch.lap();
-    if (show) show({frame, result.z, animator->phase_buffer(), measured.corners});
+    if (show) {
+      show({data, frame, result.z, animator->phase_buffer(), measured.corners,
+            yielded.frequencies_wanted()});
+    }
     frame_report.render_milliseconds = watch.lap();
   }
   report.topology_milliseconds = animator->topology_milliseconds();
@@ -217,6 +257,7 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
     json["iterations"] = report.options.iterations;
   }
   json["device"] = report.device;
+  if (!report.picture_quality.empty()) json["picture_quality"] = report.picture_quality;
   json["topology_milliseconds"] = report.topology_milliseconds;
   json["mean"] = means(report.frames);
   const FrameReport& last = report.frames.back();

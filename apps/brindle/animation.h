@@ -3,17 +3,20 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/data_arrays.h"
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "carried_pattern.h"
 #include "device.h"
+#include "frequency_report.h"
 #include "progress_display.h"
 #include "scenes/scene.h"
 #include "wave_figures.h"
@@ -42,6 +45,7 @@ struct FrameReport {
   double scene_milliseconds = 0;
   FrameMilliseconds milliseconds;
   double render_milliseconds = 0;            ///< drawing and writing
+  std::optional<FrequencyReport> frequency;  ///< with slack
   std::optional<FrameQuality> from_scratch;  ///< the same input, solved without the last frame
 };
 
@@ -64,14 +68,27 @@ struct AnimationReport {
   double topology_milliseconds = 0;
   nlohmann::ordered_json device;  ///< as Device::description gives it
   std::vector<FrameReport> frames;
+  std::string picture_quality;  ///< empty if nothing is drawn
+};
+
+/// What a frame comes from: a surface as its file has it, and what else the file says.
+struct FrameData {
+  const Surface& surface;  ///< has the triangles of the frame; its vertices may have moved since
+  const DataArrays& arrays;
+  std::string file;                      ///< for messages
+  std::span<const Index> vertex_of_row;  ///< as Preparation has it
+  std::size_t step = 0;                  ///< number of the file in a series
+  float share = 1;                       ///< of the way to it from the file before
 };
 
 /// A frame as it is solved.
 struct SolvedFrame {
+  const FrameData& data;
   const SceneFrame& scene;
   std::span<const Complex> z;
   unsigned phase_buffer;  ///< name of the OpenGL buffer that z lies in, too; 0 for none
   std::span<const CornerPhases> corners;
+  std::span<const float> frequencies_wanted;  ///< with slack, beside those of the scene's waves
 };
 
 /// Receives every frame.
@@ -85,10 +102,10 @@ struct AnimationOptions {
   bool compare_from_scratch = false;
 };
 
-/// Solves and measures all frames; `show` may be empty. Notes on the display what is probably not
-/// meant. Throws what the animator and `show` do, Error if the first frame has no wave at all, and
-/// Cancelled if the display asks for it.
-AnimationReport play(const Surface& surface, const AnimationOptions& options, const Device& device,
+/// Solves and measures all frames of the surface; `show` may be empty. Notes on the display what is
+/// probably not meant. Throws what the animator and `show` do, Error if the first frame has no wave
+/// at all, and Cancelled if the display asks for it.
+AnimationReport play(const FrameData& data, const AnimationOptions& options, const Device& device,
                      const ShowFrame& show, ProgressDisplay& display);
 
 /// A frame's phases, lifted and measured.
@@ -99,6 +116,32 @@ struct MeasuredFrame {
 
 MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const FrameResult& result,
                       PhaseShiftKind kind);
+
+class YieldedFrame;
+
+/// The figures alone.
+FrameQuality measure_yielded(const YieldedFrame& yielded,
+                             std::shared_ptr<const Adjacency> neighborhood,
+                             const FrameResult& result, PhaseShiftKind kind);
+
+/// A frame with the frequencies that it was solved for, which may have yielded.
+class YieldedFrame {
+ public:
+  YieldedFrame(const SceneFrame& wanted, const FrameResult& result);
+  YieldedFrame(const YieldedFrame&) = delete;
+  YieldedFrame& operator=(const YieldedFrame&) = delete;
+
+  const SceneFrame& frame() const { return yielded_ ? *yielded_ : wanted_; }
+
+  /// Empty where nothing yields.
+  std::span<const float> frequencies_wanted() const;
+  std::optional<FrequencyReport> report(std::span<const CornerPhases> corners,
+                                        const FrameResult& result) const;
+
+ private:
+  const SceneFrame& wanted_;
+  std::optional<SceneFrame> yielded_;
+};
 
 nlohmann::ordered_json to_json(const AnimationReport& report);
 

@@ -4,6 +4,7 @@
 
 #include "command_line.h"
 #include "csv_field.h"
+#include "vertex_values.h"
 
 namespace brindle::tool {
 namespace {
@@ -15,6 +16,11 @@ std::optional<TensorAxis> parse_tensor_axis(std::string_view name) {
   if (name == "minor") return TensorAxis::minor;
   if (name == "max-abs") return TensorAxis::max_abs;
   return std::nullopt;
+}
+
+std::string parse_frequency_value(const std::string& option, const std::string& text) {
+  check_value_name(option, text);
+  return text;
 }
 
 FrequencyRange parse_frequency_range(const std::string& option, const std::string& text) {
@@ -45,11 +51,12 @@ void add_array_options(CLI::App& app, ArrayOptions& options) {
   add_named_option(app, "--tensor", options.tensor, parse_tensor_axis, "major|minor|max-abs",
                    "--field array:NAME that is a symmetric tensor: along the eigenvector of the "
                    "largest eigenvalue (default), the smallest, or the largest absolute one");
-  add_parsed_option(app, "--frequency-by", options.frequency_by, parse_array,
-                    "denser stripes where the array is larger (of vectors: longer)")
-      ->type_name("array:NAME");
+  add_parsed_option(
+      app, "--frequency-by", options.frequency_by, parse_frequency_value,
+      std::string("denser stripes where a value is larger (of vectors: longer): ") + kValueNames)
+      ->type_name("VALUE");
   add_parsed_option(app, "--frequency-range", options.range, parse_frequency_range,
-                    "--frequency-by: factors of --stripes where the array is smallest and largest "
+                    "--frequency-by: factors of --stripes where the value is smallest and largest "
                     "(default 0.4,2.5); inverse: the other way round")
       ->type_name("A,B[,inverse]");
   app.add_option("--field-mesh", options.mesh,
@@ -68,13 +75,17 @@ void check_array_options(const CLI::App& command, const ArrayOptions& options,
   }
   if (options.frequency_by.empty()) {
     refuse_given(command, {"--frequency-range"},
-                 "nothing varies the frequency; add --frequency-by array:NAME");
+                 "nothing varies the frequency; add --frequency-by VALUE");
   } else if (!options.frequency.empty()) {
     throw CLI::ValidationError("--frequency-by",
                                "--frequency array:" + options.frequency +
                                    " says all of the frequencies; leave out one of both");
+  } else if (depends_on_camera(options.frequency_by) && !has_camera(command)) {
+    throw CLI::ValidationError("--frequency-by", "'" + options.frequency_by +
+                                                     "' depends on a picture's camera, and " +
+                                                     command.get_name() + " draws none");
   }
-  if (!is_array(field) && options.frequency_by.empty() && options.frequency.empty()) {
+  if (!is_array(field) && !is_array(options.frequency_by) && options.frequency.empty()) {
     refuse_given(command, {"--field-mesh"},
                  "no array is taken from it; add --field array:NAME or --frequency-by array:NAME");
   }

@@ -16,7 +16,7 @@ namespace brindle::tool {
 struct ArrayOptions {
   std::optional<TensorAxis> tensor;    ///< of a field that is a tensor; major if not given
   std::string frequency;               ///< array of stripes per unit length
-  std::string frequency_by;            ///< array that --stripes or --frequency are multiplied by
+  std::string frequency_by;            ///< value that --stripes or --frequency are multiplied by
   FrequencyRange range;                ///< of the factors
   std::string mesh;                    ///< file that all arrays are from; empty: the mesh's own
   std::optional<Length> max_distance;  ///< from `mesh`

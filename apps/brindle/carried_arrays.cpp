@@ -18,13 +18,13 @@ std::vector<DataArray> without(std::span<const DataArray> arrays,
 }
 
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
-                       const DataArrays& arrays, ProgressDisplay& display) {
+                       const DataArrays& arrays, JobListener& listener) {
   DataArrays held;
   const auto add = [&](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
     for (DataArray& array : without(from, own)) {
       if (find_array(held.points, array.name) != nullptr) continue;
       const std::vector<std::string> why = fitted_arrays(path, {{array}, {}}).left_out;
-      for (const std::string& line : why) display.note(line + "\n");
+      for (const std::string& line : why) listener.note(line + "\n");
       if (why.empty()) to.push_back(std::move(array));
     }
   };

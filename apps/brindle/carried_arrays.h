@@ -9,7 +9,7 @@
 #include "brindle/data_arrays.h"
 #include "brindle/mesh.h"
 #include "brindle/polylines.h"
-#include "progress_display.h"
+#include "job_listener.h"
 
 namespace brindle::tool {
 
@@ -20,7 +20,7 @@ std::vector<DataArray> without(std::span<const DataArray> arrays,
 /// What a file of lines or samples has place for beside its `own` columns: of arrays of points and
 /// of triangles with one name, those of points. Notes what it cannot hold.
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
-                       const DataArrays& arrays, ProgressDisplay& display);
+                       const DataArrays& arrays, JobListener& listener);
 
 /// A row per place: means of points (`blended`), then the rows of triangles.
 std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,

@@ -32,6 +32,9 @@ Command add_curves_command(CLI::App& app);
 Command add_sample_command(CLI::App& app);
 Command add_animate_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
+Command add_render_command(CLI::App& app);
 Command add_bench_command(CLI::App& app);
+Command add_gallery_command(CLI::App& app);
+Command add_view_command(CLI::App& app);
 
 }  // namespace brindle::tool

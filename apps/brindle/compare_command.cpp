@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "outputs.h"
 #include "preparation.h"
+#include "progress_display.h"
 #include "report.h"
 #include "solving_options.h"
 #include "used_files.h"
@@ -39,14 +40,14 @@ struct CompareArguments {
 std::vector<Report> reports_of_all(const CompareArguments& arguments) {
   ProgressDisplay display(arguments.quiet);
   const Preparation prepared = prepare(arguments.surface, arguments.waves, display);
+  StripeOptions options = stripe_options(arguments.solving, prepared);
   std::vector<Report> reports;
   for (const Solver solver : kSolvers) {
     display.stage(name_of(solver));
-    StripeOptions options = arguments.solving.stripes;
     options.solver.solver = solver;
     const StripePattern pattern =
         stripe_pattern(prepared.surface, prepared.waves, options, display.progress());
-    reports.push_back(make_report(prepared, pattern, solver));
+    reports.push_back(make_report(prepared.surface, prepared, pattern, solver));
   }
   // Of the last solver alone: all see the same waves.
   display.note(
@@ -55,10 +56,12 @@ std::vector<Report> reports_of_all(const CompareArguments& arguments) {
 }
 
 void check(const CLI::App& command, const CompareArguments& arguments) {
-  const std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  add_slack_files(arguments.solving.slack, inputs);
   check_report("--json", arguments.json);
   if (!arguments.json.empty()) check_files(inputs, {{"--json", arguments.json}});
   check_field_options(command, arguments.waves);
+  check_slack_options(command, arguments.solving.slack);
   if (is_points(arguments.surface)) refuse_triangle_options(command);
 }
 
@@ -74,6 +77,7 @@ void run_compare(const CLI::App& command, const CompareArguments& arguments) {
   }
   if (arguments.quiet) return;
   print_waves(std::cout, reports.front().waves);
+  if (reports.front().frequency) print_frequency(std::cout, *reports.front().frequency);
   print_table(std::cout, reports);
   if (!arguments.json.empty()) print_written(std::cout, std::filesystem::path(arguments.json));
 }

@@ -7,6 +7,7 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/curve_measures.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/geometry/append_mesh.h"
@@ -17,6 +18,8 @@
 #include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
+#include "frequency_report.h"
+#include "making_options.h"
 #include "option_values.h"
 #include "outputs.h"
 #include "picture.h"
@@ -34,6 +37,8 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves scan.obj --lines both --stripes 30 --stripes-v 60 --output grid.obj
   brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
   brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
+  brindle curves shape:torus --stripes 60 --line-width 0.8% --report torus.json
+  brindle curves shape:tube --field curvature --curvature-direction min --winding 1 --output vase.vtp
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
 
@@ -56,12 +61,14 @@ struct CurvesArguments {
   WaveOptions waves;
   SecondWaveOptions second;
   SolvingOptions solving;
+  MakingOptions making;
+  int wales = 0;
   std::shared_ptr<PictureOptions> picture;
   Which which = Which::u;
   float offset = 0;
   bool join = false;
   Length min_length;
-  std::optional<Length> simplify, resample, tube_radius;
+  std::optional<Length> simplify, resample, tube_radius, line_width;
   int tube_sides = 8;
   std::vector<std::string> outputs;
   std::string report;
@@ -104,11 +111,15 @@ struct Family {
   std::size_t jogs = 0;                            // edges that moved curves do not cross straight
   std::size_t short_curves = 0;                    // left out
   std::optional<CurveSpacing> spacing;
+  CurveLengths lengths;  // of the curves that are left
+  std::optional<double> coverage;
+  MakingFigures making;
   double extract_milliseconds = 0;
 };
 
 struct CurvesResult {
   Preparation prepared;
+  StripeOptions options;
   MeshEdges edges;
   std::vector<Family> families;
   double edges_milliseconds = 0;
@@ -143,6 +154,17 @@ std::string why_no_curves(const Family& family) {
          " are shorter than --min-length\n";
 }
 
+// Windings are those of U, or of V where --wales counts it.
+MakingOptions making_of(const CurvesArguments& arguments, const std::string& name) {
+  MakingOptions making = arguments.making;
+  if (name == "v") {
+    making = {};
+    making.merge_branches = arguments.making.merge_branches;
+    if (arguments.wales > 0) making.windings = {{"", arguments.wales}};
+  }
+  return making;
+}
+
 Family make_family(const CurvesArguments& arguments, CurvesResult& result, std::string name,
                    WaveSet waves, ProgressDisplay& display) {
   const Surface& surface = result.prepared.surface;
@@ -150,7 +172,9 @@ Family make_family(const CurvesArguments& arguments, CurvesResult& result, std::
   Family family;
   family.name = std::move(name);
   family.pattern =
-      stripe_pattern(surface, std::move(waves), arguments.solving.stripes, display.progress());
+      make_pattern(surface, std::move(waves), result.options, making_of(arguments, family.name),
+                   display.progress(), family.making);
+  measure_windings(surface, family.pattern, family.making);
   StripePattern& pattern = family.pattern;
   family.jogs =
       move_peaks(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
@@ -173,6 +197,11 @@ Family make_family(const CurvesArguments& arguments, CurvesResult& result, std::
   drop_short(family, arguments.min_length.on(diagonal));
   if (family.curves.lines.count() == 0) display.note(why_no_curves(family));
   Polylines& lines = family.curves.lines;
+  family.lengths = curve_lengths(lines);
+  if (arguments.line_width) {
+    display.stage("coverage");
+    family.coverage = curve_coverage(surface.mesh, lines, arguments.line_width->on(diagonal));
+  }
   if (arguments.resample) lines = resampled(lines, arguments.resample->on(diagonal));
   if (arguments.simplify) lines = simplified(lines, arguments.simplify->on(diagonal));
   return family;
@@ -180,7 +209,9 @@ Family make_family(const CurvesArguments& arguments, CurvesResult& result, std::
 
 CurvesResult make_result(const CurvesArguments& arguments, ProgressDisplay& display) {
   CurvesResult result;
-  result.prepared = prepare(arguments.surface, arguments.waves, display);
+  result.prepared =
+      prepare(arguments.surface, arguments.waves, display, viewpoint_of(*arguments.picture));
+  result.options = stripe_options(arguments.solving, result.prepared);
   Stopwatch watch;
   result.edges = mesh_edges(result.prepared.surface.mesh, *result.prepared.surface.neighborhood);
   result.edges_milliseconds = watch.lap();
@@ -188,6 +219,9 @@ CurvesResult make_result(const CurvesArguments& arguments, ProgressDisplay& disp
   WaveSet v;
   if (arguments.which != Which::u) {
     v = make_second_waves(result.prepared, arguments.second);
+    if (arguments.wales > 0) {
+      v = waves_round(result.prepared.surface, v.directions, {"", arguments.wales});
+    }
     if (is_other(arguments.second)) {
       noted_waves(result.prepared.surface, v, "the field of V", display);
     }
@@ -205,6 +239,24 @@ nlohmann::ordered_json to_json(const CurveSpacing& spacing) {
           {"mean", spacing.mean},
           {"deviation", spacing.deviation},
           {"share_within_10_percent", spacing.share_within_10_percent}};
+}
+
+nlohmann::ordered_json to_json(const CurveGaps& gaps) {
+  return {{"measured", gaps.measured},
+          {"least", gaps.least},
+          {"mean", gaps.mean},
+          {"most", gaps.most},
+          {"least_ratio", gaps.least_ratio},
+          {"mean_ratio", gaps.mean_ratio},
+          {"most_ratio", gaps.most_ratio}};
+}
+
+nlohmann::ordered_json to_json(const CurveLengths& lengths) {
+  return {{"closed", lengths.closed_length},
+          {"open", lengths.open_length},
+          {"shortest", lengths.shortest},
+          {"mean", lengths.mean},
+          {"longest", lengths.longest}};
 }
 
 nlohmann::ordered_json to_json(const Family& family) {
@@ -230,11 +282,17 @@ nlohmann::ordered_json to_json(const Family& family) {
       {"joined_ends", family.curves.joined_ends},
       {"ends_at_neighbours", family.curves.ends_at_neighbors},
       {"edges_with_jogs", family.jogs}};
+  json["lengths"] = to_json(family.lengths);
   if (family.spacing) json["spacing"] = to_json(*family.spacing);
+  if (family.spacing) json["gaps"] = to_json(family.spacing->gaps);
+  if (family.coverage) json["coverage"] = *family.coverage;
+  add_to_json(family.making, json);
+  const auto frequency = frequency_report(family.pattern.frequency_change, family.pattern.quality);
+  if (frequency) json["frequency_change"] = to_json(*frequency);
   return json;
 }
 
-nlohmann::ordered_json to_json(const CurvesResult& result) {
+nlohmann::ordered_json to_json(const CurvesResult& result, const PictureOptions& picture) {
   const Surface& surface = result.prepared.surface;
   StripeMilliseconds time;
   time.load = result.prepared.load_milliseconds;
@@ -250,16 +308,42 @@ nlohmann::ordered_json to_json(const CurvesResult& result) {
     json[family.name] = to_json(family);
     const StripeMilliseconds& own = family.pattern.milliseconds;
     time.topology += own.topology;
+    time.frequency += own.frequency;
     time.couple += own.couple;
     time.solve += own.solve;
     time.pattern += own.pattern;
     extract += family.extract_milliseconds;
   }
-  json["milliseconds"] = {{"load", time.load},       {"topology", time.topology},
-                          {"couple", time.couple},   {"solve", time.solve},
-                          {"pattern", time.pattern}, {"extract", extract}};
-  if (result.draw_milliseconds) json["milliseconds"]["draw"] = *result.draw_milliseconds;
+  json["milliseconds"] = {
+      {"load", time.load},         {"field", result.prepared.field_milliseconds},
+      {"topology", time.topology}, {"couple", time.couple},
+      {"solve", time.solve},       {"pattern", time.pattern},
+      {"extract", extract}};
+  if (result.draw_milliseconds) {
+    json["milliseconds"]["draw"] = *result.draw_milliseconds;
+    json["picture_quality"] = quality_name(picture);
+  }
+  if (result.options.slack.yields()) json["milliseconds"]["frequency"] = time.frequency;
   return json;
+}
+
+void print_measures(std::ostream& out, const Family& family) {
+  const CurveLengths& lengths = family.lengths;
+  if (lengths.closed + lengths.open > 0) {
+    out << formatted("   lengths: closed %g, open %g; a curve %g to %g, on average %g\n",
+                     lengths.closed_length, lengths.open_length, lengths.shortest, lengths.longest,
+                     lengths.mean);
+  }
+  if (family.spacing) {
+    const CurveGaps& gaps = family.spacing->gaps;
+    out << formatted("   gaps: %g to %g, on average %g: %.2f / f to %.2f / f, %.3f / f\n",
+                     gaps.least, gaps.most, gaps.mean, gaps.least_ratio, gaps.most_ratio,
+                     gaps.mean_ratio);
+  }
+  if (family.coverage) {
+    out << formatted("   lines of that width cover %.1f %% of the surface\n",
+                     100 * *family.coverage);
+  }
 }
 
 void print(std::ostream& out, const CurvesResult& result) {
@@ -285,6 +369,8 @@ void print(std::ostream& out, const CurvesResult& result) {
     if (family.jogs > 0) {
       out << formatted("   the field has no orientation: curves jog at %zu edges\n", family.jogs);
     }
+    print_measures(out, family);
+    out << lines_of(family.making);
     if (family.spacing) {
       out << formatted(
           "   spacing: %.3f / f on average, deviation %.3f, within 10 %% for %.1f %% of the "
@@ -372,7 +458,7 @@ void write(CurveOutput kind, const std::string& path, const CLI::App& command,
     case CurveOutput::picture:
       return write_ornaments(path, surface, tubes_of(arguments, result), *arguments.picture);
     case CurveOutput::report:
-      return write_report(path, command, surface.mesh, to_json(result));
+      return write_report(path, command, surface.mesh, to_json(result, *arguments.picture));
   }
 }
 
@@ -381,13 +467,25 @@ void check_options(const CLI::App& command, const CurvesArguments& arguments,
                    const PlannedFiles<CurveOutput>& files) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
-  if (arguments.which == Which::u) {
+  check_making_options(command, arguments.making, arguments.solving.stripes.solver.solver);
+  if (arguments.which == Which::v) {
+    refuse_given(command, {"--winding", "--anchor-boundary"}, "U is not traced; leave out --lines");
+  }
+  if (arguments.wales > 0) {
     refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v"},
+                 "--wales says how many stripes of V there are, and where they run");
+  }
+  if (arguments.which == Which::u) {
+    refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v", "--wales"},
                  "V is not traced; add --lines v or --lines both");
   }
   const bool picture = has(files, CurveOutput::picture);
   if (!picture && !has(files, CurveOutput::drawing)) {
-    refuse_picture_options(command, "nothing is drawn; add --output FILE.svg or FILE.png");
+    refuse_picture_options(command, arguments.waves,
+                           "nothing is drawn; add --output FILE.svg or FILE.png");
+  }
+  if (!picture && has(files, CurveOutput::drawing)) {
+    refuse_given(command, {"--quality"}, "a drawing of lines has but one; add --output FILE.png");
   }
   if (!picture && !has(files, CurveOutput::tubes)) {
     refuse_given(command, {"--tube-radius", "--tube-sides"},
@@ -398,6 +496,7 @@ void check_options(const CLI::App& command, const CurvesArguments& arguments,
 void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
   std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
   if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
+  add_slack_files(arguments.solving.slack, inputs);
   const auto files = plan_files<CurveOutput>(
       inputs, arguments.outputs, arguments.report,
       [&](const std::string& path) { return planned(path, arguments.tube_radius.has_value()); });
@@ -440,6 +539,9 @@ void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
       "points at equal distances, about this far apart; --simplify then leaves out some of "
       "them")
       ->type_name("L|P%");
+  add_parsed_option(command, "--line-width", arguments.line_width, parse_positive_length,
+                    "report how much of the surface lines of this width cover")
+      ->type_name("L|P%");
   add_parsed_option(command, "--tube-radius", arguments.tube_radius, parse_positive_length,
                     "write mesh files of tubes, not lines (pictures show tubes anyway)")
       ->type_name("L|P%");
@@ -453,6 +555,13 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_wave_options(command, arguments.waves);
   add_second_wave_options(command, arguments.second);
   add_curve_options(command, arguments);
+  add_making_options(command, arguments.making);
+  command
+      .add_option(
+          "--wales", arguments.wales,
+          "V: exactly N stripes round a surface with one way round, as the wales of a sleeve")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);

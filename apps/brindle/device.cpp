@@ -58,10 +58,10 @@ Device::~Device() = default;
 
 SolvePhases Device::solver() const { return gpu_ ? gpu_->solver() : SolvePhases(); }
 
-std::unique_ptr<Animator> Device::animator(std::shared_ptr<const Adjacency> neighborhood,
+std::unique_ptr<Animator> Device::animator(const Surface& surface,
                                            const AnimatorOptions& options) const {
-  if (gpu_) return gpu_->animator(std::move(neighborhood), options);
-  return std::make_unique<OnProcessor>(StripeAnimator(std::move(neighborhood), options));
+  if (gpu_) return gpu_->animator(surface, options);
+  return std::make_unique<OnProcessor>(StripeAnimator(surface, options));
 }
 
 void Device::check_errors(const std::string& job) const {
@@ -70,12 +70,6 @@ void Device::check_errors(const std::string& job) const {
 
 nlohmann::ordered_json Device::description() const {
   return gpu_ ? gpu_->description() : nlohmann::ordered_json{{"kind", "cpu"}};
-}
-
-std::string device_line(const nlohmann::ordered_json& description) {
-  if (description.value("kind", "cpu") == "cpu") return "";
-  return "device    " + description.value("renderer", "?") + ", OpenGL " +
-         description.value("version", "?") + "\n";
 }
 
 }  // namespace brindle::tool

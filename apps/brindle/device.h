@@ -45,8 +45,7 @@ class Device {
   ~Device();
 
   SolvePhases solver() const;
-  std::unique_ptr<Animator> animator(std::shared_ptr<const Adjacency> neighborhood,
-                                     const AnimatorOptions& options) const;
+  std::unique_ptr<Animator> animator(const Surface& surface, const AnimatorOptions& options) const;
 
   /// Whether an OpenGL context of its own is current.
   bool has_context() const { return gpu_ != nullptr; }
@@ -65,8 +64,5 @@ class Device {
  private:
   std::unique_ptr<Gpu> gpu_;
 };
-
-/// A line for people about such a description; empty for the processor.
-std::string device_line(const nlohmann::ordered_json& description);
 
 }  // namespace brindle::tool

@@ -26,6 +26,8 @@ class OnGpu : public Animator {
       result.milliseconds = milliseconds();
     }
     result.z = z_;
+    result.frequencies = animator_.frequencies();
+    result.frequency_change = animator_.frequency_change();
     return result;
   }
 
@@ -67,10 +69,9 @@ SolvePhases Device::Gpu::solver() const {
   };
 }
 
-std::unique_ptr<Animator> Device::Gpu::animator(std::shared_ptr<const Adjacency> neighborhood,
+std::unique_ptr<Animator> Device::Gpu::animator(const Surface& surface,
                                                 const AnimatorOptions& options) const {
-  return std::make_unique<OnGpu>(
-      GpuAnimator(state_->solver.kernels(), std::move(neighborhood), options));
+  return std::make_unique<OnGpu>(GpuAnimator(state_->solver.kernels(), surface, options));
 }
 
 std::shared_ptr<const GpuKernels> Device::Gpu::kernels() const { return state_->solver.kernels(); }

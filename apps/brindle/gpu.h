@@ -17,8 +17,7 @@ struct Device::Gpu {
   ~Gpu();
 
   SolvePhases solver() const;
-  std::unique_ptr<Animator> animator(std::shared_ptr<const Adjacency> neighborhood,
-                                     const AnimatorOptions& options) const;
+  std::unique_ptr<Animator> animator(const Surface& surface, const AnimatorOptions& options) const;
   std::shared_ptr<const GpuKernels> kernels() const;
   void check_errors(const std::string& job) const;
   nlohmann::ordered_json description() const;

@@ -1,3 +1,4 @@
+#include "bench/draw_measurements.h"
 #include "bench/gpu_measurements.h"
 #include "brindle/error.h"
 #include "gpu.h"
@@ -16,7 +17,7 @@ Device::Gpu::~Gpu() = default;
 
 SolvePhases Device::Gpu::solver() const { return {}; }
 
-std::unique_ptr<Animator> Device::Gpu::animator(std::shared_ptr<const Adjacency> /*neighborhood*/,
+std::unique_ptr<Animator> Device::Gpu::animator(const Surface& /*surface*/,
                                                 const AnimatorOptions& /*options*/) const {
   return nullptr;
 }
@@ -31,6 +32,11 @@ GpuFrameFigures measure_gpu_frames(const Device& /*device*/, const Subject& /*su
                                    const Repetitions& /*repetitions*/,
                                    const Progress& /*progress*/) {
   return {};
+}
+
+DrawFigures measure_draw(const Subject& /*subject*/, int /*width*/, int /*height*/,
+                         const Repetitions& /*repetitions*/, const Progress& /*progress*/) {
+  throw Error("this build draws no pictures; configure with -DBRINDLE_GL=ON to have them");
 }
 
 double copy_bandwidth() { return 0; }

@@ -7,23 +7,19 @@
 #include "array_source.h"
 #include "brindle/array_field.h"
 #include "brindle/curvature.h"
+#include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/smooth_field.h"
+#include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "brindle/waves/orientation.h"
 #include "csv_field.h"
+#include "vertex_values.h"
 
 namespace brindle::tool {
 namespace {
 
-struct Field {
-  DirectionField directions;
-  FrequencyField frequencies;    // empty if the field says nothing of them
-  FrequencyField frequencies_v;  // the same of crossing stripes
-  std::optional<std::size_t> rows_nonfinite = {};
-  MissingWaves missing = {};
-  std::string notes = {};
-};
+using Field = BaseField;
 
 Field rows_field(const Surface& surface, const std::string& path,
                  std::span<const Index> vertex_of_row) {
@@ -81,18 +77,40 @@ Field file_field(const Surface& surface, const WaveOptions& options, const FileD
   return rows_field(surface, name.path, data.vertex_of_row);
 }
 
+void add_read_strokes(const Surface& surface, const std::string& path,
+                      std::vector<FieldAnchor>& anchors) {
+  const std::vector<FieldStroke> strokes = read_strokes(path);
+  try {
+    anchors = stroke_anchors(surface, strokes);
+  } catch (const Error& error) {
+    throw Error(path + ": " + error.what());
+  }
+}
+
+SmoothFieldOptions smooth_options(const Surface& surface, const WaveOptions& options) {
+  SmoothFieldOptions smooth;
+  smooth.symmetry = options.cross ? 4 : 2;
+  smooth.curvature_anchor = curvature_anchor(options);
+  smooth.curvature_direction = options.curvature_direction;
+  smooth.feature_anchor = options.feature_anchor;
+  smooth.feature_angle_deg = options.feature_angle_deg;
+  if (options.feature_radius) {
+    smooth.feature_radius = options.feature_radius->on(bounding_box(surface.mesh).diagonal());
+  }
+  if (!options.strokes.empty()) add_read_strokes(surface, options.strokes, smooth.anchors);
+  if (!options.drawn_strokes.empty()) {
+    const std::vector<FieldAnchor> drawn = stroke_anchors(surface, options.drawn_strokes);
+    smooth.anchors.insert(smooth.anchors.end(), drawn.begin(), drawn.end());
+  }
+  return smooth;
+}
+
 Field make_field(const Surface& surface, const WaveOptions& options, const FileData& data,
                  const ArraySource& arrays) {
   if (options.direction)
     return {projected_direction_field(*options.direction, surface.normals), {}, {}};
   if (is_smooth(options)) {
-    SmoothFieldOptions smooth;
-    smooth.symmetry = options.cross ? 4 : 2;
-    smooth.curvature_anchor = curvature_anchor(options);
-    smooth.curvature_direction = options.curvature_direction;
-    smooth.feature_anchor = options.feature_anchor;
-    smooth.feature_angle_deg = options.feature_angle_deg;
-    return {smooth_direction_field(surface, smooth), {}, {}};
+    return {smooth_direction_field(surface, smooth_options(surface, options)), {}, {}};
   }
   if (options.field == "raw-curvature") {
     const auto curvatures =
@@ -109,8 +127,19 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
   return field;
 }
 
+/// What frequencies follow: an array as it is, or a number per vertex.
+DataArray frequency_values(const Surface& surface, const ArrayOptions& options,
+                           const FileData& data, const ArraySource& arrays) {
+  const std::string option = "--frequency-by", &value = options.frequency_by;
+  if (is_array(value)) return arrays.array(parse_array(option, value)).array;
+  const ValueSource source{surface, data.arrays,        data.name,
+                           options, data.vertex_of_row, data.viewpoint};
+  const VertexValues values = vertex_values(option, value, source);
+  return make_data_array(values.title, 1, values.values);
+}
+
 // What options say goes before what the field says.
-void choose_frequencies(const Surface& surface, const WaveOptions& options,
+void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
                         const ArraySource& arrays, Field& field) {
   const ArrayOptions& wanted = options.arrays;
   if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
@@ -120,7 +149,7 @@ void choose_frequencies(const Surface& surface, const WaveOptions& options,
   } else if (!wanted.frequency.empty()) {
     field.frequencies = frequencies_of(arrays.array(wanted.frequency).array, field.directions);
   } else {
-    field.frequencies = frequencies_by(surface, arrays.array(wanted.frequency_by).array,
+    field.frequencies = frequencies_by(surface, frequency_values(surface, wanted, data, arrays),
                                        constant_frequency(surface.mesh, options), wanted.range);
   }
   field.frequencies_v.clear();
@@ -135,17 +164,35 @@ void drop_waves(const ArrayOptions& options, Field& field) {
 
 }  // namespace
 
+const std::vector<std::string> kOptionsAfterField = {
+    "along",           "rotate",    "stripes",     "frequency", "frequency-by",
+    "frequency-range", "stripes-v", "frequency-v", "texture",   "oriented"};
+
+BaseField make_base_field(const Surface& surface, const WaveOptions& options,
+                          const FileData& data) {
+  auto arrays =
+      std::make_shared<const ArraySource>(surface, data.arrays, data.name, options.arrays);
+  BaseField field = make_field(surface, options, data, *arrays);
+  field.notes = arrays->notes() + field.notes;
+  field.arrays = std::move(arrays);
+  return field;
+}
+
 WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
                             const FileData& data) {
-  const ArraySource arrays(surface, data.arrays, data.name, options.arrays);
-  Field field = make_field(surface, options, data, arrays);
+  return make_waves(surface, options, data, make_base_field(surface, options, data));
+}
+
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            const FileData& data, BaseField field) {
+  const ArraySource& arrays = *field.arrays;
   const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
   if (turn_deg != 0) {
     field.directions =
         rotated(field.directions, surface.normals, turn_deg * std::numbers::pi_v<float> / 180);
   }
   field.missing.too_far = arrays.drop_too_far(field.directions);
-  choose_frequencies(surface, options, arrays, field);
+  choose_frequencies(surface, options, data, arrays, field);
   drop_waves(options.arrays, field);
   const auto everywhere = [&](float frequency) {
     return constant_frequency_field(frequency, surface.mesh.vertex_count());
@@ -155,11 +202,13 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
     field.frequencies_v =
         everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
   }
+  for (float& frequency : field.frequencies) frequency *= options.frequency_factor;
+  for (float& frequency : field.frequencies_v) frequency *= options.frequency_factor;
   return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
           std::move(field.frequencies_v),
           field.rows_nonfinite,
           field.missing,
-          arrays.notes() + field.notes};
+          field.notes};
 }
 
 }  // namespace brindle::tool

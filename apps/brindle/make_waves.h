@@ -2,14 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "array_source.h"
 #include "brindle/data_arrays.h"
 #include "brindle/frequency_field.h"
 #include "brindle/phase_graph.h"
 #include "brindle/surface.h"
+#include "viewpoint.h"
 #include "wave_figures.h"
 #include "wave_options.h"
 
@@ -21,6 +25,7 @@ struct FileData {
   const DataArrays& arrays;  ///< a row per vertex of the surface, and per triangle
   /// Rows of a field file may stand for those of the mesh's file (`Preparation`).
   std::span<const Index> vertex_of_row = {};
+  const Viewpoint* viewpoint = nullptr;  ///< of pictures; null: there are none
 };
 
 /// Waves without phases, and the frequencies of those that cross them.
@@ -31,6 +36,29 @@ struct WavesAndCrossing {
   MissingWaves missing;
   std::string notes;  ///< lines for the user
 };
+
+/// A direction field before it is turned and gets the frequencies that options ask for: what takes
+/// long, and need not be made again for other frequencies.
+struct BaseField {
+  DirectionField directions;
+  FrequencyField frequencies;    ///< empty if the field says nothing of them
+  FrequencyField frequencies_v;  ///< the same of crossing stripes
+  std::optional<std::size_t> rows_nonfinite = {};
+  MissingWaves missing = {};
+  std::string notes = {};
+  /// Of the surface's file or another one; refers to the surface and the data.
+  std::shared_ptr<const ArraySource> arrays = {};
+};
+
+/// Options that a base field takes no notice of, by their long names without dashes.
+extern const std::vector<std::string> kOptionsAfterField;
+
+/// The first half of `make_waves`, with what that throws.
+BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data);
+
+/// The second half.
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            const FileData& data, BaseField field);
 
 /// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor if the
 /// field turns out to be no tensor.

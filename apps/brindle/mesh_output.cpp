@@ -1,7 +1,6 @@
 #include "mesh_output.h"
 
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <span>
 #include <string>
@@ -10,11 +9,10 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/files.h"
 #include "brindle/texture_coordinates.h"
+#include "pattern_arrays.h"
 
 namespace brindle::tool {
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // OBJ has no place for waves.
 bool holds_waves(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
@@ -22,71 +20,6 @@ bool holds_waves(const std::filesystem::path& path) { return lower_extension(pat
 bool is_gltf(const std::filesystem::path& path) {
   const std::string kind = lower_extension(path);
   return kind == ".gltf" || kind == ".glb";
-}
-
-bool is_end(TriangleKind kind) {
-  return kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
-}
-
-// One wave per vertex of the file, and its corners in the triangles of the surface.
-struct WrittenWaves {
-  const WaveSet& waves;
-  std::span<const Complex> z;
-  std::string suffix;  // sets two sets of waves apart
-
-  bool has_wave(std::size_t v) const {
-    return !waves.directions[v].isZero(0) && z[v] != Complex(0);
-  }
-  std::string named(const char* name) const { return name + suffix; }
-};
-
-// `missing` stands where there is no wave. Points have no `branches`.
-void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing,
-               const std::vector<float>& branches) {
-  std::vector<float> phases, sines;
-  std::vector<std::uint8_t> valid;
-  for (std::size_t v = 0; v < written.z.size(); ++v) {
-    const bool wave = written.has_wave(v);
-    phases.push_back(wave ? std::arg(written.z[v]) : missing);
-    sines.push_back(wave ? std::sin(phases.back()) : missing);
-    valid.push_back(wave ? 1 : 0);
-  }
-  arrays.push_back(make_data_array(written.named("phase"), 1, phases));
-  arrays.push_back(make_data_array(written.named("direction"), written.waves.directions));
-  arrays.push_back(make_data_array(written.named("frequency"), 1, written.waves.frequencies));
-  if (!branches.empty()) {
-    arrays.push_back(make_data_array(written.named("branch"), 1, branches));
-  }
-  arrays.push_back(make_data_array(written.named("sin_phase"), 1, sines));
-  arrays.push_back(make_data_array(written.named("valid"), 1, valid));
-}
-
-// 1 at the corners of triangles where a stripe begins or ends.
-std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const CornerPhases> corners) {
-  std::vector<float> flags(mesh.vertex_count());
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!is_end(corners[t].kind)) continue;
-    for (const Index vertex : mesh.triangles[t]) flags[vertex] = 1;
-  }
-  return flags;
-}
-
-// 1 in triangles where a stripe begins or ends.
-DataArray branches_in_triangles(const StripePattern& pattern, const std::string& name) {
-  std::vector<std::uint8_t> flags;
-  for (const CornerPhases& corners : pattern.corners) flags.push_back(is_end(corners.kind) ? 1 : 0);
-  return make_data_array(name, 1, flags);
-}
-
-// Lifted phases at the corners of triangles, oriented alike; NaN in triangles that have none.
-DataArray corner_phases_of(const StripePattern& pattern, const std::string& name) {
-  std::vector<float> phases;
-  for (const CornerPhases& corners : pattern.corners) {
-    const bool lifted =
-        corners.kind == TriangleKind::regular || corners.kind == TriangleKind::branch;
-    for (const float phase : corners.phase) phases.push_back(lifted ? phase : kNan);
-  }
-  return make_data_array(name, 3, phases);
 }
 
 std::vector<std::string> names_of(std::span<const DataArray> arrays) {
@@ -105,9 +38,9 @@ DataArrays joined(DataArrays own, const DataArrays& input) {
   return own;
 }
 
-DataArrays fitted(const std::filesystem::path& path, DataArrays arrays, ProgressDisplay& display) {
+DataArrays fitted(const std::filesystem::path& path, DataArrays arrays, JobListener& listener) {
   FittedArrays result = fitted_arrays(path, std::move(arrays));
-  for (const std::string& line : result.left_out) display.note(line + "\n");
+  for (const std::string& line : result.left_out) listener.note(line + "\n");
   return std::move(result.arrays);
 }
 
@@ -119,17 +52,20 @@ void add_cells(std::vector<DataArray>& cells, const std::filesystem::path& path,
   cells.push_back(corner_phases_of(pattern, "corner_phase" + suffix));
 }
 
-float missing_in(const std::filesystem::path& path) { return is_gltf(path) ? 0 : kNan; }
+float missing_in(const std::filesystem::path& path) {
+  return is_gltf(path) ? 0 : std::numeric_limits<float>::quiet_NaN();
+}
 
 void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& made,
-                             ProgressDisplay& display) {
+                             JobListener& listener) {
   const Surface& surface = made.surface;
   const StripePattern& pattern = made.result.stripes();
   const bool points = surface.mesh.triangles.empty();
   DataArrays own;
   if (points) own.points.push_back(make_data_array("normal", surface.normals));
   if (holds_waves(path)) {
-    add_waves(own.points, {pattern.waves, pattern.solution.z, ""}, missing_in(path),
+    add_waves(own.points, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
+              missing_in(path),
               points ? std::vector<float>() : branches_at_vertices(surface.mesh, pattern.corners));
     if (!points) add_cells(own.cells, path, pattern, "");
   }
@@ -137,7 +73,7 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
   if (holds_waves(path)) {
     own.points.push_back(make_data_array("original_id", 1, made.data.original_ids));
   }
-  const DataArrays arrays = fitted(path, joined(std::move(own), made.data.arrays), display);
+  const DataArrays arrays = fitted(path, joined(std::move(own), made.data.arrays), listener);
   write_mesh(path, surface.mesh, arrays.points, arrays.cells);
 }
 
@@ -149,7 +85,11 @@ void add_carried_waves(DataArrays& own, const std::filesystem::path& path,
       carried_values(textured, branches_at_vertices(mesh, pattern.corners), 1);
   // A barycentre is at a branch if all corners are.
   for (float& flag : flags) flag = std::floor(flag);
-  add_waves(own.points, {waves, z, suffix}, missing_in(path), flags);
+  std::vector<float> wanted;
+  if (!pattern.frequencies_wanted.empty()) {
+    wanted = carried_values(textured, pattern.frequencies_wanted, 1);
+  }
+  add_waves(own.points, {waves, wanted, z, suffix}, missing_in(path), flags);
   std::vector<DataArray> cells;
   add_cells(cells, path, pattern, suffix);
   for (const DataArray& array : cells) {
@@ -177,7 +117,7 @@ DataArray ids_of(const TexturedMesh& textured, std::span<const std::int64_t> ids
 }
 
 void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& made,
-                            const PictureOptions& picture, ProgressDisplay& display) {
+                            const PictureOptions& picture, JobListener& listener) {
   const Texture* texture = made.result.texture();
   const TexturedMesh textured =
       texture != nullptr
@@ -192,7 +132,7 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) own.points.push_back(ids_of(textured, made.data.original_ids));
   const DataArrays input = carried_arrays(textured, made.data.arrays);
-  const DataArrays arrays = fitted(path, joined(std::move(own), input), display);
+  const DataArrays arrays = fitted(path, joined(std::move(own), input), listener);
   if (texture == nullptr) return write_mesh(path, textured.mesh, arrays.points, arrays.cells);
   write_textured_mesh(path, textured.mesh, arrays.points, tile_png(texture->tile, picture),
                       arrays.cells);
@@ -223,11 +163,11 @@ InputData on_cross_texture(const InputData& data, std::span<const Triangle> tria
 }
 
 void write_made_mesh(const std::filesystem::path& path, const MadeMesh& made,
-                     const PictureOptions& picture, ProgressDisplay& display) {
+                     const PictureOptions& picture, JobListener& listener) {
   if (made.uv || made.result.texture() != nullptr) {
-    return write_with_coordinates(path, made, picture, display);
+    return write_with_coordinates(path, made, picture, listener);
   }
-  write_with_own_vertices(path, made, display);
+  write_with_own_vertices(path, made, listener);
 }
 
 }  // namespace brindle::tool

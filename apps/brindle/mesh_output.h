@@ -9,9 +9,9 @@
 #include "brindle/cross_cover.h"
 #include "brindle/data_arrays.h"
 #include "carried_arrays.h"
+#include "job_listener.h"
 #include "picture.h"
 #include "preparation.h"
-#include "progress_display.h"
 #include "stripe_result.h"
 
 namespace brindle::tool {
@@ -42,6 +42,6 @@ struct MadeMesh {
 /// Notes which of the input's arrays the file cannot hold. Without triangles, the file holds points
 /// with normals.
 void write_made_mesh(const std::filesystem::path& path, const MadeMesh& made,
-                     const PictureOptions& picture, ProgressDisplay& display);
+                     const PictureOptions& picture, JobListener& listener);
 
 }  // namespace brindle::tool

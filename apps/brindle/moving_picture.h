@@ -7,6 +7,7 @@
 #include "animation.h"
 #include "frame_output.h"
 #include "picture.h"
+#include "styled_frames.h"
 
 namespace brindle::tool {
 
@@ -14,16 +15,18 @@ namespace brindle::tool {
 /// picture and into videos, as `outputs` say. Meshes may change.
 class MovingPicture {
  public:
-  /// Draws in a context of its own, or in the one that is current. Throws Error in a build without
-  /// OpenGL, if no OpenGL context is to be had, or if a video cannot be begun.
+  /// Draws in a context of its own, or in the one that is current; in a style, if there is one,
+  /// which must outlive this. Throws Error in a build without OpenGL, if no OpenGL context is to be
+  /// had, or if a video cannot be begun.
   MovingPicture(std::vector<FrameOutput> outputs, const PictureOptions& options,
-                int frames_per_second, bool own_context);
+                int frames_per_second, bool own_context, const FrameStyle* style);
   ~MovingPicture();
 
-  /// Draws the next frame, and its points as marks, and writes it.
+  /// Draws the next frame, and its points as marks; it is written while the next ones are made.
+  /// Throws Error if an earlier one could not be written.
   void add(const SolvedFrame& frame);
 
-  /// Ends a video; without it nothing of it stays.
+  /// Waits until all frames are written and ends videos; without it nothing of a video stays.
   void finish();
 
  private:

@@ -25,9 +25,10 @@ std::vector<std::string> split(const std::string& text, char separator) {
 namespace {
 
 // Empty unless all of the text is one finite number.
-std::optional<float> finite_number(const std::string& text) {
+template <class Number = float>
+std::optional<Number> finite_number(const std::string& text) {
   const bool plus = !text.empty() && text.front() == '+';
-  float value = 0;
+  Number value = 0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
@@ -37,9 +38,20 @@ std::optional<float> finite_number(const std::string& text) {
 }  // namespace
 
 float parse_number(const std::string& option, const std::string& text) {
-  const auto value = finite_number(text);
+  const auto value = finite_number<float>(text);
   if (!value) wrong_usage(option, "a finite number", text);
   return *value;
+}
+
+Eigen::Vector3d parse_place(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  Eigen::Vector3d place;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = parts.size() == 3 ? finite_number<double>(parts[i]) : std::nullopt;
+    if (!value) wrong_usage(option, "three finite numbers X,Y,Z", text);
+    place[static_cast<Eigen::Index>(i)] = *value;
+  }
+  return place;
 }
 
 float parse_not_negative_number(const std::string& option, const std::string& text) {

@@ -29,6 +29,9 @@ float parse_weight(const std::string& option, const std::string& text);
 /// A finite number above zero.
 float parse_positive_number(const std::string& option, const std::string& text);
 
+/// "x,y,z", finite; a file's coordinates may have more digits than a float.
+Eigen::Vector3d parse_place(const std::string& option, const std::string& text);
+
 /// "x,y,z", finite and not all zero.
 Vec3 parse_direction(const std::string& option, const std::string& text);
 

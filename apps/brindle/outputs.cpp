@@ -9,13 +9,14 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "command_line.h"
+#include "vertex_values.h"
 
 namespace brindle::tool {
 namespace {
 
 Output plan_output(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".png") {
+  if (extension == ".png" || extension == ".svg") {
     check_pictures_available();
     return {path, OutputKind::picture};
   }
@@ -29,7 +30,8 @@ Output plan_output(const std::filesystem::path& path) {
                             ".glb");
   }
   refuse_output(path, "unknown extension '" + extension +
-                          "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, "
+                          "'; use .png for a picture, .svg for a drawing, .obj, .ply, .vtp, .gltf "
+                          "or .glb for a mesh, "
                           ".json for a report");
 }
 
@@ -72,9 +74,16 @@ std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture)
   return files;
 }
 
-void refuse_picture_options(const CLI::App& command, std::string_view why) {
-  refuse_given(command, {"--camera", "--up", "--size", "--colors", "--view", "--stripe-width"},
-               why);
+void refuse_camera_options(const CLI::App& command, const WaveOptions& waves,
+                           std::string_view why) {
+  if (depends_on_camera(waves.arrays.frequency_by)) return;
+  refuse_given(command, {"--camera", "--up", "--size"}, why);
+}
+
+void refuse_picture_options(const CLI::App& command, const WaveOptions& waves,
+                            std::string_view why) {
+  refuse_camera_options(command, waves, why);
+  refuse_given(command, {"--quality", "--colors", "--view", "--stripe-width"}, why);
 }
 
 bool holds_points(const std::filesystem::path& path) {
@@ -83,12 +92,12 @@ bool holds_points(const std::filesystem::path& path) {
 }
 
 void write_output(const Output& output, const MadeMesh& made, const Report& report,
-                  const PictureOptions& picture, ProgressDisplay& display) {
+                  const PictureOptions& picture, JobListener& listener) {
   switch (output.kind) {
     case OutputKind::picture:
       return write_picture(output.path, made.surface, made.result, picture);
     case OutputKind::mesh:
-      return write_made_mesh(output.path, made, picture, display);
+      return write_made_mesh(output.path, made, picture, listener);
     case OutputKind::report:
       return write_json(output.path, to_json(report));
   }

@@ -8,6 +8,7 @@
 #include "mesh_output.h"
 #include "report.h"
 #include "used_files.h"
+#include "wave_options.h"
 
 namespace brindle::tool {
 
@@ -34,14 +35,19 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const st
 /// All files that are written with the outputs, those beside meshes too.
 std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture);
 
-/// Throws CLI::ValidationError for options of pictures that were given: `why` there is none.
-void refuse_picture_options(const CLI::App& command, std::string_view why);
+/// Throws CLI::ValidationError for options of pictures that were given: `why` there is none. Those
+/// of the camera count anyway where frequencies depend on it.
+void refuse_picture_options(const CLI::App& command, const WaveOptions& waves,
+                            std::string_view why);
+
+/// The same of --camera, --up and --size alone.
+void refuse_camera_options(const CLI::App& command, const WaveOptions& waves, std::string_view why);
 
 /// Whether points without triangles can be written there.
 bool holds_points(const std::filesystem::path& path);
 
 void write_output(const Output& output, const MadeMesh& made, const Report& report,
-                  const PictureOptions& picture, ProgressDisplay& display);
+                  const PictureOptions& picture, JobListener& listener);
 
 /// The wrong use of --output: `path` cannot be written, and `why`.
 [[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);

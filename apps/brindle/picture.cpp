@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "brindle/error.h"
-#include "brindle/splats.h"
 #include "option_values.h"
 #include "picture_options.h"
 
@@ -25,6 +24,12 @@ std::optional<View> parse_view(std::string_view name) {
 std::optional<UpAxis> parse_up_axis(std::string_view name) {
   if (name == "y") return UpAxis::y;
   if (name == "z") return UpAxis::z;
+  return std::nullopt;
+}
+
+std::optional<PictureQuality> parse_quality(std::string_view name) {
+  if (name == "interactive") return PictureQuality::interactive;
+  if (name == "final") return PictureQuality::final;
   return std::nullopt;
 }
 
@@ -91,6 +96,27 @@ CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOpt
 
 }  // namespace
 
+namespace {
+
+void add_size_option(CLI::App& app, RenderOptions& render, const std::string& usual) {
+  add_render_option(app, "--size", render, set_size, "picture: pixels (default" + usual + ")")
+      ->type_name("WIDTHxHEIGHT");
+}
+
+void add_quality_option(CLI::App& app, RenderOptions& render) {
+  add_named_option(app, "--quality", render.quality, parse_quality, "interactive|final",
+                   "picture: drawn fast, or with care (default final)");
+}
+
+}  // namespace
+
+std::shared_ptr<PictureOptions> add_size_options(CLI::App& app) {
+  auto options = std::make_shared<PictureOptions>();
+  add_size_option(app, options->render, ": the session's");
+  add_quality_option(app, options->render);
+  return options;
+}
+
 std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   auto options = std::make_shared<PictureOptions>();
   RenderOptions& render = options->render;
@@ -99,8 +125,8 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
       ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
   add_named_option(app, "--up", options->up, parse_up_axis, "y|z",
                    "picture: the axis that points up (default z for shapes, y for files)");
-  add_render_option(app, "--size", render, set_size, "picture: pixels (default 1200x900)")
-      ->type_name("WIDTHxHEIGHT");
+  add_size_option(app, render, " 1200x900");
+  add_quality_option(app, render);
   add_render_option(app, "--colors", render, set_colors, "picture: colours like #1c325a")
       ->type_name("STRIPE,SURFACE[,BACKGROUND]");
   return options;
@@ -122,7 +148,16 @@ void stand_on_z(PictureOptions& options) {
   if (!options.up) options.up = UpAxis::z;
 }
 
+std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
+  const RenderOptions render = render_options(options);
+  return Viewpoint{render.camera, render.width, render.height};
+}
+
 bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }
+
+std::string_view quality_name(const PictureOptions& options) {
+  return options.render.quality == PictureQuality::interactive ? "interactive" : "final";
+}
 
 void check_pictures_available() {}
 
@@ -143,39 +178,41 @@ RenderOptions render_options(const PictureOptions& options) {
   return render;
 }
 
-namespace {
-
-Image picture_of_points(const Surface& surface, const StripePattern& pattern,
-                        const RenderOptions& options) {
-  const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
-  return render_splats({.positions = surface.mesh.positions,
-                        .normals = surface.normals,
-                        .radii = radii,
-                        .waves = &pattern.waves,
-                        .z = pattern.solution.z},
-                       options);
+SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
+                              std::span<const float> radii) {
+  return {.positions = surface.mesh.positions,
+          .normals = surface.normals,
+          .radii = radii,
+          .waves = &pattern.waves,
+          .z = pattern.solution.z};
 }
 
-}  // namespace
+SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
+                          const Overlay& overlay) {
+  const StripePattern& pattern = result.stripes();
+  SurfaceDrawing drawing{.mesh = surface.mesh,
+                         .normals = surface.normals,
+                         .waves = &pattern.waves,
+                         .z = pattern.solution.z,
+                         .triangle_colors = overlay.triangle_colors,
+                         .marks = overlay.marks};
+  if (const Texture* texture = result.texture()) {
+    drawing.texture_waves = &texture->pattern.waves;
+    drawing.texture_tile = &texture->tile;
+  }
+  return drawing;
+}
 
 void write_picture(const std::filesystem::path& path, const Surface& surface,
                    const StripeResult& result, const PictureOptions& options) {
   const StripePattern& pattern = result.stripes();
   if (surface.mesh.triangles.empty()) {
-    return write_png(path, picture_of_points(surface, pattern, render_options(options)));
+    const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
+    return write_png(
+        path, render_splats(splat_drawing_of(surface, pattern, radii), render_options(options)));
   }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
-  SurfaceDrawing scene{.mesh = surface.mesh,
-                       .normals = surface.normals,
-                       .waves = &pattern.waves,
-                       .z = pattern.solution.z,
-                       .triangle_colors = overlay.triangle_colors,
-                       .marks = overlay.marks};
-  if (const Texture* texture = result.texture()) {
-    scene.texture_waves = &texture->pattern.waves;
-    scene.texture_tile = &texture->tile;
-  }
-  write_png(path, render_picture(scene, render_options(options)));
+  write_png(path, render_picture(drawing_of(surface, result, overlay), render_options(options)));
 }
 
 std::string tile_png(const TextureTile& tile, const PictureOptions& options) {

@@ -3,14 +3,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "brindle/polylines.h"
 #include "brindle/surface.h"
 #include "stripe_result.h"
+#include "viewpoint.h"
 
 namespace brindle::tool {
 
@@ -22,11 +25,20 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
 /// The same without what only stripes have: --view and --stripe-width.
 std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app);
 
+/// --size and --quality alone.
+std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
+
 /// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
 void stand_on_z(PictureOptions& options);
 
+/// Where pictures are taken from; nothing in a build without OpenGL.
+std::optional<Viewpoint> viewpoint_of(const PictureOptions& options);
+
 /// Whether pictures show stripes and nothing on top of them.
 bool shows_stripes(const PictureOptions& options);
+
+/// "interactive" or "final".
+std::string_view quality_name(const PictureOptions& options);
 
 /// Throws Error in a build without OpenGL.
 void check_pictures_available();

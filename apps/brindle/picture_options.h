@@ -6,6 +6,7 @@
 
 #include "brindle/quality.h"
 #include "brindle/renderer.h"
+#include "brindle/splats.h"
 #include "picture.h"
 
 namespace brindle::tool {
@@ -21,6 +22,12 @@ struct PictureOptions {
 /// What the view shows on top of the stripes.
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
                    std::span<const CornerPhases> corners);
+
+/// What a picture of the result shows. It refers to all of them.
+SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
+                          const Overlay& overlay);
+SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
+                              std::span<const float> radii);
 
 /// How the renderer draws what the user asked for.
 RenderOptions render_options(const PictureOptions& options);

@@ -7,7 +7,6 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/points.h"
-#include "make_waves.h"
 
 namespace brindle::tool {
 namespace {
@@ -26,10 +25,10 @@ std::vector<std::int64_t> original_ids_of(const LoadedSurface& loaded) {
 }
 
 // Loads a surface into `result`, with the time that takes.
-void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
+void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListener& listener) {
   Stopwatch watch;
-  LoadedSurface loaded = load_mesh(options, display.progress());
-  display.note(describe(loaded));
+  LoadedSurface loaded = load_mesh(options, listener.progress());
+  listener.note(describe(loaded));
   result.original_ids = original_ids_of(loaded);
   result.vertices_joined = loaded.repair.vertices_joined;
   result.vertices_not_finite = loaded.repair.vertices_not_finite;
@@ -38,15 +37,15 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, ProgressDi
   if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
   result.arrays = std::move(loaded.arrays);
   result.load_milliseconds = watch.lap();
-  display.stage("neighbourhood and normals");
+  listener.stage("neighbourhood and normals");
   result.surface = make_surface(std::move(loaded.mesh));
   result.topology_milliseconds = watch.lap();
 }
 
-void prepare_points(Preparation& result, const SurfaceOptions& options, ProgressDisplay& display) {
+void prepare_points(Preparation& result, const SurfaceOptions& options, JobListener& listener) {
   Stopwatch watch;
   LoadedPoints loaded = load_points(options);
-  display.note(describe_kind(options) + describe(loaded));
+  listener.note(describe_kind(options) + describe(loaded));
   result.points = true;
   result.partners = std::move(loaded.first_at_place);
   result.vertices_joined = loaded.repair.repeated;
@@ -54,53 +53,99 @@ void prepare_points(Preparation& result, const SurfaceOptions& options, Progress
   std::iota(result.original_ids.begin(), result.original_ids.end(), std::int64_t{0});
   result.arrays.points = std::move(loaded.arrays);
   result.load_milliseconds = watch.lap();
-  display.stage("neighbours and normals of points");
+  listener.stage("neighbours and normals of points");
   const std::size_t used = loaded.cloud.used.size();
   result.surface =
       make_point_surface(std::move(loaded.cloud), options.neighbors.value_or(kDefaultNeighbors));
   const auto with_normal = static_cast<std::size_t>(
       std::ranges::count_if(result.surface.normals, [](const Vec3& n) { return !n.isZero(0); }));
   if (with_normal < used) {
-    display.note(std::to_string(used - with_normal) +
-                 " points whose neighbours lie on a line: kept, without a wave\n");
+    listener.note(std::to_string(used - with_normal) +
+                  " points whose neighbours lie on a line: kept, without a wave\n");
   }
   result.topology_milliseconds = watch.lap();
 }
 
 }  // namespace
 
+void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
+  if (!needs_own_arrays(waves) || !is_shape(surface)) return;
+  throw CLI::ValidationError("array:NAME",
+                             "built-in shapes have no arrays; name a file that "
+                             "does, as MESH or with --field-mesh");
+}
+
 WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
-                        ProgressDisplay& display, const MissingWaves& missing) {
+                        JobListener& listener, const MissingWaves& missing) {
   WaveFigures figures = measure_waves(surface, waves);
   figures.missing = missing;
   check_waves(figures, source);
-  display.note(warnings(figures, source));
+  listener.note(warnings(figures, source));
   return figures;
 }
 
-Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
-                    ProgressDisplay& display) {
-  if (needs_own_arrays(waves) && is_shape(surface)) {
-    throw CLI::ValidationError("array:NAME",
-                               "built-in shapes have no arrays; name a file that "
-                               "does, as MESH or with --field-mesh");
-  }
+Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener) {
   Preparation result;
-  display.stage("loading " + surface.mesh);
-  is_points(surface) ? prepare_points(result, surface, display)
-                     : prepare_mesh(result, surface, display);
+  listener.stage("loading " + surface.mesh);
+  is_points(surface) ? prepare_points(result, surface, listener)
+                     : prepare_mesh(result, surface, listener);
+  return result;
+}
 
+namespace {
+
+FileData data_of(const Preparation& prepared, const SurfaceOptions& surface,
+                 const std::optional<Viewpoint>& viewpoint) {
+  return {surface.mesh, prepared.arrays, prepared.vertex_of_row, viewpoint ? &*viewpoint : nullptr};
+}
+
+}  // namespace
+
+BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surface,
+                        const WaveOptions& waves, JobListener& listener) {
+  listener.stage("direction field");
+  return make_base_field(prepared.surface, waves, data_of(prepared, surface, std::nullopt));
+}
+
+PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
+                            const WaveOptions& waves, BaseField field, JobListener& listener,
+                            const std::optional<Viewpoint>& viewpoint) {
   Stopwatch watch;
-  display.stage("direction field");
   WavesAndCrossing made =
-      make_waves(result.surface, waves, {surface.mesh, result.arrays, result.vertex_of_row});
-  display.note(made.notes);
-  result.waves = std::move(made.waves);
-  result.frequencies_v = std::move(made.frequencies_v);
+      make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint), std::move(field));
+  listener.note(made.notes);
+  PreparedWaves result{std::move(made.waves), std::move(made.frequencies_v), {}, {}, 0};
   result.field_rows_nonfinite = made.field_rows_nonfinite;
-  result.load_milliseconds += watch.lap();
   result.figures =
-      noted_waves(result.surface, result.waves, source_of(waves), display, made.missing);
+      noted_waves(prepared.surface, result.waves, source_of(waves), listener, made.missing);
+  result.field_milliseconds = watch.lap();
+  return result;
+}
+
+PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
+                            const WaveOptions& waves, JobListener& listener,
+                            const std::optional<Viewpoint>& viewpoint) {
+  Stopwatch watch;
+  BaseField field = prepare_field(prepared, surface, waves, listener);
+  PreparedWaves result =
+      prepare_waves(prepared, surface, waves, std::move(field), listener, viewpoint);
+  result.field_milliseconds = watch.lap();
+  return result;
+}
+
+void take_waves(PreparedWaves waves, Preparation& prepared) {
+  prepared.waves = std::move(waves.waves);
+  prepared.frequencies_v = std::move(waves.frequencies_v);
+  prepared.figures = std::move(waves.figures);
+  prepared.field_rows_nonfinite = waves.field_rows_nonfinite;
+  prepared.field_milliseconds = waves.field_milliseconds;
+}
+
+Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, JobListener& listener,
+                    const std::optional<Viewpoint>& viewpoint) {
+  check_own_arrays(surface, waves);
+  Preparation result = prepare_surface(surface, listener);
+  take_waves(prepare_waves(result, surface, waves, listener, viewpoint), result);
   return result;
 }
 

@@ -2,24 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "progress_display.h"
+#include "job_listener.h"
+#include "make_waves.h"
+#include "preparation_figures.h"
 #include "surface_options.h"
-#include "wave_figures.h"
+#include "viewpoint.h"
 #include "wave_options.h"
 
 namespace brindle::tool {
 
 /// A surface with waves, and what it took.
-struct Preparation {
+struct Preparation : PreparationFigures {
   Surface surface;
   WaveSet waves;
   FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
-  WaveFigures figures;           ///< of `waves`
-  DataArrays arrays;  ///< of the mesh's file: a row per vertex of the surface, and per triangle
-  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
-  bool points = false;                              ///< the surface has no triangles
+  DataArrays arrays;    ///< of the mesh's file: a row per vertex of the surface, and per triangle
+  bool points = false;  ///< the surface has no triangles
   /// For every vertex of the mesh's file the vertex that triangles use in its place; empty if none
   /// was joined with another. What rows of field files may stand for.
   std::vector<Index> vertex_of_row;
@@ -29,20 +30,50 @@ struct Preparation {
   /// The number in the file or shape of every vertex of the surface: of several that were joined
   /// to one, the first; -1 of those that were added.
   std::vector<std::int64_t> original_ids;
-  std::size_t vertices_joined = 0;      ///< with others at their place
   std::size_t vertices_not_finite = 0;  ///< moved to the others' centroid
-  double load_milliseconds = 0;         ///< reading or making the mesh and its field
-  double topology_milliseconds = 0;     ///< neighbourhood and normals
 };
 
-/// Loads the mesh and makes its waves. Notes on the display what had to be repaired and what is
-/// probably not meant. Throws Error if no vertex has a wave.
-Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves,
-                    ProgressDisplay& display);
+/// Loads the mesh and makes its waves. Notes what had to be repaired and what is
+/// probably not meant. Pictures, if there are any, are taken from `viewpoint`. Throws Error if no
+/// vertex has a wave.
+Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, JobListener& listener,
+                    const std::optional<Viewpoint>& viewpoint = std::nullopt);
+
+/// Throws CLI::ValidationError if the waves need arrays that the surface cannot have.
+void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves);
+
+/// The same in two steps: a surface without waves, and the waves of such a surface, which may be
+/// made again and again.
+Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener);
+
+/// Waves on a surface, and what they took.
+struct PreparedWaves {
+  WaveSet waves;
+  FrequencyField frequencies_v;
+  WaveFigures figures;
+  std::optional<std::size_t> field_rows_nonfinite;
+  double field_milliseconds = 0;
+};
+
+PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
+                            const WaveOptions& waves, JobListener& listener,
+                            const std::optional<Viewpoint>& viewpoint = std::nullopt);
+
+/// The same of a base field that is there already, whose time does not count.
+PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
+                            const WaveOptions& waves, BaseField field, JobListener& listener,
+                            const std::optional<Viewpoint>& viewpoint = std::nullopt);
+
+/// The base field for `prepared`.
+BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surface,
+                        const WaveOptions& waves, JobListener& listener);
+
+/// Puts the waves on their surface.
+void take_waves(PreparedWaves waves, Preparation& prepared);
 
 /// Measures waves; throws and notes as `prepare` does. `source` says where they come from: "the
 /// field of V"; `missing`, why there are none where there are none.
 WaveFigures noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
-                        ProgressDisplay& display, const MissingWaves& missing = {});
+                        JobListener& listener, const MissingWaves& missing = {});
 
 }  // namespace brindle::tool

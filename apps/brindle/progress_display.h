@@ -9,29 +9,26 @@
 #include <string_view>
 #include <thread>
 
-#include "brindle/progress.h"
+#include "job_listener.h"
 
 namespace brindle::tool {
 
 /// Once a job has taken longer than a second, shows its stage: as one line that is rewritten where
 /// stderr is a terminal, as one line a stage elsewhere. While it lives, Ctrl-C cancels the job at
 /// its next report; a second Ctrl-C ends the program at once.
-class ProgressDisplay {
+class ProgressDisplay : public JobListener {
  public:
   /// A quiet display shows nothing, but still cancels.
   explicit ProgressDisplay(bool quiet);
-  ~ProgressDisplay();
+  ~ProgressDisplay() override;
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// What to hand to a long job.
-  Progress progress();
-
-  /// Names the stage that begins. Throws Cancelled after Ctrl-C.
-  void stage(std::string_view name) { progress().report(name, 0); }
+  /// Cancels after Ctrl-C.
+  Progress progress() override;
 
   /// Lines that stay, the same text only once; nothing if the display is quiet or the text empty.
-  void note(const std::string& text);
+  void note(const std::string& text) override;
 
  private:
   bool update(std::string_view stage, double fraction);

@@ -3,8 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "brindle/base/parallel.h"
-#include "device.h"
+#include "brindle/threads.h"
 #include "formatted.h"
 
 namespace brindle::tool {
@@ -39,14 +38,14 @@ nlohmann::ordered_json to_json(const MissingWaves& missing) {
 nlohmann::ordered_json to_json(const FollowedReport& followed) {
   return {{"previous", followed.previous},
           {"lambda", std::stod(formatted("%g", followed.lambda))},  // 0.02, not 0.01999999955
-          {"matched_by", name_of(followed.matched_by)},
+          {"matched_by", followed.matched_by},
           {"vertices_unmatched", followed.vertices_unmatched},
           {"phase_step", followed.phase_step}};
 }
 
 void print_followed(std::ostream& out, const FollowedReport& followed) {
   out << formatted("follows   %s, matched by %s, %zu vertices unmatched, phase step %.4f\n",
-                   followed.previous.c_str(), name_of(followed.matched_by).data(),
+                   followed.previous.c_str(), followed.matched_by.data(),
                    followed.vertices_unmatched, followed.phase_step);
 }
 
@@ -81,8 +80,8 @@ void print_branches(std::ostream& out, const Report& report) {
 
 }  // namespace
 
-Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver) {
-  const Surface& surface = prepared.surface;
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const StripePattern& pattern, Solver solver) {
   Report report;
   report.vertices = surface.mesh.vertex_count();
   report.triangles = surface.mesh.triangle_count();
@@ -95,26 +94,32 @@ Report make_report(const Preparation& prepared, const StripePattern& pattern, So
   report.quality = pattern.quality;
   report.milliseconds = pattern.milliseconds;
   report.milliseconds.load += prepared.load_milliseconds;
+  report.field_milliseconds = prepared.field_milliseconds;
   report.milliseconds.topology += prepared.topology_milliseconds;
   report.waves = prepared.figures;
+  report.frequency = frequency_report(pattern.frequency_change, pattern.quality);
   report.field_rows_nonfinite = prepared.field_rows_nonfinite;
   return report;
 }
 
-Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver) {
-  Report report = make_report(prepared, texture.u, solver);
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const TexturePattern& texture, Solver solver) {
+  Report report = make_report(surface, prepared, texture.u, solver);
   const StripeMilliseconds& more = texture.v.milliseconds;
   report.milliseconds.topology += more.topology;
+  report.milliseconds.frequency += more.frequency;
   report.milliseconds.couple += more.couple;
   report.milliseconds.solve += more.solve;
   report.milliseconds.pattern += more.pattern + texture.orientation_milliseconds;
+  report.frequency_v = frequency_report(texture.v.frequency_change, texture.v.quality);
   report.texture = TextureReport{texture.v.solution.energy, texture.v.quality.branches,
                                  texture.seams, texture.quality};
   return report;
 }
 
-Report make_report(const Preparation& prepared, const CrossTexture& texture, Solver solver) {
-  Report report = make_report(prepared, texture.pattern.u, solver);
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const CrossTexture& texture, Solver solver) {
+  Report report = make_report(surface, prepared, texture.pattern.u, solver);
   report.milliseconds.pattern += texture.pattern.orientation_milliseconds;
   report.cross = texture.pattern.quality;
   return report;
@@ -134,6 +139,12 @@ nlohmann::ordered_json to_json(const WaveFigures& waves,
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
   json.update(to_json(waves.missing));
   return json;
+}
+
+std::string device_line(const nlohmann::ordered_json& description) {
+  if (description.value("kind", "cpu") == "cpu") return "";
+  return "device    " + description.value("renderer", "?") + ", OpenGL " +
+         description.value("version", "?") + "\n";
 }
 
 void print_waves(std::ostream& out, const WaveFigures& waves) {
@@ -166,13 +177,21 @@ nlohmann::ordered_json to_json(const Report& report) {
       {"spacing_error_mean", report.quality.spacing_error_mean},
       {"milliseconds",
        {{"load", time.load},
+        {"field", report.field_milliseconds},
         {"topology", time.topology},
         {"couple", time.couple},
         {"solve", time.solve},
         {"pattern", time.pattern}}},
       {"device", report.device}});
   json.update(to_json(report.waves, report.field_rows_nonfinite));
-  if (report.draw_milliseconds) json["milliseconds"]["draw"] = *report.draw_milliseconds;
+  if (report.draw_milliseconds) {
+    json["milliseconds"]["draw"] = *report.draw_milliseconds;
+    json["picture_quality"] = report.picture_quality;
+  }
+  if (report.frequency) {
+    json["milliseconds"]["frequency"] = time.frequency;
+    json["frequency_change"] = to_json(*report.frequency);
+  }
   if (report.triangles == 0) {
     json.erase("branches");
     json.erase("field_singularities");
@@ -180,9 +199,11 @@ nlohmann::ordered_json to_json(const Report& report) {
   if (report.texture) {
     json["texture"] = to_json(*report.texture);
     json["texture"].update(to_json(report.texture->quality));
+    if (report.frequency_v) json["texture"]["frequency_change_v"] = to_json(*report.frequency_v);
   }
   if (report.cross) json["cross"] = to_json(*report.cross);
   if (report.followed) json.update(to_json(*report.followed));
+  if (!report.making.is_null()) json.update(report.making);
   return json;
 }
 
@@ -196,6 +217,8 @@ void print_report(std::ostream& out, const Report& report) {
                    report.threads == 1 ? "" : "s")
       << device_line(report.device);
   print_waves(out, report.waves);
+  if (report.frequency) print_frequency(out, *report.frequency);
+  if (report.frequency_v) print_frequency(out, *report.frequency_v);
   out << formatted("energy    %.6f\n", report.energy);
   print_branches(out, report);
   out << formatted(
@@ -209,8 +232,11 @@ void print_report(std::ostream& out, const Report& report) {
   }
   if (report.cross) print_tiles(out, *report.cross);
   if (report.followed) print_followed(out, *report.followed);
-  out << formatted("time      load %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
-                   time.load, time.topology, time.couple, time.solve, time.pattern);
+  out << report.making_lines;
+  out << formatted(
+      "time      load %.1f, field %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
+      time.load, report.field_milliseconds, time.topology, time.couple, time.solve, time.pattern);
+  if (report.frequency) out << formatted(", frequency %.1f", time.frequency);
   if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);
   out << " ms\n";
 }

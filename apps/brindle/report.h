@@ -1,17 +1,19 @@
-/// What a run reports, for people and for programs.
+/// What a run reports, for people and for programs. The Python package compiles this source, too,
+/// so that both say the same; so it knows nothing of command lines.
 #pragma once
 
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "brindle/cross_texture.h"
 #include "brindle/texture_pattern.h"
-#include "carried_pattern.h"
-#include "preparation.h"
+#include "frequency_report.h"
+#include "preparation_figures.h"
 
 namespace brindle::tool {
 
@@ -27,7 +29,7 @@ struct TextureReport {
 struct FollowedReport {
   std::string previous;  ///< its file
   float lambda = 0;
-  Matching matched_by = Matching::number;
+  std::string_view matched_by;         ///< name of the Matching
   std::size_t vertices_unmatched = 0;  ///< waves without a last phase
   double phase_step = 0;               ///< how far phases moved on average, in radians
 };
@@ -45,7 +47,9 @@ struct Report {
   double energy = 0;
   PatternQuality quality;
   StripeMilliseconds milliseconds;
+  double field_milliseconds = 0;
   std::optional<double> draw_milliseconds;  ///< if there were pictures
+  std::string picture_quality;              ///< of these
   WaveFigures waves;
   std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file or array
   nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
@@ -53,14 +57,22 @@ struct Report {
   std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
                                         ///< waves together
   std::optional<FollowedReport> followed;
+  nlohmann::ordered_json making;               ///< keys of MakingFigures; null if there are none
+  std::string making_lines;                    ///< the same for people
+  std::optional<FrequencyReport> frequency;    ///< with slack
+  std::optional<FrequencyReport> frequency_v;  ///< the same of a texture's stripes across the field
 };
 
-Report make_report(const Preparation& prepared, const StripePattern& pattern, Solver solver);
+/// `prepared` is of `surface`.
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const StripePattern& pattern, Solver solver);
 
 /// As above, of a texture: times are those of both patterns together.
-Report make_report(const Preparation& prepared, const TexturePattern& texture, Solver solver);
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const TexturePattern& texture, Solver solver);
 
-Report make_report(const Preparation& prepared, const CrossTexture& texture, Solver solver);
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const CrossTexture& texture, Solver solver);
 
 /// "mesh" or "points".
 std::string_view kind_of(const Mesh& mesh);
@@ -69,7 +81,10 @@ std::string_view kind_of(const Mesh& mesh);
 nlohmann::ordered_json to_json(const WaveFigures& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
 
-/// Lines for people about the same.
+/// A line for people about what `Device::description` gives; empty for the processor.
+std::string device_line(const nlohmann::ordered_json& description);
+
+/// Lines for people about the waves.
 void print_waves(std::ostream& out, const WaveFigures& waves);
 
 /// Without triangles there are no branches and singularities to count: those keys are left out.

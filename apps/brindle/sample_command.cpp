@@ -19,6 +19,8 @@
 #include "command_line.h"
 #include "commands.h"
 #include "formatted.h"
+#include "frequency_report.h"
+#include "glyph_options.h"
 #include "option_values.h"
 #include "outputs.h"
 #include "picture.h"
@@ -36,6 +38,7 @@ constexpr const char* kSampleExamples = R"(Examples:
   brindle sample scan.obj --stripes 30 --stripes-v 90 --output anisotropic.ply
   brindle sample scan.obj --field importance.csv --output samples.vtp --report samples.json
   brindle sample shape:torus --output samples.png
+  brindle sample scan.obj --glyph arrow --size-by curvature --output arrows.png
   brindle sample points.ply --stripes 50 --output samples.csv
   brindle sample flow.vtp --frequency-by array:speed --output samples.csv
 
@@ -53,6 +56,7 @@ struct SampleArguments {
   SecondWaveOptions second;
   SolvingOptions solving;
   std::shared_ptr<PictureOptions> picture;
+  GlyphOptions glyphs;
   float min_distance = 0.25f;
   std::vector<std::string> outputs;
   std::string report;
@@ -84,6 +88,7 @@ struct SampleResult {
   double edges_milliseconds = 0;
   double extract_milliseconds = 0;
   std::optional<double> draw_milliseconds;
+  GlyphInput glyphs;
 };
 
 WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surface,
@@ -100,13 +105,14 @@ void drop_and_measure(SampleResult& result, float min_distance) {
 
 SampleResult make_result(const SampleArguments& arguments, ProgressDisplay& display) {
   SampleResult result;
-  result.prepared = prepare(arguments.surface, arguments.waves, display);
+  result.prepared =
+      prepare(arguments.surface, arguments.waves, display, viewpoint_of(*arguments.picture));
   const Surface& surface = result.prepared.surface;
   WaveSet waves_v = make_second_waves(result.prepared, arguments.second);
   if (is_other(arguments.second)) {
     noted_waves(surface, waves_v, "the field of V", display);
   }
-  const StripeOptions& options = arguments.solving.stripes;
+  const StripeOptions options = stripe_options(arguments.solving, result.prepared);
   result.u = stripe_pattern(surface, std::move(result.prepared.waves), options, display.progress());
   result.v = stripe_pattern(surface, std::move(waves_v), options, display.progress());
 
@@ -133,7 +139,7 @@ SampleResult make_result(const SampleArguments& arguments, ProgressDisplay& disp
   return result;
 }
 
-nlohmann::ordered_json to_json(const SampleResult& result) {
+nlohmann::ordered_json to_json(const SampleResult& result, const PictureOptions& picture) {
   const Surface& surface = result.prepared.surface;
   const auto both = [&](double StripeMilliseconds::*part) {
     return result.u.milliseconds.*part + result.v.milliseconds.*part;
@@ -148,6 +154,12 @@ nlohmann::ordered_json to_json(const SampleResult& result) {
                                  {"branches_u", result.u.quality.branches},
                                  {"branches_v", result.v.quality.branches}};
   json.update(to_json(result.prepared.figures, result.prepared.field_rows_nonfinite));
+  const auto add_frequency = [&](const char* name, const StripePattern& pattern) {
+    const auto frequency = frequency_report(pattern.frequency_change, pattern.quality);
+    if (frequency) json[name] = to_json(*frequency);
+  };
+  add_frequency("frequency_change_u", result.u);
+  add_frequency("frequency_change_v", result.v);
   if (result.spacing) {
     json["nearest_neighbour"] = {{"measured", result.spacing->samples},
                                  {"mean", result.spacing->mean},
@@ -156,13 +168,20 @@ nlohmann::ordered_json to_json(const SampleResult& result) {
   }
   json["milliseconds"] = {
       {"load", result.prepared.load_milliseconds},
+      {"field", result.prepared.field_milliseconds},
       {"topology", result.prepared.topology_milliseconds + result.edges_milliseconds +
                        both(&StripeMilliseconds::topology)},
       {"couple", both(&StripeMilliseconds::couple)},
       {"solve", both(&StripeMilliseconds::solve)},
       {"pattern", both(&StripeMilliseconds::pattern)},
       {"extract", result.extract_milliseconds}};
-  if (result.draw_milliseconds) json["milliseconds"]["draw"] = *result.draw_milliseconds;
+  if (result.u.frequency_change) {
+    json["milliseconds"]["frequency"] = both(&StripeMilliseconds::frequency);
+  }
+  if (result.draw_milliseconds) {
+    json["milliseconds"]["draw"] = *result.draw_milliseconds;
+    json["picture_quality"] = quality_name(picture);
+  }
   return json;
 }
 
@@ -249,6 +268,10 @@ void write(SampleOutput kind, const std::string& path, const CLI::App& command,
     case SampleOutput::samples:
       return write_all_samples(path, result, display);
     case SampleOutput::picture: {
+      if (has_glyphs(command)) {
+        return write_glyphs(path, result.prepared.surface, result.samples, arguments.glyphs,
+                            result.glyphs, *arguments.picture);
+      }
       Ornament discs{{}, true};
       discs.mesh.origin = result.prepared.surface.mesh.origin;
       for (const Sample& sample : result.samples) add_disc(sample, discs.mesh);
@@ -256,7 +279,8 @@ void write(SampleOutput kind, const std::string& path, const CLI::App& command,
                              *arguments.picture);
     }
     case SampleOutput::report:
-      return write_report(path, command, result.prepared.surface.mesh, to_json(result));
+      return write_report(path, command, result.prepared.surface.mesh,
+                          to_json(result, *arguments.picture));
   }
 }
 
@@ -265,8 +289,11 @@ void check(const CLI::App& command, const SampleArguments& arguments,
            const PlannedFiles<SampleOutput>& files) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
+  check_glyph_options(command, arguments.glyphs);
   if (!has(files, SampleOutput::picture)) {
-    refuse_picture_options(command, "no picture is written; add --output FILE.png");
+    refuse_glyph_options(command, "no picture is written; add --output FILE.png");
+    refuse_picture_options(command, arguments.waves,
+                           "no picture is written; add --output FILE.png");
   }
   if (!PointTree::available()) {
     refuse_given(command, {"--min-distance"},
@@ -289,6 +316,8 @@ void check(const CLI::App& command, const SampleArguments& arguments,
 void run_sample(const CLI::App& command, const SampleArguments& arguments) {
   std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
   if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
+  for (UsedFile& file : glyph_files(arguments.glyphs)) inputs.push_back(std::move(file));
+  add_slack_files(arguments.solving.slack, inputs);
   const auto files =
       plan_files<SampleOutput>(inputs, arguments.outputs, arguments.report, planned_sample);
   check(command, arguments, files);
@@ -298,6 +327,10 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
       files, arguments.quiet,
       [&](ProgressDisplay& display) {
         SampleResult made = make_result(arguments, display);
+        if (has_glyphs(command)) {
+          made.glyphs = read_glyph_input(arguments.glyphs, made.prepared, arguments.surface,
+                                         arguments.waves, *arguments.picture);
+        }
         if (made.samples.empty()) display.note(kNoSamples);
         return made;
       },
@@ -320,6 +353,7 @@ void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_solving_options(command, arguments.solving);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_camera_options(command);
+  add_glyph_options(command, arguments.glyphs);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/normals.h"
 #include "series_files.h"
+#include "vertex_values.h"
 
 namespace brindle::tool {
 namespace {
@@ -38,10 +39,16 @@ void move_to_origin(Preparation& prepared, const Eigen::Vector3d& origin) {
 
 }  // namespace
 
-Series::Series(const SeriesOptions& options, SurfaceOptions surface, WaveOptions waves)
+std::size_t frame_count(const SeriesOptions& options, std::size_t steps) {
+  return 1 + (steps - 1) * (1 + static_cast<std::size_t>(options.between));
+}
+
+Series::Series(const SeriesOptions& options, SurfaceOptions surface, WaveOptions waves,
+               std::optional<Viewpoint> viewpoint)
     : files_(series_files("--series", options.name)),
       surface_(std::move(surface)),
-      waves_(std::move(waves)) {
+      waves_(std::move(waves)),
+      viewpoint_(std::move(viewpoint)) {
   fields_ = lower_extension(files_.front().file) == ".csv";
   if (fields_ && surface_.mesh.empty()) {
     throw CLI::ValidationError("--series", "CSV files are fields over a mesh; name it as MESH");
@@ -58,13 +65,18 @@ SeriesStep Series::read(ProgressDisplay& display) {
   (fields_ ? waves_.field : surface_.mesh) = file;
   SeriesStep step{source, naming(source.file, [&] {
                     refuse_points(surface_, "animate --series");
-                    return prepare(surface_, waves_, display);
+                    return prepare(surface_, waves_, display, viewpoint_);
                   })};
   if (step.prepared.vertices_not_finite > 0) {
     throw Error(file + ": " + std::to_string(step.prepared.vertices_not_finite) +
                 " vertices have a coordinate that is not finite; correct them");
   }
-  if (next_ == 0) origin_ = step.prepared.surface.mesh.origin;
+  if (next_ == 0) {
+    origin_ = step.prepared.surface.mesh.origin;
+    if (viewpoint_ && depends_on_camera(waves_.arrays.frequency_by)) {
+      viewpoint_->framed = step.prepared.surface.mesh;
+    }
+  }
   move_to_origin(step.prepared, origin_);
   // Stripes along the diagonal are those of the first step: they do not swell with the mesh.
   if (next_ == 0 && !fields_ && waves_.arrays.frequency.empty()) {

@@ -7,6 +7,7 @@
 
 #include "brindle/files/pvd_file.h"
 #include "preparation.h"
+#include "progress_display.h"
 #include "scenes/scene.h"
 
 namespace brindle::tool {
@@ -16,6 +17,9 @@ struct SeriesOptions {
   std::string name;  ///< what stands for the files; empty: no series
   int between = 0;   ///< frames between two steps
 };
+
+/// How many frames there are of so many steps (1 or more).
+std::size_t frame_count(const SeriesOptions& options, std::size_t steps);
 
 /// A step as it was read.
 struct SeriesStep {
@@ -29,7 +33,8 @@ class Series {
  public:
   /// Throws CLI::ValidationError if the files need a mesh, or have one and another is given; Error
   /// as `series_files` does.
-  Series(const SeriesOptions& options, SurfaceOptions surface, WaveOptions waves);
+  Series(const SeriesOptions& options, SurfaceOptions surface, WaveOptions waves,
+         std::optional<Viewpoint> viewpoint);
 
   std::size_t step_count() const { return files_.size(); }
   const std::vector<TimedFile>& files() const { return files_; }
@@ -43,7 +48,8 @@ class Series {
   std::vector<TimedFile> files_;
   SurfaceOptions surface_;
   WaveOptions waves_;
-  bool fields_ = false;  ///< the files are fields over one mesh
+  std::optional<Viewpoint> viewpoint_;  ///< frames the first step's mesh
+  bool fields_ = false;                 ///< the files are fields over one mesh
   std::size_t next_ = 0;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
 };

@@ -31,7 +31,7 @@ class Player {
         show_(show),
         show_step_(show_step),
         display_(display),
-        frames_(1 + (steps - 1) * (1 + static_cast<std::size_t>(options.series.between))),
+        frames_(frame_count(options.series, steps)),
         anchored_(options.animator, options.match) {
     if (options.compare_from_scratch) {
       AnimatorOptions without_last = options.animator;
@@ -53,9 +53,10 @@ class Player {
     if (report_.frames.empty()) {
       begin(prepared);
     } else if (options_.series.between > 0) {
-      add_between(frame, source);
+      add_between(frame, source, step);
     }
-    solve(frame, source, &step);
+    solve(frame, source, step, 1);
+    ++steps_;
     report_.frames.back().scene_milliseconds = read_milliseconds;
     last_ = std::move(frame);
     last_source_ = {source.neighborhood, {}, source.file, source.time};  // the step is let go
@@ -74,7 +75,7 @@ class Player {
     report_.waves = prepared.figures;
   }
 
-  void add_between(const SceneFrame& frame, const Source& source) {
+  void add_between(const SceneFrame& frame, const Source& source, const SeriesStep& next) {
     if (!same_connectivity(last_.mesh, frame.mesh)) {
       throw Error(source.file + ": has other triangles than " + last_source_.file +
                   ", so that nothing can be interpolated between both; leave out --between");
@@ -90,12 +91,13 @@ class Player {
              {},
              "",
              (1 - share) * last_source_.time + share * source.time},
-            nullptr);
+            next, static_cast<float>(share));
       report_.frames.back().scene_milliseconds = milliseconds;
     }
   }
 
-  void solve(const SceneFrame& frame, const Source& source, const SeriesStep* step) {
+  /// A frame that is so far on the way to `step`.
+  void solve(const SceneFrame& frame, const Source& source, const SeriesStep& step, float share) {
     display_.progress().report(
         "frames", static_cast<double>(report_.frames.size()) / static_cast<double>(frames_));
     FrameReport& report = report_.frames.emplace_back();
@@ -104,17 +106,25 @@ class Player {
     report.unchanged = result.frame.unchanged;
     report.series = {source.file, source.time, result.matched_by, result.unmatched};
     const PhaseShiftKind kind = options_.animator.phase_shift;
-    const PhaseGraph graph = build_phase_graph(source.neighborhood, frame.waves, kind);
-    const MeasuredFrame measured = measure(frame, graph, result.frame, kind);
+    const YieldedFrame yielded(frame, result.frame);
+    const WaveSet& waves = yielded.frame().waves;
+    const PhaseGraph graph = build_phase_graph(source.neighborhood, waves, kind);
+    const MeasuredFrame measured = measure(yielded.frame(), graph, result.frame, kind);
     report.figures = measured.figures;
+    report.frequency = yielded.report(measured.corners, result.frame);
     if (scratch_) {
       const auto again = scratch_->frame(frame, source.neighborhood, source.arrays, source.file);
-      report.from_scratch = measure(frame, graph, again.frame, kind).figures;
+      report.from_scratch =
+          measure_yielded(YieldedFrame(frame, again.frame), source.neighborhood, again.frame, kind);
     }
     Stopwatch watch;
-    const SolvedFrame solved{frame, result.frame.z, 0, measured.corners};
+    const Preparation& prepared = step.prepared;
+    const FrameData data{prepared.surface,       prepared.arrays, step.source.file.string(),
+                         prepared.vertex_of_row, steps_,          share};
+    const SolvedFrame solved{data, yielded.frame(),  result.frame.z,
+                             0,    measured.corners, yielded.frequencies_wanted()};
     if (show_) show_(solved);
-    if (show_step_ && step != nullptr) show_step_(*step, solved);
+    if (show_step_ && share == 1) show_step_(step, solved);
     report.render_milliseconds = watch.lap();
   }
 
@@ -123,6 +133,7 @@ class Player {
   const ShowStep& show_step_;
   ProgressDisplay& display_;
   std::size_t frames_;
+  std::size_t steps_ = 0;  ///< that have been shown
   SeriesAnimator anchored_;
   std::optional<SeriesAnimator> scratch_;
   AnimationReport report_;
@@ -148,7 +159,10 @@ SeriesAnimator::Result SeriesAnimator::frame(const SceneFrame& input,
                                              const std::string& name) {
   Result result;
   const bool same = last_ && same_connectivity(last_->mesh, input.mesh);
-  if (!same) animator_.emplace(std::move(neighborhood), options_);
+  if (!same) {
+    const Surface surface{input.mesh, std::move(neighborhood), input.normals};
+    animator_.emplace(surface, options_);
+  }
   if (last_) {
     result.matched_by = match_.by.value_or(same ? Matching::number : Matching::position);
     // Where nothing changes hands, an animator keeps its own phases.
@@ -163,7 +177,7 @@ SeriesAnimator::Result SeriesAnimator::frame(const SceneFrame& input,
   topology_milliseconds_ += same ? 0 : animator_->topology_milliseconds();
   last_ = KeptPattern{name,
                       input.mesh,
-                      waves,
+                      YieldedFrame(input, result.frame).frame().waves,
                       {result.frame.z.begin(), result.frame.z.end()},
                       {arrays.begin(), arrays.end()}};
   return result;

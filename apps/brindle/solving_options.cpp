@@ -51,12 +51,21 @@ void add_solving_options(CLI::App& app, SolvingOptions& options) {
   app.add_option("--global-iterations", solver.global_iterations, "global: inverse iterations")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));
+  add_slack_options(app, options.slack);
   app.add_option("--threads", options.threads, "0: all that the machine has (default)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
 }
 
+StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared) {
+  StripeOptions stripes = options.stripes;
+  stripes.slack =
+      make_slack(options.slack, prepared.surface.mesh.vertex_count(), prepared.vertex_of_row);
+  return stripes;
+}
+
 void check_solving_options(const CLI::App& command, const SolvingOptions& options) {
+  check_slack_options(command, options.slack);
   const Solver solver = options.stripes.solver.solver;
   const std::string name(name_of(solver));
   if (solver != Solver::relaxation && solver != Solver::averaged) {

@@ -4,16 +4,22 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/stripe_pattern.h"
+#include "preparation.h"
+#include "slack_options.h"
 
 namespace brindle::tool {
 
 struct SolvingOptions {
   StripeOptions stripes;
+  SlackOptions slack;
   int threads = 0;  ///< 0: all that the machine has
 };
 
 /// All options but --solver.
 void add_solving_options(CLI::App& app, SolvingOptions& options);
+
+/// The options for this surface, slack and all. Throws Error if the file of --calm does not fit.
+StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared);
 
 /// Throws CLI::ValidationError for options of solvers other than the chosen one.
 void check_solving_options(const CLI::App& command, const SolvingOptions& options);

@@ -19,6 +19,8 @@ void StepFiles::add(const SeriesStep& step, const SolvedFrame& solved) {
   if (!outputs_.empty()) {
     StripePattern pattern;
     pattern.waves = solved.scene.waves;
+    pattern.frequencies_wanted.assign(solved.frequencies_wanted.begin(),
+                                      solved.frequencies_wanted.end());
     pattern.phase_shift = phase_shift_;
     pattern.solution.z.assign(solved.z.begin(), solved.z.end());
     pattern.corners.assign(solved.corners.begin(), solved.corners.end());

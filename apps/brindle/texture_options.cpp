@@ -35,11 +35,12 @@ void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& wave
                      "it: " +
                          tiles + ", or a picture")
           ->type_name("TILE|FILE.png");
-  app.add_flag("--oriented", choice.oriented,
-               "texture: the field's vectors are meant with their signs, and arrows follow them; "
-               "otherwise an orientation is looked for")
-      ->needs(texture)
-      ->excludes(cross);
+  CLI::Option* oriented =
+      app.add_flag("--oriented", choice.oriented,
+                   "texture: the field's vectors are meant with their signs, and arrows follow "
+                   "them; otherwise an orientation is looked for")
+          ->needs(texture);
+  if (cross != nullptr) oriented->excludes(cross);
   add_crossing_frequency_options(app, waves, texture, cross);
 }
 

@@ -16,7 +16,8 @@ struct TextureChoice {
   bool oriented = false;  ///< the field's signs are meant
 };
 
-/// --texture, --oriented, --stripes-v and --frequency-v; all but the first exclude `cross`.
+/// --texture, --oriented, --stripes-v and --frequency-v; all but the first exclude `cross`, if
+/// there is such an option.
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves,
                          CLI::Option* cross);
 

@@ -11,6 +11,7 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "csv_field.h"
+#include "vertex_values.h"
 
 namespace brindle::tool {
 namespace {
@@ -96,6 +97,9 @@ std::vector<UsedFile> input_files(const SurfaceOptions& surface, const WaveOptio
 std::vector<UsedFile> field_files(const WaveOptions& waves) {
   std::vector<UsedFile> files;
   if (is_field_file(waves)) files.push_back({"--field", csv_field_name(waves.field).path});
+  if (!waves.strokes.empty()) files.push_back({"--strokes", waves.strokes});
+  const std::string frequencies = value_file(waves.arrays.frequency_by);
+  if (!frequencies.empty()) files.push_back({"--frequency-by", frequencies});
   if (waves.arrays.mesh.empty()) return files;
   for (UsedFile& file : files_of_mesh("--field-mesh", waves.arrays.mesh)) {
     files.push_back(std::move(file));

@@ -66,7 +66,7 @@ std::string source_of(const WaveOptions& options) {
 bool needs_own_arrays(const WaveOptions& options) {
   const ArrayOptions& arrays = options.arrays;
   return arrays.mesh.empty() &&
-         (is_array(options.field) || !arrays.frequency.empty() || !arrays.frequency_by.empty());
+         (is_array(options.field) || !arrays.frequency.empty() || is_array(arrays.frequency_by));
 }
 
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
@@ -76,7 +76,9 @@ void check_field_options(const CLI::App& command, const WaveOptions& options) {
     refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
   }
   if (!is_smooth(options)) {
-    refuse_given(command, {"--curvature-anchor", "--feature-anchor", "--feature-angle"},
+    refuse_given(command,
+                 {"--curvature-anchor", "--feature-anchor", "--feature-angle", "--feature-radius",
+                  "--strokes"},
                  "only --field smooth and --field curvature are drawn to anything");
     if (options.direction || options.field != "raw-curvature") {
       refuse_given(command, {"--curvature-direction"},
@@ -94,7 +96,7 @@ void check_field_options(const CLI::App& command, const WaveOptions& options) {
                  "--curvature-anchor");
   }
   if (options.feature_anchor == 0) {
-    refuse_given(command, {"--feature-angle"},
+    refuse_given(command, {"--feature-angle", "--feature-radius"},
                  "nothing draws the field to sharp edges; add --feature-anchor");
   }
 }
@@ -183,6 +185,13 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_parsed_option(app, "--feature-angle", options.feature_angle_deg, parse_not_negative_number,
                     "bend from which an edge is sharp for --feature-anchor (default 40)")
       ->type_name("DEG");
+  add_parsed_option(app, "--feature-radius", options.feature_radius, parse_positive_length,
+                    "how far from edges and boundaries --feature-anchor attracts (default: at "
+                    "their vertices alone)")
+      ->type_name("L|P%");
+  app.add_option("--strokes", options.strokes,
+                 "lines that the smooth field runs along, each with points, radius and strength")
+      ->type_name("FILE.json");
   add_parsed_option(app, "--rotate", options.rotate_deg, parse_number,
                     "turn the field about the normals, in degrees")
       ->type_name("DEG");
@@ -205,14 +214,16 @@ void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Op
       add_parsed_option(app, "--stripes-v", options.stripes_v, parse_positive_number,
                         "texture: tiles across the field along the diagonal (default: as along it)")
           ->type_name("N")
+          ->needs(texture);
+  CLI::Option* frequency =
+      add_parsed_option(app, "--frequency-v", options.frequency_v, parse_positive_number,
+                        "texture: tiles across the field per unit length, instead of --stripes-v")
+          ->type_name("F")
           ->needs(texture)
-          ->excludes(cross);
-  add_parsed_option(app, "--frequency-v", options.frequency_v, parse_positive_number,
-                    "texture: tiles across the field per unit length, instead of --stripes-v")
-      ->type_name("F")
-      ->needs(texture)
-      ->excludes(cross)
-      ->excludes(stripes);
+          ->excludes(stripes);
+  if (cross == nullptr) return;
+  stripes->excludes(cross);
+  frequency->excludes(cross);
 }
 
 }  // namespace brindle::tool

@@ -3,12 +3,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "array_options.h"
 #include "brindle/direction_field.h"
+#include "brindle/strokes.h"
 #include "brindle/surface.h"
+#include "option_values.h"
 
 namespace brindle::tool {
 
@@ -19,13 +22,17 @@ struct WaveOptions {
   std::optional<float> curvature_anchor;  ///< of the smooth field; "curvature" has one anyway
   float feature_anchor = 0;               ///< of the smooth field
   float feature_angle_deg = 40;
-  bool cross = false;  ///< the field is a cross field
-  bool along = false;  ///< stripes run along the field, not across it
+  std::optional<Length> feature_radius;
+  std::string strokes;  ///< file of strokes that the smooth field follows; empty: none
+  std::vector<FieldStroke> drawn_strokes;  ///< further ones, that were drawn and not read
+  bool cross = false;                      ///< the field is a cross field
+  bool along = false;                      ///< stripes run along the field, not across it
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
   std::optional<float> stripes_v;  ///< the same of the crossing stripes
   std::optional<float> frequency_v;
+  float frequency_factor = 1;  ///< multiplies all frequencies, whoever says them
   ArrayOptions arrays;
 };
 
@@ -54,7 +61,8 @@ void add_frequency_options(CLI::App& app, WaveOptions& options);
 /// --cross.
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options);
 
-/// --stripes-v and --frequency-v, for textures; both need the option `texture` and exclude `cross`.
+/// --stripes-v and --frequency-v, for textures; both need the option `texture` and exclude
+/// `cross`, if there is such an option.
 void add_crossing_frequency_options(CLI::App& app, WaveOptions& options, CLI::Option* texture,
                                     CLI::Option* cross);
 

@@ -5,8 +5,9 @@
 /// Fields: `smooth_direction_field`, `projected_direction_field`, `curvature_direction_field`,
 /// `tangent_directions`, `direction_field_of` arrays, `tensor_field_of`. Patterns:
 /// `stripe_pattern`, `texture_pattern`, `cross_pattern`. From patterns: `stripe_curves`,
-/// `stripe_samples`, `texture_coordinates`. Moving input: `StripeAnimator`, `SmoothFieldAnimator`;
-/// time series: `matched_phases`, `carried_phases`.
+/// `stripe_samples`, `texture_coordinates`. Frequencies that yield, alone: `YieldingFrequency`.
+/// Moving input: `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`,
+/// `carried_phases`.
 ///
 /// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
 /// threads may do at the same time stands in threads.h.
@@ -15,11 +16,14 @@
 #include "brindle/adjacency.h"
 #include "brindle/array_field.h"
 #include "brindle/arrays.h"
+#include "brindle/boundary_phases.h"
+#include "brindle/branch_pairs.h"
 #include "brindle/carried_phases.h"
 #include "brindle/corner_phases.h"
 #include "brindle/cross_cover.h"
 #include "brindle/cross_texture.h"
 #include "brindle/curvature.h"
+#include "brindle/curve_measures.h"
 #include "brindle/curves.h"
 #include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
@@ -30,7 +34,6 @@
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
 #include "brindle/nearby_data.h"
-#include "brindle/nearest.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phase_shift.h"
 #include "brindle/points.h"
@@ -43,11 +46,16 @@
 #include "brindle/solver.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/strokes.h"
 #include "brindle/surface.h"
+#include "brindle/surface_loops.h"
 #include "brindle/tensor_field.h"
+#include "brindle/texture_animator.h"
 #include "brindle/texture_coordinates.h"
 #include "brindle/texture_pattern.h"
 #include "brindle/texture_waves.h"
 #include "brindle/threads.h"
 #include "brindle/types.h"
 #include "brindle/version.h"
+#include "brindle/windings.h"
+#include "brindle/yielding_frequency.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "brindle/export.h"
 #include "brindle/mesh.h"
@@ -14,6 +15,12 @@
 namespace BRINDLE_EXPORT brindle {
 
 enum class UpAxis { y, z };
+
+/// How depth is seen.
+enum class Projection {
+  perspective,
+  orthographic  ///< parallel: what is equally long looks equally long, however far away
+};
 
 /// The side from which a mesh is looked at; distance and aim follow from its shape. With y up,
 /// azimuth and elevation 0 look from +z towards -z, with +x to the right; with z up, from -y
@@ -24,26 +31,48 @@ struct CameraView {
   float elevation_deg = 20;  ///< -90 (from below) to 90 (from above)
   float zoom = 1;            ///< 1: the whole mesh fills the picture; 2: its middle, twice as large
   UpAxis up = UpAxis::y;
+  Projection projection = Projection::perspective;
+  /// What is in the middle of the picture, in the coordinates of the points that are framed.
+  /// Without it the picture is filled by them, as `framed_camera` says.
+  std::optional<Vec3> center = {};
+  /// Turns the points' coordinates to the viewer's: x to the right, y up, z towards the viewer.
+  /// Instead of azimuth, elevation and `up`, which have no say then; need not be of unit length.
+  std::optional<Eigen::Quaternionf> rotation = {};
+
+  bool operator==(const CameraView&) const = default;
 };
+
+/// The rotation of a view, whichever way it is given: where a free rotation starts from.
+Eigen::Quaternionf rotation_of(const CameraView& view);
 
 /// Reads "azimuth,elevation" or "azimuth,elevation,zoom", in degrees, into a view with `up`.
 /// Empty if the text is not that, a number is not finite, elevation is beyond -90 .. 90 or zoom is
 /// not in 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
-/// A perspective camera. World coordinates are taken relative to `origin`, which is near the mesh,
+/// A camera. World coordinates are taken relative to `origin`, which is near the mesh,
 /// so that a mesh far from zero keeps its digits.
 struct Camera {
   Vec3 origin = Vec3::Zero();
   Eigen::Matrix4f view_from_world = Eigen::Matrix4f::Identity();  ///< of points less `origin`
   Eigen::Matrix4f clip_from_view = Eigen::Matrix4f::Identity();   ///< OpenGL's clip space
+
+  bool orthographic() const { return clip_from_view(3, 3) == 1; }
 };
+
+/// Where the camera stands, in the coordinates of the points that it frames.
+Vec3 eye_of(const Camera& camera);
+
+/// Where lines of sight come from, for `silhouette_lines`: the eye, or in parallel projection a
+/// point so far away that they are parallel.
+Vec3 viewpoint_of(const Camera& camera);
 
 /// The positions of all vertices that a triangle uses, each once.
 std::vector<Vec3> points_of_triangles(const Mesh& mesh);
 
 /// The camera whose picture of `width` x `height` pixels the points fill up to a small margin: the
-/// closest one from which none is cut off. No points count as one at zero.
+/// closest one from which none is cut off. No points count as one at zero. With a centre, the same
+/// camera moved sideways so that the centre is in the middle.
 Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int width, int height);
 
 }  // namespace brindle

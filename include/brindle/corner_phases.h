@@ -37,7 +37,7 @@ enum class TriangleKind : std::uint8_t {
 struct CornerPhases {
   std::array<float, 3> phase{};       ///< lifted phases of the oriented corners, in radians
   std::array<std::int8_t, 3> sign{};  ///< s_m: -1 where the corner's wave was turned round
-  std::int8_t branch_index = 0;       ///< closing error over 2 pi
+  std::int8_t branch_index = 0;       ///< closing error over 2 pi, at most 127 either way
   TriangleKind kind = TriangleKind::no_wave;
 };
 
@@ -47,11 +47,15 @@ float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind)
 
 /// Orients the corners alike (a flipped corner has pi - Phi), then goes round: each step is the
 /// phase shift plus the wrapped remainder. The closing error over 2 pi is the branch index.
-/// A corner without direction has no wave.
+/// A corner without direction has no wave, and neither has a triangle whose phases are no numbers.
 CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftKind kind);
 
 /// The same for all triangles of a mesh, with the wave of every vertex.
 std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
                                         std::span<const Complex> z, PhaseShiftKind kind);
+
+/// The same for triangles whose corners have waves of their own, as TextureWaves has them.
+std::vector<CornerPhases> corner_phases(std::span<const std::array<CornerWave, 3>> triangles,
+                                        PhaseShiftKind kind);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// Meshes, points, lines and samples from and to files.
+/// Meshes, points, lines, samples and strokes from and to files.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "brindle/polylines.h"
 #include "brindle/progress.h"
 #include "brindle/samples.h"
+#include "brindle/strokes.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -43,9 +44,8 @@ struct FittedArrays {
 /// .ply         everything but 64-bit numbers that are neither 32-bit ones nor a double exactly;
 ///              arrays of cells are properties of faces. Names are one word: other characters than
 ///              letters, digits and underscores become underscores;
-/// .gltf .glb   arrays of points with 1 to 4 components of finite numbers, as 32-bit floats, if
-/// that
-///              is exact; names are in capitals after an underscore;
+/// .gltf .glb   arrays of points with 1 to 4 components of finite numbers that are 32-bit floats
+///              exactly; names are in capitals after an underscore;
 /// .obj         "normal" and "uv" of points;
 /// .csv         everything, for lines and samples.
 /// Names that are the same then, or taken, get underscores at their end. What was fitted fits: it
@@ -193,5 +193,21 @@ struct FieldFile {
 /// is neither of both.
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
                          std::span<const Index> vertex_of_row = {});
+
+/// Reads strokes from JSON, with these keys and no others:
+///
+///     {"strokes": [
+///       {"radius": 0.1, "strength": 2, "points": [[0, 0, 1], [0.5, 0, 0.9]]}
+///     ]}
+///
+/// `strength` is 1 where it is missing. Throws Error naming the file and the place in it, by line
+/// and column where the JSON is damaged and as `strokes[2].points[5]` elsewhere, for a file that
+/// cannot be read, other keys, other types, no strokes, strokes that `check_strokes` refuses, and
+/// in a build without nlohmann-json.
+std::vector<FieldStroke> read_strokes(const std::filesystem::path& path);
+
+/// Writes strokes for `read_strokes`, whole or not at all; what is read and written again has the
+/// same bytes. Throws Error as `check_strokes` does, and what write_file throws.
+void write_strokes(const std::filesystem::path& path, std::span<const FieldStroke> strokes);
 
 }  // namespace brindle

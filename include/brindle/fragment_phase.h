@@ -10,7 +10,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// The wave at a fragment. `z` has length 1, or 0 exactly where the phase is undefined.
+/// The wave at a fragment. `z` has length 1, or 0 where the phase is undefined.
 struct FragmentWave {
   Vec3 direction = Vec3::Zero();
   float frequency = 0;
@@ -21,19 +21,22 @@ struct FragmentWave {
 /// The first is always +1. Empty if there are none: the triangle is a singularity of the field.
 std::optional<std::array<float, 3>> common_orientation(const std::array<Vec3, 3>& directions);
 
-/// Eq. 13 and 14 with the closed form of the phase shift, for corners that run alike. Barycentric
-/// weights are not negative and sum to 1. If a corner has no wave, the result has z = 0.
-FragmentWave oriented_fragment_phase(const std::array<CornerWave, 3>& corners,
-                                     const Vec3& barycentric);
+/// The fragment's wave in any triangle, by Eq. 13 and 14 with the closed form of the phase shift.
+/// Barycentric weights are not negative and sum to 1. If a corner has no wave, the result has z =
+/// 0.
+///
+/// What corners disagree by beyond a third of a turn is shared out evenly along their edge first.
+/// Round a branch the phase turns about a point, where z = 0. In a singularity of the field, whose
+/// corners cannot be oriented alike, it runs from the edges to the barycentre, which is on a peak
+/// or in a trough. Triangles of an edge show the same along it.
+///
+/// The result is defined up to a flip: sin Phi is what two triangles share along an edge. It does
+/// not depend on which way the corners' waves run, nor on the order of the corners.
+FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3& barycentric);
 
-/// The fragment's wave in a triangle that is split at its barycentre: from the two corners of the
-/// edge that its part keeps, with the sign of the first of them.
+/// The same in the sense of a corner: of the edge nearest to the fragment, in shares of the
+/// triangle's heights, the first. Where corners run alike they all have that sense.
 FragmentWave split_fragment_phase(const std::array<CornerWave, 3>& corners,
                                   const Vec3& barycentric);
-
-/// The fragment's wave in any triangle. Corners that cannot be oriented alike are handled by
-/// splitting the triangle at its barycentre (Knöppel et al. 2015), so that no edge shows a seam.
-/// The result is defined up to a flip: sin Phi is what two triangles share along an edge.
-FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3& barycentric);
 
 }  // namespace brindle

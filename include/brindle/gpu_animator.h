@@ -40,10 +40,15 @@ struct FrameMeasure {
 /// to 7 and uniform binding 0. A new frame's phases are seen by whatever OpenGL does after it.
 class GpuAnimator {
  public:
-  /// Common-source phase shifts work here, too. Throws Error for options out of range, and for edge
-  /// weights, which the device does not know.
+  /// Common-source phase shifts work here, too. Throws Error for options out of range, for edge
+  /// weights, which the device does not know, and for slack, which needs the surface.
   GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
               std::shared_ptr<const Adjacency> neighborhood, const AnimatorOptions& options = {});
+
+  /// The same of the surface's neighbourhood; with slack, frequencies follow each frame's input, on
+  /// the processor, and are uploaded: bits are those of StripeAnimator's frequencies.
+  GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surface& surface,
+              const AnimatorOptions& options = {});
   ~GpuAnimator();
   GpuAnimator(GpuAnimator&&) noexcept;
   GpuAnimator& operator=(GpuAnimator&&) noexcept;
@@ -57,8 +62,14 @@ class GpuAnimator {
 
   /// The same from buffers; what they hold is not compared with the last frame's. The first frame
   /// reads them back, once, to build on and to check them. Later ones do not look at values: one
-  /// that is no number makes the measured energy none.
+  /// that is no number makes the measured energy none. Throws Error with slack: frequencies are
+  /// found on the processor.
   void frame(const WaveBuffers& input, const Progress& progress = {});
+
+  /// With slack: the frequencies that the last frame's phases are of, one per vertex, until the
+  /// next frame, and what they have become. Empty without.
+  std::span<const float> frequencies() const;
+  const FrequencyChange& frequency_change() const;
 
   /// Name of the buffer of phases: one exp(i Phi) per vertex, as 2 floats. The same as long as the
   /// animator lives; none before the first frame.

@@ -23,11 +23,15 @@ class Visibility {
   /// The picture of `width` x `height` pixels from `view`, in which the mesh is framed.
   /// Throws Error if a side is not in 1 .. 8192.
   Visibility(const Mesh& mesh, const CameraView& view, int width, int height);
+  /// The same with a camera of its own. `mesh` is all that can hide lines.
+  Visibility(const Mesh& mesh, const Camera& camera, int width, int height);
 
-  /// The parts of lines on the surface that nothing is in front of, in the order of the lines.
+  /// The parts of lines on the surface that nothing is in front of, in the order of the lines; or,
+  /// if `hidden` is asked for, the others.
   /// Corners that change a stroke by less than a twentieth of a pixel are left out.
   /// What lies behind the surface by less than `tolerance` times its distance counts as on it.
-  std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f) const;
+  std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f,
+                              bool hidden = false) const;
 
  private:
   struct Seen {
@@ -35,10 +39,13 @@ class Visibility {
     float distance;  ///< along the viewing direction
   };
   Seen project(const Vec3& point) const;
+  float nearness(std::span<const Seen> seen, std::span<const float> weights) const;
   void draw(const Mesh& mesh);
   void draw_triangle(const std::array<Seen, 3>& corners);
   bool visible(const Seen& seen, float tolerance) const;
-  void add_strokes(std::span<const Seen> path, float tolerance, std::vector<Stroke>& strokes) const;
+  void add_strokes(std::span<const Seen> path, float tolerance, bool hidden,
+                   std::vector<Stroke>& strokes) const;
+  bool in_picture(const Seen& seen) const;
 
   Camera camera_;
   int width_;
@@ -59,9 +66,11 @@ struct Pen {
   Color color;
   float width = 1;  ///< pixels
   std::vector<Stroke> strokes;
+  bool filled = false;  ///< strokes are closed and bound an area; those within are its holes
 };
 
-/// Writes a path per stroke, in a group per pen; no background. Throws what write_file does.
+/// Writes a path per stroke, or one of all that are filled, in a group per pen; no background.
+/// Throws what write_file does.
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens);
 
 }  // namespace brindle

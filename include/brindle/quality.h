@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +20,12 @@ struct PatternQuality {
   double angle_error_mean_deg = 0;         ///< gradient against mean direction
   double angle_error_share_over_5deg = 0;  ///< share of the area, between 0 and 1
   double spacing_error_mean = 0;           ///< mean of | |gradient| / (2 pi f) - 1 |
-  std::size_t vertices_without_wave = 0;   ///< with the direction zero: they draw nothing
+  double spacing_error_wanted_mean = 0;    ///< the same against frequencies that were asked for,
+                                           ///< where those of the waves have yielded
+  /// Of `branches` those in triangles whose corners are calm by a half or more on average, where a
+  /// pattern was made with calm.
+  std::optional<std::size_t> branches_in_calm;
+  std::size_t vertices_without_wave = 0;  ///< with the direction zero: they draw nothing
 };
 
 /// How many vertices have the direction zero.

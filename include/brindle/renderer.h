@@ -109,6 +109,12 @@ struct DrawingChange {
   std::span<const Mark> marks = {};
 };
 
+/// How carefully a picture is drawn.
+enum class PictureQuality {
+  interactive,  ///< one evaluation a pixel, silhouettes smoothed with 4 samples
+  final         ///< `supersampling` evaluations along each side of a pixel, each with 4 samples
+};
+
 struct RenderOptions {
   int width = 1200;   ///< pixels
   int height = 900;   ///< pixels
@@ -121,9 +127,10 @@ struct RenderOptions {
   bool transparent = false;  ///< no background: its alpha is 0
   bool shading = true;       ///< false: plain colours without light
   float mark_radius = 6;     ///< pixels
-  int supersampling = 2;     ///< 1 to 4: samples along each side of a pixel, beside multisampling
+  PictureQuality quality = PictureQuality::final;
+  int supersampling = 2;  ///< 1 to 4: evaluations along each side of a pixel of a final picture
   int tile_side =
-      2048;  ///< samples along a side of the parts that a picture is drawn in, at least 64
+      2560;  ///< parts that a picture is drawn in have this many evaluations squared, at least 64
 };
 
 /// The colours that let overlays stand out: a light grey surface with faint stripes.

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
+#include "brindle/strokes.h"
 #include "brindle/surface.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -17,15 +19,19 @@ struct SmoothFieldOptions {
   float feature_anchor = 0;  ///< how strongly sharp edges and boundaries attract the field, so that
                              ///< one of its directions runs along them; 0: not
   float feature_angle_deg = 40;  ///< an edge is sharp if the surface bends there by more than this
-  int sweeps = 4;                ///< coloured sweeps per level
-  int cycles = 2;                ///< further descents, which remove pairs of singularities
+  float feature_radius = 0;      ///< how far from them features attract, as strokes of this radius
+                                 ///< (`feature_strokes`), in units of length; 0: at their vertices
+  std::vector<FieldAnchor> anchors = {};  ///< such as `stroke_anchors`; they have a sign only where
+                                          ///< the symmetry is odd
+  int sweeps = 4;                         ///< coloured sweeps per level
+  int cycles = 2;                         ///< further descents, which remove pairs of singularities
 };
 
 /// A direction field that turns as little as possible from vertex to vertex: each direction's angle
 /// theta in its tangent basis enters as u = exp(i N theta), coupled by parallel transport.
 /// Directions are signed to run like their neighbours where that is possible. Throws Error for
-/// options out of range, among them feature anchors with an odd symmetry (an edge has no sign), and
-/// for positions and normals that are not finite.
+/// options out of range, among them feature anchors with an odd symmetry (an edge has no sign), for
+/// anchors as SmoothFieldAnimator::frame does, and for positions and normals that are not finite.
 DirectionField smooth_direction_field(const Surface& surface,
                                       const SmoothFieldOptions& options = {});
 
@@ -33,13 +39,6 @@ struct SmoothFieldAnimatorOptions {
   int symmetry = 2;      ///< N: 1 vector, 2 line, 4 cross field
   float lambda = 0.05f;  ///< weight of the anchors to the last frame's field; 0: from scratch
   int sweeps = 2;        ///< coloured sweeps per level
-};
-
-/// Pulls the field at a vertex towards a direction.
-struct FieldAnchor {
-  Index vertex;
-  Vec3 direction;    ///< any vector; its tangent part counts
-  float weight = 1;  ///< in multiples of what all neighbours together pull
 };
 
 /// Solves for a smooth field on one surface whose anchors (data, curvature, a user's brush strokes)

@@ -43,7 +43,7 @@ class SplatRenderer {
 
   /// Draws the uploaded drawing. Each pixel takes the phase that every disc there has from its own
   /// wave, Phi + 2 pi f <x - p, d>, weighted by how near the disc's centre is. Options as for
-  /// `Renderer::draw`; marks are not drawn, and there is no multisampling beside supersampling.
+  /// `Renderer::draw`; marks are not drawn.
   Image draw(const RenderOptions& options) const;
 
  private:

@@ -9,7 +9,9 @@
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
 #include "brindle/progress.h"
+#include "brindle/surface.h"
 #include "brindle/types.h"
+#include "brindle/yielding_frequency.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -31,6 +33,8 @@ struct AnimatorOptions {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
   std::vector<float> edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies
                                     ///< the paper's weight; empty: 1; StripeAnimator alone
+  Slack slack = 0;  ///< how far frequencies may depart from those of the input, so that fewer
+                    ///< stripes begin or end (yielding_frequency.h): for animators of surfaces
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -46,9 +50,10 @@ void check(const AnimatorOptions& options);
 void check(const FrameInput& input, std::size_t vertices);
 
 struct FrameMilliseconds {
-  double couple = 0;  ///< waves into the solver's order, phase shifts, anchors
-  double sum = 0;     ///< gauges and coarse sums
-  double solve = 0;   ///< descents or iterations, phases back into vertex order
+  double frequency = 0;  ///< frequencies that yield, and comparing the input with the last one
+  double couple = 0;     ///< waves into the solver's order, phase shifts, anchors
+  double sum = 0;        ///< gauges and coarse sums
+  double solve = 0;      ///< descents or iterations, phases back into vertex order
 };
 
 struct FrameResult {
@@ -57,6 +62,10 @@ struct FrameResult {
                                ///< radians, over vertices with a wave; 0 in the first frame. Where
                                ///< `set_last_phases` knows of none, vertices do not count
   bool unchanged = false;      ///< the input was that of the last frame, and so are the phases
+  /// With slack: the frequencies that the phases are of, one per vertex, valid until the next
+  /// frame, and what they have become. Empty without.
+  std::span<const float> frequencies;
+  FrequencyChange frequency_change;
   FrameMilliseconds milliseconds;
 };
 
@@ -66,17 +75,22 @@ struct FrameResult {
 /// orthogonal directions is two animators, the second made by `sibling`.
 class StripeAnimator {
  public:
-  /// Throws Error for options out of range.
+  /// Throws Error for options out of range, and for slack, which needs the surface.
   explicit StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                           const AnimatorOptions& options = {});
+
+  /// The same of the surface's neighbourhood; with slack, frequencies follow each frame's input
+  /// from where they were in the last one. Nothing refers to the surface afterwards.
+  explicit StripeAnimator(const Surface& surface, const AnimatorOptions& options = {});
   ~StripeAnimator();
   StripeAnimator(StripeAnimator&&) noexcept;
   StripeAnimator& operator=(StripeAnimator&&) noexcept;
 
   /// Solves for the next frame. The first frame has no last one and is solved from scratch.
-  /// `progress` hears of the first frame's topology, and of cycles. Throws Error if the input has
-  /// not one entry per vertex, and for values that `check_waves` (wave_check.h) refuses; Cancelled
-  /// if `progress` asks for it. Whatever it throws, the animator then is as it was before the call.
+  /// `progress` hears of the first frame's frequencies and topology, and of cycles. Throws Error if
+  /// the input has not one entry per vertex, and for values that `check_waves` (wave_check.h)
+  /// refuses; Cancelled if `progress` asks for it. Whatever it throws, the animator then is as it
+  /// was before the call.
   FrameResult frame(const FrameInput& input, const Progress& progress = {});
 
   /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it. Throws Error
@@ -103,6 +117,7 @@ class StripeAnimator {
  private:
   struct State;
   explicit StripeAnimator(std::unique_ptr<State> state);
+  FrameResult unchanged_frame() const;
   void start();
   void take_given();
   FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);

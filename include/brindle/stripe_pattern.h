@@ -2,8 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "brindle/curve_measures.h"
 #include "brindle/curves.h"
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
@@ -13,6 +16,7 @@
 #include "brindle/samples.h"
 #include "brindle/solver.h"
 #include "brindle/surface.h"
+#include "brindle/yielding_frequency.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -35,20 +39,28 @@ struct StripeOptions {
   /// and `carried_phases` give them; empty for none. For Solver::multilevel.
   std::vector<Complex> last_phases;
   float lambda = 0.025f;  ///< how near, as AnimatorOptions has it; 0: no matter
+  Slack slack = 0;        ///< how far frequencies may depart from those of the waves, so that fewer
+                          ///< stripes begin or end (yielding_frequency.h); 0: not at all
+  /// Phases that are given: a unit number per vertex, 0 where there is none, as `boundary_phases`
+  /// makes them; empty for none. They are those of the result. For Solver::multilevel.
+  std::vector<Complex> fixed_phases;
 };
 
 /// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.
 struct StripeMilliseconds {
   double load = 0;
-  double topology = 0;  ///< neighbourhood and normals, colours, aggregates: once per connectivity
-  double couple = 0;    ///< phase shifts
+  double topology = 0;   ///< neighbourhood and normals, colours, aggregates: once per connectivity
+  double frequency = 0;  ///< frequencies that yield
+  double couple = 0;     ///< phase shifts
   double solve = 0;
   double pattern = 0;  ///< corner phases and quality
 };
 
 /// A pattern and all that it was made with.
 struct StripePattern {
-  WaveSet waves;
+  WaveSet waves;                      ///< with the frequencies chosen
+  FrequencyField frequencies_wanted;  ///< those asked for; empty without slack: the same
+  std::optional<FrequencyChange> frequency_change;  ///< with slack
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   PhaseSolution solution;             ///< `solution.z`: one phase per vertex
   std::vector<CornerPhases> corners;  ///< one entry per triangle
@@ -56,11 +68,11 @@ struct StripePattern {
   StripeMilliseconds milliseconds;
 };
 
-/// Couples the waves along the edges of the surface, solves for phases, lifts them to the corners
-/// of the triangles and measures the result; on points without triangles as `measure_point_quality`
-/// does. `waves` has one entry per vertex. Throws Error for waves that `check_waves` refuses, for
-/// last phases that `anchor_phases` does or another solver than multilevel has, and what
-/// `solve_phases` throws.
+/// Lets frequencies yield where the options have slack, couples the waves along the edges of the
+/// surface, solves for phases, lifts them to the corners of the triangles and measures the result;
+/// on points without triangles as `measure_point_quality` does. `waves` has one entry per vertex.
+/// Throws Error for waves that `check_waves` refuses, for last or fixed phases that `anchor_phases`
+/// does or another solver than multilevel has, and what `solve_phases` throws.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});
 
@@ -80,6 +92,12 @@ StripePattern stripe_pattern(const Surface& surface, DirectionField field,
 StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
                            const CurveOptions& options = {});
 
+/// What a maker asks of curves that `stripe_curves` has traced of this pattern: lengths, gaps and,
+/// for a `line_width` above 0 (units of length), coverage. Throws Error as `stripe_curves` does,
+/// and for a width below 0 or not finite.
+CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
+                             const StripeCurves& curves, double line_width = 0);
+
 /// Points where the stripes of two patterns on one surface cross, or of points without triangles;
 /// of those nearer to each other than a quarter of their spacing only one. Throws Error for
 /// patterns of another surface, and in a build without nanoflann.
@@ -90,5 +108,8 @@ std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& 
 /// `check_waves` (wave_check.h) refuses, and for directions that stick out of the tangent plane by
 /// more than 4 degrees: a quarter turn about the normal would not leave them as long as they are.
 void check_tangent_waves(const Surface& surface, const WaveSet& waves);
+
+/// The same for vertices with these normals.
+void check_tangent_waves(std::span<const Vec3> normals, const WaveSet& waves);
 
 }  // namespace brindle

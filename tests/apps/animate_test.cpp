@@ -1,9 +1,14 @@
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#ifdef BRINDLE_HAS_GL
+#include "brindle/image.h"
+#endif
 #include "tool.h"
 
 namespace brindle::test {
@@ -146,6 +151,17 @@ TEST_F(Animate, WritesAPictureAFrame) {
   }
 }
 
+TEST_F(Animate, QualityIsDrawnAndReported) {
+  for (const char* quality : {"interactive", "final"}) {
+    Arguments more = {"--quality", quality, "--output", "%d.png", "--report", "a.json", "-q"};
+    more.insert(more.end(), kSmall.begin(), kSmall.end());
+    ASSERT_EQ(run(command(more)).exit_code, 0);
+    EXPECT_EQ(Json::parse(content(folder / "a.json"))["picture_quality"], quality);
+    fs::rename(folder / "1.png", folder / (std::string(quality) + ".png"));
+  }
+  EXPECT_NE(content(folder / "interactive.png"), content(folder / "final.png"));
+}
+
 TEST_F(Animate, MissingFolderOfFrames) {
   expect_refusal(1, "none", command({"--output", "none/%04d.png"}));
   expect_refusal(1, "none", command({"--output", "none/a.mp4"}));
@@ -187,6 +203,26 @@ TEST_F(Video, HoldsEveryFrame) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(listing(), std::set<std::string>{"a.mp4"});
   EXPECT_EQ(content(folder / "a.mp4").size(), 3u * 64 * 48 * 4);
+}
+
+TEST_F(Video, HoldsFramesInTheirOrder) {
+  // The program reads more slowly than frames are drawn, so that they wait.
+  have_ffmpeg(R"(for last; do :; done
+while dd bs=12288 count=1 iflag=fullblock 2> /dev/null > part && [ -s part ]; do
+  cat part >> "${last#file:}"; sleep 0.05; done; rm -f part)");
+  Arguments arguments = video();
+  arguments.insert(arguments.end(), {"--scene", "zoom", "--output", "%d.png"});
+  std::ranges::replace(arguments, std::string("3"), std::string("7"));
+  const ToolResult result = run(arguments);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string frames = content(folder / "a.mp4");
+  ASSERT_EQ(frames.size(), 7u * 64 * 48 * 4);
+  for (std::size_t number = 0; number < 7; ++number) {
+    const Image image = read_png(folder / (std::to_string(number) + ".png"));
+    EXPECT_EQ(std::memcmp(image.pixels.data(), frames.data() + number * 64 * 48 * 4, 64 * 48 * 4),
+              0)
+        << number;
+  }
 }
 
 TEST_F(Video, OfAFailingProgramLeavesNothingAndTellsWhy) {

@@ -205,5 +205,25 @@ TEST_F(BadInput, CommandsThatAreNone) {
   }
 }
 
+#ifdef BRINDLE_HAS_JSON
+
+TEST_F(BadInput, StrokesThatCannotBeFollowed) {
+  const auto refused = [&](const std::string& part, const std::string& text) {
+    write_text(folder / "s.json", text);
+    expect_refusal(1, part, {"stripe", kSmallTorus, "--strokes", "s.json", "--report", "r.json"});
+  };
+  refused("s.json: damaged JSON: parse error at line 2, column 3", "{\"strokes\":\n  ]");
+  refused("s.json: strokes[0] has no length", R"({"strokes": [{"radius": 1, "points": []}]})");
+  refused("s.json: strokes[0]: point 1 is 4",
+          R"({"strokes": [{"radius": 0.1, "points": [[1, 0, 0], [5, 0, 0]]}]})");
+  expect_refusal(1, "none.json",
+                 {"stripe", kSmallTorus, "--strokes", "none.json", "--report", "r.json"});
+  write_text(folder / "s.json", "{}");
+  expect_refusal(2, "is read by --strokes",
+                 {"stripe", kSmallTorus, "--strokes", "s.json", "--report", "s.json"});
+}
+
+#endif
+
 }  // namespace
 }  // namespace brindle::test

@@ -42,9 +42,15 @@ TEST_F(BenchTest, MeasuresAllSolversAndFramesOfAMeshAndOfItsFinerCopy) {
 #endif
     EXPECT_EQ(solvers_of(mesh), expected);
     for (const auto& solver : mesh["solvers"]) expect_positive(solver["milliseconds"]["solve"]);
+    ASSERT_FALSE(mesh["surroundings"].empty());
+    for (const auto& figures : mesh["surroundings"]) {
+      for (const char* what : {"texture", "cross", "smooth_field"}) {
+        expect_positive(figures["milliseconds"][what]);
+      }
+    }
     ASSERT_FALSE(mesh["frames"].empty());
     for (const auto& frame : mesh["frames"]) {
-      for (const char* stage : {"topology", "couple", "sum", "solve", "total"}) {
+      for (const char* stage : {"topology", "couple", "sum", "solve", "total", "measure"}) {
         expect_positive(frame["milliseconds"][stage]);
       }
     }

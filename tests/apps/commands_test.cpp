@@ -15,8 +15,11 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_F(ToolTest, HelpHasExamples) {
   EXPECT_TRUE(has(run({"--help"}).out, "Examples:"));
-  for (const char* command :
-       {"stripe", "compare", "curves", "sample", "animate", "info", "bench"}) {
+  for (const char* command : {"stripe", "compare", "curves", "sample", "animate", "info",
+#ifdef BRINDLE_HAS_GL
+                              "render",
+#endif
+                              "bench", "gallery"}) {
     const ToolResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;

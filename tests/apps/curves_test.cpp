@@ -46,7 +46,7 @@ TEST_F(Curves, ReportBalances) {
     EXPECT_GT(lines.at("points").get<int>(), lines.at("curves").get<int>());
     EXPECT_GT(lines.at("length").get<double>(), 0);
   }
-  for (const char* key : {"load", "topology", "couple", "solve", "pattern", "extract"}) {
+  for (const char* key : {"load", "field", "topology", "couple", "solve", "pattern", "extract"}) {
     EXPECT_GE(report.at("milliseconds").at(key).get<double>(), 0) << key;
   }
 }
@@ -239,6 +239,72 @@ INSTANTIATE_TEST_SUITE_P(
                     Arguments{"--tube-radius", "1%", "-o", "a.svg"}, Arguments{"--up", "y"},
                     Arguments{"--camera", "30,20", "-o", "a.ply"}, Arguments{"--size", "64x48"},
                     Arguments{"--colors", "#000000,#ffffff", "-o", "a.csv"}));
+
+TEST_F(Curves, MeasuresWhatAMakerAsksFor) {
+  const std::string cylinder = "shape:cylinder,resolution=60";
+  const Arguments rings = {"--direction", "0,0,1", "--stripes", "20", "--line-width", "0.02"};
+  const Json u = report(rings, cylinder).at("u");
+  const Json& lengths = u.at("lengths");
+  EXPECT_EQ(u.at("open"), 0);
+  EXPECT_EQ(lengths.at("open"), 0);
+  EXPECT_NEAR(lengths.at("closed").get<double>(), u.at("length").get<double>(), 1e-6);
+  EXPECT_NEAR(lengths.at("longest").get<double>(), 3.14, 0.01);
+  EXPECT_NEAR(u.at("coverage").get<double>(), 0.02 * u.at("length").get<double>() / (2 * 3.1416),
+              0.01);
+#ifdef BRINDLE_HAS_NANOFLANN
+  EXPECT_NEAR(u.at("gaps").at("least_ratio").get<double>(), 1, 0.01);
+  EXPECT_NEAR(u.at("gaps").at("most_ratio").get<double>(), 1, 0.01);
+#endif
+  EXPECT_FALSE(report({}).at("u").contains("coverage"));
+  expect_refusal(2, "--line-width", {"curves", cylinder, "--line-width", "0"});
+}
+
+TEST_F(Curves, WindAsTheyAreAskedTo) {
+  const std::string tube = "shape:tube,radius=0.2,bend=30,resolution=48";
+  const Arguments slanted = {
+      "--field", "curvature", "--curvature-direction", "min", "--rotate", "8", "--stripes", "24"};
+  const auto wound = [&](const Arguments& more) {
+    Arguments arguments = slanted;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return report(arguments, tube);
+  };
+  const Json before = wound({}).at("u");
+  EXPECT_EQ(before.at("loops").size(), 2u);
+  EXPECT_EQ(before.at("loops").at(0).at("name"), "boundary-1");
+  EXPECT_EQ(before.at("loops").at(0).at("winding"), 2);
+  const Json rings = wound({"--winding", "0", "--anchor-boundary", "0"}).at("u");
+  EXPECT_EQ(rings.at("open"), 0);
+  EXPECT_EQ(rings.at("loops").at(1).at("winding"), 0);
+  EXPECT_EQ(rings.at("loops").at(1).at("winding_before"), 2);
+  EXPECT_EQ(rings.at("boundary_vertices_fixed"), 96);
+  const Json spiral = wound({"--winding", "boundary-1:1"}).at("u");
+  EXPECT_EQ(spiral.at("curves"), 1);
+  EXPECT_LT(spiral.at("turned").at("largest_deg").get<double>(), 6);
+  const Json sleeve = wound({"--lines", "both", "--wales", "30"}).at("v");
+  EXPECT_EQ(sleeve.at("curves"), 30);
+}
+
+TEST_F(Curves, WindingsThatCannotBeAreRefused) {
+  expect_refusal(1, "no way round", {"curves", "shape:sphere,resolution=8", "--winding", "1"});
+  expect_refusal(1, "loop-1, loop-2", {"curves", kSmallTorus, "--winding", "1"});
+  for (const char* bad : {"one", "1.5", ":1", "loop-1:", "99999999999"}) {
+    expect_refusal(2, "--winding", {"curves", kSmallTorus, "--winding", bad});
+  }
+  expect_refusal(1, "--anchor-boundary",
+                 {"curves", kSmallTorus, "--anchor-boundary", "0", "--report", "r.json"});
+  expect_refusal(2, "--merge-branches", {"curves", kSmallTorus, "--merge-branches", "-1"});
+  expect_refusal(2, "--wales", {"curves", kSmallTorus, "--lines", "v", "--wales", "0"});
+}
+
+TEST_F(Curves, HaveFewerBranchesOnceTheseAreMerged) {
+  const std::string knot = "shape:trefoil,resolution=28";
+  const Json u =
+      report({"--direction", "0.31,0.9,0.27", "--stripes", "24", "--merge-branches", "0"}, knot)
+          .at("u");
+  EXPECT_GT(u.at("merged").at("pairs"), 0);
+  EXPECT_LT(u.at("branches"), u.at("merged").at("branches_before"));
+  EXPECT_LE(u.at("energy"), u.at("merged").at("energy_before"));
+}
 
 }  // namespace
 }  // namespace brindle::test

@@ -62,6 +62,8 @@ Arguments shortened(Arguments arguments) {
   const bool series = std::ranges::find(arguments, "--series") != arguments.end();
   if (arguments.front() == "animate" && !series) set_option(arguments, "--frames", "2");
   if (arguments.front() == "bench") arguments.push_back("--quick");
+  if (arguments.front() == "gallery" && arguments.size() > 1)
+    set_option(arguments, "--detail", "0.25");
   return arguments;
 }
 
@@ -90,6 +92,9 @@ struct Examples : ToolTest {
     }
     mesh.points = {velocity, speed, stress};
     for (const char* name : {"flow.vtp", "plate.vtp"}) write_text(folder / name, vtp_text(mesh));
+    std::string calm;
+    for (const auto& [x, y, z] : mesh.positions) calm += z > 0 ? "1\n" : "0\n";
+    write_text(folder / "face.csv", calm);
   }
 
   // Two steps of each kind.
@@ -128,6 +133,9 @@ struct Examples : ToolTest {
     for (const char* name : {"wind.csv", "importance.csv"}) write_text(folder / name, field);
     write_text(folder / "points.csv", points);
     write_series();
+    write_text(folder / "session.json",
+               "{\"brindle_session\": 1, \"mesh\": \"horse.ply\", \"size\": [64, 48]}");
+    write_text(folder / "events.jsonl", "{\"command\": \"set_option\", \"name\": \"along\"}");
     fs::create_directory(folder / "frames");
     write_text(folder / "ffmpeg", "#!/bin/sh\nfor last; do :; done; cat > \"${last#file:}\"\n");
     fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
@@ -146,8 +154,8 @@ struct Examples : ToolTest {
 
 TEST_F(Examples, OfEveryHelpRun) {
   std::size_t count = 0;
-  for (const char* command :
-       {"", "stripe", "compare", "curves", "sample", "animate", "info", "bench"}) {
+  for (const char* command : {"", "stripe", "compare", "curves", "sample", "animate", "info",
+                              "render", "bench", "gallery"}) {
     const ToolResult help = *command == '\0' ? run({"--help"}) : run({command, "--help"});
     const std::vector<Arguments> examples = examples_in(help.out);
     EXPECT_FALSE(examples.empty()) << command;

@@ -31,7 +31,7 @@ TEST_F(Stripe, ReportHasTheContractsKeys) {
                           "angle_error_share_over_5deg", "spacing_error_mean", "milliseconds"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
-  for (const char* key : {"load", "topology", "couple", "solve", "pattern"}) {
+  for (const char* key : {"load", "field", "topology", "couple", "solve", "pattern"}) {
     EXPECT_GE(report["milliseconds"].at(key).get<double>(), 0) << key;
   }
   EXPECT_EQ(report["solver"], "multilevel");

@@ -7,21 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct OutputFile : testing::Test {
-  fs::path folder =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-  void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
+struct OutputFile : TestFolder {
   static std::string content(const fs::path& path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();

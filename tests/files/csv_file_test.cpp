@@ -10,6 +10,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
@@ -18,11 +19,8 @@ namespace fs = std::filesystem;
 
 using Rows = std::vector<std::vector<double>>;
 
-struct CsvFile : testing::Test {
-  fs::path path =
-      fs::path(testing::TempDir()) /
-      (std::string("csv_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-  void TearDown() override { fs::remove(path); }
+struct CsvFile : TestFolder {
+  fs::path path = folder / "rows.csv";
 
   Rows read(const std::string& text) const {
     std::ofstream(path, std::ios::binary) << text;

@@ -7,6 +7,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
@@ -15,11 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-struct FieldCsv : testing::Test {
-  fs::path path =
-      fs::path(testing::TempDir()) /
-      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
-  void TearDown() override { fs::remove(path); }
+struct FieldCsv : TestFolder {
+  fs::path path = folder / "field.csv";
 
   FieldFile read(const std::string& text, std::size_t vertices,
                  const std::vector<Index>& vertex_of_row = {}) {

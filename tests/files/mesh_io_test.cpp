@@ -19,22 +19,14 @@
 #include "brindle/shapes/parametric_shapes.h"
 #include "brindle/shapes/random.h"
 #include "progress_reports.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct MeshIo : testing::Test {
-  fs::path folder =
-      fs::path(testing::TempDir()) /
-      (std::string("mesh_io_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
+struct MeshIo : TestFolder {
   fs::path save(const std::string& name, const std::string& content) const {
     std::ofstream(folder / name, std::ios::binary) << content;
     return folder / name;

@@ -13,6 +13,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
@@ -21,11 +22,8 @@ namespace fs = std::filesystem;
 
 using Strip = std::vector<int>;
 
-struct PlyFile : testing::Test {
-  fs::path path = fs::path(testing::TempDir()) /
-                  (std::string("ply_") +
-                   testing::UnitTest::GetInstance()->current_test_info()->name() + ".ply");
-  void TearDown() override { fs::remove(path); }
+struct PlyFile : TestFolder {
+  fs::path path = folder / "mesh.ply";
 
   const fs::path& save(const std::string& content) const {
     std::ofstream(path, std::ios::binary) << content;

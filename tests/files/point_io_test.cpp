@@ -6,19 +6,14 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct PointIo : testing::Test {
-  fs::path folder = fs::temp_directory_path() /
-                    ("brindle_points_" +
-                     std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-
+struct PointIo : TestFolder {
   fs::path file(const std::string& name, const std::string& text) const {
     std::ofstream(folder / name, std::ios::binary) << text;
     return folder / name;

@@ -9,6 +9,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "test_folder.h"
 #include "written_vtp.h"
 
 namespace brindle {
@@ -16,15 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PolylineIo : testing::Test {
-  fs::path folder =
-      fs::path(testing::TempDir()) /
-      (std::string("polylines_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+struct PolylineIo : TestFolder {
   Polylines u, v;
 
   void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
     u.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
     u.normals.assign(3, Vec3(0, 0, 1));
     u.offsets = {0, 3};
@@ -34,7 +30,6 @@ struct PolylineIo : testing::Test {
     v.offsets = {0, 2};
     v.closed = {0};
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::string written(const std::string& name) const {
     const std::vector<NamedLines> kinds = {{"u", u}, {"v", v}};

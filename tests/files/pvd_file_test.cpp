@@ -8,19 +8,15 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct PvdFile : testing::Test {
-  fs::path folder =
-      fs::path(testing::TempDir()) /
-      (std::string("brindle_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-
+struct PvdFile : TestFolder {
   void SetUp() override { fs::create_directories(folder / "steps"); }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::string written(const std::vector<TimedFile>& files) const {
     write_pvd(folder / "run.pvd", files);

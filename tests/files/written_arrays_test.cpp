@@ -14,6 +14,8 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "test_folder.h"
+#include "vtk_texts.h"
 #include "written_vtp.h"
 
 namespace brindle {
@@ -70,16 +72,7 @@ std::vector<std::string> names_of(const std::vector<DataArray>& arrays) {
   return names;
 }
 
-struct WrittenArrays : testing::Test {
-  fs::path folder =
-      fs::path(testing::TempDir()) /
-      (std::string("written_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-};
+struct WrittenArrays : TestFolder {};
 
 TEST_F(WrittenArrays, VtpHoldsEveryTypeAndWidthBitForBit) {
   const std::vector<DataArray> points = all_kinds(4), cells = all_kinds(2);
@@ -238,6 +231,43 @@ TEST_F(WrittenArrays, ArraysOfOtherLengthsAreRefused) {
   array.components = 0;
   EXPECT_THROW(write_mesh(folder / "a.vtp", two_triangles(), {&array, 1}), Error);
   EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(WrittenArrays, ArraysComeBackFromWhatBrindleWrites) {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  std::vector<DataArray> points = arrays_of_every_type(4), cells = arrays_of_every_type(2);
+  for (DataArray& array : points) array.name[2] = '_';
+  for (DataArray& array : cells) array.name[2] = '_';
+  points.push_back(make_data_array("normal", 3, std::vector<float>(12, 1)));
+  points.push_back(make_data_array("color", 3, std::vector<std::uint8_t>(12, 200)));
+  points.push_back(make_data_array("uv", 2, std::vector<float>(8, 0.25f)));
+  std::vector<std::string> names = {"a.ply"};
+#ifdef BRINDLE_HAS_VTK
+  names.push_back("a.vtp");
+#endif
+  for (const std::string& name : names) {
+    // PLY has no whole numbers of 64 bits.
+    const FittedArrays fitted = fitted_arrays(name, {points, cells});
+    write_mesh(folder / name, mesh, fitted.arrays.points, fitted.arrays.cells);
+    const LoadedMesh loaded = read_mesh(folder / name);
+    EXPECT_EQ(loaded.mesh.triangles, mesh.triangles);
+    EXPECT_EQ(loaded.arrays, fitted.arrays) << name;
+    EXPECT_GE(loaded.arrays.points.size(), name == "a.ply" ? 11u : 13u);
+  }
+#ifdef BRINDLE_HAS_JSON
+  for (const std::string name : {"a.gltf", "a.glb"}) {
+    const std::vector<DataArray> arrays = {
+        make_data_array("normal", 3, std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0}),
+        make_data_array("phase", 1, std::vector<float>{1, 2, 3, 4}),
+        make_data_array("uv", 2, std::vector<float>{0, 0.25f, 0.5f, 1, 2, 3, 4, -5})};
+    write_mesh(folder / name, mesh, arrays);
+    const LoadedMesh loaded = read_mesh(folder / name);
+    ASSERT_EQ(loaded.arrays.points.size(), arrays.size());
+    for (const DataArray& array : arrays) {
+      EXPECT_EQ(*find_array(loaded.arrays.points, array.name), array) << name;
+    }
+  }
+#endif
 }
 
 }  // namespace

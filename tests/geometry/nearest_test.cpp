@@ -1,4 +1,4 @@
-#include "brindle/nearest.h"
+#include "brindle/geometry/nearest.h"
 
 #include <algorithm>
 #include <cmath>

@@ -22,11 +22,10 @@ TEST(ShaderProgram, ShaderThatDoesNotCompileIsNamed) {
   const HeadlessContext context;
   try {
     // A fragment shader that lacks the file with its functions.
-    const ShaderProgram program({"full_screen.vert"}, {"striped_surface.frag"});
+    const ShaderProgram program({"full_screen.vert"}, {"shade.frag"});
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("striped_surface.frag:"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("shade.frag:"), std::string::npos) << error.what();
   }
 }
 

@@ -104,6 +104,64 @@ TEST_F(GpuAnimatorTest, ThePapersModeRunsAsOnTheProcessor) {
   expect_same_scene(device.solver, SceneKind::rotate, options);
 }
 
+Surface surface_with(const WavySurface& s) { return {s.mesh, s.neighborhood, s.normals}; }
+
+TEST_F(GpuAnimatorTest, FrequenciesYieldAsOnTheProcessor) {
+  auto s = wavy_surface("torus,resolution=60", kAxis, 25);
+  AnimatorOptions options = options_with(0.02f);
+  options.slack = 0.2f;
+  StripeAnimator cpu(surface_with(s), options);
+  GpuAnimator gpu(device.solver.kernels(), surface_with(s), options);
+  for (int number = 0; number < 4; ++number) {
+    SCOPED_TRACE(number);
+    s.waves.directions = rotated(s.waves.directions, s.normals, 0.03f);
+    const FrameResult on_cpu = cpu.frame(input_of(s.waves));
+    EXPECT_TRUE(gpu.frame(input_of(s.waves)));
+    EXPECT_TRUE(std::ranges::equal(gpu.frequencies(), on_cpu.frequencies));
+    EXPECT_EQ(gpu.frequency_change().ratio_mean, on_cpu.frequency_change.ratio_mean);
+    WaveSet yielded = s.waves;
+    yielded.frequencies.assign(on_cpu.frequencies.begin(), on_cpu.frequencies.end());
+    const PhaseGraph graph = build_phase_graph(s.neighborhood, yielded);
+    EXPECT_NEAR(energy(graph, gpu.read_phases()), energy(graph, on_cpu.z),
+                0.1 * energy(graph, on_cpu.z));
+    EXPECT_FALSE(gpu.frame(input_of(s.waves)));
+  }
+}
+
+TEST_F(GpuAnimatorTest, CancelledFramesLeaveFrequenciesAsTheyWere) {
+  const auto s = wavy_surface("torus,resolution=60", kAxis, 25);
+  AnimatorOptions options = options_with(0.02f);
+  options.slack = 0.2f;
+  options.cycles = 2;
+  const auto see = [&](bool cancelled) {
+    GpuAnimator gpu(device.solver.kernels(), surface_with(s), options);
+    WaveSet waves = s.waves;
+    std::vector<float> seen;
+    for (int number = 0; number < 3; ++number) {
+      waves.directions = rotated(waves.directions, s.normals, 0.03f);
+      if (cancelled) {
+        WaveSet other = waves;
+        other.directions = rotated(other.directions, s.normals, 0.4f);
+        Reports reports(1);
+        EXPECT_THROW(gpu.frame(input_of(other), reports.progress()), Cancelled);
+      }
+      gpu.frame(input_of(waves));
+      seen.insert(seen.end(), gpu.frequencies().begin(), gpu.frequencies().end());
+    }
+    return seen;
+  };
+  EXPECT_EQ(see(true), see(false));
+}
+
+TEST_F(GpuAnimatorTest, SlackNeedsTheSurfaceAndItsInputOnTheProcessor) {
+  const auto s = wavy_surface("torus,resolution=20", kAxis, 5);
+  AnimatorOptions options;
+  options.slack = 0.2f;
+  EXPECT_THROW(GpuAnimator(device.solver.kernels(), s.neighborhood, options), Error);
+  GpuAnimator gpu(device.solver.kernels(), surface_with(s), options);
+  EXPECT_THROW(gpu.frame(WaveBuffers{}), Error);
+}
+
 TEST_F(GpuAnimatorTest, CouplesEveryPhaseShiftAsTheProcessorDoes) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   flip_half(surface.waves, 4);

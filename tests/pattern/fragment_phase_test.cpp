@@ -133,11 +133,51 @@ TEST(FragmentPhase, SplitTriangleHasNoSeamAlongItsCuts) {
   EXPECT_GT(seen, 50);
 }
 
-TEST(FragmentPhase, UndefinedAtTheBarycentreOfASplitTriangle) {
+TEST(FragmentPhase, SingularTriangleHasAPeakOrATroughAtItsBarycentre) {
   Dice dice;
-  Corners corners = dice.corners();
-  while (orientable(corners)) corners = dice.corners();
-  EXPECT_EQ(fragment_phase(corners, Vec3::Constant(1.0f / 3)).z, Complex(0));
+  int peaks = 0, troughs = 0;
+  for (int n = 0; n < 400; ++n) {
+    const Corners corners = dice.corners();
+    if (orientable(corners)) continue;
+    const float centre = fragment_phase(corners, Vec3::Constant(1.0f / 3)).z.imag();
+    EXPECT_NEAR(std::abs(centre), 1, 1e-5);
+    (centre > 0 ? peaks : troughs) += 1;
+    // All ways lead there: nothing turns about the barycentre.
+    for (int way = 0; way < 12; ++way) {
+      const Vec3 aside = dice.barycentric() - Vec3::Constant(1.0f / 3);
+      const Vec3 near = Vec3::Constant(1.0f / 3) + 0.01f * aside;
+      EXPECT_NEAR(fragment_phase(corners, near).z.imag(), centre, 0.05);
+    }
+  }
+  EXPECT_GT(peaks, 20);
+  EXPECT_GT(troughs, 20);
+}
+
+TEST(FragmentPhase, OrderOfCornersDoesNotMatter) {
+  Dice dice;
+  for (int n = 0; n < 400; ++n) {
+    const Corners c = dice.corners();
+    const Vec3 b = dice.barycentric();
+    const float sine = fragment_phase(c, b).z.imag();
+    EXPECT_NEAR(fragment_phase({c[1], c[2], c[0]}, {b[1], b[2], b[0]}).z.imag(), sine, 2e-4);
+    EXPECT_NEAR(fragment_phase({c[1], c[0], c[2]}, {b[1], b[0], b[2]}).z.imag(), sine, 2e-4);
+  }
+}
+
+TEST(FragmentPhase, EdgeBetweenOppositePhasesHasTwoSidesThatAgree) {
+  // Half a turn is left: either way along the edge is as long as the other.
+  Dice dice;
+  const auto wave = [&](const Vec3& p, float turns) {
+    return CornerWave{{p, Vec3(0, 1, 0), 1}, phase(turns)};
+  };
+  for (int n = 0; n < 100; ++n) {
+    const float turns = 0.25f * static_cast<float>(n % 4);
+    const CornerWave a = wave({0, 0, 0}, turns), b = wave({1, 0, 0}, turns + 0.5f);
+    const CornerWave c = dice.corner(), d = dice.corner();
+    const float t = dice.number(0, 1);
+    EXPECT_NEAR(fragment_phase({a, b, c}, {1 - t, t, 0}).z.imag(),
+                fragment_phase({flipped(b), flipped(a), d}, {t, 1 - t, 0}).z.imag(), 1e-5);
+  }
 }
 
 TEST(FragmentPhase, RigidMotionChangesNothing) {
@@ -163,7 +203,7 @@ TEST(FragmentPhase, CornerWithoutWaveLeavesNone) {
   Corners corners = dice.corners();
   corners[1].wave.direction = Vec3::Zero();
   EXPECT_EQ(fragment_phase(corners, dice.barycentric()).z, Complex(0));
-  EXPECT_EQ(oriented_fragment_phase(corners, dice.barycentric()).z, Complex(0));
+  EXPECT_EQ(split_fragment_phase(corners, dice.barycentric()).z, Complex(0));
 }
 
 TEST(CommonOrientation, SignsMakeAllDirectionsRunAlike) {

@@ -486,7 +486,7 @@ TEST(StripeCurves, PointsAreOnPeaksOfTheDrawnPattern) {
 }
 
 TEST(StripeCurves, JoinedCurvesHaveFewerEnds) {
-  const Solved solved(wavy_surface("sphere,resolution=8", Vec3(0.1f, 1, 0.2f), 90));
+  const Solved solved(wavy_surface("torus,resolution=24", Vec3(0.1f, 1, 0.2f), 90));
   const StripeCurves apart = solved.curves(), joined = solved.curves({.join = true});
   EXPECT_LE(joined.lines.count(), apart.lines.count());
   const auto inner = [](const StripeCurves& curves) {
@@ -524,7 +524,7 @@ std::vector<Vec3> inner_end_points(const StripeCurves& curves) {
 }
 
 TEST(StripeCurves, JoinedCurvesRunOnIntoTheirNeighbours) {
-  for (const std::string shape : {"trefoil", "torus,resolution=96", "sphere,resolution=12"}) {
+  for (const std::string shape : {"trefoil", "torus,resolution=96", "box,resolution=20"}) {
     SCOPED_TRACE(shape);
     const Solved solved(wavy_surface(shape, Vec3(0.31f, 0.9f, 0.27f), 60));
     const StripeCurves apart = solved.curves(), joined = solved.curves({.join = true});

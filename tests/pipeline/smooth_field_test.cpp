@@ -1,5 +1,6 @@
 #include "brindle/smooth_field.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/mesh.h"
 #include "brindle/shapes.h"
+#include "brindle/strokes.h"
 
 namespace brindle {
 namespace {
@@ -154,6 +156,80 @@ TEST(SmoothField, FollowsCreasesThatTrianglesFollowInZigzag) {
 TEST(SmoothField, RefusesFeaturesForVectors) {
   const Surface plane = make_surface(make_shape("plane,resolution=5"));
   EXPECT_THROW(smooth_direction_field(plane, {.symmetry = 1, .feature_anchor = 1.0f}), Error);
+}
+
+double degrees_between_lines(const Vec3& a, const Vec3& b) {
+  return std::acos(std::min(1.0f, std::abs(a.dot(b)))) * 57.29578;
+}
+
+/// The field of a plane, whatever the four edges ask for, and a stroke across it.
+struct StrokeOnAPlane {
+  Surface plane = make_surface(make_shape("plane,resolution=50"));
+  Vec3 along = Vec3(2, 1, 0).normalized();
+  std::vector<FieldStroke> strokes = {
+      {{Eigen::Vector3d(-0.5, -0.25, 0), Eigen::Vector3d(0.5, 0.25, 0)}, 0.2, 2}};
+
+  DirectionField field(bool stroke) const {
+    // Held along x at the outer quarter of the plane.
+    SmoothFieldOptions options;
+    for (Index v = 0; v < plane.mesh.vertex_count(); ++v) {
+      if (std::abs(plane.mesh.positions[v].y()) > 0.75f)
+        options.anchors.push_back({v, Vec3::UnitX()});
+    }
+    if (stroke) {
+      for (const FieldAnchor& anchor : stroke_anchors(plane, strokes)) {
+        options.anchors.push_back(anchor);
+      }
+    }
+    return smooth_direction_field(plane, options);
+  }
+};
+
+TEST(SmoothField, FollowsAStrokeUnderItAndStaysAsItWasFarAway) {
+  const StrokeOnAPlane scene;
+  const DirectionField before = scene.field(false), after = scene.field(true);
+  const Vec3 across(-scene.along.y(), scene.along.x(), 0);
+  std::size_t under = 0, away = 0;
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    const Vec3& p = scene.plane.mesh.positions[v];
+    if (std::abs(p.dot(across)) < 0.05f && std::abs(p.dot(scene.along)) < 0.45f) {
+      EXPECT_LT(degrees_between_lines(after[v], scene.along), 3);
+      ++under;
+    } else if (std::abs(p.y()) > 0.85f) {
+      EXPECT_LT(degrees_between_lines(after[v], before[v]), 1);
+      ++away;
+    }
+  }
+  EXPECT_GT(under, 50u);
+  EXPECT_GT(away, 200u);
+}
+
+TEST(SmoothField, IsTheSameForAStrokeReadBackwards) {
+  StrokeOnAPlane scene;
+  const DirectionField forward = scene.field(true);
+  std::reverse(scene.strokes[0].points.begin(), scene.strokes[0].points.end());
+  EXPECT_EQ(scene.field(true), forward);
+}
+
+TEST(SmoothField, RunsAlongFeaturesWithinTheirRadius) {
+  const Surface plane = make_surface(make_shape("plane,resolution=40"));
+  const auto field = smooth_direction_field(
+      plane, {.feature_anchor = 2, .feature_angle_deg = 40, .feature_radius = 0.3f});
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    const Vec3& p = plane.mesh.positions[v];
+    if (std::abs(p.x()) > 0.4f || std::abs(std::abs(p.y()) - 0.9f) > 0.06f) continue;
+    EXPECT_LT(degrees_between_lines(field[v], Vec3::UnitX()), 8);
+  }
+}
+
+TEST(SmoothField, RefusesAnchorsThatAreNone) {
+  const Surface plane = make_surface(make_shape("plane,resolution=4"));
+  for (const FieldAnchor& bad :
+       {FieldAnchor{1000, Vec3::UnitX(), 1}, FieldAnchor{0, Vec3(NAN, 0, 0), 1},
+        FieldAnchor{0, Vec3::UnitX(), INFINITY}}) {
+    EXPECT_THROW(smooth_direction_field(plane, {.anchors = {bad}}), Error);
+  }
+  EXPECT_THROW(smooth_direction_field(plane, {.feature_anchor = 1, .feature_radius = -1}), Error);
 }
 
 }  // namespace

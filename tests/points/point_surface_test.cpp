@@ -123,7 +123,7 @@ TEST(PointSurface, PatternHardlyDependsOnTheOrderOfPoints) {
 TEST(PointSurface, SmoothCurvatureAndCrossFieldsWorkToo) {
   const Surface torus = points_of(make_shape("torus,resolution=120"));
   WaveSet waves = waves_along(torus, kAxis, 10);
-  for (const SmoothFieldOptions options :
+  for (const SmoothFieldOptions& options :
        {SmoothFieldOptions{}, SmoothFieldOptions{.curvature_anchor = 0.1f}}) {
     waves.directions = smooth_direction_field(torus, options);
     EXPECT_LT(stripe_pattern(torus, waves).solution.energy, 0.04);

@@ -26,7 +26,7 @@ TEST(Camera, FramesAnyMeshTightlyAndWhole) {
     Mesh mesh = test::saddle(5);
     for (Vec3& p : mesh.positions) p = scale * Vec3(p.x() + 3, 0.3f * p.y(), p.z());
     for (const auto& [width, height] : {std::pair{1200, 900}, {300, 900}, {640, 640}}) {
-      for (const CameraView view : {CameraView{30, 20, 1}, {200, -70, 1}, {0, 90, 1, UpAxis::z}}) {
+      for (const CameraView& view : {CameraView{30, 20, 1}, {200, -70, 1}, {0, 90, 1, UpAxis::z}}) {
         const auto box =
             seen_box(mesh, framed_camera(points_of_triangles(mesh), view, width, height));
         EXPECT_LE(box.max().cwiseAbs().maxCoeff(), 0.951f);

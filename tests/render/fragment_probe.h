@@ -11,6 +11,7 @@
 #include "brindle/render/gl_surface.h"
 #include "brindle/render/gl_target.h"
 #include "brindle/render/tiled_picture.h"
+#include "brindle/render/visible_triangles.h"
 
 namespace brindle::test {
 
@@ -18,8 +19,8 @@ namespace brindle::test {
 struct FragmentImage {
   static constexpr Index kNoTriangle = 0xffffffff;
   std::vector<Complex> z;         ///< as `fragment_phase` gives it; 0 where there is none
-  std::vector<Index> triangle;    ///< the triangle seen at the pixel's centre, or kNoTriangle
-  std::vector<Vec3> barycentric;  ///< there
+  std::vector<Index> triangle;    ///< one that is seen in the pixel, or kNoTriangle
+  std::vector<Vec3> barycentric;  ///< of the middle of the samples that show it
 };
 
 /// Draws with the picture's shaders but for the last, which writes numbers instead of colours.
@@ -30,16 +31,19 @@ class FragmentProbe {
   void use_phases(unsigned buffer) { surface_.use_phases(buffer); }
 
   /// One sample a pixel, from the options' camera.
-  FragmentImage draw(const RenderOptions& options) const {
+  FragmentImage draw(const RenderOptions& options) {
     const int width = options.width, height = options.height;
-    const Target target = target_of({GL_RG32F, GL_RGBA32F, GL_R32UI}, true, width, height);
-    clear(target);
+    const Target target = target_of({GL_RG32F, GL_RGBA32F, GL_R32UI}, false, width, height);
+    const Camera camera = framed_camera(surface_.points(), options.camera, width, height);
+    const Eigen::Vector4f whole{1, 1, 0, 0};
+    visible_.draw(surface_, camera, whole, {width, height}, {width, height});
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, width, height);
-    glEnable(GL_DEPTH_TEST);
-    surface_.draw(program_, framed_camera(surface_.points(), options.camera, width, height),
-                  {1, 1, 0, 0});
-    glDisable(GL_DEPTH_TEST);
+    surface_.bind(program_, camera, whole);
+    visible_.bind(program_);
+    program_.set("target_size", Eigen::Vector2f(width, height));
+    glUseProgram(program_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
     return read(target, width, height);
   }
 
@@ -50,21 +54,20 @@ layout(location = 1) out vec4 weights;
 layout(location = 2) out uint triangle_number;
 
 void main() {
-  z = wave_here().z;
-  weights = vec4(weights_here(), 0.0);
-  triangle_number = triangle;
+  z = vec2(0.0);
+  weights = vec4(0.0);
+  triangle_number = 0xffffffffu;
+  uvec4 triangles = triangles_here();
+  uint number = max(max(triangles.x, triangles.y), max(triangles.z, triangles.w));
+  if (number == 0u) return;
+  vec2 place = middle_of(shares(equal(triangles, uvec4(number))));
+  SurfacePoint p = surface_point(surface_triangle(number - 1u), gl_FragCoord.xy + place,
+                                 gl_FragCoord.xy);
+  z = wave_at(p).z;
+  weights = vec4(p.barycentric, 0.0);
+  triangle_number = p.triangle;
 }
 )glsl";
-
-  static void clear(const Target& target) {
-    constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-    constexpr std::array<GLuint, 4> kNoTriangles{FragmentImage::kNoTriangle, 0, 0, 0};
-    constexpr float kFarthest = 1;
-    glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, kNothing.data());
-    glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 1, kNothing.data());
-    glClearNamedFramebufferuiv(target.framebuffer, GL_COLOR, 2, kNoTriangles.data());
-    glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
-  }
 
   template <class Item>
   static void read(const Target& target, GLenum attachment, GLenum format, GLenum type, int width,
@@ -86,10 +89,13 @@ void main() {
   }
 
   GlSurface surface_;
-  ShaderProgram program_{{"surface_buffers.glsl", "surface.vert"},
+  VisibleTriangles visible_;
+  ShaderProgram program_{{"full_screen.vert"},
                          {"surface_buffers.glsl",
+                          "surface_point.glsl",
                           "fragment_phase.glsl",
-                          "surface_fragment.glsl",
+                          "stripe_wave.glsl",
+                          "visible_samples.glsl",
                           {"fragment probe", kNumbers}}};
 };
 

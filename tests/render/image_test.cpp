@@ -6,19 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct ImageFile : testing::Test {
-  fs::path folder =
-      fs::path(testing::TempDir()) /
-      (std::string("image_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-
+struct ImageFile : TestFolder {
   static Image picture(bool transparent) {
     Image image(7, 5);
     for (int y = 0; y < 5; ++y) {

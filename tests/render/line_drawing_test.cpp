@@ -9,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/shapes.h"
+#include "test_folder.h"
 
 namespace brindle {
 namespace {
@@ -117,8 +118,10 @@ TEST(LineDrawing, RefusesImpossibleSizes) {
   EXPECT_THROW(Visibility(mesh, kFromFront, 100, 10000), Error);
 }
 
-TEST(LineDrawing, SvgHasAGroupPerPen) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "pens.svg";
+struct LineDrawingFile : TestFolder {};
+
+TEST_F(LineDrawingFile, SvgHasAGroupPerPen) {
+  const std::filesystem::path path = folder / "pens.svg";
   const std::vector<Pen> pens = {{"u", Color{1, 0, 0}, 1.5f, {{{0, 0}, {10, 20.126f}}}},
                                  {"outline", Color{}, 1, {}}};
   write_svg(path, 40, 30, pens);
@@ -129,7 +132,6 @@ TEST(LineDrawing, SvgHasAGroupPerPen) {
                            "<path d=\"M0.00 0.00L10.00 20.13\"/>", "<g id=\"outline\"", "</svg>"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   }
-  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "option_values.h"
 #include "outputs.h"
 #include "preparation.h"
+#include "progress_display.h"
 #include "used_files.h"
 #include "written_files.h"
 
@@ -88,8 +89,23 @@ MeshFigures empty_figures(const Subject& subject) {
   return figures;
 }
 
+/// Nothing, and a note, where pictures cannot be drawn.
+std::optional<DrawFigures> draw_figures(const Subject& subject, const BenchPlan& plan,
+                                        const Progress& progress, std::vector<std::string>& notes) {
+  try {
+    return measure_draw(subject, plan.picture_width, plan.picture_height, plan.repetitions,
+                        progress);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    notes.push_back(std::string("no pictures: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Device& device,
-                       int global_limit, ProgressDisplay& display) {
+                       int global_limit, ProgressDisplay& display,
+                       std::vector<std::string>& notes) {
   MeshFigures figures = empty_figures(subject);
   // What is shown while solvers report stages of their own.
   const auto progress = [&](const std::string& name) {
@@ -109,6 +125,15 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
     const ThreadLimit limit(threads);
     figures.frames.push_back(measure_frames(subject, plan.repetitions, progress("frames")));
   }
+  for (const int threads : plan.surroundings ? plan.threads : std::vector<int>()) {
+    const ThreadLimit limit(threads);
+    figures.surroundings.push_back(
+        measure_surroundings(subject, plan.repetitions, progress("textures and fields")));
+  }
+  if (plan.slack && device.gpu() == nullptr) {
+    const ThreadLimit limit(plan.threads.back());
+    figures.slack = measure_slack(subject, plan.repetitions, progress("slack"));
+  }
   for (const SolverCase& solver : plan.solvers) {
     if (is_left_out(solver, subject, global_limit)) continue;
     for (const int threads : plan.threads) {
@@ -118,6 +143,9 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
       figures.solvers.push_back(
           measure_solver(subject, solver, device, plan.repetitions, progress(solver.name)));
     }
+  }
+  if (plan.picture_width > 0 && device.gpu() == nullptr) {
+    figures.draw = draw_figures(subject, plan, progress("pictures"), notes);
   }
   return figures;
 }
@@ -129,6 +157,7 @@ void keep_what_the_gpu_has(BenchPlan& plan) {
   });
   plan.threads = {plan.threads.back()};
   plan.memory = false;
+  plan.surroundings = false;
 }
 
 BenchReport report_of(const Arguments& arguments) {
@@ -145,7 +174,7 @@ BenchReport report_of(const Arguments& arguments) {
   ProgressDisplay display(arguments.quiet);
   const int limit = arguments.bench.global_limit;
   for (const Subject& subject : subjects_of(arguments, plan, display)) {
-    report.meshes.push_back(figures_of(subject, plan, device, limit, display));
+    report.meshes.push_back(figures_of(subject, plan, device, limit, display, report.notes));
     if (std::ranges::any_of(plan.solvers, [&](const SolverCase& solver) {
           return is_left_out(solver, subject, limit);
         })) {

@@ -103,6 +103,10 @@ BenchPlan plan_of(const BenchArguments& arguments) {
     plan.subdivide = arguments.subdivide.value_or(arguments.quick ? 1 : 2);
     plan.threads = thread_counts(most);
     plan.memory = true;
+    plan.picture_width = arguments.quick ? 320 : 1280;
+    plan.picture_height = arguments.quick ? 180 : 720;
+    plan.surroundings = plan.memory;
+    plan.slack = true;
   } else {
     plan.threads = {most};
   }

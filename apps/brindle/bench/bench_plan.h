@@ -28,6 +28,10 @@ struct BenchPlan {
   std::vector<SolverCase> solvers;
   std::vector<int> threads;  ///< ascending; each is measured
   bool memory = false;
+  int picture_width = 0;  ///< pixels; 0: no pictures
+  int picture_height = 0;
+  bool surroundings = false;  ///< textures and fields, too
+  bool slack = false;         ///< frequencies that yield
   Repetitions repetitions;
 };
 

@@ -8,6 +8,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "formatted.h"
+#include "report.h"
 
 namespace brindle::tool {
 namespace {
@@ -53,11 +54,25 @@ void add_ratios_of_mesh(const MeshFigures& mesh, std::vector<Ratio>& ratios) {
       ratios.push_back(ratio_of(name + (" / frame" + where), solver->solve, frame.total));
     }
   }
-  if (const SolverFigures* global = find_solver(mesh, "global 20")) {
+  const SolverFigures* const global = find_solver(mesh, "global 20");
+  if (global != nullptr && mesh.draw) {
+    ratios.push_back(
+        ratio_of("interactive picture / global 20" + where, mesh.draw->interactive, global->solve));
+    ratios.push_back(
+        ratio_of("final picture / global 20" + where, mesh.draw->final, global->solve));
+  }
+  if (global != nullptr) {
     ratios.push_back(ratio_of("global 20 / topology" + where, global->solve, frame.topology));
     ratios.push_back(ratio_of("global 20 / topology, neighbourhood and normals" + where,
                               global->solve,
                               later_by(frame.topology, mesh.neighborhood_milliseconds)));
+  }
+  ratios.push_back(ratio_of("measure / frame" + where, frame.measure, frame.total));
+  if (mesh.slack) {
+    ratios.push_back(
+        ratio_of("slack from scratch / frame" + where, mesh.slack->from_scratch, frame.total));
+    ratios.push_back(
+        ratio_of("slack in a frame / frame" + where, mesh.slack->in_frame, frame.total));
   }
   for (std::size_t i = 1; i < mesh.frames.size(); ++i) {
     ratios.push_back(ratio_of(formatted("frame, 1 thread / %d threads (%s)", mesh.frames[i].threads,
@@ -81,6 +96,21 @@ void add_ratios_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
          {per_vertex_ns(of_fine.median, fine), per_vertex_ns(of_coarse.median, coarse)},
          {per_vertex_ns(of_fine.min, fine), per_vertex_ns(of_coarse.min, coarse)}});
   }
+}
+
+void add_slack_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
+                        std::vector<Ratio>& ratios) {
+  if (!coarse.slack || !fine.slack) return;
+  const auto add = [&](const char* name, const Spread& of_fine, const Spread& of_coarse) {
+    ratios.push_back(
+        {formatted("%s per vertex, %zu / %zu vertices (threads: %d)", name, fine.vertices,
+                   coarse.vertices, fine.slack->threads),
+         "ns",
+         {per_vertex_ns(of_fine.median, fine), per_vertex_ns(of_coarse.median, coarse)},
+         {per_vertex_ns(of_fine.min, fine), per_vertex_ns(of_coarse.min, coarse)}});
+  };
+  add("slack from scratch", fine.slack->from_scratch, coarse.slack->from_scratch);
+  add("slack in a frame", fine.slack->in_frame, coarse.slack->in_frame);
 }
 
 Json to_json(const Spread& spread) {
@@ -118,7 +148,8 @@ Json to_json(const FrameFigures& frame) {
                  {"couple", to_json(frame.couple)},
                  {"sum", to_json(frame.sum)},
                  {"solve", to_json(frame.solve)},
-                 {"total", to_json(frame.total)}}}};
+                 {"total", to_json(frame.total)},
+                 {"measure", to_json(frame.measure)}}}};
   json.update(to_json(frame.quality));
   return json;
 }
@@ -137,6 +168,30 @@ Json to_json(const MeshFigures& mesh) {
                {"frames", Json::array()}};
   for (const SolverFigures& solver : mesh.solvers) json["solvers"].push_back(to_json(solver));
   for (const FrameFigures& frame : mesh.frames) json["frames"].push_back(to_json(frame));
+  if (mesh.draw) {
+    json["draw"] = {{"width", mesh.draw->width},
+                    {"height", mesh.draw->height},
+                    {"milliseconds",
+                     {{"visible", to_json(mesh.draw->visible)},
+                      {"visible_final", to_json(mesh.draw->visible_final)},
+                      {"interactive", to_json(mesh.draw->interactive)},
+                      {"final", to_json(mesh.draw->final)}}}};
+  }
+  for (const SurroundingFigures& figures : mesh.surroundings) {
+    json["surroundings"].push_back({{"threads", figures.threads},
+                                    {"milliseconds",
+                                     {{"texture", to_json(figures.texture)},
+                                      {"cross", to_json(figures.cross)},
+                                      {"smooth_field", to_json(figures.smooth_field)}}}});
+  }
+  if (mesh.slack) {
+    json["slack"] = {{"threads", mesh.slack->threads},
+                     {"sweeps_from_scratch", mesh.slack->sweeps_from_scratch},
+                     {"sweeps_in_frame", mesh.slack->sweeps_in_frame},
+                     {"milliseconds",
+                      {{"from_scratch", to_json(mesh.slack->from_scratch)},
+                       {"in_frame", to_json(mesh.slack->in_frame)}}}};
+  }
   if (mesh.memory) {
     json["memory_bytes"] = {{"neighborhood", mesh.memory->neighborhood},
                             {"animator", mesh.memory->animator},
@@ -209,6 +264,17 @@ void print_frames(std::ostream& out, const MeshFigures& mesh) {
                      frame.solve.median)
         << times(frame.total) << tail(frame.quality);
   }
+  for (const FrameFigures& frame : mesh.frames) {
+    out << formatted("%-16s %7d %33s", "measure a frame", frame.threads, "") << times(frame.measure)
+        << '\n';
+  }
+  if (!mesh.slack) return;
+  const auto row = [&](const char* name, const Spread& time, int sweeps) {
+    out << formatted("%-16s %7d %33s", name, mesh.slack->threads, "") << times(time)
+        << formatted("  %d sweeps\n", sweeps);
+  };
+  row("slack, scratch", mesh.slack->from_scratch, mesh.slack->sweeps_from_scratch);
+  row("slack, frame", mesh.slack->in_frame, mesh.slack->sweeps_in_frame);
 }
 
 /// One line a stage, against the floor that bytes and bandwidth set.
@@ -229,6 +295,31 @@ void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double ba
   out << formatted("%zu dispatches; topology %.1f ms, once; energy, branches, angle:",
                    frame.dispatches, frame.topology_milliseconds)
       << tail(frame.quality);
+}
+
+void print_draw(std::ostream& out, const MeshFigures& mesh) {
+  if (!mesh.draw) return;
+  const DrawFigures& draw = *mesh.draw;
+  const std::string size = formatted("draw, %d x %d", draw.width, draw.height);
+  out << formatted("%-58s min ms    median\n", size.c_str());
+  const auto row = [&](const char* name, const Spread& spread) {
+    out << formatted("  %-56s", name) << times(spread) << '\n';
+  };
+  row("interactive", draw.interactive);
+  row("  of this: which triangle is seen", draw.visible);
+  row("final", draw.final);
+  row("  of this: which triangle is seen", draw.visible_final);
+}
+
+void print_surroundings(std::ostream& out, const MeshFigures& mesh) {
+  for (const SurroundingFigures& figures : mesh.surroundings) {
+    const auto row = [&](const char* name, const Spread& spread) {
+      out << formatted("%-32s %7d %17s", name, figures.threads, "") << times(spread) << '\n';
+    };
+    row("texture, in a frame", figures.texture);
+    row("texture of a cross field", figures.cross);
+    row("smooth field", figures.smooth_field);
+  }
 }
 
 void print_memory(std::ostream& out, const MeshFigures& mesh) {
@@ -300,6 +391,7 @@ std::vector<Ratio> ratios_of(const BenchReport& report) {
   for (std::size_t i = 1; i < report.meshes.size(); ++i) {
     if (report.meshes[i].subdivided == 0) continue;
     add_ratios_of_sizes(report.meshes[i - 1], report.meshes[i], ratios);
+    add_slack_of_sizes(report.meshes[i - 1], report.meshes[i], ratios);
   }
   return ratios;
 }
@@ -350,6 +442,8 @@ void print_bench_report(std::ostream& out, const BenchReport& report) {
       print_solvers(out, mesh);
       if (!mesh.frames.empty()) print_frames(out, mesh);
       if (mesh.gpu_frames) print_gpu_frames(out, *mesh.gpu_frames, report.copy_bandwidth);
+      print_draw(out, mesh);
+      print_surroundings(out, mesh);
       print_memory(out, mesh);
     }
     print_ratios(out, ratios_of(report));

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/draw_measurements.h"
 #include "bench/gpu_measurements.h"
 #include "bench/measurements.h"
 
@@ -36,8 +37,11 @@ struct MeshFigures {
   double neighborhood_milliseconds = 0;
   std::vector<SolverFigures> solvers;
   std::vector<FrameFigures> frames;           ///< on the processor
+  std::optional<SlackFigures> slack;          ///< with the most threads, on the processor
   std::optional<GpuFrameFigures> gpu_frames;  ///< on the GPU
+  std::vector<SurroundingFigures> surroundings;
   std::optional<MemoryFigures> memory;
+  std::optional<DrawFigures> draw;
 };
 
 /// Two figures of one run against each other.

@@ -8,8 +8,11 @@
 #include "brindle/cross_texture.h"
 #include "brindle/direction_field.h"
 #include "brindle/quality.h"
+#include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/texture_animator.h"
+#include "brindle/yielding_frequency.h"
 #include "changing_input.h"
 
 namespace brindle::tool {
@@ -26,6 +29,23 @@ std::vector<StripeAnimator> started_animators(const Subject& subject,
     animators[field].frame(inputs[field].frame(0));
   }
   return animators;
+}
+
+/// Corner phases, branches and errors of frame `number`, over and over.
+Spread measuring_time(const Subject& subject, const std::vector<ChangingInput>& inputs, int number,
+                      const std::vector<std::vector<Complex>>& z, const Repetitions& repetitions) {
+  const Mesh& mesh = subject.surface.mesh;
+  std::vector<WaveSet> waves;
+  for (const ChangingInput& input : inputs) waves.push_back(input.waves(number));
+  std::vector<CornerPhases> corners;
+  return spread_of(samples_of(repetitions, [&] {
+    Stopwatch watch;
+    for (std::size_t field = 0; field < waves.size(); ++field) {
+      corners = corner_phases(mesh.triangles, waves[field], z[field], PhaseShiftKind::aligned);
+      measure_quality(mesh, waves[field], corners);
+    }
+    return watch.lap();
+  }));
 }
 
 }  // namespace
@@ -113,7 +133,68 @@ FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitio
   figures.total = spread_of(samples, [](const FrameMilliseconds& frame) {
     return frame.couple + frame.sum + frame.solve;
   });
+  figures.measure = measuring_time(subject, inputs, number, z, repetitions);
   figures.quality = quality_of(subject, inputs, number, z);
+  return figures;
+}
+
+SurroundingFigures measure_surroundings(const Subject& subject, const Repetitions& repetitions,
+                                        const Progress& progress) {
+  const Surface& surface = subject.surface;
+  const ChangingInput input = changing_input(surface, subject.fields[0]);
+  SurroundingFigures figures;
+  figures.threads = ThreadLimit::current();
+  TextureAnimator animator(surface);
+  animator.frame({input.frame(0), {}, {}});
+  int number = 0;
+  figures.texture = spread_of(samples_of(repetitions, [&] {
+    progress.report("textures", 0);
+    const TextureFrameResult frame = animator.frame({input.frame(++number), {}, {}});
+    return frame.milliseconds.orient + frame.milliseconds.measure;
+  }));
+  figures.cross = spread_of(samples_of(repetitions, [&] {
+    progress.report("crosses", 0);
+    const CrossPattern cross = cross_pattern(surface, subject.fields[0]);
+    Stopwatch watch;
+    cross_texture(surface, cross);
+    return watch.lap() + cross.pattern.milliseconds.pattern;
+  }));
+  figures.smooth_field = spread_of(samples_of(repetitions, [&] {
+    progress.report("smooth field", 0);
+    Stopwatch watch;
+    smooth_direction_field(surface);
+    return watch.lap();
+  }));
+  return figures;
+}
+
+SlackFigures measure_slack(const Subject& subject, const Repetitions& repetitions,
+                           const Progress& progress) {
+  constexpr float kSlack = 0.25f;
+  const ChangingInput input = changing_input(subject.surface, subject.fields[0]);
+  SlackFigures figures;
+  figures.threads = ThreadLimit::current();
+  const auto solve = [&](YieldingFrequency& yielding, int number) {
+    progress.report("slack", 0);
+    const FrameInput frame = input.frame(number);
+    yielding.solve(frame.positions, frame.directions, frame.frequencies);
+    yielding.keep();
+    return yielding.change().sweeps;
+  };
+  figures.from_scratch = spread_of(samples_of(repetitions, [&] {
+    Stopwatch watch;
+    YieldingFrequency yielding(subject.surface, kSlack);
+    figures.sweeps_from_scratch = solve(yielding, 0);
+    return watch.lap();
+  }));
+  YieldingFrequency yielding(subject.surface, kSlack);
+  solve(yielding, 0);
+  int number = 0;
+  figures.in_frame = spread_of(samples_of(repetitions, [&] {
+    Stopwatch watch;
+    figures.sweeps_in_frame = solve(yielding, ++number);
+    return watch.lap();
+  }));
   return figures;
 }
 

@@ -104,6 +104,7 @@ struct FrameFigures {
   Spread sum;
   Spread solve;
   Spread total;
+  Spread measure;   ///< corner phases, branches and errors of the last frame, sum over fields
   Quality quality;  ///< of the last frame
 };
 
@@ -111,6 +112,29 @@ struct FrameFigures {
 /// the normals and higher by 1 %, or turned back.
 FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
                             const Progress& progress);
+
+/// What surrounds the stripes, each on a surface with one field.
+struct SurroundingFigures {
+  int threads = 0;
+  Spread texture;       ///< a frame of TextureAnimator but for solving: orientation, seams, errors
+  Spread cross;         ///< the same of a cross field, once: `cross_texture`, corner phases, errors
+  Spread smooth_field;  ///< `smooth_direction_field`, once
+};
+
+SurroundingFigures measure_surroundings(const Subject& subject, const Repetitions& repetitions,
+                                        const Progress& progress);
+
+/// Frequencies that yield by a quarter, of the first field of a subject.
+struct SlackFigures {
+  int threads = 0;
+  Spread from_scratch;  ///< all that depends on connectivity included
+  Spread in_frame;      ///< started from the last frame's, for input as `measure_frames` has it
+  int sweeps_from_scratch = 0;
+  int sweeps_in_frame = 0;  ///< of the last frame
+};
+
+SlackFigures measure_slack(const Subject& subject, const Repetitions& repetitions,
+                           const Progress& progress);
 
 /// Bytes that following one field takes beyond the mesh and the field itself.
 struct MemoryFigures {

@@ -18,6 +18,10 @@ inline void check_columns(const ArrayView& array, std::size_t columns, std::stri
               std::to_string(columns) + (columns == 1 ? " column" : " columns"));
 }
 
+inline bool is_floating(NumberType type) {
+  return type == NumberType::float32 || type == NumberType::float64;
+}
+
 /// Calls `use(Number())` with the type of the array's numbers.
 template <class Use>
 void with_number_type(NumberType type, const Use& use) {

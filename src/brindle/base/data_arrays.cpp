@@ -109,7 +109,7 @@ std::vector<DataArray> rows_of(std::span<const DataArray> arrays, std::span<cons
 }
 
 DataArray blended(const DataArray& array, std::span<const RowBlend> blends) {
-  if (array.type != NumberType::float32 && array.type != NumberType::float64) {
+  if (!is_floating(array.type)) {
     std::vector<Index> rows(blends.size());
     std::transform(blends.begin(), blends.end(), rows.begin(), heaviest_row);
     return rows_of(array, rows);

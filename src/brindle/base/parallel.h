@@ -53,25 +53,48 @@ Value halving_sum(std::size_t begin, std::size_t end, const Body& body, std::siz
   return first + halving_sum<Value>(middle, end, body, grain);
 }
 
+#ifdef BRINDLE_HAS_TBB
+/// What oneTBB's reduction asks for. Its reduction of functions would copy the neutral element out
+/// of the caller before a task has begun, where `TaskOrder` cannot tell of it.
+template <class Value, class Body>
+class PartialSum {
+ public:
+  explicit PartialSum(const Body& body) : body_(body) {}
+  PartialSum(const PartialSum& other, tbb::split) : body_(other.body_) {
+    // Another thread may go on with the neutral element that this one wrote.
+    TaskOrder::call();
+  }
+
+  void operator()(const tbb::blocked_range<std::size_t>& r) {
+    if (r.empty()) return;
+    TaskOrder::begin_task();
+    value_ = value_ + body_(r.begin(), r.end());
+    TaskOrder::end_task();
+  }
+  void join(const PartialSum& right) {
+    TaskOrder::begin_task();
+    value_ = value_ + right.value_;
+    TaskOrder::end_task();
+  }
+  const Value& value() const { return value_; }
+
+ private:
+  const Body& body_;
+  Value value_{};
+};
+#endif
+
 /// The sum of `body(begin, end)` over ranges that cover [0, count). Ranges and the order of the
 /// additions depend on `count` and `grain` alone (`halving_sum`), so the sum is the same for any
 /// number of threads.
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
 #ifdef BRINDLE_HAS_TBB
+  PartialSum<Value, Body> sum(body);
   TaskOrder::call();
-  const Value total = tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::size_t>(0, count, grain), Value{},
-      [&](const tbb::blocked_range<std::size_t>& r, Value sum) {
-        if (r.empty()) return sum;
-        TaskOrder::begin_task();
-        sum = sum + body(r.begin(), r.end());
-        TaskOrder::end_task();
-        return sum;
-      },
-      std::plus<Value>());
+  tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, count, grain), sum);
   TaskOrder::join();
-  return total;
+  return sum.value();
 #else
   return halving_sum<Value>(0, count, body, grain);
 #endif

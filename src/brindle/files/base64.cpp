@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ostream>
 
 namespace brindle {
 namespace {
@@ -95,6 +96,31 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   bytes.resize(reader.read_some(std::as_writable_bytes(std::span(bytes))));
   if (!reader.at_end()) return std::nullopt;
   return bytes;
+}
+
+void Base64Writer::put(const void* data, std::uint64_t size) {
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  for (std::uint64_t i = 0; i < size; ++i) {
+    group_ = group_ << 8 | bytes[i];
+    if (++filled_ == 3) put_group(4);
+  }
+}
+
+void Base64Writer::finish() {
+  if (filled_ == 0) return;
+  const int letters = filled_ + 1;
+  group_ <<= 8 * (3 - filled_);
+  put_group(letters);
+  for (int i = letters; i < 4; ++i) out_.put('=');
+}
+
+void Base64Writer::put_group(int letters) {
+  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<char, 4> text{};
+  for (int i = 0; i < 4; ++i) text[i] = kLetters[group_ >> (18 - 6 * i) & 63];
+  out_.write(text.data(), letters);
+  group_ = 0;
+  filled_ = 0;
 }
 
 }  // namespace brindle

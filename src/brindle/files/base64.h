@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +40,23 @@ class Base64Reader {
   std::size_t group_size_ = 0;
   std::size_t left_over_ = 0;  ///< bytes of the group that have not been handed out
   bool damaged_ = false;
+};
+
+/// Base64 of several pieces of memory as if they were one.
+class Base64Writer {
+ public:
+  explicit Base64Writer(std::ostream& out) : out_(out) {}
+
+  void put(const void* data, std::uint64_t size);
+  /// Writes what is left over and the padding.
+  void finish();
+
+ private:
+  void put_group(int letters);
+
+  std::ostream& out_;
+  std::uint32_t group_ = 0;
+  int filled_ = 0;
 };
 
 /// All bytes of a text; nothing if it is not in base64.

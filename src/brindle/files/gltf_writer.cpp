@@ -15,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/files/base64.h"
 #include "brindle/files/gltf_document.h"
 
 namespace brindle {
@@ -124,50 +125,13 @@ void write_word(std::ostream& out, std::uint64_t word) {
   out.write(reinterpret_cast<const char*>(&narrow), 4);
 }
 
-/// Base64 of several pieces of memory as if they were one.
-class Base64 {
- public:
-  explicit Base64(std::ostream& out) : out_(out) {}
-
-  void put(const void* data, std::uint64_t size) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::uint64_t i = 0; i < size; ++i) {
-      group_ = group_ << 8 | bytes[i];
-      if (++filled_ == 3) put_group(4);
-    }
-  }
-
-  void finish() {
-    if (filled_ > 0) {
-      const int letters = filled_ + 1;
-      group_ <<= 8 * (3 - filled_);
-      put_group(letters);
-      for (int i = letters; i < 4; ++i) out_.put('=');
-    }
-  }
-
- private:
-  void put_group(int letters) {
-    constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::array<char, 4> text{};
-    for (int i = 0; i < 4; ++i) text[i] = kLetters[group_ >> (18 - 6 * i) & 63];
-    out_.write(text.data(), letters);
-    group_ = 0;
-    filled_ = 0;
-  }
-
-  std::ostream& out_;
-  std::uint32_t group_ = 0;
-  int filled_ = 0;
-};
-
 void write_text(std::ostream& out, Json json, const std::vector<Block>& blocks) {
   constexpr std::string_view kMark = "@";
   json["buffers"][0]["uri"] = kMark;
   const std::string text = json.dump();
   const std::size_t mark = text.find("\"@\"") + 1;
   out << text.substr(0, mark) << "data:application/octet-stream;base64,";
-  Base64 base64(out);
+  Base64Writer base64(out);
   for (const Block& block : blocks) base64.put(block.data, block.size);
   base64.finish();
   out << text.substr(mark + kMark.size()) << '\n';

@@ -60,17 +60,20 @@ class VtkLegacyReader {
 
   RawMesh read() {
     read_header();
-    for (std::string word = next_keyword(); !word.empty(); word = next_keyword()) {
-      if (!read_geometry(word) && !read_data(word)) {
-        fail("has the unknown keyword " + in_quotes(word));
-      }
-    }
-    check_piece();
-    VtkSurface surface(file_);
-    surface.add(std::move(piece_));
-    RawMesh raw = surface.take();
+    for (std::string word = next_keyword(); !word.empty(); word = next_keyword()) read_part(word);
+    RawMesh raw = take_surface();
     raw.left_out += left_out_;
     return raw;
+  }
+
+  /// What stands before the data of points and cells.
+  RawMesh read_geometry() {
+    read_header();
+    for (std::string word = next_keyword();
+         !word.empty() && word != "point_data" && word != "cell_data"; word = next_keyword()) {
+      read_part(word);
+    }
+    return take_surface();
   }
 
  private:
@@ -113,6 +116,13 @@ class VtkLegacyReader {
 
   std::string take_name() { return percent_decoded(take_word_of_lines(rest_)); }
 
+  RawMesh take_surface() {
+    check_piece();
+    VtkSurface surface(file_);
+    surface.add(std::move(piece_));
+    return surface.take();
+  }
+
   void read_header() {
     std::string_view first = take_line();
     constexpr std::string_view kMagic = "# vtk DataFile Version";
@@ -133,7 +143,13 @@ class VtkLegacyReader {
 
   // ----------------------------------------------------------------------------------------------
 
-  bool read_geometry(const std::string& word) {
+  void read_part(const std::string& word) {
+    if (!take_geometry(word) && !read_data(word)) {
+      fail("has the unknown keyword " + in_quotes(word));
+    }
+  }
+
+  bool take_geometry(const std::string& word) {
     if (word == "dataset") {
       const std::string kind = next_keyword();
       if (kind != "polydata" && kind != "unstructured_grid") {
@@ -459,7 +475,7 @@ RawMesh read_vtk_legacy(const std::filesystem::path& path, const Progress& progr
 }
 
 bool vtk_legacy_has_faces(const std::filesystem::path& path) {
-  const RawMesh raw = read_vtk_legacy(path, {});
+  const RawMesh raw = VtkLegacyReader(path).read_geometry();
   return !raw.mesh.triangles.empty() || !raw.why_empty.empty();
 }
 

@@ -52,10 +52,6 @@ bool convert_exactly(const DataArray& array, DataArray& result) {
   return true;
 }
 
-bool is_floating(NumberType type) {
-  return type == NumberType::float32 || type == NumberType::float64;
-}
-
 bool all_finite(const DataArray& array) {
   bool finite = true;
   for_each_number(array.view(), [&](std::size_t, std::size_t, auto number) {

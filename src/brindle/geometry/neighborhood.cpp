@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/vertex_triangles.h"
 
 namespace brindle {
 namespace {
@@ -26,7 +25,10 @@ Index gather_row(const Mesh& mesh, const VertexTriangles& around, std::size_t v,
 }  // namespace
 
 Adjacency vertex_neighborhood(const Mesh& mesh) {
-  const VertexTriangles around = vertex_triangles(mesh);
+  return vertex_neighborhood(mesh, vertex_triangles(mesh));
+}
+
+Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around) {
   const std::size_t count = mesh.vertex_count();
   std::vector<Index> rows(2 * around.triangles.size());
   Adjacency neighborhood;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brindle/adjacency.h"
+#include "brindle/geometry/vertex_triangles.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -9,5 +10,8 @@ namespace brindle {
 /// Two vertices are neighbours if a triangle has them both. An edge that any number of triangles
 /// share counts once; vertices without a triangle have no neighbours.
 Adjacency vertex_neighborhood(const Mesh& mesh);
+
+/// The same, with what `vertex_triangles` found.
+Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around);
 
 }  // namespace brindle

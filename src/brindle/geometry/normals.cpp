@@ -1,12 +1,13 @@
 #include "brindle/geometry/normals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/vertex_triangles.h"
 
 namespace brindle {
 namespace {
@@ -25,18 +26,75 @@ Vec3 unit(const Vec3& v) {
   return length > 0 ? (v.cast<double>() / length).cast<float>().eval() : Vec3::Zero();
 }
 
-Corner corner_at(const Mesh& mesh, const Triangle& triangle, std::size_t vertex) {
-  const int c = triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-  const Index next = triangle[(c + 1) % 3];
-  const Index previous = triangle[(c + 2) % 3];
-  const Eigen::Vector3d p = mesh.positions[vertex].cast<double>();
-  const Eigen::Vector3d a = mesh.positions[next].cast<double>() - p;
-  const Eigen::Vector3d b = mesh.positions[previous].cast<double>() - p;
-  const Eigen::Vector3d cross = a.cross(b);
+/// Twice the area of a triangle along its normal.
+Eigen::Vector3d doubled_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c) {
+  return (b - a).cross(c - a);
+}
+
+/// atan2(y, x) for y >= 0, but not both zero, to the last digit or two: Cephes' atan, inlined.
+double angle_of(double y, double x) {
+  using std::numbers::pi;
+  const double width = std::abs(x);
+  const bool is_steep = y > width;
+  const double small = is_steep ? width : y, large = is_steep ? y : width;
+  const bool is_diagonal = small > 0.66 * large;
+  const double t = (is_diagonal ? small - large : small) / (is_diagonal ? small + large : large);
+  const double z = t * t;
+  const double p = (((-8.750608600031904122785e-1 * z - 1.615753718733365076637e1) * z -
+                     7.500855792314704667340e1) *
+                        z -
+                    1.228866684490136173410e2) *
+                       z -
+                   6.485021904942025371773e1;
+  const double q = ((((z + 2.485846490142306297962e1) * z + 1.650270098316988542046e2) * z +
+                     4.328810604912902668951e2) *
+                        z +
+                    4.853903996359136964868e2) *
+                       z +
+                   1.945506571482613964425e2;
+  double angle = t + t * (z * p / q);
+  if (is_diagonal) angle += pi / 4;
+  if (is_steep) angle = pi / 2 - angle;
+  return x < 0 ? pi - angle : angle;
+}
+
+/// What all corners of a triangle are told from.
+struct TriangleAngles {
+  Vec3 normal;
+  std::array<float, 3> angle;  ///< radians; zero without an area
+};
+
+TriangleAngles angles_of(const Mesh& mesh, const Triangle& triangle) {
+  std::array<Eigen::Vector3d, 3> p, edge;
+  for (int c = 0; c < 3; ++c) p[c] = mesh.positions[triangle[c]].cast<double>();
+  for (int c = 0; c < 3; ++c) edge[c] = p[(c + 1) % 3] - p[c];
+  const Eigen::Vector3d cross = doubled_area(p[0], p[1], p[2]);
   const double area = cross.norm();
-  if (!(area > 0)) return {Vec3::Zero(), 0, next, previous};
-  const Eigen::Vector3d normal = cross / area;
-  return {normal.cast<float>(), static_cast<float>(std::atan2(area, a.dot(b))), next, previous};
+  if (!(area > 0)) return {Vec3::Zero(), {}};
+  TriangleAngles result{(cross / area).cast<float>(), {}};
+  for (int c = 0; c < 3; ++c) {
+    result.angle[c] = static_cast<float>(angle_of(area, -edge[c].dot(edge[(c + 2) % 3])));
+  }
+  return result;
+}
+
+Corner corner_at(const Triangle& triangle, const TriangleAngles& angles, std::size_t vertex) {
+  const int c = triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+  return {angles.normal, angles.angle[c], triangle[(c + 1) % 3], triangle[(c + 2) % 3]};
+}
+
+bool has_repetition(std::vector<Index>& numbers) {
+  constexpr std::size_t kFew = 12;
+  if (numbers.size() > kFew) {
+    std::sort(numbers.begin(), numbers.end());
+    return std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end();
+  }
+  bool repeated = false;
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) repeated |= numbers[i] == numbers[j];
+  }
+  return repeated;
 }
 
 /// Whether two triangles run the same way along a common edge: they are wound against each other,
@@ -46,8 +104,7 @@ bool winding_conflicts(const std::vector<Corner>& corners) {
   for (const auto end : {&Corner::next, &Corner::previous}) {
     ends.clear();
     for (const Corner& corner : corners) ends.push_back(corner.*end);
-    std::sort(ends.begin(), ends.end());
-    if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) return true;
+    if (has_repetition(ends)) return true;
   }
   return false;
 }
@@ -90,17 +147,32 @@ Vec3 normal_of(const std::vector<Corner>& corners) {
 }  // namespace
 
 Vec3 triangle_normal(const Mesh& mesh, const Triangle& triangle) {
-  return corner_at(mesh, triangle, triangle[0]).normal;
+  const auto at = [&](int c) -> Eigen::Vector3d {
+    return mesh.positions[triangle[c]].cast<double>();
+  };
+  const Eigen::Vector3d cross = doubled_area(at(0), at(1), at(2));
+  const double area = cross.norm();
+  if (!(area > 0)) return Vec3::Zero();
+  return (cross / area).cast<float>();
 }
 
 std::vector<Vec3> vertex_normals(const Mesh& mesh) {
-  const VertexTriangles around = vertex_triangles(mesh);
+  return vertex_normals(mesh, vertex_triangles(mesh));
+}
+
+std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around) {
+  std::vector<TriangleAngles> angles(mesh.triangle_count());
+  parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) angles[t] = angles_of(mesh, mesh.triangles[t]);
+  });
   std::vector<Vec3> normals(mesh.vertex_count());
   parallel_for(mesh.vertex_count(), [&](std::size_t begin, std::size_t end) {
     std::vector<Corner> corners;
     for (std::size_t v = begin; v < end; ++v) {
       corners.clear();
-      for (const Index t : around.of(v)) corners.push_back(corner_at(mesh, mesh.triangles[t], v));
+      for (const Index t : around.of(v)) {
+        corners.push_back(corner_at(mesh.triangles[t], angles[t], v));
+      }
       normals[v] = normal_of(corners);
     }
   });

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "brindle/geometry/vertex_triangles.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -15,5 +16,8 @@ Vec3 triangle_normal(const Mesh& mesh, const Triangle& triangle);
 /// each other (Möbius strip, triangle soup) the average would cancel; there the normal is the
 /// direction that agrees best with all of them up to sign. Zero for a vertex without a triangle.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
+
+/// The same, with what `vertex_triangles` found.
+std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around);
 
 }  // namespace brindle

@@ -1,24 +1,72 @@
 #include "brindle/geometry/shared_edges.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
 namespace brindle {
 namespace {
 
-/// A side of a triangle, told by the corners at its vertices of lower and higher number.
-struct SortedSide {
-  Index low, high;
+/// A side of a triangle, filed under its vertex of lower number.
+struct FiledSide {
+  Index high;  ///< its other vertex
   Index corner_of_low, corner_of_high;
+};
 
-  bool operator<(const SortedSide& other) const {
-    if (low != other.low) return low < other.low;
-    if (high != other.high) return high < other.high;
-    return corner_of_low / 3 < other.corner_of_low / 3;
+/// All sides, those of one lower vertex together, in ascending order of triangles.
+struct Sides {
+  std::vector<Index> offsets;
+  std::vector<FiledSide> sides;
+
+  std::span<FiledSide> of(std::size_t low) {
+    return std::span(sides).subspan(offsets[low], offsets[low + 1] - offsets[low]);
   }
 };
+
+template <class Visit>
+void for_all_sides(std::span<const Triangle> triangles, const Visit& visit) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto first = static_cast<Index>(3 * t);
+    for (Index c = 0; c < 3; ++c) {
+      const Index next = (c + 1) % 3;
+      const Index a = triangles[t][c], b = triangles[t][next];
+      if (a < b) {
+        visit(a, FiledSide{b, first + c, first + next});
+      } else {
+        visit(b, FiledSide{a, first + next, first + c});
+      }
+    }
+  }
+}
+
+Sides sides_by_vertex(std::span<const Triangle> triangles) {
+  Index count = 0;
+  for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
+  Sides result;
+  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  result.offsets.assign(count + 2, 0);
+  for_all_sides(triangles, [&](Index low, const FiledSide&) { ++result.offsets[low + 2]; });
+  for (std::size_t v = 2; v < result.offsets.size(); ++v) {
+    result.offsets[v] += result.offsets[v - 1];
+  }
+  result.sides.resize(3 * triangles.size());
+  for_all_sides(triangles, [&](Index low, const FiledSide& side) {
+    result.sides[result.offsets[low + 1]++] = side;
+  });
+  result.offsets.pop_back();
+  return result;
+}
+
+/// Calls `visit` for each pair of sides with the same ends, one after the other.
+template <class Visit>
+void for_all_pairs(std::span<const FiledSide> sides, const Visit& visit) {
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    if (sides[i - 1].high == sides[i].high) visit(sides[i - 1], sides[i]);
+  }
+}
 
 }  // namespace
 
@@ -26,28 +74,26 @@ std::vector<SharedEdge> shared_edges(std::span<const Triangle> triangles) {
   if (triangles.size() > std::numeric_limits<Index>::max() / 3) {
     throw Error("the mesh has too many triangles; take a smaller one");
   }
-  std::vector<SortedSide> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (Index c = 0; c < 3; ++c) {
-      const Index next = (c + 1) % 3;
-      const auto first = static_cast<Index>(3 * t);
-      SortedSide side{triangles[t][c], triangles[t][next], first + c, first + next};
-      if (side.low > side.high) {
-        side = {side.high, side.low, side.corner_of_high, side.corner_of_low};
-      }
-      sides.push_back(side);
+  Sides sides = sides_by_vertex(triangles);
+  const std::size_t vertices = sides.offsets.size() - 1;
+  std::vector<Index> first(vertices + 1, 0);
+  parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span<FiledSide> around = sides.of(v);
+      std::ranges::stable_sort(around, {}, &FiledSide::high);
+      for_all_pairs(around, [&](const FiledSide&, const FiledSide&) { ++first[v + 1]; });
     }
-  }
-  std::sort(sides.begin(), sides.end());
-  std::vector<SharedEdge> edges;
-  edges.reserve(sides.size() / 2);
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const SortedSide& a = sides[i - 1];
-    const SortedSide& b = sides[i];
-    if (a.low != b.low || a.high != b.high) continue;
-    edges.push_back({{a.corner_of_low, b.corner_of_low}, {a.corner_of_high, b.corner_of_high}});
-  }
+  });
+  for (std::size_t v = 0; v < vertices; ++v) first[v + 1] += first[v];
+  std::vector<SharedEdge> edges(first[vertices]);
+  parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      Index next = first[v];
+      for_all_pairs(sides.of(v), [&](const FiledSide& a, const FiledSide& b) {
+        edges[next++] = {{a.corner_of_low, b.corner_of_low}, {a.corner_of_high, b.corner_of_high}};
+      });
+    }
+  });
   return edges;
 }
 

@@ -41,9 +41,10 @@ void check_mesh(const Mesh& mesh) {
 
 Surface make_surface(Mesh mesh) {
   check_mesh(mesh);
+  const VertexTriangles around = vertex_triangles(mesh);
   Surface surface;
-  surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(mesh));
-  surface.normals = vertex_normals(mesh);
+  surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(mesh, around));
+  surface.normals = vertex_normals(mesh, around);
   surface.mesh = std::move(mesh);
   return surface;
 }

@@ -15,6 +15,7 @@
 #include "brindle/phase_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/yielding_frames.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -117,6 +118,7 @@ struct GpuAnimator::State {
   GlBuffer next_waves;                ///< of the frame that is solved
   GlBuffer turned_z;                  ///< the last phases, turned with its directions
   Input input;
+  YieldingFrames yielding;
   bool has_frame = false;   ///< whether a frame has come to its end
   bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
@@ -266,6 +268,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
                          const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
   check(options);
+  refuse_slack(options);
   if (!options.edge_weights.empty()) {
     throw Error(
         "animator options: the GPU knows no edge weights; leave them out, or take StripeAnimator");
@@ -273,6 +276,13 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
   state_->kernels = std::move(kernels);
   state_->neighborhood = std::move(neighborhood);
   state_->options = options;
+}
+
+GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surface& surface,
+                         const AnimatorOptions& options)
+    : GpuAnimator(std::move(kernels), surface.neighborhood, without_slack(options)) {
+  state_->yielding = YieldingFrames(surface, options.slack);
+  state_->options.slack = options.slack;
 }
 
 GpuAnimator::GpuAnimator(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -283,22 +293,30 @@ GpuAnimator& GpuAnimator::operator=(GpuAnimator&&) noexcept = default;
 bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check(input, s.neighborhood->node_count());
-  if (!s.input.compare(input) && s.has_last) {
+  if (s.has_last && s.yielding.is_kept(input)) {
     s.timer.start();
     return false;
   }
-  check_waves(input.positions, input.directions, input.frequencies);
-  solve(progress, [&] {
-    s.build(input, progress);
+  if (s.yielding.yields()) check_waves(input.positions, input.directions, input.frequencies);
+  const FrameInput yielded = s.yielding.yielded(input, progress);
+  if (!s.input.compare(yielded) && s.has_last) {
     s.timer.start();
-    return s.input.upload(input);
+    return false;
+  }
+  check_waves(yielded.positions, yielded.directions, yielded.frequencies);
+  solve(progress, [&] {
+    s.build(yielded, progress);
+    s.timer.start();
+    return s.input.upload(yielded);
   });
-  s.input.keep(input);
+  s.input.keep(yielded);
+  s.yielding.keep(input);
   return true;
 }
 
 void GpuAnimator::frame(const WaveBuffers& input, const Progress& progress) {
   State& s = *state_;
+  refuse_slack(s.options);
   solve(progress, [&] {
     if (!s.hierarchy) {
       const std::size_t vertices = s.neighborhood->node_count();
@@ -340,6 +358,10 @@ void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
   check_gl("keeping a frame on the GPU");
 }
 
+std::span<const float> GpuAnimator::frequencies() const { return state_->yielding.frequencies(); }
+
+const FrequencyChange& GpuAnimator::frequency_change() const { return state_->yielding.change(); }
+
 unsigned GpuAnimator::phases() const { return state_->z_by_node; }
 
 std::vector<Complex> GpuAnimator::read_phases() const {
@@ -377,10 +399,14 @@ GpuAnimator GpuAnimator::sibling() const {
   state->topology = state_->topology;
   state->is_sibling = state->topology != nullptr;
   state->measures = state_->measures;
+  state->yielding = state_->yielding.sibling();
   return GpuAnimator(std::move(state));
 }
 
-void GpuAnimator::restart() { state_->has_last = false; }
+void GpuAnimator::restart() {
+  state_->has_last = false;
+  state_->yielding.restart();
+}
 
 double GpuAnimator::topology_milliseconds() const { return state_->topology_milliseconds; }
 

@@ -1,58 +1,94 @@
 #include "brindle/corner_phases.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/two_pi.h"
 #include "brindle/fragment_phase.h"
+#include "brindle/pattern/triangle_kernels.h"
 
 namespace brindle {
-namespace {}  // namespace
+namespace {
 
-float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind) {
-  const float shift = phase_shift(kind, j.wave, i.wave).radians;
-  // The difference of the phases themselves, less the shift, both wrapped.
-  const float remainder = std::arg(i.z * std::conj(j.z)) - shift;
-  return shift + remainder - kTwoPi * std::round(remainder / kTwoPi);
+using Corners = std::array<CornerWave, 3>;
+
+void set_corners(std::size_t lane, const Corners& corners, CornerLanes& lanes) {
+  for (std::size_t m = 0; m < 3; ++m) {
+    const Wave& wave = corners[m].wave;
+    lanes.set(lane, m, wave.position, wave.direction, wave.frequency);
+    lanes.set_phase(lane, m, corners[m].z);
+  }
 }
 
-CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftKind kind) {
-  CornerPhases result;
-  const std::array<Vec3, 3> directions{corners[0].wave.direction, corners[1].wave.direction,
-                                       corners[2].wave.direction};
-  for (const Vec3& direction : directions) {
-    if (direction.isZero(0)) return result;
+/// The paper's common source goes through cases that vectors would all have to take.
+void set_shifts(std::size_t lane, Corners corners, PhaseShiftKind kind, ShiftLanes& shifts) {
+  const auto signs = common_orientation(
+      {corners[0].wave.direction, corners[1].wave.direction, corners[2].wave.direction});
+  for (int m = 1; m < 3; ++m) {
+    if (signs && (*signs)[m] < 0) corners[m] = flipped(corners[m]);
   }
-  const auto signs = common_orientation(directions);
-  if (!signs) {
-    result.kind = TriangleKind::field_singularity;
-    return result;
-  }
-  std::array<CornerWave, 3> oriented = corners;
   for (int m = 0; m < 3; ++m) {
-    if ((*signs)[m] < 0) oriented[m] = flipped(corners[m]);
-    result.sign[m] = static_cast<std::int8_t>((*signs)[m]);
+    shifts.radians[m][lane] = phase_shift(kind, corners[m].wave, corners[(m + 1) % 3].wave).radians;
   }
-  const float step_1 = lifted_step(oriented[0], oriented[1], kind);
-  const float step_2 = lifted_step(oriented[1], oriented[2], kind);
-  const float step_0 = lifted_step(oriented[2], oriented[0], kind);
-  result.phase[0] = std::arg(oriented[0].z);
-  result.phase[1] = result.phase[0] + step_1;
-  result.phase[2] = result.phase[1] + step_2;
-  result.branch_index = static_cast<std::int8_t>(std::lround((step_1 + step_2 + step_0) / kTwoPi));
-  result.kind = result.branch_index == 0 ? TriangleKind::regular : TriangleKind::branch;
+}
+
+/// The corner phases of up to kTriangleLanes triangles, whose corners `corners_of(i)` gives.
+template <class CornersOf>
+void lift(std::size_t count, const CornersOf& corners_of, PhaseShiftKind kind,
+          CornerPhases* result) {
+  CornerLanes lanes;
+  ShiftLanes shifts;
+  LiftedLanes lifted;
+  const bool given = kind == PhaseShiftKind::common_source;
+  for (std::size_t lane = 0; lane < kTriangleLanes; ++lane) {
+    const Corners corners = corners_of(std::min(lane, count - 1));
+    set_corners(lane, corners, lanes);
+    if (given) set_shifts(lane, corners, kind, shifts);
+  }
+  triangle_kernels::lift_corners(lanes, kind, given ? &shifts : nullptr, lifted);
+  for (std::size_t lane = 0; lane < count; ++lane) result[lane] = lifted.get(lane);
+}
+
+template <class CornersOf>
+std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
+                                   PhaseShiftKind kind) {
+  std::vector<CornerPhases> result(triangles);
+  parallel_for(triangles, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; t += kTriangleLanes) {
+      lift(
+          std::min(kTriangleLanes, end - t), [&](std::size_t i) { return corners_of(t + i); }, kind,
+          result.data() + t);
+    }
+  });
   return result;
+}
+
+}  // namespace
+
+float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind) {
+  return portable::lifted_step(j.z, i.z, phase_shift(kind, j.wave, i.wave).radians);
+}
+
+CornerPhases corner_phases(const Corners& corners, PhaseShiftKind kind) {
+  CornerLanes lanes;
+  ShiftLanes shifts;
+  LiftedLanes lifted;
+  const bool given = kind == PhaseShiftKind::common_source;
+  set_corners(0, corners, lanes);
+  if (given) set_shifts(0, corners, kind, shifts);
+  portable::lift_first(lanes, kind, given ? &shifts : nullptr, lifted);
+  return lifted.get(0);
 }
 
 std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
                                         std::span<const Complex> z, PhaseShiftKind kind) {
-  std::vector<CornerPhases> result(triangles.size());
-  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      result[t] = corner_phases(corner_waves(triangles[t], waves, z), kind);
-    }
-  });
-  return result;
+  return lift_all(
+      triangles.size(), [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind);
+}
+
+std::vector<CornerPhases> corner_phases(std::span<const Corners> triangles, PhaseShiftKind kind) {
+  return lift_all(
+      triangles.size(), [&](std::size_t t) -> const Corners& { return triangles[t]; }, kind);
 }
 
 }  // namespace brindle

@@ -14,6 +14,7 @@ namespace brindle {
 namespace {
 
 constexpr float kNeighborReach = 1.6f;  // how far a neighbour is looked for, times 1/f
+constexpr float kGapReach = 2.5f;       // beside a branch, the next curve but one is in reach
 constexpr float kStep = 0.2f;           // between points, times 1/f
 constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
 
@@ -94,18 +95,49 @@ float bending(const Vec3& way, const Vec3& normal, const Vec3& other) {
   return half < 1e-3f ? 1.0f : half / std::sin(std::min(half, 1.5f));
 }
 
+/// The mean and both ends of some numbers.
+struct GapRange {
+  double sum = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+
+  GapRange operator+(const GapRange& other) const {
+    return {sum + other.sum, std::min(least, other.least), std::max(most, other.most)};
+  }
+  void add(double x) { *this = *this + GapRange{x, x, x}; }
+};
+
 struct RatioSums {
   Moments ratio;
   double within = 0;
+  std::size_t gaps = 0;
+  GapRange gap_length = {}, gap_ratio = {};
 
   RatioSums operator+(const RatioSums& other) const {
-    return {ratio + other.ratio, within + other.within};
+    return {ratio + other.ratio, within + other.within, gaps + other.gaps,
+            gap_length + other.gap_length, gap_ratio + other.gap_ratio};
   }
-  void add(double r) {
+  void add(double length, double r) {
+    ++gaps;
+    gap_length.add(length);
+    gap_ratio.add(r);
+    if (r > kNeighborReach) return;
     ratio.add(r);
     within += r >= 0.9 && r <= 1.1;
   }
 };
+
+CurveGaps gaps_of(const RatioSums& sums) {
+  if (sums.gaps == 0) return {};
+  const auto count = static_cast<double>(sums.gaps);
+  return {sums.gaps,
+          sums.gap_length.least,
+          sums.gap_length.sum / count,
+          sums.gap_length.most,
+          sums.gap_ratio.least,
+          sums.gap_ratio.sum / count,
+          sums.gap_ratio.most};
+}
 
 /// Adds the distances to the nearest curves on either side of a mark.
 void measure(const Marks& marks, Index i, const std::vector<Index>& near, RatioSums& sums) {
@@ -127,7 +159,7 @@ void measure(const Marks& marks, Index i, const std::vector<Index>& near, RatioS
   }
   for (const float distance : nearest) {
     const double ratio = static_cast<double>(distance) * marks.frequencies[i];
-    if (ratio <= kNeighborReach) sums.add(ratio);
+    if (ratio <= kGapReach) sums.add(static_cast<double>(distance), ratio);
   }
 }
 
@@ -149,12 +181,13 @@ CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurve
         RatioSums part;
         std::vector<Index> near;
         for (std::size_t i = begin; i < end; ++i) {
-          tree.within(marks.lines.points[i], kNeighborReach / marks.frequencies[i], near);
+          tree.within(marks.lines.points[i], kGapReach / marks.frequencies[i], near);
           measure(marks, static_cast<Index>(i), near, part);
         }
         return part;
       });
   CurveSpacing spacing;
+  spacing.gaps = gaps_of(sums);
   spacing.measured = static_cast<std::size_t>(sums.ratio.count);
   if (spacing.measured == 0) return spacing;
   spacing.mean = sums.ratio.mean();

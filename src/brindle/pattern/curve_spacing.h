@@ -1,6 +1,7 @@
 /// How far neighbouring curves are apart.
 #pragma once
 
+#include "brindle/curve_measures.h"
 #include "brindle/pattern/stripe_curves.h"
 
 namespace brindle {
@@ -12,6 +13,7 @@ struct CurveSpacing {
   double mean = 0;                     ///< of the ratio; 1 is ideal
   double deviation = 0;                ///< standard deviation of the ratio
   double share_within_10_percent = 0;  ///< of what was measured, ratios from 0.9 to 1.1
+  CurveGaps gaps;                      ///< measured farther, for makers
 };
 
 /// Distances along the surface are taken for arcs that meet the normals at both ends. A neighbour

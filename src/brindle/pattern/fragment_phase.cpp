@@ -1,5 +1,6 @@
 #include "brindle/fragment_phase.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,13 @@ namespace {
 
 // The twin of this file is render/shaders/fragment_phase.glsl: same names, same order of
 // statements. Change both or neither; tests/render/renderer_test.cpp compares them.
+
+/// What corners disagree by beyond this many turns is shared out evenly along their edge. Round a
+/// branch the three mismatches make a turn: a third each where its middle is that of the triangle.
+constexpr float kMostMismatch = 1.0f / 3;
+
+/// Smaller weights of corners count as this.
+constexpr float kLeastWeight = 1e-4f;
 
 bool runs_against(const Vec3& a, const Vec3& b) { return a.dot(b) < 0; }
 
@@ -18,28 +26,6 @@ Complex turned(float turns) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Eq. 13 and 14 at `point` for corners that run alike, with weights that sum to 1.
-FragmentWave blended_wave(const std::array<CornerWave, 3>& corners, const Vec3& weights,
-                          const Vec3& point) {
-  FragmentWave fragment;
-  for (int m = 0; m < 3; ++m) {
-    fragment.direction += weights[m] * corners[m].wave.direction;
-    fragment.frequency += weights[m] * corners[m].wave.frequency;
-  }
-  fragment.direction.normalize();
-  Complex sum = 0;
-  for (int m = 0; m < 3; ++m) {
-    const Wave& wave = corners[m].wave;
-    const float distance =
-        aligned_distance(wave.position, wave.direction, point, fragment.direction);
-    const float turns = std::sqrt(wave.frequency * fragment.frequency) * distance;
-    sum += weights[m] * corners[m].z * turned(turns);
-  }
-  const float length = std::abs(sum);
-  fragment.z = length > 0 ? sum / length : Complex(0);
-  return fragment;
-}
-
 bool all_have_waves(const std::array<CornerWave, 3>& corners) {
   for (const CornerWave& corner : corners) {
     if (corner.wave.direction.squaredNorm() == 0) return false;
@@ -47,40 +33,190 @@ bool all_have_waves(const std::array<CornerWave, 3>& corners) {
   return true;
 }
 
-/// Positions relative to the first corner: they keep their digits far from the origin.
-std::array<CornerWave, 3> moved_to_first_corner(const std::array<CornerWave, 3>& corners) {
-  std::array<CornerWave, 3> moved = corners;
-  for (CornerWave& corner : moved) corner.wave.position -= corners[0].wave.position;
-  return moved;
+bool comes_first(const Vec3& a, const Vec3& b) {
+  if (a.x() != b.x()) return a.x() < b.x();
+  if (a.y() != b.y()) return a.y() < b.y();
+  return a.z() < b.z();
 }
 
-Vec3 point_at(const std::array<CornerWave, 3>& corners, const Vec3& barycentric) {
-  return barycentric[0] * corners[0].wave.position + barycentric[1] * corners[1].wave.position +
-         barycentric[2] * corners[2].wave.position;
+/// The phase in turns since the last peak, or until the next: turning a wave round negates it.
+float turns_from_peak(Complex z) {
+  return std::atan2(-z.real(), z.imag()) / (2 * std::numbers::pi_v<float>);
 }
 
-/// The corner opposite to the sub-triangle of the barycentric split that holds the fragment.
-int opposite_corner(const Vec3& barycentric) {
-  const int c = barycentric[1] < barycentric[0] ? 1 : 0;
-  return barycentric[2] < barycentric[c] ? 2 : c;
+/// What the phase gains along an edge, in turns.
+struct EdgeTurns {
+  float shift = 0;     ///< the phase shift
+  float mismatch = 0;  ///< what is left, at most half a turn either way
+  float gain() const { return shift + mismatch; }
+};
+
+/// From corner a to corner b, both running alike. Whichever the triangle, and whichever way its
+/// waves run, the same is computed, down to rounding: where half a turn is left, both triangles of
+/// an edge must take the same side.
+EdgeTurns turns_between(const CornerWave& a, const CornerWave& b) {
+  const bool backward = comes_first(b.wave.position, a.wave.position);
+  const CornerWave& first = backward ? b : a;
+  const CornerWave& second = backward ? a : b;
+  const bool reversed = comes_first(first.wave.direction, Vec3::Zero());
+  const float distance = aligned_distance(first.wave.position, first.wave.direction,
+                                          second.wave.position, second.wave.direction);
+  const float shift = std::sqrt(first.wave.frequency * second.wave.frequency) * distance;
+  const float rest = turns_from_peak(second.z) - turns_from_peak(first.z) - shift;
+  const float mismatch = reversed ? -rest : rest;
+  const float wrapped = mismatch - std::floor(mismatch + 0.5f);
+  const float sign = backward ? -1.0f : 1.0f;
+  return {sign * shift, (reversed ? -sign : sign) * wrapped};
 }
 
-/// The fragment's wave from the two corners of the edge that its sub-triangle keeps. The third
-/// corner has no weight anywhere in the sub-triangle. So the value on the edge is the edge's own,
-/// and the value on a cut from a corner to the barycentre is that corner's alone, seen from either
-/// side: nothing jumps but at the barycentre itself, which becomes the singular point.
-FragmentWave split_wave(std::array<CornerWave, 3> corners, const Vec3& barycentric,
-                        const Vec3& point) {
-  const int c = opposite_corner(barycentric);
-  const int a = (c + 1) % 3;
-  const int b = (c + 2) % 3;
-  const Vec3 excess = barycentric - Vec3::Constant(barycentric[c]);
-  const float total = excess[a] + excess[b];
-  if (!(total > 0)) return {};
-  if (runs_against(corners[a].wave.direction, corners[b].wave.direction)) {
-    corners[b] = flipped(corners[b]);
+/// A triangle's corners, passed one after the other, each turned round to run like the one before.
+/// Round a singularity of the field the first one comes back turned round.
+struct Round {
+  std::array<CornerWave, 4> corners;
+  std::array<bool, 4> turned_round{};
+  std::array<EdgeTurns, 3> edges;  ///< from corner m to m + 1
+};
+
+/// Positions become relative to the first corner's: they keep their digits far from the origin.
+Round passed_round(const std::array<CornerWave, 3>& corners) {
+  Round round;
+  for (int m = 0; m < 4; ++m) {
+    const CornerWave& corner = corners[m % 3];
+    if (m > 0) {
+      const Vec3& last = corners[m - 1].wave.direction;
+      round.turned_round[m] =
+          round.turned_round[m - 1] != runs_against(last, corner.wave.direction);
+    }
+    round.corners[m] = round.turned_round[m] ? flipped(corner) : corner;
   }
-  return blended_wave(corners, excess / total, point);
+  for (int m = 0; m < 3; ++m) {
+    round.edges[m] = turns_between(round.corners[m], round.corners[m + 1]);
+  }
+  for (CornerWave& corner : round.corners) corner.wave.position -= corners[0].wave.position;
+  return round;
+}
+
+/// What the phase gains from a corner to a point where the wave is `there`, in turns.
+float turns_to(const Vec3& point, const FragmentWave& there, const Wave& corner) {
+  const float distance =
+      aligned_distance(corner.position, corner.direction, point, there.direction);
+  return std::sqrt(corner.frequency * there.frequency) * distance;
+}
+
+float excess_of(const EdgeTurns& edge) {
+  return edge.mismatch - std::clamp(edge.mismatch, -kMostMismatch, kMostMismatch);
+}
+
+/// The edge, from corner m to m + 1, that is opposite to the corner of the least weight.
+int nearest_edge(const Vec3& barycentric) {
+  const int c = barycentric[1] < barycentric[0] ? 1 : 0;
+  return ((barycentric[2] < barycentric[c] ? 2 : c) + 1) % 3;
+}
+
+float square(float x) { return x * x; }
+
+/// Eq. 13 and 14, where the corners run alike. Sums of waves that are nearly opposite jump from one
+/// to the other midway; so each is first taken for as much ahead as the excess of the others asks.
+FragmentWave blended_wave(const Round& round, const Vec3& barycentric, const Vec3& point) {
+  FragmentWave fragment;
+  for (int m = 0; m < 3; ++m) {
+    const Wave& wave = round.corners[m].wave;
+    fragment.direction += barycentric[m] * wave.direction;
+    fragment.frequency += barycentric[m] * wave.frequency;
+  }
+  fragment.direction.normalize();
+  Complex sum = 0;
+  for (int m = 0; m < 3; ++m) {
+    const int next = (m + 1) % 3;
+    const int last = (m + 2) % 3;
+    const float ahead = excess_of(round.edges[m]) * barycentric[next] -
+                        excess_of(round.edges[last]) * barycentric[last];
+    const float turns = turns_to(point, fragment, round.corners[m].wave) + ahead;
+    sum += barycentric[m] * round.corners[m].z * turned(turns);
+  }
+  const float length = std::abs(sum);
+  fragment.z = length > 0 ? sum / length : Complex(0);
+  return fragment;
+}
+
+/// The phase at corner m of a singularity of the field, in turns from that at its barycentre. Once
+/// round the triangle the phase is back where it was, less whole turns, but turned round. Half of
+/// these turns is the one phase that is its own reverse, a peak or a trough: that of the
+/// barycentre.
+struct TurnsFromCentre {
+  std::array<float, 3> corners;
+  float centre;  ///< in turns from a peak
+};
+
+TurnsFromCentre turns_from_centre(const Round& round) {
+  const float start = turns_from_peak(round.corners[0].z);
+  float turns = start;
+  TurnsFromCentre result;
+  for (int m = 0; m < 3; ++m) {
+    result.corners[m] = turns;
+    turns += round.edges[m].gain();
+  }
+  result.centre = 0.5f * std::floor(turns + start + 0.5f);
+  for (int m = 0; m < 3; ++m) result.corners[m] -= result.centre;
+  return result;
+}
+
+/// What edge m alone says at a point, in turns from where its first corner has `at_corner`; on the
+/// edge what `blended_wave` says in the triangle beyond.
+float turns_beside(const Round& round, int m, const Vec3& barycentric, const Vec3& point,
+                   float at_corner, FragmentWave& fragment) {
+  const CornerWave& from = round.corners[m];
+  const CornerWave& to = round.corners[m + 1];
+  const float a = barycentric[m];
+  const float b = barycentric[(m + 1) % 3];
+  const float share = b / (a + b);
+  const float rest = 1 - share;
+  fragment.direction = (rest * from.wave.direction + share * to.wave.direction).normalized();
+  fragment.frequency = rest * from.wave.frequency + share * to.wave.frequency;
+  const float excess = excess_of(round.edges[m]);
+  const float turns = turns_to(point, fragment, from.wave);
+  const float turns_b = turns_to(point, fragment, to.wave);
+  const Complex sum = rest * from.z * turned(turns + excess * share) +
+                      share * to.z * turned(turns_b - excess * rest);
+  const float led = rest * turns + share * (round.edges[m].gain() + turns_b);
+  const float off = turns_from_peak(sum) - turns_from_peak(from.z) - led;
+  return at_corner + led + off - std::floor(off + 0.5f);
+}
+
+/// In a singularity of the field: in the sense of corner m of the edge that is nearest. Next to a
+/// corner both of its edges are blended, towards the middle of an edge that one alone is left, and
+/// towards the barycentre the phase nears the one there.
+FragmentWave singular_wave(const Round& round, const Vec3& barycentric, const Vec3& point) {
+  const int m = nearest_edge(barycentric);
+  const bool at_first = barycentric[m] >= barycentric[(m + 1) % 3];
+  const int second = (at_first ? m + 2 : m + 1) % 3;
+  const bool reversed = at_first ? m == 0 : m == 2;
+  const Vec3 b = barycentric.cwiseMax(kLeastWeight);
+  const float least = b[(m + 2) % 3];
+  const float most = at_first ? b[m] : b[(m + 1) % 3];
+  const float middle = at_first ? b[(m + 1) % 3] : b[m];
+  const float weight = square(middle * (most - least));
+  const float weight_of_second = square(least * (most - middle));
+  const float total = weight + weight_of_second;
+  const float share = total > 0 ? weight_of_second / total : 0.5f;
+
+  const TurnsFromCentre turns = turns_from_centre(round);
+  FragmentWave fragment;
+  const float other =
+      turns_beside(round, second, barycentric, point, turns.corners[second], fragment);
+  const float own = turns_beside(round, m, barycentric, point, turns.corners[m], fragment);
+  const float inside = square(27 * b[0] * b[1] * b[2]);
+  const float way = std::sqrt(std::max(1 - inside, 0.0f));
+  const float blended = own + share * ((reversed ? -other : other) - own);
+  fragment.z = turned(turns.centre + way * blended + 0.25f);
+  return fragment;
+}
+
+FragmentWave wave_in(const Round& round, const Vec3& barycentric) {
+  Vec3 point = Vec3::Zero();
+  for (int m = 0; m < 3; ++m) point += barycentric[m] * round.corners[m].wave.position;
+  return round.turned_round[3] ? singular_wave(round, barycentric, point)
+                               : blended_wave(round, barycentric, point);
 }
 
 }  // namespace
@@ -92,31 +228,21 @@ std::optional<std::array<float, 3>> common_orientation(const std::array<Vec3, 3>
   return {{1.0f, turn_second ? -1.0f : 1.0f, turn_third ? -1.0f : 1.0f}};
 }
 
-FragmentWave oriented_fragment_phase(const std::array<CornerWave, 3>& corners,
-                                     const Vec3& barycentric) {
+FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3& barycentric) {
   if (!all_have_waves(corners)) return {};
-  const std::array<CornerWave, 3> moved = moved_to_first_corner(corners);
-  return blended_wave(moved, barycentric, point_at(moved, barycentric));
+  return wave_in(passed_round(corners), barycentric);
 }
 
 FragmentWave split_fragment_phase(const std::array<CornerWave, 3>& corners,
                                   const Vec3& barycentric) {
   if (!all_have_waves(corners)) return {};
-  const std::array<CornerWave, 3> moved = moved_to_first_corner(corners);
-  return split_wave(moved, barycentric, point_at(moved, barycentric));
-}
-
-FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3& barycentric) {
-  if (!all_have_waves(corners)) return {};
-  std::array<CornerWave, 3> moved = moved_to_first_corner(corners);
-  const Vec3 point = point_at(moved, barycentric);
-  const auto signs = common_orientation(
-      {moved[0].wave.direction, moved[1].wave.direction, moved[2].wave.direction});
-  if (!signs) return split_wave(moved, barycentric, point);
-  for (int m = 1; m < 3; ++m) {
-    if ((*signs)[m] < 0) moved[m] = flipped(moved[m]);
+  const Round round = passed_round(corners);
+  FragmentWave fragment = wave_in(round, barycentric);
+  if (round.turned_round[nearest_edge(barycentric)]) {
+    fragment.direction = -fragment.direction;
+    fragment.z = -std::conj(fragment.z);
   }
-  return blended_wave(moved, barycentric, point);
+  return fragment;
 }
 
 }  // namespace brindle

@@ -52,11 +52,7 @@ LiftedTriangle LiftedWaves::triangle(std::size_t t) const {
     if (turns[m] == 0) return {};
     edges[m] = edges_[pattern_.edges.of_triangle[t][m]];
   }
-  LiftedTriangle result = lifted_triangle(vertices, turns, edges);
-  if (result.kind == TriangleKind::field_singularity) {
-    reach_inside({waves_[vertices[0]], waves_[vertices[1]], waves_[vertices[2]]}, result);
-  }
-  return result;
+  return lifted_triangle(vertices, turns, edges);
 }
 
 }  // namespace brindle

@@ -7,37 +7,29 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/areas.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/pattern/triangle_kernels.h"
 
 namespace brindle {
 namespace {
 
-struct TriangleError {
-  float angle_deg = -1;
-  double spacing = 0;
-};
-
-TriangleError triangle_error(const Triangle& triangle, const Mesh& mesh, const WaveSet& waves,
-                             const CornerPhases& corners) {
-  if (corners.kind != TriangleKind::regular) return {};
-  std::array<Vec3, 3> position;
-  Vec3 direction = Vec3::Zero();
-  float frequency = 0;
-  for (int m = 0; m < 3; ++m) {
-    position[m] = mesh.positions[triangle[m]];
-    direction += corners.sign[m] * waves.directions[triangle[m]];
-    frequency += waves.frequencies[triangle[m]] / 3;
+/// Up to kTriangleLanes triangles from `first` on.
+void measure(const Mesh& mesh, const WaveSet& waves, std::span<const CornerPhases> corners,
+             std::size_t first, ErrorLanes& errors) {
+  CornerLanes lanes;
+  LiftedLanes lifted;
+  for (std::size_t lane = 0; lane < kTriangleLanes; ++lane) {
+    const std::size_t t = std::min(first + lane, mesh.triangle_count() - 1);
+    for (std::size_t m = 0; m < 3; ++m) {
+      const Index vertex = mesh.triangles[t][m];
+      lanes.set(lane, m, mesh.positions[vertex], waves.directions[vertex],
+                waves.frequencies[vertex]);
+    }
+    lifted.set(lane, corners[t]);
   }
-  const Vec3 slope = linear_gradient(position, corners.phase);
-  // The gradient lies in the triangle; what sticks out of it cannot be followed by any pattern.
-  const Vec3 normal = triangle_normal(mesh, triangle);
-  direction -= direction.dot(normal) * normal;
-  const float angle = std::atan2(slope.cross(direction).norm(), slope.dot(direction));
-  const float expected = 2 * std::numbers::pi_v<float> * frequency;
-  return {angle * 180 / std::numbers::pi_v<float>,
-          std::abs(slope.cast<double>().norm() / expected - 1)};
+  triangle_kernels::measure_errors(lanes, lifted, errors);
 }
+
+float degrees(float radians) { return radians * 180 / std::numbers::pi_v<float>; }
 
 struct Sums {
   std::size_t branches = 0, field_singularities = 0;
@@ -48,14 +40,16 @@ struct Sums {
             area + o.area,         over_5deg + o.over_5deg,
             angle + o.angle,       spacing + o.spacing};
   }
-  void count(TriangleKind kind, const TriangleError& error, double triangle_area) {
+  void count(TriangleKind kind, const ErrorLanes& errors, std::size_t lane) {
     branches += kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
     field_singularities += kind == TriangleKind::field_singularity;
+    const double triangle_area = errors.area[lane];
     if (kind != TriangleKind::regular || triangle_area == 0) return;
+    const float angle_deg = degrees(errors.angle[lane]);
     area += triangle_area;
-    if (error.angle_deg > 5) over_5deg += triangle_area;
-    angle += triangle_area * static_cast<double>(error.angle_deg);
-    spacing += triangle_area * error.spacing;
+    if (angle_deg > 5) over_5deg += triangle_area;
+    angle += triangle_area * static_cast<double>(angle_deg);
+    spacing += triangle_area * static_cast<double>(errors.spacing[lane]);
   }
 };
 
@@ -74,8 +68,11 @@ std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
                                     std::span<const CornerPhases> corners) {
   std::vector<float> errors(mesh.triangle_count());
   parallel_for(errors.size(), [&](std::size_t begin, std::size_t end) {
+    ErrorLanes lanes;
     for (std::size_t t = begin; t < end; ++t) {
-      errors[t] = triangle_error(mesh.triangles[t], mesh, waves, corners[t]).angle_deg;
+      const std::size_t lane = (t - begin) % kTriangleLanes;
+      if (lane == 0) measure(mesh, waves, corners, t, lanes);
+      errors[t] = corners[t].kind == TriangleKind::regular ? degrees(lanes.angle[lane]) : -1;
     }
   });
   return errors;
@@ -94,10 +91,11 @@ PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
   const Sums sums =
       parallel_sum<Sums>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
         Sums sum;
+        ErrorLanes errors;
         for (std::size_t t = begin; t < end; ++t) {
-          const Triangle& triangle = mesh.triangles[t];
-          sum.count(corners[t].kind, triangle_error(triangle, mesh, waves, corners[t]),
-                    static_cast<double>(triangle_area(mesh, triangle)));
+          const std::size_t lane = (t - begin) % kTriangleLanes;
+          if (lane == 0) measure(mesh, waves, corners, t, errors);
+          sum.count(corners[t].kind, errors, lane);
         }
         return sum;
       });

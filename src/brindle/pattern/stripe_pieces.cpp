@@ -17,9 +17,6 @@ constexpr double kRadiansPerTurn = 2 * std::numbers::pi;
 /// More peaks than that along one edge are noise, and would fill the memory.
 constexpr double kMostPeaks = 1 << 24;
 
-/// Never on a peak: a whole turn belongs to what lies beyond it.
-Turns off_peak(Turns turns) { return turns % kWholeTurn == 0 ? turns + 1 : turns; }
-
 /// Division that rounds down.
 std::int32_t whole_turns(Turns turns) { return static_cast<std::int32_t>(turns >> 24); }
 
@@ -36,9 +33,10 @@ class Cell {
   };
   using Point = Eigen::Vector3d;  // barycentric in the whole triangle
 
+  /// Pieces that end inside do so at `end`, if it is given.
   Cell(const std::array<Side, 3>& sides, const std::array<Point, 3>& corners, bool join,
-       std::vector<StripePiece>& pieces)
-      : sides_(sides), corners_(corners), join_(join), pieces_(pieces) {}
+       std::vector<StripePiece>& pieces, const std::optional<Point>& end = {})
+      : sides_(sides), corners_(corners), join_(join), pieces_(pieces), end_(end) {}
 
   /// Pairs peaks that are passed upwards with peaks passed downwards, from the corners inwards, so
   /// that no two pieces cross. Side c is the one that all pieces touch.
@@ -153,7 +151,8 @@ class Cell {
   }
 
   /// `left` is in order around the cell, between the borders.
-  void emit_ends(const std::vector<PieceEnd>& left, const Point& end, const Borders& borders) {
+  void emit_ends(const std::vector<PieceEnd>& left, const Point& middle, const Borders& borders) {
+    const Point end = end_.value_or(middle);
     std::size_t next = 0;
     for (; join_ && next + 1 < left.size(); next += 2) add(left[next], left[next + 1]);
     for (; next < left.size(); ++next) {
@@ -180,6 +179,7 @@ class Cell {
   std::array<Point, 3> corners_;
   bool join_;
   std::vector<StripePiece>& pieces_;
+  std::optional<Point> end_;
 };
 
 /// The signs that turn the corners' waves into the sense of `corner`, across its two edges.
@@ -217,11 +217,37 @@ Cell::Side cut_side(const LiftedTriangle& triangle, int corner, int sign, bool o
           to};
 }
 
-Turns reached_inside(const CornerWave& corner, Turns turns, const Vec3& barycentre) {
-  const double shift = static_cast<double>(corner.wave.frequency) *
-                       (barycentre - corner.wave.position).dot(corner.wave.direction);
-  const double bounded = std::clamp(shift, -kMostPeaks, kMostPeaks);
-  return off_peak(turns + std::llround(bounded * static_cast<double>(kWholeTurn)));
+/// Finds `inner` of a singularity of the field. Once round it the phase is back where it was, less
+/// whole turns, but turned round. Half of these turns is the one phase that is its own reverse: a
+/// peak, or a trough.
+void reach_inside(LiftedTriangle& triangle) {
+  // In the first corner's sense the phase at corner m is sense[m] * turns + gained[m].
+  std::array<int, 4> sense = {1};
+  std::array<Turns, 4> gained{};
+  for (int m = 0; m < 3; ++m) {
+    const EdgeLift& lift = triangle.edges[m];
+    const Turns end = lifted_end(lift, 0);
+    sense[m + 1] = lift.reflecting ? -sense[m] : sense[m];
+    gained[m + 1] = gained[m] + (triangle.forward[m] || lift.reflecting ? end : -end) * sense[m];
+  }
+  const Turns centre = gained[3] / 2;
+  std::array<Turns, 4> way{};  // to the centre, in the first corner's sense
+  for (int m = 0; m < 3; ++m) {
+    triangle.inner[m] = sense[m] * (centre - gained[m]);
+    way[m] = centre - gained[m] - sense[m] * triangle.turns[m];
+  }
+  if (centre % kWholeTurn != 0) return;
+
+  // Every part whose ends are on either side of the peak has a curve to the barycentre.
+  way[3] = -way[0];
+  int curves = 0;
+  for (int m = 0; m < 3; ++m) curves += (way[m] > 0) != (way[m + 1] > 0);
+  const auto shortest = std::min_element(
+      way.begin(), way.begin() + 3, [](Turns a, Turns b) { return std::abs(a) < std::abs(b); });
+  for (int m = 0; m < 3; ++m) {
+    const bool beyond = curves == 3 && m == shortest - way.begin();
+    triangle.inner[m] += (way[m] * sense[m] > 0) == beyond ? 1 : -1;
+  }
 }
 
 bool has_wave(const CornerWave& corner) { return !corner.wave.direction.isZero(0); }
@@ -266,6 +292,7 @@ LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns,
   for (int m = 0; m < 3; ++m) result.forward[m] = triangle[m] < triangle[(m + 1) % 3];
   if (edges[0].reflecting ^ edges[1].reflecting ^ edges[2].reflecting) {
     result.kind = TriangleKind::field_singularity;
+    reach_inside(result);
     return result;
   }
   const std::array<int, 3> sense = senses(result);
@@ -275,15 +302,6 @@ LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns,
   }
   result.kind = result.branch_index == 0 ? TriangleKind::regular : TriangleKind::branch;
   return result;
-}
-
-void reach_inside(const std::array<CornerWave, 3>& corners, LiftedTriangle& triangle) {
-  const Vec3 first = corners[0].wave.position;
-  const Vec3 barycentre =
-      first + ((corners[1].wave.position - first) + (corners[2].wave.position - first)) / 3;
-  for (int m = 0; m < 3; ++m) {
-    triangle.inner[m] = reached_inside(corners[m], triangle.turns[m], barycentre);
-  }
 }
 
 LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<CornerWave, 3>& corners,
@@ -301,9 +319,7 @@ LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Corner
     const auto [a, b] = triangle[m] < triangle[next] ? std::pair(m, next) : std::pair(next, m);
     edges[m] = lift_edge(own[a], turns[a], own[b], turns[b], kind);
   }
-  LiftedTriangle result = lifted_triangle(triangle, turns, edges);
-  if (result.kind == TriangleKind::field_singularity) reach_inside(own, result);
-  return result;
+  return lifted_triangle(triangle, turns, edges);
 }
 
 double crossing_position(Turns from, Turns to, Index number) {
@@ -332,7 +348,7 @@ void stripe_pieces(const LiftedTriangle& triangle, bool join, std::vector<Stripe
     const std::array<Cell::Side, 3> sides = {edge_side(triangle, m, 1, there),
                                              cut_side(triangle, next, there, false),
                                              cut_side(triangle, m, 1, true)};
-    Cell(sides, {corner[m], corner[next], barycentre}, join, pieces).emit();
+    Cell(sides, {corner[m], corner[next], barycentre}, join, pieces, barycentre).emit();
   }
 }
 

@@ -45,17 +45,15 @@ struct LiftedTriangle {
   std::array<Turns, 3> turns{};   ///< of the corners' own waves, as `turns_after_peak` gives them
   std::array<EdgeLift, 3> edges;  ///< each from that end whose vertex has the lower number
   std::array<bool, 3> forward{};  ///< whether that end is corner m
-  std::array<Turns, 3> inner{};   ///< at the barycentre as corner m's wave alone reaches it
+  /// Of a singularity of the field: at the barycentre, in the sense of corner m. Where that is a
+  /// peak the cut stops just before it, or is just beyond where curves from both of its sides meet.
+  std::array<Turns, 3> inner{};
   std::int32_t branch_index = 0;  ///< peaks left over on the way round
 };
 
-/// From what is known of the corners and edges: finds kind and branch index. A singularity of the
-/// field still lacks `inner`.
+/// From what is known of the corners and edges.
 LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns, 3>& turns,
                                const std::array<EdgeLift, 3>& edges);
-
-/// Fills `inner` from the waves that have the `turns`.
-void reach_inside(const std::array<CornerWave, 3>& corners, LiftedTriangle& triangle);
 
 /// From the corners' waves alone, whichever waves they are: each vertex may lend another one to
 /// each triangle (cross fields). Two triangles agree along an edge if their waves there are the
@@ -95,9 +93,10 @@ inline Turns lifted_end(const EdgeLift& lift, Turns second_turns) {
 
 /// Replaces `pieces` by those of one triangle. Every crossing of an edge is the end of exactly one.
 /// Pieces do not cross each other; in a branch, |branch_index| of them end inside. A singularity of
-/// the field is split at its barycentre as `fragment_phase` does, each part like a branch.
-/// With `join`, pieces that would end side by side are joined in pairs, and one that is left over
-/// runs on into its neighbour, if it has one in the triangle (`RunOn` for one beyond it).
+/// the field is split at its barycentre. If that is on a peak, as `fragment_phase` has it, one
+/// piece ends there. With `join`, pieces that would end side by side are joined in pairs, and one
+/// that is left over runs on into its neighbour, if it has one in the triangle (`RunOn` for one
+/// beyond it).
 void stripe_pieces(const LiftedTriangle& triangle, bool join, std::vector<StripePiece>& pieces);
 
 }  // namespace brindle

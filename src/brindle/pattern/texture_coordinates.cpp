@@ -292,7 +292,12 @@ CarriedWaves carried_waves(const TexturedMesh& textured, const WaveSet& waves,
     const std::array<Index, 3>& origin = textured.origins[v];
     FragmentWave wave{waves.directions[origin[0]], waves.frequencies[origin[0]], z[origin[0]]};
     if (origin[0] != origin[1]) {
-      wave = fragment_phase(corner_waves(origin, waves, z), Vec3::Constant(1.0f / 3));
+      const std::array<CornerWave, 3> corners = corner_waves(origin, waves, z);
+      wave = fragment_phase(corners, Vec3::Constant(1.0f / 3));
+      if (!common_orientation(
+              {corners[0].wave.direction, corners[1].wave.direction, corners[2].wave.direction})) {
+        wave.direction.setZero();
+      }
     }
     carried.waves.directions[v] = wave.direction;
     carried.z[v] = wave.z;

@@ -1,15 +1,13 @@
+#include "brindle/pattern/texture_quality.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "brindle/base/parallel.h"
-#include "brindle/base/two_pi.h"
 #include "brindle/corner_phases.h"
-#include "brindle/quality.h"
-#include "brindle/texture_waves.h"
+#include "brindle/pattern/triangle_kernels.h"
 
 namespace brindle {
 namespace {
@@ -17,54 +15,68 @@ namespace {
 /// A square that is squeezed to nothing has no finite distortion.
 constexpr float kLargestAreaRatio = 100;
 
-struct Distortion {
-  float angle_deg;
-  float area;
-};
-
-float mean_frequency(const CornerWaves& corners) {
-  return (corners[0].wave.frequency + corners[1].wave.frequency + corners[2].wave.frequency) / 3;
-}
-
-/// The angle of a parallelogram whose coordinates have these gradients is 180 degrees less that
-/// between the gradients; its area is 1 over that of the gradients' parallelogram.
-Distortion distortion(const Vec3& gradient_u, const Vec3& gradient_v, float wanted_density) {
-  const float density = gradient_u.cross(gradient_v).norm();
-  const float angle = std::atan2(density, gradient_u.dot(gradient_v));
-  const float ratio = density / wanted_density;
-  const float factor = std::max(ratio, ratio > 0 ? 1 / ratio : kLargestAreaRatio);
-  return {std::abs(angle * 180 / std::numbers::pi_v<float> - 90),
-          std::min(factor, kLargestAreaRatio) - 1};
-}
-
-/// The linear phases of a triangle whose corners run alike.
-struct LinearPhases {
-  CornerPhases u;
-  CornerPhases v;
-  bool regular() const {
-    return u.kind == TriangleKind::regular && v.kind == TriangleKind::regular;
-  }
-};
-
-std::vector<LinearPhases> linear_phases(const TextureWaves& waves, PhaseShiftKind kind) {
-  std::vector<LinearPhases> phases(waves.triangle_count());
-  parallel_for(phases.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      phases[t] = {corner_phases(waves.u[t], kind), corner_phases(waves.v[t], kind)};
-    }
-  });
-  return phases;
+bool is_regular(const LinearPattern& u, const LinearPattern& v, std::size_t triangle) {
+  return u.corners[triangle].kind == TriangleKind::regular &&
+         v.corners[triangle].kind == TriangleKind::regular;
 }
 
 /// 1 for the vertices of every triangle that is not regular.
-std::vector<std::uint8_t> vertices_at_branches(const Mesh& mesh,
-                                               const std::vector<LinearPhases>& phases) {
+std::vector<std::uint8_t> vertices_at_branches(const Mesh& mesh, const LinearPattern& u,
+                                               const LinearPattern& v) {
   std::vector<std::uint8_t> at_branch(mesh.vertex_count());
-  for (std::size_t t = 0; t < phases.size(); ++t) {
-    if (phases[t].regular()) continue;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (is_regular(u, v, t)) continue;
     for (const Index vertex : mesh.triangles[t]) at_branch[vertex] = 1;
   }
   return at_branch;
+}
+
+/// Distortions of up to kTriangleLanes triangles from `first` on.
+void measure_texture_lanes(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
+                           std::size_t first, DistortionLanes& distortions) {
+  CornerLanes corners;
+  LiftedLanes lifted_u, lifted_v;
+  DensityLanes density;
+  for (std::size_t lane = 0; lane < kTriangleLanes; ++lane) {
+    const std::size_t t = std::min(first + lane, mesh.triangle_count() - 1);
+    for (std::size_t m = 0; m < 3; ++m) {
+      const Index vertex = mesh.triangles[t][m];
+      corners.set_position(lane, m, mesh.positions[vertex]);
+      density.u[m][lane] = u.frequencies[vertex];
+      density.v[m][lane] = v.frequencies[vertex];
+    }
+    lifted_u.set(lane, u.corners[t]);
+    lifted_v.set(lane, v.corners[t]);
+  }
+  triangle_kernels::measure_distortions(corners, lifted_u, lifted_v, density, distortions);
+}
+
+struct Distortions {
+  std::vector<float> angles;  ///< degrees
+  std::vector<float> areas;
+};
+
+/// All triangles, -1 for those that do not count.
+Distortions distortions_of(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v) {
+  const std::vector<std::uint8_t> at_branch = vertices_at_branches(mesh, u, v);
+  Distortions result{std::vector<float>(mesh.triangle_count(), -1),
+                     std::vector<float>(mesh.triangle_count(), -1)};
+  parallel_for(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    DistortionLanes lanes;
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::size_t lane = (t - begin) % kTriangleLanes;
+      if (lane == 0) measure_texture_lanes(mesh, u, v, t, lanes);
+      const Triangle& triangle = mesh.triangles[t];
+      if (at_branch[triangle[0]] || at_branch[triangle[1]] || at_branch[triangle[2]]) continue;
+      const float ratio = lanes.area_ratio[lane];
+      const float factor = std::max(ratio, ratio > 0 ? 1 / ratio : kLargestAreaRatio);
+      result.angles[t] = std::abs(lanes.angle[lane] * 180 / std::numbers::pi_v<float> - 90);
+      result.areas[t] = std::min(factor, kLargestAreaRatio) - 1;
+    }
+  });
+  std::erase_if(result.angles, [](float angle) { return angle < 0; });
+  std::erase_if(result.areas, [](float area) { return area < 0; });
+  return result;
 }
 
 double mean(const std::vector<float>& values) {
@@ -86,21 +98,8 @@ double percentile_95(std::vector<float>& values) {
 
 }  // namespace
 
-TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind) {
-  const std::vector<LinearPhases> phases = linear_phases(waves, kind);
-  const std::vector<std::uint8_t> at_branch = vertices_at_branches(mesh, phases);
-  std::vector<float> angles, areas;
-  for (std::size_t t = 0; t < phases.size(); ++t) {
-    const Triangle& triangle = mesh.triangles[t];
-    if (at_branch[triangle[0]] || at_branch[triangle[1]] || at_branch[triangle[2]]) continue;
-    const std::array<Vec3, 3> position{mesh.positions[triangle[0]], mesh.positions[triangle[1]],
-                                       mesh.positions[triangle[2]]};
-    const Distortion d = distortion(linear_gradient(position, phases[t].u.phase) / kTwoPi,
-                                    linear_gradient(position, phases[t].v.phase) / kTwoPi,
-                                    mean_frequency(waves.u[t]) * mean_frequency(waves.v[t]));
-    angles.push_back(d.angle_deg);
-    areas.push_back(d.area);
-  }
+TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v) {
+  auto [angles, areas] = distortions_of(mesh, u, v);
   TextureQuality quality;
   quality.measured_triangles = angles.size();
   quality.angle_mean_deg = mean(angles);
@@ -108,6 +107,18 @@ TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, Phas
   quality.angle_95th_deg = percentile_95(angles);
   quality.area_95th = percentile_95(areas);
   return quality;
+}
+
+TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind) {
+  const auto u = corner_phases(waves.u, kind), v = corner_phases(waves.v, kind);
+  std::vector<float> frequencies_u(mesh.vertex_count()), frequencies_v(mesh.vertex_count());
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (int m = 0; m < 3; ++m) {
+      frequencies_u[mesh.triangles[t][m]] = waves.u[t][m].wave.frequency;
+      frequencies_v[mesh.triangles[t][m]] = waves.v[t][m].wave.frequency;
+    }
+  }
+  return measure_texture(mesh, {u, frequencies_u}, {v, frequencies_v});
 }
 
 }  // namespace brindle

@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/pattern/corner_signs.h"
 
 namespace brindle {
 namespace {
@@ -26,9 +26,8 @@ void check_waves(const WaveSet& waves, std::span<const Complex> z, std::size_t v
   check_size(z.size(), vertices, "phases");
 }
 
-std::optional<Signs> common_signs(const CornerWaves& corners) {
-  return common_orientation(
-      {corners[0].wave.direction, corners[1].wave.direction, corners[2].wave.direction});
+std::array<Vec3, 3> directions_of(const CornerWaves& corners) {
+  return {corners[0].wave.direction, corners[1].wave.direction, corners[2].wave.direction};
 }
 
 float sum(const Signs& signs) { return signs[0] + signs[1] + signs[2]; }
@@ -37,22 +36,15 @@ void negate(Signs& signs) {
   for (float& sign : signs) sign = -sign;
 }
 
-void turn_round(const Signs& signs, CornerWaves& corners) {
-  for (int m = 0; m < 3; ++m) {
-    if (signs[m] < 0) corners[m] = flipped(corners[m]);
-  }
+bool has_zero(const std::array<Vec3, 3>& directions) {
+  return directions[0].isZero(0) || directions[1].isZero(0) || directions[2].isZero(0);
 }
 
-void orient(CornerWaves& u, CornerWaves& v) {
-  auto signs_u = common_signs(u);
-  auto signs_v = common_signs(v);
-  if (!signs_u || !signs_v) return;
-  if (sum(*signs_u) < 0) negate(*signs_u);
-  float kept = 0;
-  for (int m = 0; m < 3; ++m) kept += (*signs_u)[m] * (*signs_v)[m];
-  if (kept < 0) negate(*signs_v);
-  turn_round(*signs_u, u);
-  turn_round(*signs_v, v);
+CornerWave corner_at(const VertexWaves& waves, Index vertex, bool turned) {
+  const CornerWave corner{
+      {waves.positions[vertex], waves.directions[vertex], waves.frequencies[vertex]},
+      waves.z[vertex]};
+  return turned ? flipped(corner) : corner;
 }
 
 }  // namespace
@@ -90,18 +82,69 @@ bool is_oriented(const TextureWaves& waves, std::size_t triangle) {
   return run_alike(waves.u[triangle]) && run_alike(waves.v[triangle]);
 }
 
+CornerSigns corner_signs(const std::array<Vec3, 3>& u, const std::array<Vec3, 3>& v) {
+  auto signs_u = common_orientation(u);
+  auto signs_v = common_orientation(v);
+  if (!signs_u || !signs_v) return kUnoriented;
+  if (sum(*signs_u) < 0) negate(*signs_u);
+  float kept = 0;
+  for (int m = 0; m < 3; ++m) kept += (*signs_u)[m] * (*signs_v)[m];
+  if (kept < 0) negate(*signs_v);
+  unsigned signs = has_zero(u) || has_zero(v) ? kUnoriented : 0;
+  for (unsigned m = 0; m < 3; ++m) {
+    signs |= static_cast<unsigned>((*signs_u)[m] < 0) << m;
+    signs |= static_cast<unsigned>((*signs_v)[m] < 0) << (m + 3);
+  }
+  return static_cast<CornerSigns>(signs);
+}
+
+void corner_signs(std::span<const Triangle> triangles, std::span<const Vec3> u,
+                  std::span<const Vec3> v, std::vector<CornerSigns>& signs) {
+  signs.resize(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = triangles[t];
+      signs[t] = corner_signs({u[a], u[b], u[c]}, {v[a], v[b], v[c]});
+    }
+  });
+}
+
+void turn_signs(std::span<const std::uint8_t> turned, std::span<CornerSigns> signs) {
+  for (std::size_t t = 0; t < signs.size(); ++t) {
+    if (turned[t]) signs[t] ^= kTurnedRound;
+  }
+}
+
+void set_texture_waves(std::span<const Triangle> triangles, std::span<const CornerSigns> signs,
+                       const VertexWaves& u, const VertexWaves& v, TextureWaves& waves) {
+  waves.u.resize(triangles.size());
+  waves.v.resize(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      for (Index m = 0; m < 3; ++m) {
+        waves.u[t][m] = corner_at(u, triangles[t][m], turns_u(signs[t], m));
+        waves.v[t][m] = corner_at(v, triangles[t][m], turns_v(signs[t], m));
+      }
+    }
+  });
+}
+
 void orient_corners(TextureWaves& waves) {
   parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) orient(waves.u[t], waves.v[t]);
+    for (std::size_t t = begin; t < end; ++t) {
+      const CornerSigns signs = corner_signs(directions_of(waves.u[t]), directions_of(waves.v[t]));
+      for (Index m = 0; m < 3; ++m) {
+        if (turns_u(signs, m)) waves.u[t][m] = flipped(waves.u[t][m]);
+        if (turns_v(signs, m)) waves.v[t][m] = flipped(waves.v[t][m]);
+      }
+    }
   });
 }
 
 // The twin is shaders/texture_fragment.glsl.
 TextureFragment texture_fragment(const CornerWaves& u, const CornerWaves& v,
                                  const Vec3& barycentric) {
-  const bool oriented = run_alike(u) && run_alike(v);
-  const auto phase = oriented ? oriented_fragment_phase : split_fragment_phase;
-  return {phase(u, barycentric), phase(v, barycentric)};
+  return {split_fragment_phase(u, barycentric), split_fragment_phase(v, barycentric)};
 }
 
 float texture_coordinate(Complex z) { return std::arg(z) / (2 * std::numbers::pi_v<float>)+0.25f; }

@@ -41,12 +41,14 @@ struct Ground {
   const SlicedCouplings& couplings;
   std::vector<float> inverse_root_degree;
 
-  /// Calls `visit(neighbor, strength)` for all neighbours that a slot is coupled to.
-  template <class Visit>
-  void for_each_neighbor(Index slot, const Visit& visit) const {
+  /// Calls `visit(neighbor, strength)` for all neighbours that a slot is coupled to and that
+  /// `counts(neighbor)`.
+  template <class Counts, class Visit>
+  void for_each_neighbor(Index slot, const Counts& counts, const Visit& visit) const {
     std::size_t entry = layout.first_entry(slot);
     for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
       const Index neighbor = layout.neighbor[entry];
+      if (!counts(neighbor)) continue;
       const float s = strength(layout, couplings, slot, entry) * inverse_root_degree[neighbor];
       if (s > 0) visit(neighbor, s);
     }
@@ -145,8 +147,8 @@ class BlockGrower {
 
   /// Adds what the free neighbours of a new member are coupled to it.
   void add_candidates(Index slot) {
-    ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
-      if (!is_free(neighbor)) return;
+    const auto counts = [&](Index neighbor) { return is_free(neighbor); };
+    ground_.for_each_neighbor(slot, counts, [&](Index neighbor, float s) {
       const auto known = std::ranges::find(candidates_, neighbor, &Candidate::slot);
       if (known == candidates_.end()) {
         candidates_.push_back({neighbor, s});
@@ -166,9 +168,11 @@ class BlockGrower {
 
   Index strongest_aggregate(Index slot) const {
     Candidate best{kNone, 0};
-    ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
-      if (!in_block(neighbor) || aggregate_[neighbor] == kNone || !(s > best.strength)) return;
-      best = {aggregate_[neighbor], s};
+    const auto counts = [&](Index neighbor) {
+      return in_block(neighbor) && aggregate_[neighbor] != kNone;
+    };
+    ground_.for_each_neighbor(slot, counts, [&](Index neighbor, float s) {
+      if (s > best.strength) best = {aggregate_[neighbor], s};
     });
     return best.slot;
   }
@@ -219,7 +223,8 @@ class StrandedJoiner {
     if (aggregates_.aggregate[slot] != kNone) return;
     Index strongest = kNone;
     float greatest = 0;
-    ground_.for_each_neighbor(slot, [&](Index neighbor, float s) {
+    const auto all = [](Index) { return true; };
+    ground_.for_each_neighbor(slot, all, [&](Index neighbor, float s) {
       const bool joined = aggregates_.aggregate[neighbor] != kNone;
       const bool better = strongest == kNone || aggregates_.aggregate[strongest] == kNone;
       if (joined ? (better || s > greatest) : (strongest == kNone)) {
@@ -263,20 +268,37 @@ void join_stranded(const Ground& ground, const std::vector<BlockGrower>& growers
   joiner.finish();
 }
 
-/// Neighbouring aggregates of one, ascending, into `row`.
+/// Inserts one after the other where there are few.
+void sort_row(std::vector<Index>& row) {
+  constexpr std::size_t kFew = 16;
+  if (row.size() > kFew) {
+    std::sort(row.begin(), row.end());
+    return;
+  }
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    const Index value = row[i];
+    std::size_t place = i;
+    for (; place > 0 && row[place - 1] > value; --place) row[place] = row[place - 1];
+    row[place] = value;
+  }
+}
+
+/// Neighbouring aggregates of one, ascending, into `row`. `seen_by` has for every aggregate the
+/// last one that it was found beside.
 void collect_row(const SlicedLayout& layout, const Aggregates& aggregates, Index aggregate,
-                 std::vector<Index>& row) {
+                 std::vector<Index>& seen_by, std::vector<Index>& row) {
   row.clear();
   for (Index m = aggregates.begin[aggregate]; m < aggregates.begin[aggregate + 1]; ++m) {
     const Index slot = aggregates.member[m];
     std::size_t entry = layout.first_entry(slot);
     for (Index k = 0; k < layout.width(slot); ++k, entry += kLanes) {
       const Index other = aggregates.aggregate[layout.neighbor[entry]];
-      if (other != kNone && other != aggregate) row.push_back(other);
+      if (other == kNone || other == aggregate || seen_by[other] == aggregate) continue;
+      seen_by[other] = aggregate;
+      row.push_back(other);
     }
   }
-  std::sort(row.begin(), row.end());
-  row.erase(std::unique(row.begin(), row.end()), row.end());
+  sort_row(row);
 }
 
 }  // namespace
@@ -305,12 +327,12 @@ Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggrega
   parallel_for(
       blocks,
       [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> row;
+        std::vector<Index> row, seen_by(aggregates.count(), kNone);
         for (std::size_t block = begin; block < end; ++block) {
           Adjacency& part = parts[block];
           for (Index a = aggregates.block_begin[block]; a < aggregates.block_begin[block + 1];
                ++a) {
-            collect_row(layout, aggregates, a, row);
+            collect_row(layout, aggregates, a, seen_by, row);
             part.neighbors.insert(part.neighbors.end(), row.begin(), row.end());
             part.offsets.push_back(static_cast<Index>(part.neighbors.size()));
           }
@@ -319,6 +341,9 @@ Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggrega
       1);
   Adjacency adjacency;
   adjacency.offsets.reserve(aggregates.begin.size());
+  std::size_t neighbors = 0;
+  for (const Adjacency& part : parts) neighbors += part.neighbors.size();
+  adjacency.neighbors.reserve(neighbors);
   for (const Adjacency& part : parts) {
     const auto first = static_cast<Index>(adjacency.neighbors.size());
     adjacency.neighbors.insert(adjacency.neighbors.end(), part.neighbors.begin(),

@@ -1,7 +1,9 @@
 #include "brindle/phases/hierarchy.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 #include "brindle/base/parallel.h"
@@ -191,13 +193,15 @@ void sum_block(const Level& fine, Level& coarse, Index block, SumScratch::OfThre
 void sum_anchors(const Level& fine, Level& coarse, Index slice) {
   const Aggregation& aggregation = fine.aggregation();
   for (Index slot = slice * kLanes; slot < (slice + 1) * kLanes; ++slot) {
-    Complex sum = 0;
+    float re = 0, im = 0;
     for (Index m = aggregation.member_begin[slot]; m < aggregation.member_begin[slot + 1]; ++m) {
       const Complex g = fine.gauge[aggregation.member[m]];
       const Complex t = std::conj(g) * fine.couplings.anchor[aggregation.member[m]];
-      sum += conjugate_bit(g) ? std::conj(t) : t;
+      const auto bits = std::bit_cast<std::uint32_t>(t.imag());
+      re += t.real();
+      im += std::bit_cast<float>(bits ^ (std::uint32_t{conjugate_bit(g)} << 31));  // no branch
     }
-    coarse.couplings.anchor[slot] = sum;
+    coarse.couplings.anchor[slot] = {re, im};
   }
 }
 
@@ -233,10 +237,18 @@ void SumScratch::make_room(OfThread& own) const {
 Hierarchy finest_level(const Adjacency& adjacency) {
   Hierarchy hierarchy;
   Stopwatch watch;
-  hierarchy.levels.push_back(
-      make_level({std::make_shared<SlicedLayout>(sliced_layout(
-                      adjacency, greedy_coloring(adjacency), breadth_first_order(adjacency))),
-                  nullptr}));
+  // Neither can be split among threads, but they can run beside each other.
+  Coloring coloring;
+  std::vector<Index> order;
+  parallel_for(
+      2,
+      [&](std::size_t begin, std::size_t end) {
+        if (begin == 0) coloring = greedy_coloring(adjacency);
+        if (end == 2) order = breadth_first_order(adjacency);
+      },
+      1);
+  hierarchy.levels.push_back(make_level(
+      {std::make_shared<SlicedLayout>(sliced_layout(adjacency, coloring, order)), nullptr}));
   hierarchy.topology_milliseconds = watch.lap();
   return hierarchy;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -19,15 +20,26 @@ constexpr std::size_t kBlock = 2048;
 /// Ranges (a colour in a block) that one task updates at least.
 constexpr std::size_t kRangeGrain = 4;
 
-/// Slots of one block of nodes; the ranges that its colours fill go to `ranges`.
-void assign_block(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
-                  std::span<Index> block, std::vector<std::vector<SliceRange>>& ranges) {
-  const auto degree = [&](Index node) {
-    return adjacency.offsets[node + 1] - adjacency.offsets[node];
-  };
-  std::ranges::stable_sort(block, [&](Index a, Index b) {
-    return std::pair(coloring.color[a], degree(b)) < std::pair(coloring.color[b], degree(a));
-  });
+/// A block's nodes colour by colour, in a colour by degree from the largest down. Each number says
+/// what comes first and where in the block the node stood, so that they are all different.
+void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<Index> block) {
+  constexpr std::uint64_t kDegrees = 1 << 16;  // larger ones are all the same
+  std::vector<std::uint64_t> keys(block.size());
+  for (std::size_t n = 0; n < block.size(); ++n) {
+    const Index degree = adjacency.offsets[block[n] + 1] - adjacency.offsets[block[n]];
+    keys[n] = (coloring.color[block[n]] * kDegrees + (kDegrees - 1) -
+               std::min<std::uint64_t>(degree, kDegrees - 1))
+                  << 32 |
+              n;
+  }
+  std::ranges::sort(keys);
+  const std::vector<Index> before(block.begin(), block.end());
+  for (std::size_t n = 0; n < block.size(); ++n) block[n] = before[static_cast<Index>(keys[n])];
+}
+
+/// Slots of one sorted block of nodes; the ranges that its colours fill go to `ranges`.
+void assign_block(SlicedLayout& layout, const Coloring& coloring, std::span<const Index> block,
+                  std::vector<std::vector<SliceRange>>& ranges) {
   for (std::size_t n = 0; n < block.size();) {
     const Index color = coloring.color[block[n]];
     const Index first = layout.slice_count();
@@ -56,12 +68,20 @@ void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Colori
     nodes.resize(adjacency.node_count());
     std::iota(nodes.begin(), nodes.end(), Index{0});
   }
+  const auto block = [&](std::size_t b) {
+    const Index begin = b == 0 ? 0 : block_ends[b - 1];
+    return std::span(nodes).subspan(begin, block_ends[b] - begin);
+  };
+  parallel_for(
+      block_ends.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) sort_block(adjacency, coloring, block(b));
+      },
+      1);
   std::vector<std::vector<SliceRange>> ranges(coloring.color_count);
-  Index begin = 0;
-  for (const Index end : block_ends) {
-    assign_block(layout, adjacency, coloring, std::span(nodes).subspan(begin, end - begin), ranges);
+  for (std::size_t b = 0; b < block_ends.size(); ++b) {
+    assign_block(layout, coloring, block(b), ranges);
     layout.block_begin.push_back(layout.slice_count());
-    begin = end;
   }
   layout.color_begin.push_back(0);
   for (const auto& of_color : ranges) {

@@ -44,7 +44,7 @@ bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
       const SlicedWave now{
           {p.x(), p.y(), p.z()}, std::sqrt(frequencies[node]), {d.x(), d.y(), d.z()}, 0};
       if (!last.empty()) {
-        changed_here |= !same(last[slot], now);
+        changed_here = changed_here || !same(last[slot], now);
         if (!z.empty() && turned_round(last[slot], now)) z[slot] = turned(z[slot]);
       }
       waves[slot] = now;

@@ -16,26 +16,16 @@ class BlockArranger {
         aggregates_(aggregates),
         adjacency_(adjacency),
         coarse_(coarse),
-        place_of_(fine.slice_count()) {}
+        place_of_(fine.slice_count()),
+        position_of_(aggregates.count()) {}
 
   SourceRounds arrange(SliceRange block) {
     rounds_ = {};
     block_ = block;
     collect_runs();
-    std::vector<Index> dealt(entry_count(), 0);
-    for_each_source([&](std::size_t target, Index) { ++dealt[target]; });
-    for (std::size_t column = 0; column < entry_count(); column += kLanes) {
-      const Index most =
-          *std::max_element(dealt.begin() + static_cast<std::ptrdiff_t>(column),
-                            dealt.begin() + static_cast<std::ptrdiff_t>(column) + kLanes);
-      rounds_.round_begin.push_back(rounds_.round_begin.back() + most);
-    }
-    rounds_.entry.assign(std::size_t{rounds_.round_begin.back()} * kLanes, 0);
-    std::ranges::fill(dealt, Index{0});
-    for_each_source([&](std::size_t target, Index place) {
-      const std::size_t round = rounds_.round_begin[target / kLanes] + dealt[target]++;
-      rounds_.entry[round * kLanes + target % kLanes] = place;
-    });
+    collect_sources();
+    add_rounds();
+    deal();
     return std::move(rounds_);
   }
 
@@ -75,35 +65,87 @@ class BlockArranger {
     }
   }
 
-  /// Calls `visit(coarse entry, counted from the block's first; place)` for every entry between
-  /// two aggregates.
-  template <class Visit>
-  void for_each_source(const Visit& visit) const {
+  /// All entries between two aggregates.
+  void collect_sources() {
+    sources_.clear();
+    Index row_of = kNone;
     for_each_member([&](Index coarse_slot, Index slot) {
       const Index aggregate = aggregates_.aggregate[slot];
-      const auto row = adjacency_.of(aggregate);
-      const std::size_t row_begin = coarse_.first_entry(coarse_slot) - first_entry();
+      if (aggregate != row_of) note_positions(row_of = aggregate);
+      const auto row_begin = static_cast<Index>(coarse_.first_entry(coarse_slot) - first_entry());
       const Index slice = slot / kLanes;
+      const std::size_t place = place_of_[slice] - std::size_t{fine_.column_begin[slice]} * kLanes;
       std::size_t entry = fine_.first_entry(slot);
       for (Index k = 0; k < fine_.width(slot); ++k, entry += kLanes) {
         const Index other = aggregates_.aggregate[fine_.neighbor[entry]];
         if (other == kNone || other == aggregate) continue;
-        const auto position = std::ranges::lower_bound(row, other) - row.begin();
-        visit(row_begin + static_cast<std::size_t>(position) * kLanes,
-              static_cast<Index>(place_of_[slice] + entry -
-                                 std::size_t{fine_.column_begin[slice]} * kLanes));
+        sources_.push_back({static_cast<Index>(row_begin + position_of_[other] * kLanes),
+                            static_cast<Index>(place + entry)});
       }
     });
   }
+
+  /// Where an aggregate's neighbours stand in its row.
+  void note_positions(Index aggregate) {
+    Index position = 0;
+    for (const Index other : adjacency_.of(aggregate)) position_of_[other] = position++;
+  }
+
+  /// As many rounds for every column as its fullest lane has sources.
+  void add_rounds() {
+    dealt_.assign(entry_count(), 0);
+    for (const Source& source : sources_) ++dealt_[source.target];
+    rounds_.round_begin.reserve(1 + entry_count() / kLanes);
+    for (std::size_t column = 0; column < entry_count(); column += kLanes) {
+      Index most = 0;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        most = std::max(most, dealt_[column + lane]);
+      }
+      rounds_.round_begin.push_back(rounds_.round_begin.back() + most);
+    }
+  }
+
+  void deal() {
+    rounds_.entry.assign(std::size_t{rounds_.round_begin.back()} * kLanes, 0);
+    std::ranges::fill(dealt_, Index{0});
+    for (const auto& [target, place] : sources_) {
+      const std::size_t round = rounds_.round_begin[target / kLanes] + dealt_[target]++;
+      rounds_.entry[round * kLanes + target % kLanes] = place;
+    }
+  }
+
+  struct Source {
+    Index target;  ///< coarse entry, counted from the block's first
+    Index place;
+  };
 
   const SlicedLayout& fine_;
   const Aggregates& aggregates_;
   const Adjacency& adjacency_;
   const SlicedLayout& coarse_;
-  std::vector<Index> place_of_;  // of a slice's first entry; set for those of this block's runs
+  std::vector<Index> place_of_;     // of a slice's first entry; set for those of this block's runs
+  std::vector<Index> position_of_;  // of an aggregate in the row of the one that is looked at
+  std::vector<Source> sources_;
+  std::vector<Index> dealt_;  // sources by coarse entry
   SliceRange block_{};
   SourceRounds rounds_;
 };
+
+/// Room for all blocks together.
+SourceRounds with_room_for(const std::vector<SourceRounds>& blocks) {
+  std::size_t runs = 0, rounds = 1, entries = 0;
+  for (const SourceRounds& block : blocks) {
+    runs += block.runs.size();
+    rounds += block.round_begin.size() - 1;
+    entries += block.entry.size();
+  }
+  SourceRounds all;
+  all.run_begin.reserve(blocks.size() + 1);
+  all.runs.reserve(runs);
+  all.round_begin.reserve(rounds);
+  all.entry.reserve(entries);
+  return all;
+}
 
 void append(SourceRounds& all, const SourceRounds& block) {
   const auto first_round = static_cast<Index>(all.entry.size() / kLanes);
@@ -130,7 +172,7 @@ SourceRounds source_rounds(const SlicedLayout& fine, const Aggregates& aggregate
         }
       },
       1);
-  SourceRounds all;
+  SourceRounds all = with_room_for(blocks);
   for (const SourceRounds& block : blocks) append(all, block);
   return all;
 }

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/nearest.h"
+#include "brindle/geometry/nearest.h"
+#include "brindle/phase_shift.h"
 
 namespace brindle {
 namespace {
@@ -38,10 +38,8 @@ bool is_phase(const Complex& z) {
 }
 
 CornerWave wave_at(const LastPattern& last, Index vertex) {
-  const WaveSet& waves = last.waves;
-  if (!is_phase(last.z[vertex])) return {{waves.positions[vertex], Vec3::Zero(), 0}, 0};
-  return {{waves.positions[vertex], waves.directions[vertex], waves.frequencies[vertex]},
-          last.z[vertex]};
+  if (is_phase(last.z[vertex])) return {last.waves.wave(vertex), last.z[vertex]};
+  return {{last.waves.positions[vertex], Vec3::Zero(), 0}, 0};
 }
 
 bool has_wave(const CornerWave& corner) { return corner.wave.direction != Vec3::Zero(); }
@@ -115,10 +113,9 @@ Complex led_phase(const Source& source, const Eigen::Vector3d& point, const Vec3
   const Eigen::Vector3d offset = point - source.position;
   const CornerWave corner = alike(source.corner, direction);
   if (offset.norm() * static_cast<double>(corner.wave.frequency) > max_periods) return 0;
-  const float distance =
-      aligned_distance(Vec3::Zero(), corner.wave.direction, offset.cast<float>(), direction);
-  const float turns = std::sqrt(corner.wave.frequency * frequency) * distance;
-  return corner.z * std::polar(1.0f, 2 * std::numbers::pi_v<float> * turns);
+  const Wave from{Vec3::Zero(), corner.wave.direction, corner.wave.frequency};
+  const Wave to{offset.cast<float>(), direction, frequency};
+  return corner.z * std::polar(1.0f, phase_shift(PhaseShiftKind::aligned, from, to).radians);
 }
 
 }  // namespace

@@ -21,6 +21,30 @@ PatternQuality quality_of(const CrossCover& cover, const StripePattern& pattern)
   return quality;
 }
 
+/// Both waves of a vertex have what the vertex has.
+std::vector<float> by_node(const std::vector<float>& by_vertex) {
+  std::vector<float> nodes;
+  nodes.reserve(2 * by_vertex.size());
+  for (const float number : by_vertex) nodes.insert(nodes.end(), 2, number);
+  return nodes;
+}
+
+StripeOptions options_on_cover(StripeOptions options) {
+  options.slack.by_vertex = by_node(options.slack.by_vertex);
+  options.slack.calm = by_node(options.slack.calm);
+  return options;
+}
+
+/// The triangles that the cover leaves out count twice, as in `branches`.
+void add_singular_in_calm(std::span<const Triangle> triangles, const CrossCover& cover,
+                          std::span<const float> calm, PatternQuality& quality) {
+  if (!quality.branches_in_calm) return;
+  for (const Index t : cover.singular) {
+    const auto& [a, b, c] = triangles[t];
+    *quality.branches_in_calm += calm[a] + calm[b] + calm[c] >= 1.5f ? 2 : 0;
+  }
+}
+
 }  // namespace
 
 Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals) {
@@ -40,9 +64,13 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
                              cross_waves(waves, surface.normals));
   result.surface = cover_surface(result.cover, surface.normals);
   const double matching = watch.lap();
-  result.pattern = stripe_pattern(result.surface, result.cover.waves, options, progress);
+  check(options.slack, surface.mesh.vertex_count());
+  result.pattern =
+      stripe_pattern(result.surface, result.cover.waves, options_on_cover(options), progress);
+  result.cover.waves.frequencies = result.pattern.waves.frequencies;
   result.pattern.milliseconds.couple += matching;
   result.quality = quality_of(result.cover, result.pattern);
+  add_singular_in_calm(surface.mesh.triangles, result.cover, options.slack.calm, result.quality);
   return result;
 }
 

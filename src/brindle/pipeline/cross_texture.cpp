@@ -5,8 +5,10 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/geometry/normals.h"
+#include "brindle/pattern/texture_quality.h"
 
 namespace brindle {
 namespace {
@@ -38,11 +40,8 @@ class CrossTriangles {
     mesh_.positions = mesh.positions;
     mesh_.origin = mesh.origin;
     const CrossCover& cover = cross.cover;
-    for (std::size_t s = 0; s < cover.base.size(); ++s) {
-      add(mesh.triangles[cover.base[s]],
-          corner_waves(cover.u()[s], cover.waves, cross.pattern.solution.z),
-          corner_waves(cover.v()[s], cover.waves, cross.pattern.solution.z));
-    }
+    mesh_.positions.reserve(mesh.vertex_count() + cover.singular.size());
+    add_matching(mesh);
     for (const Index t : cover.singular) split(mesh.triangles[t]);
   }
 
@@ -50,6 +49,27 @@ class CrossTriangles {
   TextureWaves& waves() { return waves_; }
 
  private:
+  /// The triangles around which crosses match, with room for the parts of the others.
+  void add_matching(const Mesh& mesh) {
+    const CrossCover& cover = cross_.cover;
+    const std::vector<Complex>& z = cross_.pattern.solution.z;
+    const std::size_t count = cover.base.size();
+    const std::size_t room = count + 3 * cover.singular.size();
+    mesh_.triangles.reserve(room);
+    waves_.u.reserve(room);
+    waves_.v.reserve(room);
+    mesh_.triangles.resize(count);
+    waves_.u.resize(count);
+    waves_.v.resize(count);
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        mesh_.triangles[s] = mesh.triangles[cover.base[s]];
+        waves_.u[s] = corner_waves(cover.u()[s], cover.waves, z);
+        waves_.v[s] = corner_waves(cover.v()[s], cover.waves, z);
+      }
+    });
+  }
+
   void add(const Triangle& triangle, const CornerWaves& u, const CornerWaves& v) {
     mesh_.triangles.push_back(triangle);
     waves_.u.push_back(u);
@@ -85,43 +105,54 @@ class CrossTriangles {
 /// Turns V round where it runs to the right of U, seen from outside: what a tile's picture shows
 /// must not be mirrored.
 void turn_left(const Mesh& mesh, TextureWaves& waves) {
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    Vec3 turn = Vec3::Zero();
-    for (int m = 0; m < 3; ++m) {
-      turn += waves.u[t][m].wave.direction.cross(waves.v[t][m].wave.direction);
+  parallel_for(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      Vec3 turn = Vec3::Zero();
+      for (int m = 0; m < 3; ++m) {
+        turn += waves.u[t][m].wave.direction.cross(waves.v[t][m].wave.direction);
+      }
+      if (turn.dot(triangle_normal(mesh, mesh.triangles[t])) < 0) flip(waves.v[t]);
     }
-    if (turn.dot(triangle_normal(mesh, mesh.triangles[t])) < 0) flip(waves.v[t]);
-  }
+  });
 }
 
 /// The waves (i, r) of all vertices i, and none at the others, with the figures of the whole.
 StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec3> positions) {
   StripePattern pattern;
   pattern.waves.positions.assign(positions.begin(), positions.end());
+  const FrequencyField& wanted = cross.pattern.frequencies_wanted;
   const std::size_t vertices = cross.cover.waves.positions.size() / 2;
+  pattern.waves.directions.reserve(positions.size());
+  pattern.waves.frequencies.reserve(positions.size());
+  pattern.solution.z.reserve(positions.size());
   for (Index i = 0; i < positions.size(); ++i) {
     const bool is_new = i >= vertices;
     const Index node = is_new ? 0 : 2 * i + r;
     pattern.waves.directions.push_back(is_new ? Vec3(Vec3::Zero())
                                               : cross.cover.waves.directions[node]);
     pattern.waves.frequencies.push_back(cross.cover.waves.frequencies[node]);
+    if (!wanted.empty()) pattern.frequencies_wanted.push_back(wanted[node]);
     pattern.solution.z.push_back(is_new ? Complex(1) : cross.pattern.solution.z[node]);
   }
   pattern.solution.energy = cross.pattern.solution.energy;
   pattern.solution.iterations = cross.pattern.solution.iterations;
   pattern.quality = cross.quality;
+  pattern.frequency_change = cross.pattern.frequency_change;
   return pattern;
 }
 
-/// New triangles are singular, whatever their corners look like.
-std::vector<CornerPhases> corners_of(const std::vector<CornerWaves>& waves, std::size_t regular,
-                                     PhaseShiftKind kind) {
-  std::vector<CornerPhases> corners;
-  for (const CornerWaves& wave : waves) {
-    corners.push_back(corner_phases(wave, kind));
-    if (corners.size() > regular) corners.back().kind = TriangleKind::field_singularity;
+/// Corner phases of both patterns, and what is measured of them. New triangles are singular,
+/// whatever their corners look like; the texture on them is measured all the same.
+void measure(const Mesh& mesh, std::size_t regular, TexturePattern& pattern) {
+  pattern.u.corners = corner_phases(pattern.waves.u, pattern.phase_shift);
+  pattern.v.corners = corner_phases(pattern.waves.v, pattern.phase_shift);
+  pattern.quality = measure_texture(mesh, {pattern.u.corners, pattern.u.waves.frequencies},
+                                    {pattern.v.corners, pattern.v.waves.frequencies});
+  for (StripePattern* part : {&pattern.u, &pattern.v}) {
+    for (std::size_t t = regular; t < part->corners.size(); ++t) {
+      part->corners[t].kind = TriangleKind::field_singularity;
+    }
   }
-  return corners;
 }
 
 }  // namespace
@@ -139,10 +170,8 @@ CrossTexture cross_texture(const Surface& surface, const CrossPattern& cross,
   turn_left(texture.surface.mesh, pattern.waves);
   pattern.u = pattern_of(cross, 0, texture.surface.mesh.positions);
   pattern.v = pattern_of(cross, 1, texture.surface.mesh.positions);
-  pattern.u.corners = corners_of(pattern.waves.u, cross.cover.base.size(), phase_shift);
-  pattern.v.corners = corners_of(pattern.waves.v, cross.cover.base.size(), phase_shift);
+  measure(texture.surface.mesh, cross.cover.base.size(), pattern);
   pattern.u.milliseconds = cross.pattern.milliseconds;
-  pattern.quality = measure_texture(texture.surface.mesh, pattern.waves, phase_shift);
   pattern.orientation_milliseconds = watch.lap();
   return texture;
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
+
+#include "brindle/base/parallel.h"
 
 namespace brindle {
 namespace {
@@ -14,67 +15,66 @@ constexpr Index kNone = std::numeric_limits<Index>::max();
 /// Each end of a seam is offered so many of its nearest fellows.
 constexpr std::size_t kNearest = 24;
 
-/// The edges at every item, in compressed rows.
-struct Incidence {
-  std::vector<Index> offsets;
-  std::vector<Index> edges;
+/// An edge at an item, and the item at its other end.
+struct Way {
+  Index edge;
+  Index to;
+};
 
-  std::span<const Index> of(Index item) const {
-    return std::span(edges).subspan(offsets[item], offsets[item + 1] - offsets[item]);
+/// The ways from every item, in compressed rows.
+struct Ways {
+  std::vector<Index> offsets;
+  std::vector<Way> ways;
+
+  std::span<const Way> of(Index item) const {
+    return std::span(ways).subspan(offsets[item], offsets[item + 1] - offsets[item]);
   }
 };
 
 /// `ends(edge)` are the two items of an edge.
 template <class Ends>
-Incidence incidence(std::span<const SeamEdge> edges, std::size_t items, const Ends& ends) {
-  Incidence result;
-  result.offsets.assign(items + 1, 0);
+Ways ways_between(std::span<const SeamEdge> edges, std::size_t items, const Ends& ends) {
+  Ways result;
+  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  result.offsets.assign(items + 2, 0);
   for (const SeamEdge& edge : edges) {
-    for (const Index item : ends(edge)) ++result.offsets[item + 1];
+    for (const Index item : ends(edge)) ++result.offsets[item + 2];
   }
-  for (std::size_t i = 0; i < items; ++i) result.offsets[i + 1] += result.offsets[i];
-  result.edges.resize(2 * edges.size());
-  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
+  for (std::size_t i = 2; i < result.offsets.size(); ++i) {
+    result.offsets[i] += result.offsets[i - 1];
+  }
+  result.ways.resize(2 * edges.size());
   for (Index e = 0; e < edges.size(); ++e) {
-    for (const Index item : ends(edges[e])) result.edges[next[item]++] = e;
+    const auto [a, b] = ends(edges[e]);
+    result.ways[result.offsets[a + 1]++] = {e, b};
+    result.ways[result.offsets[b + 1]++] = {e, a};
   }
+  result.offsets.pop_back();
   return result;
 }
 
 std::array<Index, 2> nodes_of(const SeamEdge& edge) { return edge.nodes; }
 std::array<Index, 2> triangles_of(const SeamEdge& edge) { return edge.triangles; }
 
-Index other(const std::array<Index, 2>& ends, Index one) {
-  return ends[0] == one ? ends[1] : ends[0];
-}
-
 /// Breadth-first search from one node, over and over without clearing all.
 class Search {
  public:
-  Search(std::span<const SeamEdge> edges, std::size_t node_count)
-      : edges_(edges),
-        at_node_(incidence(edges, node_count, nodes_of)),
-        reached_(node_count, kNone),
-        steps_(node_count),
-        by_edge_(node_count) {}
+  explicit Search(const Ways& at_node) : at_node_(at_node), found_(at_node.offsets.size() - 1) {}
 
   /// Calls `visit(node, steps)` for nodes in the order of their distance until it returns false.
   template <class Visit>
   void run(Index start, const Visit& visit) {
     ++round_;
     queue_.assign(1, start);
-    reached_[start] = round_;
-    steps_[start] = 0;
+    found_[start] = {round_, 0, kNone, kNone};
     for (std::size_t next = 0; next < queue_.size(); ++next) {
       const Index node = queue_[next];
-      if (!visit(node, steps_[node])) return;
-      for (const Index e : at_node_.of(node)) {
-        const Index to = other(edges_[e].nodes, node);
-        if (reached_[to] == round_) continue;
-        reached_[to] = round_;
-        steps_[to] = steps_[node] + 1;
-        by_edge_[to] = e;
-        queue_.push_back(to);
+      const Index steps = found_[node].steps;
+      if (!visit(node, steps)) return;
+      for (const Way& way : at_node_.of(node)) {
+        if (found_[way.to].round == round_) continue;
+        found_[way.to] = {round_, steps + 1, way.edge, node};
+        queue_.push_back(way.to);
       }
     }
   }
@@ -84,18 +84,22 @@ class Search {
     bool found = false;
     run(from, [&](Index node, Index) { return !(found = node == to); });
     std::vector<Index> edges;
-    for (Index node = to; found && node != from; node = other(edges_[edges.back()].nodes, node)) {
-      edges.push_back(by_edge_[node]);
+    for (Index node = to; found && node != from; node = found_[node].before) {
+      edges.push_back(found_[node].by_edge);
     }
     return edges;
   }
 
  private:
-  std::span<const SeamEdge> edges_;
-  Incidence at_node_;
-  std::vector<Index> reached_;  ///< in which round
-  std::vector<Index> steps_;
-  std::vector<Index> by_edge_;
+  struct Found {
+    Index round = kNone;  ///< the last one that came here
+    Index steps = 0;
+    Index by_edge = kNone;
+    Index before = kNone;
+  };
+
+  const Ways& at_node_;
+  std::vector<Found> found_;
   std::vector<Index> queue_;
   Index round_ = 0;
 };
@@ -115,13 +119,37 @@ std::vector<Index> ends_of(std::span<const SeamEdge> edges, std::size_t node_cou
   return ends;
 }
 
+/// An end's fellow and how far it is.
+struct Near {
+  Index end;
+  Index steps;
+};
+
+/// Of every end its kNearest nearest fellows, in ascending order of their numbers.
+std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, const Ways& at_node) {
+  std::vector<Index> number(at_node.offsets.size() - 1, kNone);
+  for (Index i = 0; i < ends.size(); ++i) number[ends[i]] = i;
+  std::vector<std::vector<Near>> near(ends.size());
+  constexpr std::size_t kEndsPerTask = 16;
+  const auto search_from = [&](std::size_t begin, std::size_t end) {
+    Search search(at_node);
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      search.run(ends[i], [&](Index node, Index steps) {
+        if (number[node] != kNone && number[node] != i) near[i].push_back({number[node], steps});
+        return near[i].size() < kNearest;
+      });
+      std::ranges::sort(near[i], {}, &Near::end);
+    }
+  };
+  parallel_for(ends.size(), search_from, kEndsPerTask);
+  return near;
+}
+
 /// Pairs of ends with small sums of distances.
 class Matching {
  public:
-  Matching(const std::vector<Index>& ends, std::size_t node_count, Search& search)
-      : ends_(ends), partner_(ends.size(), kNone), number_(node_count, kNone) {
-    for (Index i = 0; i < ends.size(); ++i) number_[ends[i]] = i;
-    measure(search);
+  Matching(const std::vector<Index>& ends, const Ways& at_node)
+      : ends_(ends), partner_(ends.size(), kNone), near_(nearest_ends(ends, at_node)) {
     pair_near_ones_first();
     while (swap_partners()) {
     }
@@ -139,20 +167,15 @@ class Matching {
   }
 
  private:
-  void measure(Search& search) {
-    near_.resize(ends_.size());
-    for (Index i = 0; i < ends_.size(); ++i) {
-      search.run(ends_[i], [&](Index node, Index steps) {
-        if (number_[node] != kNone && number_[node] != i) near_[i].emplace(number_[node], steps);
-        return near_[i].size() < kNearest;
-      });
-    }
+  std::optional<Index> distance_from(Index i, Index j) const {
+    const auto found = std::ranges::lower_bound(near_[i], j, {}, &Near::end);
+    if (found == near_[i].end() || found->end != j) return std::nullopt;
+    return found->steps;
   }
 
   std::optional<Index> distance(Index i, Index j) const {
-    if (const auto found = near_[i].find(j); found != near_[i].end()) return found->second;
-    if (const auto found = near_[j].find(i); found != near_[j].end()) return found->second;
-    return std::nullopt;
+    const auto steps = distance_from(i, j);
+    return steps ? steps : distance_from(j, i);
   }
 
   void join(Index i, Index j) {
@@ -192,18 +215,18 @@ class Matching {
 
   const std::vector<Index>& ends_;
   std::vector<Index> partner_;
-  std::vector<Index> number_;  ///< of every node among the ends
-  std::vector<std::map<Index, Index>> near_;
+  std::vector<std::vector<Near>> near_;
 };
 
 /// 1 for edges that are in the old seam or on the new paths, but not on both.
 std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges,
-                                              std::size_t node_count) {
-  std::vector<std::uint8_t> difference;
-  for (const SeamEdge& edge : edges) difference.push_back(edge.in_seam);
-  Search search(edges, node_count);
-  const std::vector<Index> ends = ends_of(edges, node_count);
-  for (const auto& [from, to] : Matching(ends, node_count, search).pairs()) {
+                                              const Ways& at_node) {
+  std::vector<std::uint8_t> difference(edges.size());
+  std::ranges::transform(edges, difference.begin(),
+                         [](const SeamEdge& edge) { return edge.in_seam ? 1 : 0; });
+  const std::vector<Index> ends = ends_of(edges, at_node.offsets.size() - 1);
+  Search search(at_node);
+  for (const auto& [from, to] : Matching(ends, at_node).pairs()) {
     for (const Index e : search.path(from, to)) difference[e] ^= 1;
   }
   return difference;
@@ -212,9 +235,8 @@ std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges,
 /// The connected parts of a set of edges. Every part that no end of a seam is left alone in has an
 /// even number of edges at each node.
 std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
-                                                std::size_t node_count,
+                                                const Ways& at_node,
                                                 const std::vector<std::uint8_t>& chosen) {
-  const Incidence at_node = incidence(edges, node_count, nodes_of);
   std::vector<std::uint8_t> left = chosen;
   std::vector<std::vector<Index>> parts;
   for (Index start = 0; start < edges.size(); ++start) {
@@ -223,10 +245,10 @@ std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
     std::vector<Index> part{start};
     for (std::size_t next = 0; next < part.size(); ++next) {
       for (const Index node : edges[part[next]].nodes) {
-        for (const Index e : at_node.of(node)) {
-          if (!left[e]) continue;
-          left[e] = 0;
-          part.push_back(e);
+        for (const Way& way : at_node.of(node)) {
+          if (!left[way.edge]) continue;
+          left[way.edge] = 0;
+          part.push_back(way.edge);
         }
       }
     }
@@ -236,8 +258,7 @@ std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
 }
 
 /// The triangles on one side of a set of edges (1), if the set is the border between two sides.
-std::optional<std::vector<std::uint8_t>> one_side(std::span<const SeamEdge> edges,
-                                                  const Incidence& at_triangle,
+std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_triangle,
                                                   const std::vector<std::uint8_t>& border) {
   constexpr std::uint8_t kUnknown = 2;
   const std::size_t count = at_triangle.offsets.size() - 1;
@@ -249,13 +270,12 @@ std::optional<std::vector<std::uint8_t>> one_side(std::span<const SeamEdge> edge
     queue.assign(1, start);
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const Index t = queue[next];
-      for (const Index e : at_triangle.of(t)) {
-        const Index to = other(edges[e].triangles, t);
-        const std::uint8_t wanted = side[t] ^ border[e];
-        if (side[to] == kUnknown) {
-          side[to] = wanted;
-          queue.push_back(to);
-        } else if (side[to] != wanted) {
+      for (const Way& way : at_triangle.of(t)) {
+        const std::uint8_t wanted = side[t] ^ border[way.edge];
+        if (side[way.to] == kUnknown) {
+          side[way.to] = wanted;
+          queue.push_back(way.to);
+        } else if (side[way.to] != wanted) {
           return std::nullopt;
         }
       }
@@ -268,18 +288,18 @@ using Parts = std::span<const std::vector<Index>>;
 
 /// Turns the triangles that the parts surround: all parts at once, or else in halves down to single
 /// parts, of which some surround nothing.
-void turn_inside(std::span<const SeamEdge> edges, const Incidence& at_triangle, Parts parts,
+void turn_inside(std::size_t edge_count, const Ways& at_triangle, Parts parts,
                  std::vector<std::uint8_t>& turned) {
   if (parts.empty()) return;
-  std::vector<std::uint8_t> border(edges.size());
+  std::vector<std::uint8_t> border(edge_count);
   for (const std::vector<Index>& part : parts) {
     for (const Index e : part) border[e] = 1;
   }
-  if (const auto side = one_side(edges, at_triangle, border)) {
+  if (const auto side = one_side(at_triangle, border)) {
     for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= (*side)[t];
   } else if (parts.size() > 1) {
-    turn_inside(edges, at_triangle, parts.first(parts.size() / 2), turned);
-    turn_inside(edges, at_triangle, parts.subspan(parts.size() / 2), turned);
+    turn_inside(edge_count, at_triangle, parts.first(parts.size() / 2), turned);
+    turn_inside(edge_count, at_triangle, parts.subspan(parts.size() / 2), turned);
   }
 }
 
@@ -287,14 +307,18 @@ void turn_inside(std::span<const SeamEdge> edges, const Incidence& at_triangle, 
 
 std::vector<std::uint8_t> shortening_turns(std::span<const SeamEdge> edges, std::size_t node_count,
                                            std::size_t triangle_count) {
+  std::vector<std::uint8_t> turned(triangle_count);
+  if (std::ranges::none_of(edges, &SeamEdge::in_seam)) return turned;
+  const Ways at_node = ways_between(edges, node_count, nodes_of);
   std::vector<std::vector<Index>> parts =
-      connected_parts(edges, node_count, difference_to_paths(edges, node_count));
+      connected_parts(edges, at_node, difference_to_paths(edges, at_node));
   std::erase_if(parts, [&](const std::vector<Index>& part) {
     const auto in_seam = std::ranges::count_if(part, [&](Index e) { return edges[e].in_seam; });
     return 2 * static_cast<std::size_t>(in_seam) <= part.size();
   });
-  std::vector<std::uint8_t> turned(triangle_count);
-  turn_inside(edges, incidence(edges, triangle_count, triangles_of), parts, turned);
+  if (!parts.empty()) {
+    turn_inside(edges.size(), ways_between(edges, triangle_count, triangles_of), parts, turned);
+  }
   return turned;
 }
 

@@ -10,6 +10,7 @@
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
+#include "brindle/pipeline/field_anchors.h"
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
@@ -67,8 +68,22 @@ std::vector<Complex> feature_lines(const Surface& surface, float angle_deg) {
   return lines;
 }
 
+void add_anchors(PhaseGraph& graph, const Surface& surface, std::span<const FieldAnchor> anchors,
+                 int symmetry) {
+  for (const FieldAnchor& anchor : anchors) check_field_anchor(anchor, graph.node_count());
+  for (const FieldAnchor& anchor : anchors) {
+    graph.anchor[anchor.vertex] +=
+        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], symmetry);
+  }
+}
+
 void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
                          const SmoothFieldOptions& options) {
+  if (options.feature_radius > 0) {
+    const std::vector<FieldStroke> strokes = feature_strokes(
+        surface, options.feature_angle_deg, options.feature_radius, options.feature_anchor);
+    return add_anchors(graph, surface, stroke_anchors(surface, strokes), options.symmetry);
+  }
   const int half_symmetry = options.symmetry / 2;
   const auto turns = static_cast<float>(half_symmetry);
   const std::vector<Complex> lines = feature_lines(surface, options.feature_angle_deg);
@@ -88,6 +103,7 @@ void check(const SmoothFieldOptions& options) {
   require(strength(options.curvature_anchor) && strength(options.feature_anchor),
           "anchors must be finite numbers of 0 or above");
   require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
+  require(strength(options.feature_radius), "the feature radius must be finite and 0 or above");
   require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
           "edges have no sign; feature anchors need an even symmetry");
 }
@@ -99,11 +115,12 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   check_positions(surface.mesh.positions);
   if (surface.mesh.vertex_count() == 0) return {};
   PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry);
-  if (options.curvature_anchor > 0 || options.feature_anchor > 0) {
+  if (options.curvature_anchor > 0 || options.feature_anchor > 0 || !options.anchors.empty()) {
     graph.anchor.resize(graph.node_count());
   }
   if (options.curvature_anchor > 0) add_curvature_anchors(graph, surface, options);
   if (options.feature_anchor > 0) add_feature_anchors(graph, surface, options);
+  add_anchors(graph, surface, options.anchors, options.symmetry);
   SolverOptions solver;
   solver.sweeps = options.sweeps;
   solver.cycles = options.cycles;

@@ -7,6 +7,7 @@
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
+#include "brindle/pipeline/field_anchors.h"
 #include "brindle/smooth_field.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
@@ -34,14 +35,6 @@ bool same(const FieldAnchor& a, const FieldAnchor& b) {
 
 float degree(const Adjacency& neighborhood, Index vertex) {
   return static_cast<float>(neighborhood.of(vertex).size());
-}
-
-void check(const FieldAnchor& anchor, std::size_t vertices) {
-  const bool finite = anchor.direction.allFinite() && std::isfinite(anchor.weight);
-  if (anchor.vertex < vertices && finite) return;
-  throw Error("smooth field: anchor at vertex " + std::to_string(anchor.vertex) +
-              (finite ? ", but the surface has " + std::to_string(vertices)
-                      : " has a direction or weight that is not finite; correct or leave it out"));
 }
 
 }  // namespace
@@ -93,7 +86,7 @@ std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> an
 
 void SmoothFieldAnimator::set_anchors(std::span<const FieldAnchor> anchors) {
   State& s = *state_;
-  for (const FieldAnchor& anchor : anchors) check(anchor, s.normals.size());
+  for (const FieldAnchor& anchor : anchors) check_field_anchor(anchor, s.normals.size());
   const SlicedLayout& layout = s.finest().layout();
   std::vector<Complex>& target = s.finest().couplings.anchor;
   target.assign(layout.slot_count(), Complex(0));
@@ -104,11 +97,8 @@ void SmoothFieldAnimator::set_anchors(std::span<const FieldAnchor> anchors) {
     }
   }
   for (const FieldAnchor& anchor : anchors) {
-    const Vec3& normal = s.normals[anchor.vertex];
-    const Vec3 tangent = anchor.direction - anchor.direction.dot(normal) * normal;
-    target[layout.slot_of[anchor.vertex]] += anchor.weight *
-                                             degree(*s.neighborhood, anchor.vertex) *
-                                             representation(tangent, normal, s.options.symmetry);
+    target[layout.slot_of[anchor.vertex]] +=
+        pull_of(anchor, *s.neighborhood, s.normals[anchor.vertex], s.options.symmetry);
   }
 }
 

@@ -8,9 +8,11 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
+#include "brindle/pattern/triangle_kernels.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/yielding_frames.h"
 #include "brindle/solver.h"
 #include "brindle/waves/wave_check.h"
 
@@ -34,6 +36,7 @@ struct StripeAnimator::State {
   std::vector<Complex> given_z;  ///< by vertex: what the next frame follows instead; empty: none
   std::vector<Complex> z_by_vertex;
   Momentum momentum;
+  YieldingFrames yielding;
 
   Level& finest() { return hierarchy.levels[0]; }
   std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
@@ -63,15 +66,28 @@ double mean_step(std::span<const Complex> z, std::span<const Complex> last_z,
     double angle = 0, count = 0;
     Sum operator+(const Sum& other) const { return {angle + other.angle, count + other.count}; }
   };
-  const Sum sum = parallel_sum<Sum>(degree.size(), [&](std::size_t begin, std::size_t end) {
+  static_assert(kLanes == kTriangleLanes);
+  const auto slice_sum = [&](std::size_t first) {
     Sum part;
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      if (degree[slot] <= 0 || last_z[slot] == Complex(0)) continue;
-      part.angle += std::abs(std::arg(z[slot] * std::conj(last_z[slot])));
+    alignas(64) float distances[kLanes];
+    triangle_kernels::phase_distances(z.data() + first, last_z.data() + first, distances);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (degree[first + lane] <= 0 || last_z[first + lane] == Complex(0)) continue;
+      part.angle += static_cast<double>(distances[lane]);
       part.count += 1;
     }
     return part;
-  });
+  };
+  const Sum sum = parallel_sum<Sum>(
+      degree.size() / kLanes,
+      [&](std::size_t begin, std::size_t end) {
+        Sum part;
+        for (std::size_t slice = begin; slice < end; ++slice) {
+          part = part + slice_sum(slice * kLanes);
+        }
+        return part;
+      },
+      kSliceGrain);
   return sum.count > 0 ? sum.angle / sum.count : 0;
 }
 
@@ -100,6 +116,7 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
   check(options);
+  refuse_slack(options);
   if (options.phase_shift == PhaseShiftKind::common_source) {
     throw Error("animator options: the phase shift must be aligned or trapezoid");
   }
@@ -113,6 +130,12 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
   state_->momentum.strength = SolverOptions().momentum;
 }
 
+StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& options)
+    : StripeAnimator(surface.neighborhood, without_slack(options)) {
+  state_->yielding = YieldingFrames(surface, options.slack);
+  state_->options.slack = options.slack;
+}
+
 StripeAnimator::StripeAnimator(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StripeAnimator::~StripeAnimator() = default;
 StripeAnimator::StripeAnimator(StripeAnimator&&) noexcept = default;
@@ -122,20 +145,22 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   State& s = *state_;
   check(input, s.neighborhood->node_count());
   check_waves(input.positions, input.directions, input.frequencies);
-  start();
+  if (!s.has_given() && s.has_last() && s.yielding.is_kept(input)) return unchanged_frame();
   Stopwatch watch;
+  const FrameInput yielded = s.yielding.yielded(input, progress);
+  const double yield_milliseconds = watch.lap();
+  start();
+  watch.lap();
   // Given phases are of this frame's directions: there is nothing to turn.
-  const bool changed = load_waves(s.finest().layout(), input.positions, input.directions,
-                                  input.frequencies, s.next_waves(), s.waves,
+  const bool changed = load_waves(s.finest().layout(), yielded.positions, yielded.directions,
+                                  yielded.frequencies, s.next_waves(), s.waves,
                                   s.has_given() ? std::span<Complex>() : std::span(s.last_z));
-  FrameResult result;
   if (s.has_given()) {
     take_given();
   } else if (s.has_last() && !changed) {
-    result.z = s.z_by_vertex;
-    result.unchanged = true;
-    return result;
+    return unchanged_frame();
   }
+  FrameResult result;
   try {
     result.milliseconds = solve_next(watch, progress);
   } catch (...) {
@@ -144,8 +169,21 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   }
   if (s.has_last()) result.phase_step = mean_step(s.finest().z, s.last_z, s.degree);
   keep();
+  s.yielding.keep(input);
   result.z = s.z_by_vertex;
+  result.frequencies = s.yielding.frequencies();
+  result.frequency_change = s.yielding.change();
   result.milliseconds.solve = watch.lap();
+  result.milliseconds.frequency = yield_milliseconds;
+  return result;
+}
+
+FrameResult StripeAnimator::unchanged_frame() const {
+  FrameResult result;
+  result.z = state_->z_by_vertex;
+  result.unchanged = true;
+  result.frequencies = state_->yielding.frequencies();
+  result.frequency_change = state_->yielding.change();
   return result;
 }
 
@@ -271,6 +309,7 @@ StripeAnimator StripeAnimator::sibling() const {
   state->hierarchy = brindle::sibling(state_->hierarchy);
   state->is_sibling = !state->hierarchy.levels.empty();
   state->momentum.strength = state_->momentum.strength;
+  state->yielding = state_->yielding.sibling();
   return StripeAnimator(std::move(state));
 }
 
@@ -282,6 +321,7 @@ void StripeAnimator::set_last_phases(std::span<const Complex> z) {
 void StripeAnimator::restart() {
   state_->last_z.clear();
   state_->given_z.clear();
+  state_->yielding.restart();
   std::ranges::fill(state_->momentum.m, Complex(0));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -11,12 +12,16 @@
 #include "brindle/geometry/areas.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/geometry/mesh_edges.h"
+#include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/point_quality.h"
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/phases/multilevel_waves.h"
+#include "brindle/pipeline/measured_pattern.h"
+#include "brindle/pipeline/stripes_again.h"
+#include "brindle/points/point_tree.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/wave_check.h"
 
@@ -51,15 +56,40 @@ SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
                       kind, kLevels, edge_weights)};
 }
 
-bool is_anchored(const StripeOptions& options) {
+constexpr float kFixed = 1000;  // so many times what all neighbours ask for
+
+bool is_followed(const StripeOptions& options) {
   return !options.last_phases.empty() && options.lambda != 0;
 }
 
+bool is_anchored(const StripeOptions& options) {
+  return is_followed(options) || !options.fixed_phases.empty();
+}
+
+void add_fixed_phases(PhaseGraph& graph, std::span<const Complex> fixed) {
+  const std::vector<Complex> others = std::move(graph.anchor);
+  anchor_phases(graph, fixed, kFixed);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (fixed[i] == Complex(0)) graph.anchor[i] = others[i];
+  }
+}
+
+/// The solver comes as near as rounding lets it; curves along a boundary need all of it.
+void set_fixed_phases(const PhaseGraph& graph, std::span<const Complex> fixed,
+                      PhaseSolution& solution) {
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i] != Complex(0)) solution.z[i] = fixed[i];
+  }
+  if (!fixed.empty()) solution.energy = energy(graph, solution.z);
+}
+
 void check_anchors(const StripeOptions& options, std::size_t vertices) {
-  if (options.last_phases.empty()) return;
-  check_last_phases(options.last_phases, vertices);
+  if (options.last_phases.empty() && options.fixed_phases.empty()) return;
+  for (const auto* phases : {&options.last_phases, &options.fixed_phases}) {
+    if (!phases->empty()) check_last_phases(*phases, vertices);
+  }
   if (options.solver.solver == Solver::multilevel) return;
-  throw Error("last phases are for the solver multilevel, not for " +
+  throw Error("last and fixed phases are for the solver multilevel, not for " +
               std::string(name_of(options.solver.solver)));
 }
 
@@ -68,13 +98,15 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
                     StripePattern& result) {
   Stopwatch watch;
   PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
-  if (is_anchored(options)) anchor_phases(graph, options.last_phases, options.lambda);
+  if (is_followed(options)) anchor_phases(graph, options.last_phases, options.lambda);
+  if (!options.fixed_phases.empty()) add_fixed_phases(graph, options.fixed_phases);
   result.milliseconds.couple = watch.lap();
   const SolverData data =
       data_for(options.solver.solver, surface, waves, options.phase_shift, weights);
   result.milliseconds.topology = watch.lap();
   const SolvePhases solve = options.solve ? options.solve : solve_phases;
   result.solution = solve(graph, options.solver, progress, data);
+  set_fixed_phases(graph, options.fixed_phases, result.solution);
 }
 
 /// From waves to phases. The multilevel solver needs no phase graph between them.
@@ -97,12 +129,46 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
   result.milliseconds.solve = result.solution.solve_milliseconds;
 }
 
+void check_sizes(const Surface& surface, const WaveSet& waves) {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  if (waves.positions.size() == vertices && waves.directions.size() == vertices &&
+      waves.frequencies.size() == vertices) {
+    return;
+  }
+  throw Error("waves: positions, directions and frequencies must have one entry for each of " +
+              std::to_string(vertices) + " vertices");
+}
+
+void let_yield(const Surface& surface, WaveSet& waves, const StripeOptions& options,
+               const Progress& progress, StripePattern& result) {
+  check(options.slack, surface.mesh.vertex_count());
+  if (!options.slack.yields()) return;
+  check_sizes(surface, waves);
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+  Stopwatch watch;
+  YieldingFrequency yielding(surface, options.slack);
+  const std::span<const float> frequencies =
+      yielding.solve(waves.positions, waves.directions, waves.frequencies, progress);
+  result.frequencies_wanted = std::move(waves.frequencies);
+  waves.frequencies.assign(frequencies.begin(), frequencies.end());
+  result.frequency_change = yielding.change();
+  result.milliseconds.frequency = watch.lap();
+}
+
 }  // namespace
 
 void check_tangent_waves(const Surface& surface, const WaveSet& waves) {
-  const std::size_t vertices = surface.mesh.vertex_count();
+  if (surface.normals.size() != surface.mesh.vertex_count()) {
+    throw Error("waves: there are " + std::to_string(surface.normals.size()) + " normals for " +
+                std::to_string(surface.mesh.vertex_count()) + " vertices");
+  }
+  check_tangent_waves(surface.normals, waves);
+}
+
+void check_tangent_waves(std::span<const Vec3> normals, const WaveSet& waves) {
+  const std::size_t vertices = normals.size();
   if (waves.positions.size() != vertices || waves.directions.size() != vertices ||
-      waves.frequencies.size() != vertices || surface.normals.size() != vertices) {
+      waves.frequencies.size() != vertices) {
     throw Error(
         "waves: positions, directions, frequencies and normals must have one entry for each of " +
         std::to_string(vertices) + " vertices");
@@ -110,30 +176,47 @@ void check_tangent_waves(const Surface& surface, const WaveSet& waves) {
   check_waves(waves.positions, waves.directions, waves.frequencies);
   constexpr float kSine = 0.07f;
   for (std::size_t i = 0; i < vertices; ++i) {
-    if (std::abs(surface.normals[i].dot(waves.directions[i])) <= kSine) continue;
+    if (std::abs(normals[i].dot(waves.directions[i])) <= kSine) continue;
     throw Error("waves: the direction of vertex " + std::to_string(i) +
                 " is not tangent to the surface; project it with tangent_directions");
   }
 }
+
+namespace {
+
+/// From waves whose frequencies are chosen to a measured pattern.
+void lay(const Surface& surface, WaveSet waves, const StripeOptions& options,
+         const Progress& progress, StripePattern& result) {
+  progress.report("couple", 0);
+  solve(surface, waves, options, progress, result);
+
+  Stopwatch watch;
+  progress.report("pattern", 0);
+  result.waves = std::move(waves);
+  measure_pattern(surface, options.slack.calm, result);
+  result.milliseconds.pattern = watch.lap();
+}
+
+}  // namespace
 
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const StripeOptions& options,
                              const Progress& progress) {
   StripePattern result;
   result.phase_shift = options.phase_shift;
   check_anchors(options, surface.mesh.vertex_count());
-  progress.report("couple", 0);
-  solve(surface, waves, options, progress, result);
+  let_yield(surface, waves, options, progress, result);
+  lay(surface, std::move(waves), options, progress, result);
+  return result;
+}
 
-  Stopwatch watch;
-  progress.report("pattern", 0);
-  result.corners =
-      corner_phases(surface.mesh.triangles, waves, result.solution.z, options.phase_shift);
-  result.quality = surface.mesh.triangles.empty()
-                       ? measure_point_quality(*surface.neighborhood, surface.normals, waves,
-                                               result.solution.z, options.phase_shift)
-                       : measure_quality(surface.mesh, waves, result.corners);
-  result.milliseconds.pattern = watch.lap();
-  result.waves = std::move(waves);
+StripePattern stripes_again(const Surface& surface, WaveSet waves, const StripePattern& before,
+                            const StripeOptions& options, const Progress& progress) {
+  StripePattern result;
+  result.phase_shift = options.phase_shift;
+  check_anchors(options, surface.mesh.vertex_count());
+  result.frequencies_wanted = before.frequencies_wanted;
+  result.frequency_change = before.frequency_change;
+  lay(surface, std::move(waves), options, progress, result);
   return result;
 }
 
@@ -177,6 +260,27 @@ StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
   if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
   return stripe_curves(lifted(surface, edges, pattern), options);
+}
+
+CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
+                             const StripeCurves& curves, double line_width) {
+  check_belongs(surface, pattern);
+  if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
+  CurveMeasures measures;
+  measures.lengths = curve_lengths(curves.lines);
+  if (PointTree::available()) {
+    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+    const CurveGaps gaps =
+        measure_curve_spacing({surface.mesh, edges, surface.normals, pattern.waves,
+                               pattern.solution.z, pattern.phase_shift},
+                              curves)
+            .gaps;
+    if (gaps.measured > 0) measures.gaps = gaps;
+  }
+  if (line_width != 0) {
+    measures.coverage = curve_coverage(surface.mesh, curves.lines, line_width);
+  }
+  return measures;
 }
 
 std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,

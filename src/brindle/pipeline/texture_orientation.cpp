@@ -15,65 +15,73 @@ namespace {
 /// Far less than an edge of the seam weighs, even if all triangles of a piece together pull.
 constexpr float kAsItStands = 1e-7f;
 
-/// How the waves on both sides of an edge agree: the triangles' corners at one vertex have the same
-/// waves up to their signs.
-struct Agreement {
-  bool u;
-  bool v;
-};
-
-Agreement agreement(const TextureWaves& waves, const SharedEdge& edge) {
-  const auto alike = [&](const std::vector<CornerWaves>& corners) {
-    const CornerWave& a = corners[edge.from[0] / 3][edge.from[0] % 3];
-    const CornerWave& b = corners[edge.from[1] / 3][edge.from[1] % 3];
-    return a.wave.direction.dot(b.wave.direction) > 0;
-  };
-  return {alike(waves.u), alike(waves.v)};
+std::vector<std::uint8_t> which_are_oriented(const TextureWaves& waves) {
+  std::vector<std::uint8_t> oriented(waves.triangle_count());
+  parallel_for(oriented.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) oriented[t] = is_oriented(waves, t);
+  });
+  return oriented;
 }
 
-/// One entry of the triangles' graph: `coupling` is what the edges between two triangles add up to.
+/// What the edges between a triangle and its neighbour add up to.
 struct Link {
-  Index triangle, neighbor;
+  Index neighbor;
   float coupling;
 };
 
-std::vector<Link> links_of(const TextureWaves& waves, std::span<const SharedEdge> edges) {
+/// In the rows of both triangles of every edge that both sides of agree at all.
+struct Links {
+  std::vector<Index> offsets;
   std::vector<Link> links;
-  links.reserve(2 * edges.size());
-  for (const SharedEdge& edge : edges) {
-    const Index a = edge.from[0] / 3;
-    const Index b = edge.from[1] / 3;
-    if (a == b || !is_oriented(waves, a) || !is_oriented(waves, b)) continue;
-    const auto [u, v] = agreement(waves, edge);
-    const float coupling = 0.5f * ((u ? 1.0f : -1.0f) + (v ? 1.0f : -1.0f));
-    links.push_back({a, b, coupling});
-    links.push_back({b, a, coupling});
+};
+
+Links links_of(std::size_t triangle_count, std::span<const SharedEdge> edges,
+               std::span<const EdgeAgreement> agreement) {
+  Links result;
+  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  result.offsets.assign(triangle_count + 2, 0);
+  const auto for_all_links = [&](const auto& visit) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const Index a = edges[e].from[0] / 3, b = edges[e].from[1] / 3;
+      if (a == b || agreement[e] == kNoAgreement) continue;
+      visit(a, b, e);
+      visit(b, a, e);
+    }
+  };
+  for_all_links([&](Index from, Index, std::size_t) { ++result.offsets[from + 2]; });
+  for (std::size_t t = 2; t < result.offsets.size(); ++t) {
+    result.offsets[t] += result.offsets[t - 1];
   }
-  std::sort(links.begin(), links.end(), [](const Link& x, const Link& y) {
-    return x.triangle != y.triangle ? x.triangle < y.triangle : x.neighbor < y.neighbor;
+  result.links.resize(result.offsets.back());
+  for_all_links([&](Index from, Index to, std::size_t e) {
+    const float u = agreement[e] & kUAlike ? 1.0f : -1.0f;
+    const float v = agreement[e] & kVAlike ? 1.0f : -1.0f;
+    result.links[result.offsets[from + 1]++] = {to, 0.5f * (u + v)};
   });
-  return links;
+  result.offsets.pop_back();
+  return result;
 }
 
 /// Triangles as nodes. Phases stay on the imaginary axis, where the solver starts: +i is "as it
 /// stands".
-PhaseGraph triangle_graph(const std::vector<Link>& links, std::size_t triangle_count) {
+PhaseGraph triangle_graph(Links links) {
   PhaseGraph graph;
+  const std::size_t triangle_count = links.offsets.size() - 1;
   auto adjacency = std::make_shared<Adjacency>();
   adjacency->offsets.assign(triangle_count + 1, 0);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const bool repeated = i > 0 && links[i].triangle == links[i - 1].triangle &&
-                          links[i].neighbor == links[i - 1].neighbor;
-    if (repeated) {
-      graph.coupling.back() += links[i].coupling;
-      continue;
-    }
-    adjacency->neighbors.push_back(links[i].neighbor);
-    graph.coupling.emplace_back(links[i].coupling);
-    ++adjacency->offsets[links[i].triangle + 1];
-  }
   for (std::size_t t = 0; t < triangle_count; ++t) {
-    adjacency->offsets[t + 1] += adjacency->offsets[t];
+    const auto row =
+        std::span(links.links).subspan(links.offsets[t], links.offsets[t + 1] - links.offsets[t]);
+    std::ranges::sort(row, {}, &Link::neighbor);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0 && row[i].neighbor == row[i - 1].neighbor) {
+        graph.coupling.back() += row[i].coupling;
+      } else {
+        adjacency->neighbors.push_back(row[i].neighbor);
+        graph.coupling.emplace_back(row[i].coupling);
+      }
+    }
+    adjacency->offsets[t + 1] = static_cast<Index>(adjacency->neighbors.size());
   }
   graph.reflecting.assign(graph.coupling.size(), 0);
   graph.anchor.assign(triangle_count, Complex(0, kAsItStands));
@@ -81,7 +89,7 @@ PhaseGraph triangle_graph(const std::vector<Link>& links, std::size_t triangle_c
   return graph;
 }
 
-void turn(TextureWaves& waves, const std::vector<std::uint8_t>& turned) {
+void turn(TextureWaves& waves, std::span<const std::uint8_t> turned) {
   parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       if (!turned[t]) continue;
@@ -112,7 +120,8 @@ class MergedSets {
 
 /// For every vertex the node that stands for it. A seam costs nothing along the border and around
 /// triangles without orientation: their vertices are one node.
-std::vector<Index> seam_nodes(const TextureWaves& waves, std::span<const Triangle> triangles,
+std::vector<Index> seam_nodes(std::span<const Triangle> triangles,
+                              std::span<const std::uint8_t> oriented,
                               std::span<const SharedEdge> edges) {
   Index count = 0;
   for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
@@ -126,9 +135,9 @@ std::vector<Index> seam_nodes(const TextureWaves& waves, std::span<const Triangl
   }
   MergedSets sets(count);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const bool free = !is_oriented(waves, t);
     for (std::size_t c = 0; c < 3; ++c) {
-      if (free || !shared[3 * t + c]) sets.merge(triangles[t][c], triangles[t][(c + 1) % 3]);
+      if (oriented[t] && shared[3 * t + c]) continue;
+      sets.merge(triangles[t][c], triangles[t][(c + 1) % 3]);
     }
   }
   std::vector<Index> nodes(count);
@@ -137,50 +146,125 @@ std::vector<Index> seam_nodes(const TextureWaves& waves, std::span<const Triangl
 }
 
 /// The edges between triangles with orientation.
-std::vector<SeamEdge> seam_edges(const TextureWaves& waves, std::span<const Triangle> triangles,
+std::vector<SeamEdge> seam_edges(std::span<const Triangle> triangles,
                                  std::span<const SharedEdge> edges,
+                                 std::span<const EdgeAgreement> agreement,
                                  const std::vector<Index>& nodes) {
   const auto node_at = [&](Index corner) { return nodes[triangles[corner / 3][corner % 3]]; };
   std::vector<SeamEdge> result;
-  for (const SharedEdge& edge : edges) {
-    const Index a = edge.from[0] / 3, b = edge.from[1] / 3;
-    if (!is_oriented(waves, a) || !is_oriented(waves, b)) continue;
-    const auto [u, v] = agreement(waves, edge);
-    result.push_back({{node_at(edge.from[0]), node_at(edge.to[0])}, {a, b}, !u && !v});
+  result.reserve(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (agreement[e] == kNoAgreement) continue;
+    const SharedEdge& edge = edges[e];
+    result.push_back({{node_at(edge.from[0]), node_at(edge.to[0])},
+                      {edge.from[0] / 3, edge.from[1] / 3},
+                      agreement[e] == 0});
   }
   return result;
 }
 
 }  // namespace
 
-TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge> edges) {
+void agreements(std::span<const CornerSigns> signs, std::span<const SharedEdge> edges,
+                std::vector<EdgeAgreement>& result) {
+  result.resize(edges.size());
+  parallel_for(edges.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto [a, b] = edges[e].from;
+      const CornerSigns of_a = signs[a / 3], of_b = signs[b / 3];
+      const bool u = turns_u(of_a, a % 3) == turns_u(of_b, b % 3);
+      const bool v = turns_v(of_a, a % 3) == turns_v(of_b, b % 3);
+      const int alike = (u ? kUAlike : 0) | (v ? kVAlike : 0);
+      result[e] = static_cast<EdgeAgreement>((of_a | of_b) & kUnoriented ? kNoAgreement : alike);
+    }
+  });
+}
+
+std::vector<EdgeAgreement> agreements(const TextureWaves& waves,
+                                      std::span<const SharedEdge> edges) {
+  const std::vector<std::uint8_t> oriented = which_are_oriented(waves);
+  std::vector<EdgeAgreement> result(edges.size(), kNoAgreement);
+  parallel_for(edges.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto [a, b] = edges[e].from;
+      if (!oriented[a / 3] || !oriented[b / 3]) continue;
+      const auto alike = [&](const std::vector<CornerWaves>& corners) {
+        return corners[a / 3][a % 3].wave.direction.dot(corners[b / 3][b % 3].wave.direction) > 0;
+      };
+      result[e] = static_cast<EdgeAgreement>((alike(waves.u) ? kUAlike : 0) |
+                                             (alike(waves.v) ? kVAlike : 0));
+    }
+  });
+  return result;
+}
+
+void turn_agreements(std::span<const std::uint8_t> turned, std::span<const SharedEdge> edges,
+                     std::span<EdgeAgreement> agreement) {
+  parallel_for(edges.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      if (agreement[e] == kNoAgreement) continue;
+      if (turned[edges[e].from[0] / 3] == turned[edges[e].from[1] / 3]) continue;
+      agreement[e] ^= kUAlike | kVAlike;
+    }
+  });
+}
+
+std::vector<std::uint8_t> oriented_triangles(std::span<const CornerSigns> signs) {
+  std::vector<std::uint8_t> oriented(signs.size());
+  std::ranges::transform(signs, oriented.begin(), [](CornerSigns s) {
+    return static_cast<std::uint8_t>((s & kUnoriented) == 0);
+  });
+  return oriented;
+}
+
+TextureSeams texture_seams(std::span<const std::uint8_t> oriented,
+                           std::span<const EdgeAgreement> agreement) {
   TextureSeams seams;
-  for (std::size_t t = 0; t < waves.triangle_count(); ++t) {
-    seams.unoriented_triangles += !is_oriented(waves, t);
-  }
-  for (const SharedEdge& edge : edges) {
-    if (!is_oriented(waves, edge.from[0] / 3) || !is_oriented(waves, edge.from[1] / 3)) continue;
-    const auto [u, v] = agreement(waves, edge);
-    seams.turned += !u && !v;
-    seams.mirrored += u != v;
+  for (const std::uint8_t is : oriented) seams.unoriented_triangles += is == 0;
+  for (const EdgeAgreement alike : agreement) {
+    seams.turned += alike == 0;
+    seams.mirrored += alike == kUAlike || alike == kVAlike;
   }
   return seams;
 }
 
-void orient_triangles(TextureWaves& waves, std::span<const Triangle> triangles,
-                      std::span<const SharedEdge> edges, const Progress& progress) {
-  const PhaseGraph graph = triangle_graph(links_of(waves, edges), waves.triangle_count());
+TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge> edges) {
+  return texture_seams(which_are_oriented(waves), agreements(waves, edges));
+}
+
+std::vector<std::uint8_t> shortening_turns(std::span<const Triangle> triangles,
+                                           std::span<const std::uint8_t> oriented,
+                                           std::span<const SharedEdge> edges,
+                                           std::span<const EdgeAgreement> agreement) {
+  const std::vector<Index> nodes = seam_nodes(triangles, oriented, edges);
+  return shortening_turns(seam_edges(triangles, edges, agreement, nodes), nodes.size(),
+                          triangles.size());
+}
+
+std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
+                                          std::span<const std::uint8_t> oriented,
+                                          std::span<const SharedEdge> edges,
+                                          std::span<const EdgeAgreement> agreement,
+                                          const Progress& progress) {
   SolverOptions options;
   options.sweeps = 4;
   options.cycles = 4;
+  const PhaseGraph graph = triangle_graph(links_of(triangles.size(), edges, agreement));
   const PhaseSolution solution = solve_phases(graph, options, progress);
-  std::vector<std::uint8_t> turned(waves.triangle_count());
+  std::vector<std::uint8_t> turned(triangles.size());
   for (std::size_t t = 0; t < turned.size(); ++t) turned[t] = solution.z[t].imag() < 0;
-  turn(waves, turned);
   progress.report("seams", 0);
-  const std::vector<Index> nodes = seam_nodes(waves, triangles, edges);
-  const std::vector<SeamEdge> seam = seam_edges(waves, triangles, edges, nodes);
-  turn(waves, shortening_turns(seam, nodes.size(), waves.triangle_count()));
+  std::vector<EdgeAgreement> after(agreement.begin(), agreement.end());
+  turn_agreements(turned, edges, after);
+  const auto shorter = shortening_turns(triangles, oriented, edges, after);
+  for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= shorter[t];
+  return turned;
+}
+
+void orient_triangles(TextureWaves& waves, std::span<const Triangle> triangles,
+                      std::span<const SharedEdge> edges, const Progress& progress) {
+  turn(waves, orienting_turns(triangles, which_are_oriented(waves), edges, agreements(waves, edges),
+                              progress));
 }
 
 }  // namespace brindle

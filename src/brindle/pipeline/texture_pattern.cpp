@@ -7,6 +7,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
+#include "brindle/pattern/texture_quality.h"
 #include "brindle/pipeline/texture_orientation.h"
 
 namespace brindle {
@@ -27,6 +28,34 @@ void check_fits(const Surface& surface, std::size_t triangles, const char* what)
               std::to_string(surface.mesh.triangle_count()));
 }
 
+VertexWaves vertex_waves(const StripePattern& pattern) {
+  return {pattern.waves.positions, pattern.waves.directions, pattern.waves.frequencies,
+          pattern.solution.z};
+}
+
+LinearPattern linear_pattern(const StripePattern& pattern) {
+  return {pattern.corners, pattern.waves.frequencies};
+}
+
+/// Waves, oriented, and seams from both patterns.
+void orient(std::span<const Triangle> triangles, bool as_given, const Progress& progress,
+            TexturePattern& pattern) {
+  std::vector<CornerSigns> signs;
+  corner_signs(triangles, pattern.u.waves.directions, pattern.v.waves.directions, signs);
+  const std::vector<SharedEdge> edges = shared_edges(triangles);
+  const std::vector<std::uint8_t> oriented = oriented_triangles(signs);
+  std::vector<EdgeAgreement> agreement;
+  agreements(signs, edges, agreement);
+  if (!as_given) {
+    const auto turned = orienting_turns(triangles, oriented, edges, agreement, progress);
+    turn_agreements(turned, edges, agreement);
+    turn_signs(turned, signs);
+  }
+  pattern.seams = texture_seams(oriented, agreement);
+  set_texture_waves(triangles, signs, vertex_waves(pattern.u), vertex_waves(pattern.v),
+                    pattern.waves);
+}
+
 /// Waves without stripes. Their phase is that of a crest: the same whichever way they run.
 WaveSet level_waves(const WaveSet& waves) {
   return {waves.positions, waves.directions, FrequencyField(waves.frequencies.size())};
@@ -45,13 +74,9 @@ TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const Text
 
   Stopwatch watch;
   progress.report("texture", 0);
-  pattern.waves = texture_waves(surface.mesh.triangles, pattern.u.waves, pattern.u.solution.z,
-                                pattern.v.waves, pattern.v.solution.z);
-  orient_corners(pattern.waves);
-  const std::vector<SharedEdge> edges = shared_edges(surface.mesh.triangles);
-  if (!options.oriented) orient_triangles(pattern.waves, surface.mesh.triangles, edges, progress);
-  pattern.seams = texture_seams(pattern.waves, edges);
-  pattern.quality = measure_texture(surface.mesh, pattern.waves, options.stripes.phase_shift);
+  orient(surface.mesh.triangles, options.oriented, progress, pattern);
+  pattern.quality =
+      measure_texture(surface.mesh, linear_pattern(pattern.u), linear_pattern(pattern.v));
   pattern.orientation_milliseconds = watch.lap();
   return pattern;
 }

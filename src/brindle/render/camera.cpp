@@ -19,6 +19,7 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// Rows: right, up, backwards (towards the viewer).
 Eigen::Matrix3d camera_axes(const CameraView& view) {
+  if (view.rotation) return view.rotation->cast<double>().normalized().toRotationMatrix();
   const double azimuth = radians(view.azimuth_deg);
   const double elevation = radians(view.elevation_deg);
   const double s = std::sin(azimuth);
@@ -79,6 +80,27 @@ Eigen::Matrix4f perspective(double t, double u, double near_plane, double far_pl
   return m.cast<float>();
 }
 
+/// Half the sides that are seen.
+Eigen::Matrix4f parallel(double half_width, double half_height, double near_plane,
+                         double far_plane) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m(0, 0) = 1 / half_width;
+  m(1, 1) = 1 / half_height;
+  m(2, 2) = -2 / (far_plane - near_plane);
+  m(2, 3) = -(far_plane + near_plane) / (far_plane - near_plane);
+  return m.cast<float>();
+}
+
+/// The projection from so far away that all that is seen from straight ahead fills the picture.
+Eigen::Matrix4f parallel_projection(const Extent& extent, const CameraView& view, int width,
+                                    int height, double size, const Eigen::Vector2d& planes) {
+  const double half_pixel =
+      std::max({(extent.right + extent.left) / 2 / width, (extent.top + extent.bottom) / 2 / height,
+                1e-3 * size / std::max(width, height)}) /
+      (1 - kMargin) / static_cast<double>(view.zoom);
+  return parallel(half_pixel * width, half_pixel * height, planes[0], planes[1]);
+}
+
 }  // namespace
 
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
@@ -130,12 +152,41 @@ Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int w
   eye.z() = std::max({(extent.right + extent.left) / (2 * inner_t),
                       (extent.top + extent.bottom) / (2 * inner_u), extent.front + 0.01 * size});
 
+  const bool orthographic = view.projection == Projection::orthographic;
+  Extent straight;
+  if (orthographic) {
+    straight = extent_of(points, camera.origin, axes, 0, 0);
+    eye.head<2>() << (straight.right - straight.left) / 2, (straight.top - straight.bottom) / 2;
+  }
+  if (view.center) eye.head<2>() = (axes * (*view.center - camera.origin).cast<double>()).head<2>();
+
   camera.view_from_world.topLeftCorner<3, 3>() = axes.cast<float>();
   camera.view_from_world.topRightCorner<3, 1>() = -eye.cast<float>();
   const double near_plane = std::max(0.9 * (eye.z() - extent.front), 1e-3 * size);
   const double far_plane = 1.1 * (eye.z() + extent.back) + 1e-3 * size;
-  camera.clip_from_view = perspective(t / view.zoom, u / view.zoom, near_plane, far_plane);
+  camera.clip_from_view =
+      orthographic
+          ? parallel_projection(straight, view, width, height, size, {near_plane, far_plane})
+          : perspective(t / view.zoom, u / view.zoom, near_plane, far_plane);
   return camera;
+}
+
+Eigen::Quaternionf rotation_of(const CameraView& view) {
+  if (view.rotation) return view.rotation->normalized();
+  return Eigen::Quaterniond(camera_axes(view)).cast<float>();
+}
+
+Vec3 eye_of(const Camera& camera) {
+  const Eigen::Matrix3f axes = camera.view_from_world.topLeftCorner<3, 3>();
+  return camera.origin - axes.transpose() * camera.view_from_world.topRightCorner<3, 1>();
+}
+
+Vec3 viewpoint_of(const Camera& camera) {
+  if (!camera.orthographic()) return eye_of(camera);
+  constexpr float kFar = 1e6f;  // times the camera's distance: no float tells it from farther away
+  const float distance = camera.view_from_world.topRightCorner<3, 1>().norm();
+  return eye_of(camera) +
+         kFar * std::max(distance, 1e-30f) * camera.view_from_world.row(2).head<3>().transpose();
 }
 
 }  // namespace brindle

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
@@ -13,8 +15,38 @@ namespace {
 // What the shaders take for plain floats and integers.
 static_assert(sizeof(Triangle) == 12 && sizeof(Vec3) == 12 && sizeof(Complex) == 8);
 
-/// Triangles drawn at once. Software renderers keep all that they have not yet drawn in memory.
-constexpr std::size_t kTriangleBatch = 1 << 16;
+/// Triangles drawn at once: software renderers draw one part while they prepare the next, and keep
+/// all that they have not yet drawn in memory.
+constexpr std::size_t kTriangleBatch = 1 << 13;
+
+/// Texture units after those of GlTextureTile and VisibleTriangles.
+constexpr int kFirstUnit = 4;
+
+/// Copies the items, into the buffer that is there if it has their size.
+void renew_buffer(GlBuffer& buffer, std::span<const std::byte> items, const char* what) {
+  GLint64 size = 0;
+  if (buffer != 0) glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &size);
+  if (static_cast<std::size_t>(size) != items.size()) {
+    buffer = GlBuffer();  // gives its memory back first
+    buffer = make_buffer(items.size(), nullptr, what, GL_DYNAMIC_STORAGE_BIT);
+  }
+  if (!items.empty()) {
+    glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(items.size()), items.data());
+  }
+}
+
+GlTexture buffer_texture() {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+  return GlTexture(name);
+}
+
+void set_camera(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) {
+  program.set("origin", camera.origin);
+  program.set("view_from_world", camera.view_from_world);
+  program.set("clip_from_view", camera.clip_from_view);
+  program.set("tile", tile);
+}
 
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
   std::vector<Eigen::Vector4f> packed(waves.directions.size());
@@ -48,6 +80,12 @@ std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
     }
   }
   return packed;
+}
+
+Eigen::AlignedBox3f box_of(std::span<const Vec3> positions) {
+  Eigen::AlignedBox3f box;
+  for (const Vec3& position : positions) box.extend(position);
+  return box;
 }
 
 void check_count(std::size_t count, std::size_t wanted, const char* what, const char* of) {
@@ -86,43 +124,66 @@ void check_change(const DrawingChange& change, std::size_t vertices, std::size_t
 
 }  // namespace
 
+GlSurface::GlSurface() {
+  for (GlTexture& texture : textures_) texture = buffer_texture();
+}
+
+template <class Items>
+void GlSurface::renew(Part part, const Items& items, const char* what) {
+  renew_buffer(buffers_[part], std::as_bytes(std::span(items)), what);
+}
+
 void GlSurface::upload(const SurfaceDrawing& drawing) {
   check_drawing(drawing);
   points_ = drawing.framed.empty()
                 ? points_of_triangles(drawing.mesh)
                 : std::vector<Vec3>(drawing.framed.begin(), drawing.framed.end());
+  box_ = box_of(drawing.mesh.positions);
+  hidden_side_ = brindle::hidden_side(drawing.mesh);
   vertex_count_ = drawing.mesh.vertex_count();
   triangle_count_ = drawing.mesh.triangle_count();
-  buffers_ = {};
   foreign_phases_ = 0;
-  buffers_[kTriangles] = buffer_of(drawing.mesh.triangles, "triangles");
-  buffers_[kPositions] = buffer_of(drawing.mesh.positions, "positions");
-  buffers_[kNormals] = buffer_of(drawing.normals, "normals");
-  if (drawing.waves != nullptr) buffers_[kWaves] = buffer_of(packed_waves(*drawing.waves), "waves");
-  buffers_[kPhases] = buffer_of(drawing.z, "phases");
-  buffers_[kTriangleColors] = buffer_of(packed_colors(drawing.triangle_colors), "triangle colours");
-  if (drawing.texture_waves != nullptr && drawing.texture_tile != nullptr) {
-    buffers_[kTextureU] = buffer_of(packed_corners(drawing.texture_waves->u), "waves U");
-    buffers_[kTextureV] = buffer_of(packed_corners(drawing.texture_waves->v), "waves V");
-    texture_tile_ = GlTextureTile(*drawing.texture_tile);
-  }
+  renew(kTriangles, drawing.mesh.triangles, "triangles");
+  renew(kPositions, drawing.mesh.positions, "positions");
+  renew(kNormals, drawing.normals, "normals");
+  renew(kWaves, drawing.waves ? packed_waves(*drawing.waves) : std::vector<Eigen::Vector4f>(),
+        "waves");
+  renew(kPhases, drawing.z, "phases");
+  renew(kTriangleColors, packed_colors(drawing.triangle_colors), "triangle colours");
+  const bool textured = drawing.texture_waves != nullptr && drawing.texture_tile != nullptr;
+  renew(kTextureU, textured ? packed_corners(drawing.texture_waves->u) : std::vector<float>(),
+        "waves U");
+  renew(kTextureV, textured ? packed_corners(drawing.texture_waves->v) : std::vector<float>(),
+        "waves V");
+  if (textured) texture_tile_ = GlTextureTile(*drawing.texture_tile);
   check_gl("copying the mesh to OpenGL");
 }
 
 void GlSurface::update(const DrawingChange& change) {
   check_change(change, vertex_count_, triangle_count_);
-  if (!change.positions.empty()) buffers_[kPositions] = buffer_of(change.positions, "positions");
-  if (!change.normals.empty()) buffers_[kNormals] = buffer_of(change.normals, "normals");
-  if (change.waves != nullptr) buffers_[kWaves] = buffer_of(packed_waves(*change.waves), "waves");
+  if (!change.positions.empty()) {
+    box_ = box_of(change.positions);
+    hidden_side_ = HiddenSide::none;
+    renew(kPositions, change.positions, "positions");
+  }
+  if (!change.normals.empty()) renew(kNormals, change.normals, "normals");
+  if (change.waves != nullptr) renew(kWaves, packed_waves(*change.waves), "waves");
   if (!change.z.empty()) {
-    buffers_[kPhases] = buffer_of(change.z, "phases");
+    renew(kPhases, change.z, "phases");
     foreign_phases_ = 0;
   }
   if (!change.triangle_colors.empty()) {
-    buffers_[kTriangleColors] =
-        buffer_of(packed_colors(change.triangle_colors), "triangle colours");
+    renew(kTriangleColors, packed_colors(change.triangle_colors), "triangle colours");
   }
   check_gl("copying a change of the drawing to OpenGL");
+}
+
+void GlSurface::update_texture(const TextureWaves& waves) {
+  check_count(waves.u.size(), triangle_count_, "waves U", "triangles");
+  check_count(waves.v.size(), triangle_count_, "waves V", "triangles");
+  renew(kTextureU, packed_corners(waves.u), "waves U");
+  renew(kTextureV, packed_corners(waves.v), "waves V");
+  check_gl("copying a texture's waves to OpenGL");
 }
 
 void GlSurface::use_phases(unsigned buffer) {
@@ -142,25 +203,38 @@ bool GlSurface::has_waves() const {
 
 void GlSurface::draw(const ShaderProgram& program, const Camera& camera,
                      const Eigen::Vector4f& tile) const {
-  program.set("origin", camera.origin);
-  program.set("view_from_world", camera.view_from_world);
-  program.set("clip_from_view", camera.clip_from_view);
-  program.set("tile", tile);
-  program.set("smooth_normals", buffers_[kNormals] != 0);
-  program.set("has_waves", has_waves());
-  program.set("has_texture", buffers_[kTextureU] != 0);
-  program.set("has_triangle_colors", buffers_[kTriangleColors] != 0);
-  texture_tile_.bind(program);
-  for (GLuint binding = 0; binding < buffers_.size(); ++binding) {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
-  }
-  if (foreign_phases_ != 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPhases, foreign_phases_);
+  set_camera(program, camera, tile);
   glUseProgram(program.name());
-  glBindVertexArray(no_attributes_);
+  glVertexArrayElementBuffer(vertices_, buffers_[kTriangles]);
+  glVertexArrayVertexBuffer(vertices_, 0, buffers_[kPositions], 0, sizeof(Vec3));
+  glVertexArrayAttribFormat(vertices_, 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glEnableVertexArrayAttrib(vertices_, 0);
+  glBindVertexArray(vertices_);
   for (std::size_t first = 0; first < triangle_count_; first += kTriangleBatch) {
-    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
-                 static_cast<GLsizei>(3 * std::min(kTriangleBatch, triangle_count_ - first)));
-    if (first + kTriangleBatch < triangle_count_) glFinish();
+    const std::size_t count = std::min(kTriangleBatch, triangle_count_ - first);
+    program.set("first_triangle", static_cast<int>(first));
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(Triangle)));
+    glFlush();
+  }
+}
+
+void GlSurface::bind(const ShaderProgram& program, const Camera& camera,
+                     const Eigen::Vector4f& tile) const {
+  constexpr std::array<const char*, kParts> kNames{
+      "triangle_vertices", "positions", "normals",  "waves", "phases",
+      "triangle_colors",   "texture_u", "texture_v"};
+  constexpr std::array<GLenum, kParts> kFormats{GL_RGB32UI, GL_RGB32F, GL_RGB32F, GL_RGBA32F,
+                                                GL_RG32F,   GL_R32UI,  GL_RG32F,  GL_RG32F};
+  set_camera(program, camera, tile);
+  program.set("smooth_normals", has_normals());
+  program.set("has_triangle_colors", has_triangle_colors());
+  texture_tile_.bind(program);
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const bool foreign = part == kPhases && foreign_phases_ != 0;
+    glTextureBuffer(textures_[part], kFormats[part], foreign ? foreign_phases_ : buffers_[part]);
+    program.set(kNames[part], kFirstUnit + static_cast<int>(part));
+    glBindTextureUnit(kFirstUnit + static_cast<GLuint>(part), textures_[part]);
   }
 }
 

@@ -5,56 +5,77 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "brindle/camera.h"
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
 #include "brindle/render/gl_texture_tile.h"
+#include "brindle/render/outer_side.h"
 #include "brindle/renderer.h"
 
 namespace brindle {
 
-/// Programs begin with the shaders surface_buffers.glsl and surface.vert. Needs a current context,
-/// as ShaderProgram does.
+/// Needs a current context, as ShaderProgram does.
 class GlSurface {
  public:
+  GlSurface();
+
   /// As those of Renderer.
   void upload(const SurfaceDrawing& drawing);
   void update(const DrawingChange& change);
   void use_phases(unsigned buffer);
 
-  /// Sets the program's uniforms of camera and surface and draws all triangles. `tile` is the part
-  /// of the picture that fills the target (`tile_transform`).
+  /// Copies the waves of a texture that was uploaded before. Throws Error if there is not one per
+  /// triangle.
+  void update_texture(const TextureWaves& waves);
+
+  /// Draws all triangles with a program that begins with visible_triangles.vert, of which it sets
+  /// the uniforms. `tile` is the part of the picture that fills the target (`tile_transform`).
   void draw(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) const;
 
+  /// Lets a program that begins with surface_buffers.glsl and surface_point.glsl read the surface,
+  /// and sets the uniforms of camera and surface.
+  void bind(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) const;
+
   bool has_waves() const;
+  bool has_texture() const { return buffers_[kTextureU] != 0; }
+  bool has_triangle_colors() const { return buffers_[kTriangleColors] != 0; }
+  bool has_normals() const { return buffers_[kNormals] != 0; }
   std::size_t triangle_count() const { return triangle_count_; }
   /// What a camera has to frame.
   std::span<const Vec3> points() const { return points_; }
-
-  /// Where a drawing's marks are bound, which are not drawn here.
-  static constexpr unsigned kMarksBinding = 6;
+  /// Around all vertices.
+  const Eigen::AlignedBox3f& box() const { return box_; }
+  /// Of the mesh as it was uploaded; none once vertices have moved.
+  HiddenSide hidden_side() const { return hidden_side_; }
 
  private:
-  enum Binding {
+  enum Part {
     kTriangles,
     kPositions,
     kNormals,
     kWaves,
     kPhases,
     kTriangleColors,
-    kMarksUnused,
     kTextureU,
     kTextureV,
-    kBindings
+    kParts
   };
 
+  template <class Items>
+  void renew(Part part, const Items& items, const char* what);
+
   std::vector<Vec3> points_;
+  Eigen::AlignedBox3f box_;
+  HiddenSide hidden_side_ = HiddenSide::none;
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
-  std::array<GlBuffer, kBindings> buffers_;
-  unsigned foreign_phases_ = 0;  ///< instead of those in `buffers_`, unless 0
+  std::array<GlBuffer, kParts> buffers_;
+  std::array<GlTexture, kParts> textures_;  ///< through which shaders read the buffers
+  unsigned foreign_phases_ = 0;             ///< instead of those in `buffers_`, unless 0
   GlTextureTile texture_tile_;
-  GlVertexArray no_attributes_ = no_vertex_attributes();
+  GlVertexArray vertices_ = no_vertex_attributes();
 };
 
 }  // namespace brindle

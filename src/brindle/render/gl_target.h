@@ -12,10 +12,15 @@ namespace brindle {
 struct Target {
   GlFramebuffer framebuffer;
   std::vector<GlTexture> textures;
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
 };
 
-/// `samples` 0 is no multisampling. Throws Error if the driver cannot draw into it.
-Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height,
-                 int samples = 0);
+/// Throws Error if the driver cannot draw into it.
+Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height);
+
+/// Makes the target anew unless it has this size already. Throws as `target_of` does.
+void fit_target(Target& target, std::initializer_list<GLenum> colors, bool depth, int width,
+                int height);
 
 }  // namespace brindle

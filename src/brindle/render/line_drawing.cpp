@@ -53,6 +53,45 @@ void put(TextOutput& text, float value) {
   text << static_cast<const char*>(digits);
 }
 
+std::string hexadecimal(const Color& color) {
+  const auto byte = [](float level) { return static_cast<int>(std::lround(255 * level)); };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
+                byte(color.blue));
+  return text;
+}
+
+void put_points(TextOutput& text, const Stroke& stroke) {
+  for (std::size_t i = 0; i < stroke.size(); ++i) {
+    text << (i == 0 ? "M" : i == 1 ? "L" : " ");
+    put(text, stroke[i].x());
+    text << ' ';
+    put(text, stroke[i].y());
+  }
+}
+
+void put_pen(TextOutput& text, const Pen& pen) {
+  text << "<g id=\"" << pen.name << "\" fill=\"" << (pen.filled ? hexadecimal(pen.color) : "none");
+  if (pen.filled) {
+    text << "\" fill-rule=\"evenodd\">\n<path d=\"";
+    for (const Stroke& stroke : pen.strokes) {
+      put_points(text, stroke);
+      text << "Z\n";
+    }
+    text << "\"/>\n</g>\n";
+    return;
+  }
+  text << "\" stroke=\"" << hexadecimal(pen.color) << "\" stroke-width=\"";
+  put(text, pen.width);
+  text << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  for (const Stroke& stroke : pen.strokes) {
+    text << "<path d=\"";
+    put_points(text, stroke);
+    text << "\"/>\n";
+  }
+  text << "</g>\n";
+}
+
 void remove_edge(std::map<Index, std::vector<Index>>& edges, Index from, Index to) {
   std::erase(edges[from], to);
   std::erase(edges[to], from);
@@ -85,35 +124,46 @@ Polylines chains(const Mesh& mesh, std::span<const Vec3> normals,
   return lines;
 }
 
-std::string hexadecimal(const Color& color) {
-  const auto byte = [](float level) { return static_cast<int>(std::lround(255 * level)); };
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
-                byte(color.blue));
-  return text;
+}  // namespace
+
+namespace {
+
+void check_drawing_size(int width, int height) {
+  if (width < 1 || height < 1 || width > 8192 || height > 8192) {
+    throw Error("a drawing has 1 to 8192 pixels along each side, not " + std::to_string(width) +
+                "x" + std::to_string(height));
+  }
+}
+
+Camera drawing_camera(const Mesh& mesh, const CameraView& view, int width, int height) {
+  check_drawing_size(width, height);
+  return framed_camera(points_of_triangles(mesh), view, width, height);
 }
 
 }  // namespace
 
 Visibility::Visibility(const Mesh& mesh, const CameraView& view, int width, int height)
-    : width_(width), height_(height), columns_(kPerPixel * width), rows_(kPerPixel * height) {
-  if (width < 1 || height < 1 || width > 8192 || height > 8192) {
-    throw Error("a drawing has 1 to 8192 pixels along each side, not " + std::to_string(width) +
-                "x" + std::to_string(height));
-  }
-  camera_ = framed_camera(points_of_triangles(mesh), view, width, height);
+    : Visibility(mesh, drawing_camera(mesh, view, width, height), width, height) {}
+
+Visibility::Visibility(const Mesh& mesh, const Camera& camera, int width, int height)
+    : camera_(camera),
+      width_(width),
+      height_(height),
+      columns_(kPerPixel * width),
+      rows_(kPerPixel * height) {
+  check_drawing_size(width, height);
   nearness_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
   draw(mesh);
 }
 
 Visibility::Seen Visibility::project(const Vec3& point) const {
   const Vec3 relative = point - camera_.origin;
-  const Eigen::Vector4f clip =
-      camera_.clip_from_view * (camera_.view_from_world * relative.homogeneous());
+  const Eigen::Vector4f seen = camera_.view_from_world * relative.homogeneous();
+  const Eigen::Vector4f clip = camera_.clip_from_view * seen;
   const float x = clip.x() / clip.w(), y = clip.y() / clip.w();
   return {
       {0.5f * (1 + x) * static_cast<float>(width_), 0.5f * (1 - y) * static_cast<float>(height_)},
-      clip.w()};
+      camera_.orthographic() ? -seen.z() : clip.w()};
 }
 
 void Visibility::draw(const Mesh& mesh) {
@@ -123,7 +173,15 @@ void Visibility::draw(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles) draw_triangle({seen[t[0]], seen[t[1]], seen[t[2]]});
 }
 
-/// 1 / distance is linear in the picture.
+/// 1 / distance is linear in a picture with perspective, the distance in one without.
+float Visibility::nearness(std::span<const Seen> seen, std::span<const float> weights) const {
+  float sum = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    sum += camera_.orthographic() ? weights[i] * seen[i].distance : weights[i] / seen[i].distance;
+  }
+  return camera_.orthographic() ? 1 / sum : sum;
+}
+
 void Visibility::draw_triangle(const std::array<Seen, 3>& corners) {
   const auto& [a, b, c] = corners;
   const float area = edge_function(a.pixel, b.pixel, c.pixel.x(), c.pixel.y());
@@ -147,18 +205,21 @@ void Visibility::draw_triangle(const std::array<Seen, 3>& corners) {
       const float w = 1 - u - v;
       if (u < 0 || v < 0 || w < 0) continue;
       float& nearest = nearness_[static_cast<std::size_t>(row) * columns_ + column];
-      nearest = std::max(nearest, u / a.distance + v / b.distance + w / c.distance);
+      nearest = std::max(nearest, nearness(corners, std::array{u, v, w}));
     }
   }
+}
+
+bool Visibility::in_picture(const Seen& seen) const {
+  const float x = kPerPixel * seen.pixel.x(), y = kPerPixel * seen.pixel.y();
+  return x >= 0 && y >= 0 && x < static_cast<float>(columns_) && y < static_cast<float>(rows_);
 }
 
 /// Behind nothing: not farther than the farthest surface seen in the nine cells around it. The
 /// surface that the point lies on is among them, however steep it is.
 bool Visibility::visible(const Seen& seen, float tolerance) const {
+  if (!in_picture(seen)) return false;
   const float x = kPerPixel * seen.pixel.x(), y = kPerPixel * seen.pixel.y();
-  const bool within =
-      x >= 0 && y >= 0 && x < static_cast<float>(columns_) && y < static_cast<float>(rows_);
-  if (!within) return false;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
   float farthest = 0, nearest = std::numeric_limits<float>::infinity();
   for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
@@ -174,23 +235,23 @@ bool Visibility::visible(const Seen& seen, float tolerance) const {
   return farthest == 0 || seen.distance <= farthest + slack;
 }
 
-void Visibility::add_strokes(std::span<const Seen> path, float tolerance,
+void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool hidden,
                              std::vector<Stroke>& strokes) const {
   Stroke stroke;
   const auto finish = [&] {
     if (length_of(stroke) >= kShortest) strokes.push_back(without_needless_corners(stroke));
     stroke.clear();
   };
-  float hidden = 0;  // pixels since the last visible point
+  float passed = 0;  // pixels since the last point that is drawn
   Stroke behind;     // what may turn out to be a gap that is noise
   const auto pass = [&](const Seen& seen, float step) {
     behind.push_back(seen.pixel);
-    hidden += step;
-    if (visible(seen, tolerance)) {
-      if (hidden > kLongestGap + step) finish(), behind = {seen.pixel};
+    passed += step;
+    if (in_picture(seen) && visible(seen, tolerance) != hidden) {
+      if (passed > kLongestGap + step) finish(), behind = {seen.pixel};
       stroke.insert(stroke.end(), behind.begin(), behind.end());
       behind.clear();
-      hidden = 0;
+      passed = 0;
     }
   };
   if (!path.empty()) pass(path[0], 0);
@@ -202,22 +263,23 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance,
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep)));
     for (int step = 1; step <= steps; ++step) {
       const float t = static_cast<float>(step) / static_cast<float>(steps);
-      const float nearness = (1 - t) / from.distance + t / to.distance;
-      pass({from.pixel + t * (to.pixel - from.pixel), 1 / nearness},
+      const float near = nearness(path.subspan(i - 1, 2), std::array{1 - t, t});
+      pass({from.pixel + t * (to.pixel - from.pixel), 1 / near},
            length / static_cast<float>(steps));
     }
   }
   finish();
 }
 
-std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance) const {
+std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance,
+                                        bool hidden) const {
   std::vector<Stroke> strokes;
   std::vector<Seen> path;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     path.clear();
     for (const Vec3& point : lines.points_of(line)) path.push_back(project(point));
     if (lines.closed[line] && !path.empty()) path.push_back(path.front());
-    add_strokes(path, tolerance, strokes);
+    add_strokes(path, tolerance, hidden, strokes);
   }
   return strokes;
 }
@@ -225,8 +287,7 @@ std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance)
 Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
                   int width, int height) {
   const Camera camera = framed_camera(points_of_triangles(mesh), view, width, height);
-  const Eigen::Matrix3f axes = camera.view_from_world.topLeftCorner<3, 3>();
-  const Vec3 eye = camera.origin - axes.transpose() * camera.view_from_world.topRightCorner<3, 1>();
+  const Vec3 eye = viewpoint_of(camera);
   struct Sides {
     int front = 0, back = 0;
   };
@@ -258,23 +319,7 @@ void write_svg(const std::filesystem::path& path, int width, int height,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
          << width << "\" height=\"" << height << "\" viewBox=\"0 0 " << width << ' ' << height
          << "\">\n";
-    for (const Pen& pen : pens) {
-      text << "<g id=\"" << pen.name << "\" fill=\"none\" stroke=\"" << hexadecimal(pen.color)
-           << "\" stroke-width=\"";
-      put(text, pen.width);
-      text << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-      for (const Stroke& stroke : pen.strokes) {
-        text << "<path d=\"M";
-        for (std::size_t i = 0; i < stroke.size(); ++i) {
-          text << (i == 0 ? "" : i == 1 ? "L" : " ");
-          put(text, stroke[i].x());
-          text << ' ';
-          put(text, stroke[i].y());
-        }
-        text << "\"/>\n";
-      }
-      text << "</g>\n";
-    }
+    for (const Pen& pen : pens) put_pen(text, pen);
     text << "</svg>\n";
   });
 }

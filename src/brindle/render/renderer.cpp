@@ -8,12 +8,14 @@
 #include "brindle/gl/shader_program.h"
 #include "brindle/headless_context.h"
 #include "brindle/render/gl_surface.h"
+#include "brindle/render/shading.h"
 #include "brindle/render/tiled_picture.h"
+#include "brindle/render/visible_triangles.h"
 
 namespace brindle {
 namespace {
 
-constexpr int kWantedSamples = 8;
+constexpr GLuint kMarksBinding = 0;
 
 std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
   std::vector<Vec3> packed;
@@ -24,33 +26,23 @@ std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
   return packed;
 }
 
-/// Samples a pixel beside supersampling; 0 for one. Where triangles are about as small as pixels
-/// each sample would be shaded by itself anyway, and software renderers take five times as long.
-int samples_for(std::size_t triangle_count, const RenderOptions& options) {
-  const double pixels = static_cast<double>(options.width) * options.height *
-                        options.supersampling * options.supersampling;
-  if (4 * static_cast<double>(triangle_count) > pixels) return 0;
-  const int samples = std::min(kWantedSamples, gl_limit(GL_MAX_SAMPLES));
-  return samples > 1 ? samples : 0;
-}
-
 }  // namespace
 
 struct Renderer::State {
-  ShaderProgram program{{"surface_buffers.glsl", "surface.vert"},
-                        {"surface_buffers.glsl", "fragment_phase.glsl", "surface_fragment.glsl",
-                         "texture_fragment.glsl", "texture_tile.glsl", "stripe_coverage.glsl",
-                         "light.glsl", "striped_surface.frag"}};
-  ShaderProgram mark{{"mark.vert"}, {"mark.frag"}};
+  ShaderProgram mark{{"mark.vert"}, {"visible_samples.glsl", "mark.frag"}};
   TiledPicture picture;
+  VisibleTriangles visible;
+  Shading shading;
   GlSurface surface;
   GlBuffer marks;
   GLsizei mark_count = 0;
+  GlVertexArray no_attributes = no_vertex_attributes();
 
   void upload_marks(std::span<const Mark> added);
   void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
                   const RenderOptions& options) const;
-  void draw_light(const Camera& camera, const Tile& tile, const RenderOptions& options) const;
+  void draw_light(const Target& target, const Camera& camera, const Tile& tile,
+                  const RenderOptions& options);
 };
 
 void Renderer::State::upload_marks(std::span<const Mark> added) {
@@ -69,27 +61,25 @@ void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& ti
   mark.set("mark_size",
            Eigen::Vector2f(2 * options.mark_radius / static_cast<float>(options.width),
                            2 * options.mark_radius / static_cast<float>(options.height)));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GlSurface::kMarksBinding, marks);
+  visible.bind(mark);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kMarksBinding, marks);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
   glUseProgram(mark.name());
+  glBindVertexArray(no_attributes);
   glDrawArrays(GL_TRIANGLES, 0, 6 * mark_count);
-  glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
 
-void Renderer::State::draw_light(const Camera& camera, const Tile& tile,
-                                 const RenderOptions& options) const {
-  glEnable(GL_DEPTH_TEST);
-  program.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
-                                             tile.height * options.supersampling));
-  set_looks(program, options);
-  program.set("up", up_seen_by(camera, options.camera.up));
+void Renderer::State::draw_light(const Target& target, const Camera& camera, const Tile& tile,
+                                 const RenderOptions& options) {
   const Eigen::Vector4f transform = tile_transform(tile, options);
-  surface.draw(program, camera, transform);
+  const Eigen::Vector2i size = shading_side(options) * Eigen::Vector2i(tile.width, tile.height);
+  visible.draw(surface, camera, transform, {target.width, target.height}, size,
+               options.quality == PictureQuality::interactive ? VisibleTriangles::Hidden::left_out
+                                                              : VisibleTriangles::Hidden::drawn);
+  shading.draw(surface, visible, camera, transform, target, size, options);
   draw_marks(camera, transform, options);
-  glDisable(GL_DEPTH_TEST);
 }
 
 RenderOptions with_faint_stripes(RenderOptions options) {
@@ -120,9 +110,8 @@ Image Renderer::draw(const RenderOptions& options) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->surface.points(), options.camera, options.width, options.height);
-  const int samples = samples_for(state_->surface.triangle_count(), options);
-  return state_->picture.draw(options, samples, [&](const Target& /*target*/, const Tile& tile) {
-    state_->draw_light(camera, tile, options);
+  return state_->picture.draw(options, [&](const Target& target, const Tile& tile) {
+    state_->draw_light(target, camera, tile, options);
   });
 }
 

@@ -86,12 +86,13 @@ struct SplatRenderer::State {
   std::vector<Vec3> points;  ///< what a camera has to frame
   GlBuffer splats;
   std::size_t splat_count = 0;
+  Target sums;  ///< over the discs at a pixel
 
   void draw_splats(bool behind) const;
-  void draw_tile(const Target& target, const Target& sums, const Camera& camera, const Tile& tile,
+  void draw_tile(const Target& target, const Camera& camera, const Tile& tile,
                  const RenderOptions& options) const;
-  void draw_surface(const Target& target, const Target& sums, const Camera& camera,
-                    const Tile& tile, const RenderOptions& options) const;
+  void draw_surface(const Target& target, const Camera& camera, const Tile& tile,
+                    const RenderOptions& options) const;
 };
 
 /// `behind` draws depths alone, each disc moved away from the eye by its radius: what lies in front
@@ -108,8 +109,8 @@ void SplatRenderer::State::draw_splats(bool behind) const {
   }
 }
 
-void SplatRenderer::State::draw_tile(const Target& target, const Target& sums, const Camera& camera,
-                                     const Tile& tile, const RenderOptions& options) const {
+void SplatRenderer::State::draw_tile(const Target& target, const Camera& camera, const Tile& tile,
+                                     const RenderOptions& options) const {
   constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
   constexpr float kFarthest = 1;
   for (const GLint attachment : {0, 1}) {
@@ -132,19 +133,19 @@ void SplatRenderer::State::draw_tile(const Target& target, const Target& sums, c
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
-  draw_surface(target, sums, camera, tile, options);
+  draw_surface(target, camera, tile, options);
 }
 
-void SplatRenderer::State::draw_surface(const Target& target, const Target& sums,
-                                        const Camera& camera, const Tile& tile,
-                                        const RenderOptions& options) const {
+void SplatRenderer::State::draw_surface(const Target& target, const Camera& camera,
+                                        const Tile& tile, const RenderOptions& options) const {
   surface.set("phase_sums", 0);
   surface.set("normal_sums", 1);
   surface.set("tile", tile_transform(tile, options));
-  surface.set("target_size", Eigen::Vector2f(tile.width * options.supersampling,
-                                             tile.height * options.supersampling));
+  surface.set("target_size", Eigen::Vector2f(tile.width * shading_side(options),
+                                             tile.height * shading_side(options)));
   surface.set("view_scale",
               Eigen::Vector2f(camera.clip_from_view(0, 0), camera.clip_from_view(1, 1)));
+  surface.set("orthographic", camera.orthographic());
   surface.set("up", up_seen_by(camera, options.camera.up));
   set_looks(surface, options);
   glBindTextureUnit(0, sums.textures[0]);
@@ -176,14 +177,9 @@ Image SplatRenderer::draw(const RenderOptions& options) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->points, options.camera, options.width, options.height);
-  Target sums;
-  return state_->picture.draw(options, 0, [&](const Target& target, const Tile& tile) {
-    // The first tile is the largest.
-    if (sums.textures.empty()) {
-      sums = target_of({GL_RGBA32F, GL_RGBA32F}, true, tile.width * options.supersampling,
-                       tile.height * options.supersampling);
-    }
-    state_->draw_tile(target, sums, camera, tile, options);
+  return state_->picture.draw(options, [&](const Target& target, const Tile& tile) {
+    fit_target(state_->sums, {GL_RGBA32F, GL_RGBA32F}, true, target.width, target.height);
+    state_->draw_tile(target, camera, tile, options);
   });
 }
 

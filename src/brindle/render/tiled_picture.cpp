@@ -1,7 +1,7 @@
 #include "brindle/render/tiled_picture.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <string>
 
 #include "brindle/error.h"
@@ -30,51 +30,69 @@ void set_looks(const ShaderProgram& surface, const RenderOptions& options) {
   surface.set("stripe_width", options.stripe_width);
 }
 
-void TiledPicture::develop(const Target& light, const Target& finished, const Tile& tile,
-                           const RenderOptions& options) const {
-  develop_.set("light", 0);
-  develop_.set("supersampling", options.supersampling);
-  develop_.set("tile_corner", Eigen::Vector2i(tile.x, tile.y));
-  develop_.set("picture_size", Eigen::Vector2f(options.width, options.height));
-  develop_.set("background_center", linear_light(options.background_center));
-  develop_.set("background_edge", linear_light(options.background_edge));
-  develop_.set("transparent", options.transparent);
-  glBindTextureUnit(0, light.textures[0]);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished.framebuffer);
+int shading_side(const RenderOptions& options) {
+  return options.quality == PictureQuality::interactive ? 1 : options.supersampling;
+}
+
+namespace {
+
+/// The largest tile, in finished pixels: as wide as the picture if it can be.
+Eigen::Vector2i largest_tile(const RenderOptions& options) {
+  // Two samples along the side of each evaluation (VisibleTriangles).
+  const int longest = std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS)) / 2;
+  const int s = shading_side(options);
+  const int width = std::min(options.width, std::min(4 * options.tile_side, longest) / s);
+  const std::int64_t area = std::int64_t{options.tile_side} * options.tile_side;
+  const auto height = static_cast<int>(std::min<std::int64_t>(area / (s * s * width), longest / s));
+  return {width, std::min(height, options.height)};
+}
+
+}  // namespace
+
+/// One for every side, which is a constant: software renderers enter a loop once more than it says.
+const ShaderProgram& TiledPicture::develop_program(int side) {
+  std::optional<ShaderProgram>& program = develop_[static_cast<std::size_t>(side - 1)];
+  if (!program) {
+    using Sources = std::initializer_list<ShaderSource>;
+    const std::string constant = "const int kShadingSide = " + std::to_string(side) + ";\n";
+    program.emplace(Sources{"full_screen.vert"},
+                    Sources{{"shading side", constant}, "develop.frag"});
+  }
+  return *program;
+}
+
+void TiledPicture::develop(const Tile& tile, const RenderOptions& options) {
+  const ShaderProgram& program = develop_program(shading_side(options));
+  program.set("light", 0);
+  program.set("tile_corner", Eigen::Vector2i(tile.x, tile.y));
+  program.set("picture_size", Eigen::Vector2f(options.width, options.height));
+  program.set("background_center", linear_light(options.background_center));
+  program.set("background_edge", linear_light(options.background_edge));
+  program.set("transparent", options.transparent);
+  glBindTextureUnit(0, light_.textures[0]);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_.framebuffer);
   glViewport(0, 0, tile.width, tile.height);
-  glUseProgram(develop_.name());
+  glUseProgram(program.name());
   glBindVertexArray(no_attributes_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image TiledPicture::draw(const RenderOptions& options, int samples,
-                         const DrawLight& draw_light) const {
-  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-  constexpr float kFarthest = 1;
-  const int s = options.supersampling;
-  const int side =
-      std::min({options.tile_side, gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS)});
-  // An even number of pixels, so that derivatives pair the same pixels in every tiling.
-  const int step = side / s / 2 * 2;
-  const int width = std::min(step, options.width), height = std::min(step, options.height);
-  const Target many = target_of({GL_RGBA16F}, true, width * s, height * s, samples);
-  const Target light = target_of({GL_RGBA16F}, false, width * s, height * s);
-  const Target finished = target_of({GL_RGBA8}, false, width, height);
+Image TiledPicture::draw(const RenderOptions& options, const DrawLight& draw_light) {
+  const int s = shading_side(options);
+  const Eigen::Vector2i step = largest_tile(options);
+  fit_target(light_, {GL_RGBA16F}, false, step.x() * s, step.y() * s);
+  fit_target(finished_, {GL_RGBA8}, false, step.x(), step.y());
   Image image(options.width, options.height);
   glPixelStorei(GL_PACK_ROW_LENGTH, options.width);
-  for (int y = 0; y < options.height; y += step) {
-    for (int x = 0; x < options.width; x += step) {
-      const Tile tile{x, y, std::min(step, options.width - x), std::min(step, options.height - y)};
-      glClearNamedFramebufferfv(many.framebuffer, GL_COLOR, 0, kNothing.data());
-      glClearNamedFramebufferfv(many.framebuffer, GL_DEPTH, 0, &kFarthest);
-      glBindFramebuffer(GL_DRAW_FRAMEBUFFER, many.framebuffer);
+  for (int y = 0; y < options.height; y += step.y()) {
+    for (int x = 0; x < options.width; x += step.x()) {
+      const Tile tile{x, y, std::min(step.x(), options.width - x),
+                      std::min(step.y(), options.height - y)};
+      glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light_.framebuffer);
       glViewport(0, 0, tile.width * s, tile.height * s);
-      draw_light(many, tile);
-      glBlitNamedFramebuffer(many.framebuffer, light.framebuffer, 0, 0, tile.width * s,
-                             tile.height * s, 0, 0, tile.width * s, tile.height * s,
-                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
-      develop(light, finished, tile, options);
-      glBindFramebuffer(GL_READ_FRAMEBUFFER, finished.framebuffer);
+      draw_light(light_, tile);
+      develop(tile, options);
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, finished_.framebuffer);
       glReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE, &image.at(x, y));
     }
   }

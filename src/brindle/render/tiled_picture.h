@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "brindle/gl/shader_program.h"
@@ -36,22 +38,29 @@ void flip_rows(std::vector<Item>& items, int width, int height) {
   }
 }
 
-/// Averages the samples of a pixel, lays the background underneath and encodes as sRGB.
+/// How often the picture's quality has the surface evaluated along each side of a pixel.
+int shading_side(const RenderOptions& options);
+
+/// Averages what is evaluated in a pixel, lays the background underneath and encodes as sRGB.
+/// Targets are kept from picture to picture.
 class TiledPicture {
  public:
-  /// Draws a tile into a target of premultiplied linear light, already empty, bound and with its
-  /// viewport set; it is `options.supersampling` times as wide and high as the tile.
+  /// Draws all of a tile into a target of premultiplied linear light, already bound and with its
+  /// viewport set; that is `shading_side` times as wide and high as the tile.
   using DrawLight = std::function<void(const Target& target, const Tile& tile)>;
 
-  /// Calls `draw_light` for every tile. `samples` beside supersampling, 0 for one.
-  Image draw(const RenderOptions& options, int samples, const DrawLight& draw_light) const;
+  /// Calls `draw_light` for every tile.
+  Image draw(const RenderOptions& options, const DrawLight& draw_light);
 
  private:
-  void develop(const Target& light, const Target& finished, const Tile& tile,
-               const RenderOptions& options) const;
+  static constexpr int kLargestSide = 4;
 
-  ShaderProgram develop_{{"full_screen.vert"}, {"develop.frag"}};
+  const ShaderProgram& develop_program(int side);
+  void develop(const Tile& tile, const RenderOptions& options);
+
+  std::array<std::optional<ShaderProgram>, kLargestSide> develop_;  ///< made when they are needed
   GlVertexArray no_attributes_ = no_vertex_attributes();
+  Target light_, finished_;
 };
 
 /// Throws Error for options out of range.

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/shapes/capsules.h"
 #include "brindle/shapes/isosurface.h"
 #include "brindle/shapes/random.h"
 
@@ -14,74 +15,6 @@ namespace brindle {
 namespace {
 
 using Point = Eigen::Vector3d;
-
-/// A segment whose radius changes linearly from end to end; a sphere if the ends coincide.
-struct Capsule {
-  Point a, b;
-  double radius_a, radius_b;
-};
-
-/// The signed distance from a capsule, or a little less, so that it is nowhere steeper than 1.
-class CapsuleDistance {
- public:
-  explicit CapsuleDistance(const Capsule& c)
-      : from_(c.a), axis_(c.b - c.a), radius_(c.radius_a), widening_(c.radius_b - c.radius_a) {
-    const double length2 = axis_.squaredNorm();
-    if (length2 == 0) return;
-    over_length2_ = 1 / length2;
-    // Along the axis the slope of the radius comes on top of that of the distance.
-    scale_ = 1 / std::sqrt(1 + widening_ * widening_ / length2);
-  }
-
-  double operator()(const Point& p) const {
-    const Point offset = p - from_;
-    const double t = std::clamp(offset.dot(axis_) * over_length2_, 0.0, 1.0);
-    return ((offset - t * axis_).norm() - radius_ - t * widening_) * scale_;
-  }
-
- private:
-  Point from_, axis_;
-  double radius_, widening_;
-  double over_length2_ = 0, scale_ = 1;
-};
-
-/// The smooth minimum of the distances to all capsules, with blends of about radius `blend`.
-class Union {
- public:
-  Union(const std::vector<Capsule>& parts, double blend)
-      : parts_(parts.begin(), parts.end()), blend_(blend) {}
-
-  double operator()(const Point& p) const {
-    constexpr double kNegligible = 20;  // exp(-20) is below the accuracy of a float position
-    double nearest = 1e30, sum = 0;
-    for (const CapsuleDistance& part : parts_) {
-      const double d = part(p);
-      if (d > nearest + kNegligible * blend_) continue;
-      if (d < nearest) {
-        sum = sum * std::exp((d - nearest) / blend_) + 1;
-        nearest = d;
-      } else {
-        sum += std::exp((nearest - d) / blend_);
-      }
-    }
-    return nearest - blend_ * std::log(sum);
-  }
-
- private:
-  std::vector<CapsuleDistance> parts_;
-  double blend_;
-};
-
-BoundingBox box_around(const std::vector<Capsule>& parts) {
-  Point lower = Point::Constant(1e30), upper = -lower;
-  for (const Capsule& part : parts) {
-    lower = lower.cwiseMin((part.a.array() - part.radius_a).matrix());
-    lower = lower.cwiseMin((part.b.array() - part.radius_b).matrix());
-    upper = upper.cwiseMax((part.a.array() + part.radius_a).matrix());
-    upper = upper.cwiseMax((part.b.array() + part.radius_b).matrix());
-  }
-  return {lower.cast<float>(), upper.cast<float>()};
-}
 
 /// Moves the middle of the box to the origin and scales its longest side to 2.
 void center(std::vector<Capsule>& parts) {
@@ -97,12 +30,7 @@ void center(std::vector<Capsule>& parts) {
 }
 
 Mesh polygonize(const std::vector<Capsule>& parts, double blend, int resolution) {
-  BoundingBox box = box_around(parts);
-  // The smooth minimum lies below the minimum, by less the fewer parts are equally near.
-  const auto margin = static_cast<float>(blend * std::log(static_cast<double>(parts.size()) + 1));
-  box.lower.array() -= margin;
-  box.upper.array() += margin;
-  return isosurface(Union(parts, blend), box, 1.0f / static_cast<float>(resolution));
+  return capsule_surface(parts, blend, 1.0f / static_cast<float>(resolution));
 }
 
 /// Grows vessels from parent to children.
@@ -151,7 +79,7 @@ Mesh make_vessels(const VesselsShape& shape) {
   return polygonize(growth.vessels, 0.12 * shape.radius, shape.resolution);
 }
 
-Mesh make_molecule(const MoleculeShape& shape) {
+std::vector<Capsule> molecule_atoms(const MoleculeShape& shape) {
   constexpr std::array<double, 3> kRadii = {0.34, 0.30, 0.24};
   std::vector<Capsule> atoms;
   std::uint64_t drawn = 0;
@@ -177,7 +105,11 @@ Mesh make_molecule(const MoleculeShape& shape) {
     atoms.push_back({best, best, radius, radius});
   }
   center(atoms);
-  return polygonize(atoms, 0.5 * shape.blend, shape.resolution);
+  return atoms;
+}
+
+Mesh make_molecule(const MoleculeShape& shape) {
+  return polygonize(molecule_atoms(shape), 0.5 * shape.blend, shape.resolution);
 }
 
 Mesh make_box(const BoxShape& shape) {

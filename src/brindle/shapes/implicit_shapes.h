@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "brindle/mesh.h"
+#include "brindle/shapes/capsules.h"
 
 namespace brindle {
 
@@ -27,6 +29,9 @@ struct MoleculeShape {
   int resolution = 55;  ///< edges along one unit of length
 };
 Mesh make_molecule(const MoleculeShape& shape = {});
+
+/// The spheres of that molecule, as they are in its mesh.
+std::vector<Capsule> molecule_atoms(const MoleculeShape& shape = {});
 
 /// A machined block: edges rounded, and a hole along z whose rims are rounded too.
 struct BoxShape {

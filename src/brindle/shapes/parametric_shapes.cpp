@@ -306,6 +306,22 @@ Mesh make_cylinder(const CylinderShape& shape) {
       });
 }
 
+Mesh make_tube(const TubeShape& shape) {
+  const double spacing = 2 * kPi * shape.radius / shape.resolution;
+  const double turn = shape.bend_deg * kPi / 180;
+  const double straight = turn > 1e-9 ? shape.length / turn : 0;  // the arc's radius
+  return ring_lattice(
+      shape.resolution, row_count(shape.length, spacing), false, [&](double u, double v) {
+        const double r =
+            shape.radius * (1 + shape.bulge * std::sin(2 * kPi * v)) * (1 + (shape.taper - 1) * v);
+        const double out = r * std::cos(2 * kPi * u), aside = r * std::sin(2 * kPi * u);
+        if (straight == 0) return point(out, aside, (v - 0.5) * shape.length);
+        const double a = (v - 0.5) * turn;
+        return point((straight + out) * std::cos(a) - straight, aside,
+                     (straight + out) * std::sin(a));
+      });
+}
+
 Mesh make_sphere(const SphereShape& shape) {
   Icosphere sphere(shape);
   for (const Triangle& face : kIcosahedronFaces) sphere.add_face(face);

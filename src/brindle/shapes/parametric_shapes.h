@@ -24,6 +24,17 @@ struct CylinderShape {
 };
 Mesh make_cylinder(const CylinderShape& shape = {});
 
+/// An open tube about an arc in the plane y = 0: a sleeve, a bottle, a horn.
+struct TubeShape {
+  float radius = 0.25f;
+  float length = 2;      ///< along the arc
+  float bend_deg = 60;   ///< how much the arc turns
+  float bulge = 0;       ///< wider by this share at a quarter of the length, narrower at three
+  float taper = 1;       ///< the radius of the upper end over that of the lower one
+  int resolution = 104;  ///< edges around
+};
+Mesh make_tube(const TubeShape& shape = {});
+
 /// An icosahedron, each face divided along great circles.
 struct SphereShape {
   float radius = 1;

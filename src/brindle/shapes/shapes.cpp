@@ -91,6 +91,34 @@ Shape cylinder() {
           }};
 }
 
+Shape tube() {
+  const TubeShape s;
+  return {"tube",
+          "an open tube along an arc: a sleeve, a vase",
+          {length("radius", s.radius, "radius"),
+           length("length", s.length, "along the arc"),
+           {"bend", s.bend_deg, 0, 360, false, "how much the arc turns, in degrees"},
+           {"bulge", s.bulge, 0, 0.9, false, "wider by this share below, narrower above"},
+           {"taper", s.taper, 0.1, 10, false, "radius of the upper end over that of the lower"},
+           resolution(s.resolution, 3, 5000, "edges around")},
+          [](const Values& v) {
+            const TubeShape shape{.radius = v.real("radius"),
+                                  .length = v.real("length"),
+                                  .bend_deg = v.real("bend"),
+                                  .bulge = v.real("bulge"),
+                                  .taper = v.real("taper"),
+                                  .resolution = v.whole("resolution")};
+            const double widest =
+                static_cast<double>(shape.radius) * (1 + shape.bulge) * std::max(1.0f, shape.taper);
+            if (widest * static_cast<double>(shape.bend_deg) * 0.0174533 >= shape.length) {
+              throw Error(
+                  "shape 'tube': it would cut into itself; lower bend, radius, bulge or "
+                  "taper, or raise length");
+            }
+            return make_tube(shape);
+          }};
+}
+
 Shape sphere() {
   const SphereShape s;
   return {"sphere",
@@ -260,8 +288,9 @@ Shape pieces() {
 
 const std::vector<Shape>& catalogue() {
   static const std::vector<Shape> shapes = [] {
-    std::vector<Shape> all = {plane(),    cylinder(), sphere(),     torus(),  trefoil(), vessels(),
-                              molecule(), box(),      hemisphere(), mobius(), sheets(),  pieces()};
+    std::vector<Shape> all = {plane(),   cylinder(), tube(),     sphere(), torus(),
+                              trefoil(), vessels(),  molecule(), box(),    hemisphere(),
+                              mobius(),  sheets(),   pieces()};
     for (Shape& shape : all) {
       shape.parameters.push_back(
           {"noise", 0, 0, 10, false, "displacement of vertices, in mean edge lengths"});
@@ -351,6 +380,7 @@ void check_size(const Shape& shape, const Values& values) {
   };
   if (shape.name == "plane") proportion("height", "width");
   if (shape.name == "cylinder") proportion("height", "radius");
+  if (shape.name == "tube") proportion("length", "radius");
   if (shape.name == "sheets") proportion("height", "width");
 }
 

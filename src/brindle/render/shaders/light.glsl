@@ -1,8 +1,9 @@
 // A soft key light from the upper left, a weak fill from the right, light from the sky and off the
-// ground, and a thin rim. The normal is that of the side that is seen; its length does not matter.
-vec3 lit(vec3 surface, vec3 view_normal, vec3 view_position, vec3 up) {
+// ground, and a thin rim. The normal is that of the side that is seen; its length does not matter,
+// nor does that of `sight`, which runs from the viewer to the point.
+vec3 lit(vec3 surface, vec3 view_normal, vec3 sight, vec3 up) {
   vec3 n = normalize(view_normal);
-  vec3 v = normalize(-view_position);
+  vec3 v = normalize(-sight);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   vec3 key_from = normalize(vec3(-0.45, 0.70, 0.75));
   vec3 fill_from = normalize(vec3(0.85, 0.05, 0.50));

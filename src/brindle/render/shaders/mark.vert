@@ -1,6 +1,6 @@
 // Discs that face the camera, 6 vertices each.
 
-layout(std430, binding = 6) readonly buffer Marks { float marks[]; };  // position, linear colour
+layout(std430, binding = 0) readonly buffer Marks { float marks[]; };  // position, linear colour
 
 uniform mat4 view_from_world;
 uniform mat4 clip_from_view;
@@ -21,8 +21,9 @@ void main() {
 
   // Lifted towards the eye by its own radius, so that a slanted surface does not cut the disc.
   vec3 center = (view_from_world * vec4(position, 1.0)).xyz;
-  float radius = mark_size.y * -center.z / clip_from_view[1][1];
-  center *= 1.0 + radius / center.z;
+  bool orthographic = clip_from_view[3][3] == 1.0;
+  float radius = mark_size.y * (orthographic ? 1.0 : -center.z) / clip_from_view[1][1];
+  center = orthographic ? center + vec3(0.0, 0.0, radius) : center * (1.0 + radius / center.z);
   gl_Position = clip_from_view * vec4(center, 1.0);
   gl_Position.xy += disc * mark_size * gl_Position.w;
   gl_Position.xy = gl_Position.xy * tile.xy + gl_Position.w * tile.zw;

@@ -47,7 +47,9 @@ void main() {
   if (behind) {
     // Away from the eye, so that the disc covers the same pixels.
     float depth = -(view_from_world * vec4(center, 1.0)).z;
-    view_position *= 1.0 + radius / max(depth, radius);
+    bool orthographic = clip_from_view[3][3] == 1.0;
+    view_position = orthographic ? view_position - vec3(0.0, 0.0, radius)
+                                 : view_position * (1.0 + radius / max(depth, radius));
   }
   gl_Position = clip_from_view * vec4(view_position, 1.0);
   gl_Position.xy = gl_Position.xy * tile.xy + gl_Position.w * tile.zw;

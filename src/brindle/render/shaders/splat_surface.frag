@@ -5,6 +5,7 @@ uniform sampler2D normal_sums;
 uniform vec4 tile;         // as in splat.vert
 uniform vec2 target_size;  // in pixels
 uniform vec2 view_scale;   // clip from view coordinates, x and y
+uniform bool orthographic;
 uniform vec3 up;           // of the world, seen from the camera
 uniform bool shading;
 uniform vec3 base_color;
@@ -26,7 +27,8 @@ void main() {
     surface = mix(surface, stripe_color, share * sums.z / sums.w);
   }
   vec2 clip = 2.0 * gl_FragCoord.xy / target_size - 1.0;
-  vec3 towards = vec3((clip - tile.zw) / tile.xy / view_scale, -1.0);
+  vec2 aside = orthographic ? vec2(0.0) : (clip - tile.zw) / tile.xy / view_scale;
+  vec3 towards = vec3(aside, -1.0);
   vec3 normal = texelFetch(normal_sums, pixel, 0).xyz;
   color = vec4(shading ? lit(surface, normal, towards, up) : surface, 1.0);
 }

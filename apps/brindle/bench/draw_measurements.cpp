@@ -1,0 +1,74 @@
+#include "bench/draw_measurements.h"
+
+#include <epoxy/gl.h>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/camera.h"
+#include "brindle/headless_context.h"
+#include "brindle/render/gl_surface.h"
+#include "brindle/render/visible_triangles.h"
+#include "brindle/renderer.h"
+#include "brindle/stripe_animator.h"
+#include "changing_input.h"
+
+namespace brindle::tool {
+namespace {
+
+/// A picture of a given quality over and over.
+Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
+                    const Repetitions& repetitions) {
+  options.quality = quality;
+  return spread_of(samples_of(repetitions, [&] {
+    Stopwatch watch;
+    renderer.draw(options);
+    return watch.lap();
+  }));
+}
+
+/// The first pass alone, for so many evaluations along the side of a pixel.
+Spread visible_time(const GlSurface& surface, const RenderOptions& options, int side,
+                    VisibleTriangles::Hidden hidden, const Repetitions& repetitions) {
+  VisibleTriangles visible;
+  const Camera camera =
+      framed_camera(surface.points(), options.camera, options.width, options.height);
+  const Eigen::Vector2i size(side * options.width, side * options.height);
+  return spread_of(samples_of(repetitions, [&] {
+    Stopwatch watch;
+    visible.draw(surface, camera, {1, 1, 0, 0}, size, size, hidden);
+    glFinish();
+    return watch.lap();
+  }));
+}
+
+}  // namespace
+
+DrawFigures measure_draw(const Subject& subject, int width, int height,
+                         const Repetitions& repetitions, const Progress& progress) {
+  progress.report("pictures", 0);
+  const std::vector<ChangingInput> inputs = changing_inputs(subject);
+  StripeAnimator animator(subject.surface.neighborhood);
+  const FrameResult frame = animator.frame(inputs[0].frame(0));
+  const SurfaceDrawing drawing{.mesh = subject.surface.mesh,
+                               .normals = subject.surface.normals,
+                               .waves = &subject.fields[0],
+                               .z = frame.z};
+  const HeadlessContext context;
+  Renderer renderer;
+  renderer.upload(drawing);
+  RenderOptions options;
+  options.width = width;
+  options.height = height;
+  DrawFigures figures{width, height, {}, {}, {}, {}};
+  figures.interactive = picture_time(renderer, options, PictureQuality::interactive, repetitions);
+  figures.final = picture_time(renderer, options, PictureQuality::final, repetitions);
+  using Hidden = VisibleTriangles::Hidden;
+  GlSurface surface;
+  surface.upload(drawing);
+  figures.visible = visible_time(surface, options, 1, Hidden::left_out, repetitions);
+  figures.visible_final =
+      visible_time(surface, options, options.supersampling, Hidden::drawn, repetitions);
+  context.check_errors("measuring pictures");
+  return figures;
+}
+
+}  // namespace brindle::tool

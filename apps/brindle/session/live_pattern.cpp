@@ -1,0 +1,507 @@
+#include "live_pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <span>
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
+#include "brindle/phase_graph.h"
+#include "brindle/pipeline/measured_pattern.h"
+#include "brindle/stripe_animator.h"
+#include "picture_options.h"
+#include "vertex_values.h"
+
+namespace brindle::tool {
+namespace {
+
+/// Passes reports on and keeps notes.
+class NoteKeeper : public JobListener {
+ public:
+  explicit NoteKeeper(const Progress& progress) : progress_(progress) {}
+
+  Progress progress() override { return progress_; }
+  void note(const std::string& text) override {
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      if (end > begin) notes_.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+
+  std::vector<std::string> take() { return std::exchange(notes_, {}); }
+
+ private:
+  Progress progress_;
+  std::vector<std::string> notes_;
+};
+
+/// Something that was made of a key: as long as the key stays, it need not be made again.
+template <class Made>
+struct Stage {
+  std::string key;
+  std::shared_ptr<const Made> made;
+  std::vector<std::string> notes;
+
+  bool holds(const std::string& wanted) const { return made && key == wanted; }
+};
+
+/// A pattern, and whether it followed another one.
+struct SolvedPattern {
+  StripeJob job;
+  std::shared_ptr<const std::vector<float>> phases;  ///< null if it was made of the document alone
+  double phase_step = 0;
+  std::vector<Mark> marks = {};
+};
+
+/// What a style follows, and the scene that is drawn.
+struct SolvedStyle {
+  std::shared_ptr<const SolvedPattern> pattern;  ///< that the scene refers to
+  StyleJob job;
+};
+
+/// Says whether a file has become another one.
+std::string stamp_of(const std::string& path) {
+  std::error_code missing;
+  const auto time = std::filesystem::last_write_time(path, missing);
+  return missing ? "" : std::to_string(time.time_since_epoch().count());
+}
+
+/// Options, and of which files they speak.
+std::string key_of(const OptionValues& options) {
+  std::string key = options_to_json(options).dump();
+  for (const auto& [name, values] : options) {
+    for (const std::string& value : values) key += '|' + stamp_of(value);
+  }
+  return key + '\n';
+}
+
+/// The document's options of a stage.
+std::string options_key(const SessionDocument& document, SessionStage stage) {
+  OptionValues options;
+  for (const auto& [name, values] : document.options) {
+    const SessionOption* option = find_session_option(name);
+    if (option != nullptr && option->stage == stage) options[name] = values;
+  }
+  return key_of(options);
+}
+
+std::string surface_key(const SessionDocument& document) {
+  return document.mesh + '|' + stamp_of(document.mesh) + '\n' +
+         options_key(document, SessionStage::surface);
+}
+
+/// Values that follow the camera are other ones when it moves: the camera, where there are any.
+std::string camera_key(const SessionDocument& document, SessionStage stage) {
+  const bool by_camera = std::ranges::any_of(document.options, [&](const auto& entry) {
+    const SessionOption* option = find_session_option(entry.first);
+    return option != nullptr && option->stage == stage &&
+           std::ranges::any_of(entry.second, depends_on_camera);
+  });
+  if (!by_camera) return "";
+  return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
+         std::to_string(document.size.height);
+}
+
+std::string field_key(const SessionDocument& document) {
+  SessionDocument without = document;
+  for (const std::string& name : kOptionsAfterField) without.options.erase(name);
+  std::string key = options_key(without, SessionStage::waves);
+  for (const FieldStroke& stroke : document.strokes) key += stroke_to_json(stroke).dump();
+  return key + '\n';
+}
+
+std::string waves_key(const SessionDocument& document) {
+  return options_key(document, SessionStage::waves) +
+         nlohmann::json(frequency_factor(document)).dump() +
+         camera_key(document, SessionStage::waves) + '\n';
+}
+
+/// What values and other surfaces of a picture are read by. Values that follow the camera are other
+/// ones when it moves; surfaces with stripes of their own have them by the document's waves.
+std::string input_key(const SessionDocument& document, const std::string& waves) {
+  constexpr std::array kReading = {"width-by", "color-by",   "opacity-by",  "texture-by",
+                                   "with",     "field-mesh", "max-distance"};
+  constexpr std::array kMargin = {"legend", "no-legend", "color-range", "width-range"};
+  OptionValues options;
+  bool by_camera = false, striped = false;
+  for (const char* name : kReading) {
+    const auto found = document.options.find(name);
+    if (found == document.options.end()) continue;
+    options[name] = found->second;
+    for (const std::string& value : found->second) {
+      by_camera |= depends_on_camera(value);
+      striped |= value.find("@striped") != std::string::npos ||
+                 value.find("@discarded") != std::string::npos;
+    }
+  }
+  std::string key = key_of(options);
+  if (striped) key += waves;
+  if (by_camera) {
+    OptionValues margin;
+    for (const char* name : kMargin) {
+      const auto found = document.options.find(name);
+      if (found != document.options.end()) margin[name] = found->second;
+    }
+    key += key_of(margin) + view_text(document.camera) + std::to_string(document.size.width) + 'x' +
+           std::to_string(document.size.height);
+  }
+  return key;
+}
+
+std::vector<float> angles_of(std::span<const Complex> z) {
+  std::vector<float> angles(z.size());
+  for (std::size_t v = 0; v < z.size(); ++v) angles[v] = std::arg(z[v]);
+  return angles;
+}
+
+std::vector<Complex> phases_of(std::span<const float> angles) {
+  std::vector<Complex> z(angles.size());
+  for (std::size_t v = 0; v < z.size(); ++v) z[v] = std::polar(1.0f, angles[v]);
+  return z;
+}
+
+/// The last phases for directions that may run the other way now.
+std::vector<Complex> turned_phases(const StripePattern& last, std::span<const Vec3> directions) {
+  std::vector<Complex> z = last.solution.z;
+  for (std::size_t v = 0; v < z.size(); ++v) {
+    const float along = last.waves.directions[v].dot(directions[v]);
+    if (along < 0) z[v] = -std::conj(z[v]);
+    if (last.waves.directions[v].isZero(0)) z[v] = 0;
+  }
+  return z;
+}
+
+/// Stripes that this pattern may follow.
+const StripePattern* followed(const StripeArguments& arguments, const SolvedPattern* last) {
+  if (last == nullptr || last->job.result.texture() != nullptr || !can_follow(arguments)) {
+    return nullptr;
+  }
+  return last->job.surface->mesh.triangles.empty() ? nullptr : &last->job.result.stripes();
+}
+
+InputData data_of(const Preparation& prepared) {
+  return {prepared.arrays, prepared.original_ids, prepared.partners};
+}
+
+PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& waves) {
+  PreparationFigures figures = prepared;
+  figures.figures = waves.figures;
+  figures.field_rows_nonfinite = waves.field_rows_nonfinite;
+  figures.field_milliseconds = waves.field_milliseconds;
+  return figures;
+}
+
+/// A job of phases that are known.
+SolvedPattern pattern_of_angles(const StripeArguments& arguments,
+                                const std::shared_ptr<const Preparation>& prepared,
+                                const PreparedWaves& waves,
+                                std::shared_ptr<const std::vector<float>> angles) {
+  Stopwatch watch;
+  StripePattern pattern;
+  pattern.waves = waves.waves;
+  pattern.phase_shift = arguments.solving.stripes.phase_shift;
+  pattern.solution.z = phases_of(*angles);
+  measure_pattern(prepared->surface, {}, pattern);
+  pattern.milliseconds.pattern = watch.lap();
+  const std::shared_ptr<const Surface> surface(prepared, &prepared->surface);
+  Report report = make_report(*surface, figures_of(*prepared, waves), pattern,
+                              arguments.solving.stripes.solver.solver);
+  return {
+      {surface, {std::move(pattern)}, std::move(report), data_of(*prepared)}, std::move(angles), 0};
+}
+
+SolvedPattern given_pattern(const StripeArguments& arguments,
+                            const std::shared_ptr<const Preparation>& prepared,
+                            const PreparedWaves& waves,
+                            std::shared_ptr<const std::vector<float>> angles) {
+  const std::size_t vertices = prepared->surface.mesh.vertex_count();
+  if (prepared->points || angles->size() != vertices) {
+    throw Error("phases: there are " + std::to_string(angles->size()) + " of another surface; " +
+                arguments.surface.mesh + " has " + std::to_string(vertices) +
+                (prepared->points ? " points" : " vertices") +
+                ": leave 'phases' out of the session");
+  }
+  SolvedPattern solved = pattern_of_angles(arguments, prepared, waves, std::move(angles));
+  const PhaseGraph graph = build_phase_graph(prepared->surface.neighborhood, waves.waves,
+                                             arguments.solving.stripes.phase_shift, {});
+  solved.job.report.energy = energy(graph, solved.job.result.stripes().solution.z);
+  return solved;
+}
+
+/// Frame after frame on one surface.
+struct Follower {
+  std::string key;  ///< of the surface and of how phases are solved for
+  StripeAnimator animator;
+};
+
+AnimatorOptions animator_options(const StripeArguments& arguments) {
+  const StripeOptions& stripes = arguments.solving.stripes;
+  AnimatorOptions options;
+  options.lambda = stripes.lambda;
+  options.sweeps = stripes.solver.sweeps;
+  options.cycles = stripes.solver.cycles;
+  options.phase_shift = stripes.phase_shift;
+  return options;
+}
+
+double no_less(double value) { return std::max(value, 0.0); }
+
+LiveFigures figures_of(const SolvedPattern& pattern) {
+  const Report& report = pattern.job.report;
+  LiveFigures figures;
+  figures.vertices = report.vertices;
+  figures.triangles = report.triangles;
+  figures.branches = report.quality.branches;
+  figures.singularities = report.quality.field_singularities;
+  figures.energy = report.energy;
+  figures.mean_angle_error_deg = report.quality.angle_error_mean_deg;
+  figures.mean_spacing_error = report.quality.spacing_error_mean;
+  figures.phase_step = pattern.phase_step;
+  figures.followed = pattern.phases != nullptr;
+  return figures;
+}
+
+std::vector<Mark> marks_of(const StripeJob& job) {
+  const StripePattern& pattern = job.result.stripes();
+  if (pattern.corners.size() != job.surface->mesh.triangle_count()) return {};
+  return branch_overlay(job.surface->mesh, pattern.corners).marks;
+}
+
+using StageTimes = std::vector<std::pair<std::string, double>>;
+
+void add_times(const Report& report, StageTimes& times) {
+  const StripeMilliseconds& ms = report.milliseconds;
+  if (ms.frequency > 0) times.emplace_back("spacing", ms.frequency);
+  times.emplace_back("couple", no_less(ms.couple));
+  times.emplace_back("solve", no_less(ms.solve));
+  times.emplace_back("measure", no_less(ms.pattern));
+}
+
+struct LiveStages {
+  Stage<Preparation> surface;
+  Stage<BaseField> field;
+  Stage<PreparedWaves> waves;
+  Stage<SolvedPattern> pattern;
+  Stage<StyleInput> input;
+  Stage<SolvedStyle> style;
+  std::string looks;  ///< all options of the style
+  std::shared_ptr<Follower> follower;
+  std::uint64_t changes = 0;  ///< of what is drawn
+};
+
+/// Brings stages to a document.
+class StageUpdate {
+ public:
+  StageUpdate(LiveStages& stages, const SessionDocument& document, Follow follow,
+              const Progress& progress)
+      : stages_(stages),
+        document_(document),
+        follow_(follow),
+        progress_(progress),
+        listener_(progress),
+        parsed_(std::make_shared<const ParsedSession>(document)) {}
+
+  std::shared_ptr<const LiveState> run() {
+    check_document(document_, *parsed_);
+    make_surface();
+    make_field();
+    make_waves();
+    make_pattern();
+    make_style();
+    listener_.stage("ready");
+    return state();
+  }
+
+ private:
+  const StripeArguments& arguments() const { return parsed_->arguments(); }
+
+  void make_surface() {
+    Stage<Preparation>& stage = stages_.surface;
+    const std::string key = surface_key(document_);
+    if (stage.holds(key)) return;
+    check_stripe_points(parsed_->command(), arguments(), {{"session.png", OutputKind::picture}});
+    auto made = std::make_shared<Preparation>(prepare_surface(arguments().surface, listener_));
+    times_.emplace_back("load", made->load_milliseconds);
+    times_.emplace_back("neighbourhood", made->topology_milliseconds);
+    LiveStages anew;
+    anew.surface = {key, std::move(made), listener_.take()};
+    anew.changes = stages_.changes;
+    stages_ = std::move(anew);
+  }
+
+  void make_field() {
+    Stage<BaseField>& stage = stages_.field;
+    const std::string key = stages_.surface.key + field_key(document_);
+    if (stage.holds(key)) return;
+    Stopwatch watch;
+    auto made = std::make_shared<const BaseField>(
+        prepare_field(*stages_.surface.made, arguments().surface, arguments().waves, listener_));
+    field_milliseconds_ = watch.lap();
+    times_.emplace_back("field", field_milliseconds_);
+    stage = {key, std::move(made), {}};
+  }
+
+  void make_waves() {
+    Stage<PreparedWaves>& stage = stages_.waves;
+    const std::string key = stages_.field.key + waves_key(document_);
+    if (stage.holds(key)) return;
+    listener_.stage("waves");
+    auto made = std::make_shared<PreparedWaves>(
+        prepare_waves(*stages_.surface.made, arguments().surface, arguments().waves,
+                      *stages_.field.made, listener_, viewpoint_of(*arguments().picture)));
+    times_.emplace_back("waves", made->field_milliseconds);
+    made->field_milliseconds += field_milliseconds_;
+    stage = {key, std::move(made), listener_.take()};
+  }
+
+  bool has_pattern(const std::string& key) const {
+    const Stage<SolvedPattern>& stage = stages_.pattern;
+    if (!stage.holds(key)) return false;
+    const auto& shown = stage.made->phases;
+    if (document_.phases) return shown && *shown == *document_.phases;
+    return !shown || follow_ == Follow::last;
+  }
+
+  void make_pattern() {
+    Stage<SolvedPattern>& stage = stages_.pattern;
+    const std::string key = stages_.waves.key + options_key(document_, SessionStage::phases);
+    if (has_pattern(key)) return;
+    auto made = std::make_shared<SolvedPattern>(solved());
+    made->marks = marks_of(made->job);
+    const Report& report = made->job.report;
+    add_times(report, times_);
+    listener_.note(branch_warning(report.waves, report.quality.branches, report.triangles));
+    stage = {key, std::move(made), listener_.take()};
+    ++stages_.changes;
+  }
+
+  SolvedPattern solved() {
+    if (document_.phases) {
+      return given_pattern(arguments(), stages_.surface.made, *stages_.waves.made,
+                           document_.phases);
+    }
+    const StripePattern* last = followed(arguments(), stages_.pattern.made.get());
+    if (follow_ == Follow::last && last != nullptr) return next_frame(*last);
+    Preparation prepared = *stages_.surface.made;
+    take_waves(*stages_.waves.made, prepared);
+    return {make_stripe_job(arguments(), std::move(prepared),
+                            chosen_tile(arguments().texture, arguments().waves.cross), progress_),
+            nullptr, 0};
+  }
+
+  StripeAnimator& animator() {
+    const std::string key = stages_.surface.key + options_key(document_, SessionStage::phases);
+    if (!stages_.follower || stages_.follower->key != key) {
+      stages_.follower = std::make_shared<Follower>(Follower{
+          key, StripeAnimator(stages_.surface.made->surface, animator_options(arguments()))});
+    }
+    return stages_.follower->animator;
+  }
+
+  SolvedPattern next_frame(const StripePattern& last) {
+    const WaveSet& waves = stages_.waves.made->waves;
+    StripeAnimator& frames = animator();
+    frames.set_last_phases(turned_phases(last, waves.directions));
+    const FrameResult frame =
+        frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
+    SolvedPattern solved =
+        pattern_of_angles(arguments(), stages_.surface.made, *stages_.waves.made,
+                          std::make_shared<const std::vector<float>>(angles_of(frame.z)));
+    Report& report = solved.job.report;
+    report.energy = frames.energy();
+    report.milliseconds.couple = frame.milliseconds.couple;
+    report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
+    solved.phase_step = frame.phase_step;
+    return solved;
+  }
+
+  bool has_style() const { return is_styled(parsed_->command()); }
+
+  void make_style() {
+    const std::string looks = options_key(document_, SessionStage::style);
+    if (stages_.looks != looks) ++stages_.changes;
+    stages_.looks = looks;
+    if (!has_style()) {
+      stages_.input = {};
+      stages_.style = {};
+      return;
+    }
+    make_style_input();
+    Stage<SolvedStyle>& stage = stages_.style;
+    const std::string key =
+        stages_.input.key + (document_.options.contains("cross-hatch") ? "crossed" : "");
+    if (stage.holds(key) && stage.made->pattern == stages_.pattern.made) return;
+    Stopwatch watch;
+    StyleInput input = *stages_.input.made;
+    const StripeJob& job = stages_.pattern.made->job;
+    StylePatterns patterns = make_style_patterns(*job.surface, job.result, arguments().style, input,
+                                                 arguments().solving.stripes, progress_);
+    auto made = std::make_shared<const SolvedStyle>(
+        SolvedStyle{stages_.pattern.made, {std::move(input), std::move(patterns)}});
+    times_.emplace_back("style", watch.lap());
+    stage = {key, std::move(made), listener_.take()};
+    ++stages_.changes;
+  }
+
+  void make_style_input() {
+    Stage<StyleInput>& stage = stages_.input;
+    const std::string key = stages_.surface.key + input_key(document_, stages_.waves.key);
+    if (stage.holds(key)) return;
+    Preparation prepared = *stages_.surface.made;
+    take_waves(*stages_.waves.made, prepared);
+    auto made = std::make_shared<const StyleInput>(
+        read_style_input(arguments().style, prepared, arguments().surface, arguments().waves,
+                         *arguments().picture, listener_));
+    stage = {key, std::move(made), listener_.take()};
+  }
+
+  std::shared_ptr<const LiveState> state() {
+    const std::shared_ptr<const SolvedPattern>& pattern = stages_.pattern.made;
+    LiveState result;
+    result.document = document_;
+    result.parsed = parsed_;
+    result.job = {pattern, &pattern->job};
+    if (const auto& style = stages_.style.made) result.style = {style, &style->job};
+    result.marks = pattern->marks;
+    result.phases = pattern->phases;
+    result.figures = figures_of(*pattern);
+    result.figures.milliseconds = std::move(times_);
+    for (const auto* notes : {&stages_.surface.notes, &stages_.waves.notes, &stages_.pattern.notes,
+                              &stages_.input.notes, &stages_.style.notes}) {
+      result.notes.insert(result.notes.end(), notes->begin(), notes->end());
+    }
+    result.pattern = stages_.changes;
+    return std::make_shared<const LiveState>(std::move(result));
+  }
+
+  LiveStages& stages_;
+  const SessionDocument& document_;
+  const Follow follow_;
+  const Progress& progress_;
+  NoteKeeper listener_;
+  std::shared_ptr<const ParsedSession> parsed_;
+  StageTimes times_;
+  double field_milliseconds_ = 0;
+};
+
+}  // namespace
+
+struct LivePattern::Stages : LiveStages {};
+
+LivePattern::LivePattern() : stages_(std::make_unique<Stages>()) {}
+LivePattern::~LivePattern() = default;
+
+void LivePattern::update(const SessionDocument& document, Follow follow, const Progress& progress) {
+  Stages next = *stages_;
+  std::shared_ptr<const LiveState> state = StageUpdate(next, document, follow, progress).run();
+  *stages_ = std::move(next);
+  state_ = std::move(state);
+}
+
+}  // namespace brindle::tool

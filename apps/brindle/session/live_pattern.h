@@ -1,0 +1,68 @@
+/// The pattern of a document that changes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brindle/progress.h"
+#include "brindle/renderer.h"
+#include "session_options.h"
+#include "stripe_job.h"
+
+namespace brindle::tool {
+
+/// How a pattern comes about.
+enum class Follow {
+  afresh,  ///< of the document alone
+  last,    ///< near to the last pattern where the surface is the same
+};
+
+/// What there is to say of a pattern.
+struct LiveFigures {
+  std::vector<std::pair<std::string, double>> milliseconds;  ///< of stages that were run, in order
+  std::size_t vertices = 0, triangles = 0;
+  std::size_t branches = 0;       ///< as reports count them: those at singularities, too
+  std::size_t singularities = 0;  ///< of the field
+  double energy = 0;
+  double mean_angle_error_deg = 0, mean_spacing_error = 0;
+  double phase_step = 0;  ///< how far phases moved on average, in radians, where they followed
+  bool followed = false;
+};
+
+/// A document's pattern and all that is drawn with it. What it points to is shared and never
+/// changes.
+struct LiveState {
+  SessionDocument document;
+  std::shared_ptr<const ParsedSession> parsed;
+  std::shared_ptr<const StripeJob> job;              ///< surface, pattern or texture, report, data
+  std::shared_ptr<const StyleJob> style;             ///< null if the picture has no style
+  std::vector<Mark> marks;                           ///< branches and singularities
+  std::shared_ptr<const std::vector<float>> phases;  ///< angles, of a pattern that has followed
+  LiveFigures figures;
+  std::vector<std::string> notes;  ///< lines for the user: repairs, warnings
+  std::uint64_t pattern = 0;  ///< another number whenever what is drawn changes, but the camera
+};
+
+/// Keeps the stages whose inputs did not change.
+class LivePattern {
+ public:
+  LivePattern();
+  ~LivePattern();
+
+  /// Brings the state to the document. Throws CLI::ValidationError or Error as `brindle stripe`
+  /// does, and Cancelled if `progress` asks for it, at any report; the state then is as it was.
+  void update(const SessionDocument& document, Follow follow, const Progress& progress = {});
+
+  /// Null before the first update.
+  std::shared_ptr<const LiveState> state() const { return state_; }
+
+ private:
+  struct Stages;
+  std::unique_ptr<Stages> stages_;
+  std::shared_ptr<const LiveState> state_;
+};
+
+}  // namespace brindle::tool

@@ -1,0 +1,35 @@
+/// Pictures of a live pattern, as `brindle stripe --output` writes them.
+#pragma once
+
+#include <memory>
+
+#include "brindle/image.h"
+#include "live_pattern.h"
+
+namespace brindle::tool {
+
+/// Draws in a headless OpenGL context of its own, on the thread that makes it.
+class LivePicture {
+ public:
+  /// Throws Error, naming what was tried, if no OpenGL 4.5 context is to be had.
+  LivePicture();
+  ~LivePicture();
+
+  /// The document's picture, of the state's `LivePattern`. What was uploaded before is not uploaded
+  /// again. Throws Error if OpenGL fails; Cancelled if `progress` asks for it.
+  Image draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
+             const Progress& progress = {});
+
+  /// How the picture that was drawn of the state was taken: for picking and for what a window draws
+  /// on top. Coordinates are those of the surface's mesh.
+  Camera camera(const LiveState& state) const;
+
+  /// Which driver draws.
+  const std::string& renderer() const;
+
+ private:
+  struct Drawing;
+  std::unique_ptr<Drawing> drawing_;
+};
+
+}  // namespace brindle::tool

@@ -1,0 +1,121 @@
+#include "picking.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle::tool {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+/// A camera and the pixel that is asked about, in double precision.
+struct PixelView {
+  Vector3d origin;
+  Matrix4d view_from_world;
+  Matrix4d clip_from_view;
+  Vector3d pixel;  ///< x and y in clip space, and 1
+
+  PixelView(const Camera& camera, int width, int height, double x, double y)
+      : origin(camera.origin.cast<double>()),
+        view_from_world(camera.view_from_world.cast<double>()),
+        clip_from_view(camera.clip_from_view.cast<double>()),
+        pixel(2 * x / width - 1, 1 - 2 * y / height, 1) {}
+
+  Vector3d in_view(const Vec3& position) const {
+    const Vector3d relative = position.cast<double>() - origin;
+    return (view_from_world * relative.homogeneous()).head<3>();
+  }
+  /// Clip space's x, y and w.
+  Vector3d in_clip(const Vector3d& view) const {
+    const Vector4d clip = clip_from_view * view.homogeneous();
+    return {clip.x(), clip.y(), clip.w()};
+  }
+};
+
+struct Hit {
+  std::size_t triangle = 0;
+  Vector3d barycentric = Vector3d::Zero();
+  double depth = std::numeric_limits<double>::infinity();
+
+  bool before(const Hit& other) const {
+    return depth < other.depth || (depth == other.depth && triangle < other.triangle);
+  }
+};
+
+/// Where the pixel's ray meets a triangle. The three numbers that decide are those of its edges,
+/// which are the same but for their sign on the other side of an edge: no ray passes between.
+std::optional<Hit> hit_of(const PixelView& view, const Mesh& mesh, std::size_t number) {
+  const Triangle& triangle = mesh.triangles[number];
+  std::array<Vector3d, 3> corner, clip;
+  for (int m = 0; m < 3; ++m) {
+    corner[m] = view.in_view(mesh.positions[triangle[m]]);
+    clip[m] = view.in_clip(corner[m]);
+  }
+  const Vector3d side(clip[1].cross(clip[2]).dot(view.pixel),
+                      clip[2].cross(clip[0]).dot(view.pixel),
+                      clip[0].cross(clip[1]).dot(view.pixel));
+  if (!((side.array() >= 0).all() || (side.array() <= 0).all())) return std::nullopt;
+  const double sum = side.sum();
+  if (sum == 0) return std::nullopt;
+  Hit hit{number, side / sum, 0};
+  for (int m = 0; m < 3; ++m) hit.depth -= hit.barycentric[m] * corner[m].z();
+  if (!(hit.depth > 0)) return std::nullopt;
+  return hit;
+}
+
+PickedPoint picked(const Hit& hit, const Mesh& mesh, const Camera& camera) {
+  const Triangle& t = mesh.triangles[hit.triangle];
+  Vector3d position = Vector3d::Zero();
+  for (int m = 0; m < 3; ++m) {
+    position += hit.barycentric[m] * mesh.positions[t[m]].cast<double>();
+  }
+  const Vec3& a = mesh.positions[t[0]];
+  Vec3 normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).stableNormalized();
+  const Eigen::Matrix3f axes = camera.view_from_world.topLeftCorner<3, 3>();
+  const Vec3 seen = axes * (position.cast<float>() - camera.origin) +
+                    camera.view_from_world.topRightCorner<3, 1>();
+  const Vec3 towards = camera.orthographic() ? Vec3(0, 0, 1) : Vec3(-seen);
+  if ((axes * normal).dot(towards) < 0) normal = -normal;
+  return {hit.triangle, position.cast<float>(), normal, position + mesh.origin,
+          static_cast<float>(hit.depth)};
+}
+
+}  // namespace
+
+std::optional<PickedPoint> pick(const Surface& surface, const Camera& camera, int width, int height,
+                                double x, double y) {
+  const PixelView view(camera, width, height, x, y);
+  Hit nearest;
+  std::mutex mutex;
+  parallel_for(surface.mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    Hit best;
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::optional<Hit> hit = hit_of(view, surface.mesh, t);
+      if (hit && hit->before(best)) best = *hit;
+    }
+    const std::lock_guard lock(mutex);
+    if (best.before(nearest)) nearest = best;
+  });
+  if (!std::isfinite(nearest.depth)) return std::nullopt;
+  return picked(nearest, surface.mesh, camera);
+}
+
+std::optional<Eigen::Vector2d> place_in_picture(const Vec3& position, const Camera& camera,
+                                                int width, int height) {
+  const PixelView view(camera, width, height, 0, 0);
+  const Vector3d seen = view.in_view(position);
+  const Vector3d clip = view.in_clip(seen);
+  if (!(seen.z() < 0) || !(clip.z() > 0)) return std::nullopt;
+  return Eigen::Vector2d((clip.x() / clip.z() + 1) / 2 * width,
+                         (1 - clip.y() / clip.z()) / 2 * height);
+}
+
+}  // namespace brindle::tool

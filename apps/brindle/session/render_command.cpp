@@ -1,0 +1,161 @@
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
+#include "brindle/threads.h"
+#include "command_line.h"
+#include "commands.h"
+#include "live_picture.h"
+#include "option_values.h"
+#include "picture_options.h"
+#include "progress_display.h"
+#include "session.h"
+#include "session_export.h"
+#include "written_files.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kRenderExamples =
+    R"(A session is what the window saves: a surface, options, strokes, a camera. The picture is the one
+that the window shows when it rests, bit for bit.
+
+Examples:
+  brindle render session.json --output horse.png
+  brindle render session.json --size 3840x2160 --output large.png
+  brindle render session.json --replay events.jsonl --output after.png
+  brindle render session.json --output horse.vtp --output horse_report.json
+
+Files by extension: .png the picture; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
+those of 'brindle stripe'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
+
+struct RenderArguments {
+  std::string session;
+  std::vector<std::string> outputs;
+  std::string replay;
+  std::shared_ptr<PictureOptions> picture;  ///< --size and --quality alone
+  int threads = 0;
+  bool quiet = false;
+};
+
+void add_render_options(CLI::App& command, RenderArguments& arguments) {
+  command.add_option("SESSION", arguments.session, "a session's file (.json)")->required();
+  command.add_option("-o,--output", arguments.outputs, "what to write, by extension; repeatable")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->required();
+  command.add_option("--replay", arguments.replay, "commands to do first, one a line")
+      ->type_name("FILE.jsonl");
+  arguments.picture = add_size_options(command);
+  command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+}
+
+bool is_picture(const std::string& path) { return lower_extension(path) == ".png"; }
+
+void check_outputs(const CLI::App& command, const RenderArguments& arguments) {
+  bool picture = false;
+  for (const std::string& path : arguments.outputs) {
+    if (lower_extension(path) == ".svg") {
+      refuse_output(path, "sessions have pictures of pixels; write .png");
+    }
+    if (!is_picture(path)) {
+      plan_outputs({path}, "", false);
+      continue;
+    }
+    picture = true;
+    check_output_path(path);
+  }
+  if (!picture) {
+    refuse_given(command, {"--size", "--quality"}, "no picture is written; add --output FILE.png");
+  }
+}
+
+/// Does what the file says, or fails at the first command that is refused.
+void replay(Session& session, const std::string& path) {
+  std::size_t number = 0;
+  for (const SessionCommand& command : read_commands(path)) {
+    ++number;
+    const std::size_t messages = session.messages().size();
+    const bool keeps = std::holds_alternative<commands::KeepPhases>(command);
+    if (session.apply(command) || keeps) continue;
+    const std::string why = session.messages().size() > messages
+                                ? session.messages().back().text
+                                : std::string("there is nothing to do");
+    throw Error(path + ": command " + std::to_string(number) + ", " +
+                std::string(command_name(command)) + ": " + why);
+  }
+  session.end_drag();
+}
+
+SessionDocument document_of(const CLI::App& command, const RenderArguments& arguments) {
+  Session session(read_session(arguments.session));
+  if (!arguments.replay.empty()) replay(session, arguments.replay);
+  SessionDocument document = session.document();
+  const RenderOptions& render = arguments.picture->render;
+  if (is_given(command, "--size")) document.size = {render.width, render.height};
+  return document;
+}
+
+void check_inputs(const RenderArguments& arguments, const SessionDocument& document) {
+  const StripeArguments stripes = ParsedSession(document).arguments();
+  std::vector<UsedFile> inputs = stripe_inputs(stripes);
+  inputs.push_back({"SESSION", arguments.session});
+  if (!arguments.replay.empty()) inputs.push_back({"--replay", arguments.replay});
+  std::vector<Output> outputs;
+  for (const std::string& path : arguments.outputs) {
+    outputs.push_back({path, is_picture(path) ? OutputKind::picture : OutputKind::mesh});
+    if (lower_extension(path) == ".json") outputs.back().kind = OutputKind::report;
+  }
+  check_files(inputs, files_of(outputs, has_tiles(stripes)));
+}
+
+void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const LiveState>& state,
+                   ProgressDisplay& display) {
+  std::optional<LivePicture> picture;
+  for (const std::string& path : arguments.outputs) {
+    display.stage("writing " + path);
+    if (!is_picture(path)) {
+      export_pattern(*state, path, display);
+      continue;
+    }
+    if (!picture) picture.emplace();
+    write_png(path, picture->draw(state, arguments.picture->render.quality, display.progress()));
+  }
+}
+
+void run_render(const CLI::App& command, const RenderArguments& arguments) {
+  check_outputs(command, arguments);
+  const SessionDocument document = document_of(command, arguments);
+  check_inputs(arguments, document);
+  const ThreadLimit threads(arguments.threads);
+  LivePattern pattern;
+  {
+    ProgressDisplay display(arguments.quiet);
+    pattern.update(document, Follow::afresh, display.progress());
+    for (const std::string& note : pattern.state()->notes) display.note(note);
+    write_outputs(arguments, pattern.state(), display);
+  }
+  if (arguments.quiet) return;
+  print_report(std::cout, pattern.state()->job->report);
+  for (const std::string& path : arguments.outputs) print_written(std::cout, path);
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& app) {
+  return add_command<RenderArguments>(app, "render", "Draw a session, without a window",
+                                      kRenderExamples, add_render_options, run_render);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,252 @@
+#include "session.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "brindle/base/suggestion.h"
+#include "brindle/error.h"
+#include "brindle/shapes.h"
+#include "session_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr std::size_t kMostMessages = 100;
+constexpr std::size_t kMostSteps = 1000;
+constexpr std::size_t kMostPhases = std::size_t{1} << 26;  // of all steps together: 256 MB
+
+/// Whether both documents have the same waves and solve for phases alike.
+bool same_phases(const SessionDocument& a, const SessionDocument& b) {
+  const auto without_style = [](const SessionDocument& document) {
+    OptionValues options = document.options;
+    std::erase_if(options, [](const auto& entry) {
+      const SessionOption* option = find_session_option(entry.first);
+      return option != nullptr && option->stage == SessionStage::style;
+    });
+    return options;
+  };
+  return a.mesh == b.mesh && a.strokes == b.strokes && frequency_factor(a) == frequency_factor(b) &&
+         without_style(a) == without_style(b);
+}
+
+std::size_t checked_index(const SessionDocument& document, std::size_t index) {
+  const std::size_t count = document.strokes.size();
+  if (index < count) return index;
+  throw Error("there is no stroke " + std::to_string(index) +
+              (count == 0 ? "; none is drawn" : "; the last one is " + std::to_string(count - 1)));
+}
+
+std::size_t checked_key(int key) {
+  if (key >= 1 && key <= kStoredViews) return static_cast<std::size_t>(key - 1);
+  throw Error("views are stored under the keys 1 to " + std::to_string(kStoredViews) + ", not " +
+              std::to_string(key));
+}
+
+/// Says at once that there is no such file or shape; what is in a file comes out when it is read.
+void check_can_open(const std::string& mesh) {
+  constexpr std::string_view kShape = "shape:";
+  if (mesh.starts_with(kShape)) {
+    const std::vector<std::string> known = shape_names();
+    const std::string name = mesh.substr(kShape.size(), mesh.find(',') - kShape.size());
+    if (std::ranges::find(known, name) != known.end()) return;
+    const std::string meant = nearest(name, known);
+    throw Error(mesh + ": there is no such shape" +
+                (meant.empty() ? "" : "; did you mean shape:" + meant + "?"));
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(mesh, ignored)) return;
+  throw Error(mesh + ": there is no such file; check its name and folder");
+}
+
+/// Changes a document as a command says.
+struct Changer {
+  SessionDocument& document;
+
+  void operator()(const commands::Open& c) const {
+    check_can_open(c.mesh);
+    document.mesh = c.mesh;
+    if (!c.keep_options) document.options.clear();
+    document.strokes.clear();
+    document.phases.reset();
+    document.camera.center.reset();
+  }
+  void operator()(const commands::SetOption& c) const { document.options[c.name] = c.values; }
+  void operator()(const commands::ClearOption& c) const {
+    check_option_name(c.name);
+    document.options.erase(c.name);
+  }
+  void operator()(const commands::SetOptions& c) const {
+    for (const std::string& name : c.clear) {
+      check_option_name(name);
+      document.options.erase(name);
+    }
+    for (const auto& [name, values] : c.set) document.options[name] = values;
+  }
+  void operator()(const commands::AddStroke& c) const { document.strokes.push_back(c.stroke); }
+  void operator()(const commands::ChangeStroke& c) const {
+    document.strokes[checked_index(document, c.index)] = c.stroke;
+  }
+  void operator()(const commands::EraseStroke& c) const {
+    const std::size_t index = checked_index(document, c.index);
+    document.strokes.erase(document.strokes.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+  void operator()(const commands::SetStrokes& c) const { document.strokes = c.strokes; }
+  void operator()(const commands::SetCamera& c) const { document.camera = c.camera; }
+  void operator()(const commands::SetSize& c) const { document.size = c.size; }
+  void operator()(const commands::StoreView& c) const {
+    document.views[checked_key(c.key)] = document.camera;
+  }
+  void operator()(const commands::RecallView& c) const {
+    const std::optional<CameraView>& view = document.views[checked_key(c.key)];
+    if (!view) {
+      throw Error("no view is stored under the key " + std::to_string(c.key) +
+                  "; store one there first");
+    }
+    document.camera = *view;
+  }
+  void operator()(const commands::SetFrequencyByZoom& c) const {
+    document.frequency_by_zoom = c.share;
+  }
+  void operator()(const commands::Load& c) const { document = c.document; }
+  template <class Other>
+  void operator()(const Other&) const {
+    throw Error("this command changes no document");
+  }
+};
+
+/// "set_option stripes"
+std::string step_name(const SessionCommand& command) {
+  std::string name(command_name(command));
+  if (const auto* set = std::get_if<commands::SetOption>(&command)) name += ' ' + set->name;
+  if (const auto* clear = std::get_if<commands::ClearOption>(&command)) name += ' ' + clear->name;
+  if (const auto* open = std::get_if<commands::Open>(&command)) name += ' ' + open->mesh;
+  return name;
+}
+
+bool starts_anew(const SessionCommand& command) {
+  return std::holds_alternative<commands::Open>(command) ||
+         std::holds_alternative<commands::Load>(command);
+}
+
+}  // namespace
+
+SessionDocument changed(const SessionDocument& document, const SessionCommand& command) {
+  SessionDocument result = document;
+  std::visit(Changer{result}, command);
+  if (!starts_anew(command) && !same_phases(document, result)) result.phases.reset();
+  check_document(result);
+  return result;
+}
+
+Session::Session(SessionDocument document) : document_(std::move(document)) {
+  check_document(document_);
+}
+
+bool Session::apply(const SessionCommand& command) {
+  if (std::holds_alternative<commands::BeginDrag>(command)) return begin_drag(), true;
+  if (std::holds_alternative<commands::EndDrag>(command)) return end_drag(), true;
+  if (std::holds_alternative<commands::Undo>(command)) return undo();
+  if (std::holds_alternative<commands::Redo>(command)) return redo();
+  if (const auto* keep = std::get_if<commands::KeepPhases>(&command)) {
+    return keep_phases(revision_, keep->phases);
+  }
+  try {
+    change(changed(document_, command), step_name(command));
+    if (starts_anew(command)) follows_ = false;
+    return true;
+  } catch (const std::exception& error) {
+    add_message(MessageKind::error, error.what());
+    return false;
+  }
+}
+
+void Session::change(SessionDocument document, std::string name) {
+  if (document == document_) return;
+  if (!drag_has_step_) {
+    past_.push_back({document_, std::move(name)});
+    drag_has_step_ = dragging_;
+  }
+  future_.clear();
+  go(std::move(document), true);
+  forget_old_steps();
+}
+
+void Session::go(SessionDocument document, bool follows) {
+  document_ = std::move(document);
+  follows_ = follows;
+  ++revision_;
+}
+
+void Session::begin_drag() {
+  end_drag();
+  dragging_ = true;
+}
+
+void Session::end_drag() {
+  // What came back to where it was is no step.
+  if (drag_has_step_ && past_.back().document == document_) past_.pop_back();
+  dragging_ = false;
+  drag_has_step_ = false;
+}
+
+bool Session::move(std::deque<Step>& from, std::deque<Step>& to) {
+  end_drag();
+  if (from.empty()) return false;
+  Step step = std::move(from.back());
+  from.pop_back();
+  to.push_back({document_, step.name});
+  go(std::move(step.document), false);
+  return true;
+}
+
+bool Session::undo() { return move(past_, future_); }
+bool Session::redo() { return move(future_, past_); }
+
+std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
+std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
+
+bool Session::keep_phases(std::uint64_t revision,
+                          std::shared_ptr<const std::vector<float>> phases) {
+  if (revision != revision_ || document_.phases || !phases) return false;
+  SessionDocument with_phases = document_;
+  with_phases.phases = std::move(phases);
+  try {
+    check_document(with_phases);
+  } catch (const std::exception& error) {
+    add_message(MessageKind::error, error.what());
+    return false;
+  }
+  document_ = std::move(with_phases);
+  return true;
+}
+
+bool Session::take_back(std::uint64_t revision, const std::string& why) {
+  messages_.push_back({MessageKind::error, why, revision});
+  if (messages_.size() > kMostMessages) messages_.pop_front();
+  if (revision != revision_ || past_.empty() || !future_.empty()) return false;
+  SessionDocument before = std::move(past_.back().document);
+  past_.pop_back();
+  drag_has_step_ = false;
+  go(std::move(before), false);
+  return true;
+}
+
+void Session::add_message(MessageKind kind, std::string text) {
+  messages_.push_back({kind, std::move(text), revision_});
+  if (messages_.size() > kMostMessages) messages_.pop_front();
+}
+
+/// Phases are what is large.
+void Session::forget_old_steps() {
+  std::size_t phases = 0;
+  for (const Step& step : past_) phases += step.document.phases ? step.document.phases->size() : 0;
+  while (past_.size() > kMostSteps || (phases > kMostPhases && past_.size() > 1)) {
+    const auto& oldest = past_.front().document.phases;
+    phases -= oldest ? oldest->size() : 0;
+    past_.pop_front();
+  }
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,276 @@
+#include "session_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <ostream>
+#include <sstream>
+
+#include "brindle/base/output_file.h"
+#include "brindle/error.h"
+#include "brindle/files/base64.h"
+#include "brindle/files/input_file.h"
+#include "brindle/image.h"
+#include "json_reader.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr int kFormat = 1;
+constexpr double kLargest = std::numeric_limits<float>::max();
+
+nlohmann::ordered_json to_json(const Vec3& v) {
+  return {short_number(v.x()), short_number(v.y()), short_number(v.z())};
+}
+
+std::string encoded(const std::vector<float>& angles) {
+  std::ostringstream text;
+  Base64Writer base64(text);
+  base64.put(angles.data(), angles.size() * sizeof(float));
+  base64.finish();
+  return text.str();
+}
+
+std::shared_ptr<const std::vector<float>> decoded(const JsonReader& reader, const char* key) {
+  const std::optional<std::string> bytes = base64_decoded(reader.text(key));
+  if (!bytes || bytes->size() % sizeof(float) != 0) {
+    reader.fail(key,
+                "must be 32-bit numbers in base64; leave it out to have the phases solved for");
+  }
+  std::vector<float> angles(bytes->size() / sizeof(float));
+  std::memcpy(angles.data(), bytes->data(), bytes->size());
+  return std::make_shared<const std::vector<float>>(std::move(angles));
+}
+
+PictureSize size_from(const JsonReader& reader) {
+  const std::vector<double> sides = reader.numbers("size", 2);
+  for (const double side : sides) {
+    if (!(side >= 1 && side <= kMaxImageSide && side == std::floor(side))) {
+      reader.fail("size",
+                  "must be two whole numbers of pixels from 1 to " + std::to_string(kMaxImageSide));
+    }
+  }
+  return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
+}
+
+void read_views(const JsonReader& reader, SessionDocument& document) {
+  const nlohmann::json& views = reader.at("views");
+  const JsonReader by_key(views, "views");
+  by_key.allow({"1", "2", "3", "4", "5", "6", "7", "8", "9"});
+  for (const auto& [key, view] : views.items()) {
+    document.views[static_cast<std::size_t>(key[0] - '1')] = camera_from_json(view, "views." + key);
+  }
+}
+
+nlohmann::ordered_json views_to_json(const SessionDocument& document) {
+  auto views = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < document.views.size(); ++i) {
+    if (document.views[i]) views[std::to_string(i + 1)] = camera_to_json(*document.views[i]);
+  }
+  return views;
+}
+
+void check_format(const JsonReader& reader) {
+  if (!reader.has("brindle_session")) {
+    throw Error("this is no session: it lacks 'brindle_session': " + std::to_string(kFormat));
+  }
+  if (reader.number("brindle_session") != kFormat) {
+    reader.fail("brindle_session", "must be " + std::to_string(kFormat) +
+                                       ", the format that this version reads; save it again with "
+                                       "the version that wrote it");
+  }
+}
+
+}  // namespace
+
+bool SessionDocument::operator==(const SessionDocument& other) const {
+  const bool same_phases =
+      phases == other.phases || (phases && other.phases && *phases == *other.phases);
+  return same_phases && mesh == other.mesh && options == other.options &&
+         strokes == other.strokes && camera == other.camera && size == other.size &&
+         views == other.views && frequency_by_zoom == other.frequency_by_zoom;
+}
+
+float frequency_factor(const SessionDocument& document) {
+  if (document.frequency_by_zoom == 0) return 1;
+  return std::pow(document.camera.zoom, document.frequency_by_zoom);
+}
+
+nlohmann::ordered_json camera_to_json(const CameraView& view) {
+  nlohmann::ordered_json json;
+  if (view.rotation) {
+    const Eigen::Quaternionf& r = *view.rotation;
+    json["rotation"] = {short_number(r.x()), short_number(r.y()), short_number(r.z()),
+                        short_number(r.w())};
+  } else {
+    json["azimuth"] = short_number(view.azimuth_deg);
+    json["elevation"] = short_number(view.elevation_deg);
+  }
+  json["zoom"] = short_number(view.zoom);
+  if (view.projection == Projection::orthographic) json["projection"] = "orthographic";
+  if (view.center) json["center"] = to_json(*view.center);
+  return json;
+}
+
+CameraView camera_from_json(const nlohmann::json& json, const std::string& place) {
+  const JsonReader reader(json, place);
+  CameraView view;
+  if (reader.has("rotation")) {
+    reader.allow({"rotation", "zoom", "projection", "center"});
+    const std::vector<double> r = reader.numbers("rotation", 4);
+    view.rotation = Eigen::Quaternionf(static_cast<float>(r[3]), static_cast<float>(r[0]),
+                                       static_cast<float>(r[1]), static_cast<float>(r[2]));
+    const float length = view.rotation->norm();
+    if (!(length > 1e-6f && std::isfinite(length))) {
+      reader.fail("rotation", "must be four finite numbers x, y, z, w, not all zero");
+    }
+  } else {
+    reader.allow({"azimuth", "elevation", "zoom", "projection", "center"});
+    view.azimuth_deg = reader.number("azimuth", -kLargest, kLargest);
+    view.elevation_deg = reader.number("elevation", -90, 90);
+  }
+  if (reader.has("zoom")) view.zoom = reader.number("zoom", 0.01, 10000);
+  if (reader.has("projection")) {
+    const std::string projection = reader.text("projection");
+    if (projection != "perspective" && projection != "orthographic") {
+      reader.fail("projection", "must be perspective or orthographic");
+    }
+    if (projection == "orthographic") view.projection = Projection::orthographic;
+  }
+  if (reader.has("center")) {
+    const std::vector<double> c = reader.numbers("center", 3);
+    view.center = Eigen::Vector3d(c[0], c[1], c[2]).cast<float>();
+    if (!view.center->allFinite()) reader.fail("center", "must be three numbers in range");
+  }
+  return view;
+}
+
+nlohmann::ordered_json stroke_to_json(const FieldStroke& stroke) {
+  auto points = nlohmann::ordered_json::array();
+  for (const Eigen::Vector3d& p : stroke.points) {
+    points.push_back({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});
+  }
+  return {{"radius", stroke.radius}, {"strength", stroke.strength}, {"points", std::move(points)}};
+}
+
+FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& place) {
+  const JsonReader reader(json, place);
+  reader.allow({"radius", "strength", "points"});
+  FieldStroke stroke;
+  stroke.radius = reader.number("radius");
+  if (reader.has("strength")) stroke.strength = reader.number("strength");
+  std::size_t number = 0;
+  for (const nlohmann::json& point : reader.list("points")) {
+    const bool fits = point.is_array() && point.size() == 3 &&
+                      std::ranges::all_of(point, [](const auto& x) { return x.is_number(); });
+    if (!fits) {
+      reader.fail("points[" + std::to_string(number) + "]", "must be a list of 3 numbers x, y, z");
+    }
+    stroke.points.emplace_back(point[0].get<double>(), point[1].get<double>(),
+                               point[2].get<double>());
+    ++number;
+  }
+  return stroke;
+}
+
+nlohmann::ordered_json options_to_json(const OptionValues& options) {
+  auto json = nlohmann::ordered_json::object();
+  for (const auto& [name, values] : options) {
+    if (values.empty()) {
+      json[name] = true;
+    } else if (values.size() == 1) {
+      json[name] = values.front();
+    } else {
+      json[name] = values;
+    }
+  }
+  return json;
+}
+
+OptionValues options_from_json(const nlohmann::json& json, const std::string& place) {
+  const JsonReader reader(json, place);
+  OptionValues options;
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_boolean() && value.get<bool>()) {
+      options[name] = {};
+    } else if (value.is_string()) {
+      options[name] = {value.get<std::string>()};
+    } else if (value.is_array() && !value.empty()) {
+      options[name] = reader.texts(name.c_str());
+    } else {
+      reader.fail(name, "must be text, as on the command line, true of a flag, or a list of texts");
+    }
+  }
+  return options;
+}
+
+nlohmann::ordered_json document_to_json(const SessionDocument& document) {
+  nlohmann::ordered_json json = {{"brindle_session", kFormat}, {"mesh", document.mesh}};
+  json["options"] = options_to_json(document.options);
+  json["camera"] = camera_to_json(document.camera);
+  json["size"] = {document.size.width, document.size.height};
+  if (document.frequency_by_zoom != 0) {
+    json["frequency_by_zoom"] = short_number(document.frequency_by_zoom);
+  }
+  nlohmann::ordered_json views = views_to_json(document);
+  if (!views.empty()) json["views"] = std::move(views);
+  if (!document.strokes.empty()) {
+    json["strokes"] = nlohmann::ordered_json::array();
+    for (const FieldStroke& stroke : document.strokes) {
+      json["strokes"].push_back(stroke_to_json(stroke));
+    }
+  }
+  if (document.phases) json["phases"] = encoded(*document.phases);
+  return json;
+}
+
+SessionDocument document_from_json(const nlohmann::json& json) {
+  const JsonReader reader(json, "");
+  check_format(reader);
+  reader.allow({"brindle_session", "mesh", "options", "camera", "size", "frequency_by_zoom",
+                "views", "strokes", "phases"});
+  SessionDocument document;
+  document.mesh = reader.text("mesh");
+  if (reader.has("options")) document.options = options_from_json(reader.at("options"), "options");
+  if (reader.has("camera")) document.camera = camera_from_json(reader.at("camera"));
+  if (reader.has("size")) document.size = size_from(reader);
+  if (reader.has("frequency_by_zoom")) {
+    document.frequency_by_zoom = reader.number("frequency_by_zoom", 0, 1);
+  }
+  if (reader.has("views")) read_views(reader, document);
+  if (reader.has("strokes")) {
+    for (const nlohmann::json& stroke : reader.list("strokes")) {
+      const std::string place = "strokes[" + std::to_string(document.strokes.size()) + "]";
+      document.strokes.push_back(stroke_from_json(stroke, place));
+    }
+  }
+  if (reader.has("phases")) document.phases = decoded(reader, "phases");
+  check_document(document);
+  return document;
+}
+
+SessionDocument read_session(const std::filesystem::path& path) {
+  InputFile file(path);
+  const auto size = static_cast<std::size_t>(file.size());
+  const std::string text(file.take(size), size);
+  try {
+    return document_from_json(parse_json(text));
+  } catch (const std::exception& error) {
+    throw Error(path.string() + ": " + error.what());
+  }
+}
+
+void write_session(const std::filesystem::path& path, const SessionDocument& document) {
+  check_document(document);
+  const std::string text = document_to_json(document).dump(2);
+  write_file(path, [&](std::ostream& out) { out << text << '\n'; });
+}
+
+std::string view_text(const CameraView& view) { return camera_to_json(view).dump(); }
+
+CameraView parse_view_text(const std::string& text) {
+  return camera_from_json(parse_json(text), "view");
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,62 @@
+#include "session_export.h"
+
+#include <numbers>
+#include <utility>
+
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+
+namespace brindle::tool {
+namespace {
+
+[[noreturn]] void refuse_extension(const std::filesystem::path& path, const char* known) {
+  throw Error(path.string() + ": unknown extension; write " + known);
+}
+
+}  // namespace
+
+void export_pattern(const LiveState& state, const std::filesystem::path& path,
+                    JobListener& listener) {
+  const StripeArguments& arguments = state.parsed->arguments();
+  const std::vector<Output> outputs =
+      plan_outputs({path.string()}, "", state.job->result.texture() != nullptr);
+  if (outputs.front().kind == OutputKind::picture) {
+    refuse_extension(path, ".ply, .vtp, .obj, .gltf or .glb for a mesh, .json for a report");
+  }
+  check_files(stripe_inputs(arguments), files_of(outputs, state.job->result.texture() != nullptr));
+  const MadeMesh made{*state.job->surface, state.job->result, state.job->data,
+                      arguments.solving.stripes.phase_shift, false};
+  write_output(outputs.front(), made, state.job->report, *arguments.picture, listener);
+}
+
+void export_curves(const LiveState& state, const std::filesystem::path& path,
+                   JobListener& listener) {
+  if (!is_polyline_format(path)) refuse_extension(path, ".vtp, .ply, .obj or .csv");
+  listener.stage("curves");
+  const StripeCurves curves = stripe_curves(*state.job->surface, state.job->result.stripes());
+  const std::vector<NamedLines> lines = {{"u", curves.lines}};
+  listener.stage("writing " + path.string());
+  write_polylines(path, lines);
+}
+
+void export_samples(const LiveState& state, const std::filesystem::path& path,
+                    JobListener& listener) {
+  if (!is_sample_format(path)) refuse_extension(path, ".csv, .ply or .vtp");
+  const Surface& surface = *state.job->surface;
+  const StripePattern& u = state.job->result.stripes();
+  std::optional<StripePattern> across;
+  if (state.job->result.texture() == nullptr) {
+    WaveSet waves = u.waves;
+    waves.directions = rotated(waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
+    across = stripe_pattern(surface, std::move(waves), state.parsed->arguments().solving.stripes,
+                            listener.progress());
+  }
+  listener.stage("samples");
+  const StripePattern& v = across ? *across : state.job->result.texture()->pattern.v;
+  const std::vector<Sample> samples = stripe_samples(surface, u, v);
+  listener.stage("writing " + path.string());
+  write_samples(path, samples, surface.mesh.origin);
+}
+
+}  // namespace brindle::tool

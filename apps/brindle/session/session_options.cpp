@@ -1,0 +1,283 @@
+#include "session_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <utility>
+
+#include "brindle/base/suggestion.h"
+#include "brindle/error.h"
+#include "brindle/image.h"
+#include "option_values.h"
+#include "picture_options.h"
+
+namespace brindle::tool {
+namespace {
+
+/// Options that sessions do not have, and what there is instead.
+constexpr std::array<std::pair<const char*, const char*>, 9> kElsewhere = {{
+    {"camera", "the session's camera says where from"},
+    {"size", "the session's size says it"},
+    {"quality", "pictures are fast while something moves and careful when it rests"},
+    {"threads", "a session does not depend on the machine; give --threads to the command"},
+    {"output", "a session has one picture; give --output to the command"},
+    {"report", "a session has one picture"},
+    {"quiet", "a session has one picture"},
+    {"uv", "a session has one picture, and no mesh is written"},
+    {"help", "a session does not ask"},
+}};
+
+/// A group of the command's options.
+struct OptionGroup {
+  const char* name;
+  SessionStage stage;
+  std::function<void(CLI::App&, StripeArguments&)> add;
+};
+
+void add_field_options(CLI::App& app, StripeArguments& arguments) {
+  add_wave_options(app, arguments.waves);
+  add_cross_option(app, arguments.waves);
+}
+
+void add_phase_options(CLI::App& app, StripeArguments& arguments) {
+  add_solver_option(app, arguments.solving);
+  add_solving_options(app, arguments.solving);
+}
+
+/// In which each option of the command is looked for, the first that has it counts.
+std::vector<OptionGroup> option_groups() {
+  return {
+      {"Surface", SessionStage::surface,
+       [](CLI::App& app, StripeArguments& arguments) {
+         add_surface_options(app, arguments.surface);
+         add_point_options(app, arguments.surface);
+       }},
+      {"Field", SessionStage::waves, add_field_options},
+      {"Solving", SessionStage::phases, add_phase_options},
+      {"Making", SessionStage::phases,
+       [](CLI::App& app, StripeArguments& arguments) {
+         add_making_options(app, arguments.making);
+       }},
+      {"Texture", SessionStage::waves,
+       [](CLI::App& app, StripeArguments& arguments) {
+         add_texture_options(app, arguments.texture, arguments.waves,
+                             add_cross_option(app, arguments.waves));
+       }},
+      {"Picture", SessionStage::style,
+       [](CLI::App& app, StripeArguments& arguments) {
+         arguments.picture = add_picture_options(app);
+       }},
+      {"Style", SessionStage::style,
+       [](CLI::App& app, StripeArguments& arguments) { add_style_options(app, arguments.style); }},
+      // What is left: how the solver is run.
+      {"Solving", SessionStage::phases, add_stripe_options}};
+}
+
+const char* elsewhere(const std::string& name) {
+  for (const auto& [option, why] : kElsewhere) {
+    if (name == option) return why;
+  }
+  return nullptr;
+}
+
+bool takes_several(const CLI::Option& option) {
+  return option.get_expected_max() > 1 ||
+         option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+}
+
+/// "a|b|c" if all of it are small words: not "FILE|array:NAME".
+std::vector<std::string> choices_of(const std::string& type_name) {
+  if (type_name.find('|') == std::string::npos) return {};
+  const bool words = std::ranges::all_of(
+      type_name, [](char c) { return (c >= 'a' && c <= 'z') || c == '|' || c == '_' || c == '-'; });
+  return words ? split(type_name, '|') : std::vector<std::string>();
+}
+
+std::vector<SessionOption> make_session_options() {
+  std::vector<SessionOption> options;
+  for (const OptionGroup& group : option_groups()) {
+    CLI::App app;
+    StripeArguments arguments;
+    group.add(app, arguments);
+    for (const CLI::Option* option : app.get_options()) {
+      if (option->get_positional()) continue;
+      const std::string name = option->get_lnames().front();
+      const bool known = std::ranges::find(options, name, &SessionOption::name) != options.end();
+      if (known || elsewhere(name) != nullptr) continue;
+      const bool flag = option->get_expected_max() == 0;
+      const std::string type_name = flag ? "" : option->get_type_name();
+      options.push_back({name, group.name, option->get_description(), type_name,
+                         choices_of(type_name), flag, takes_several(*option), group.stage});
+    }
+  }
+  return options;
+}
+
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  if (const char* why = elsewhere(name)) {
+    throw CLI::ValidationError("--" + name, std::string("is no option of sessions: ") + why);
+  }
+  std::vector<std::string> known;
+  for (const SessionOption& option : session_options()) known.push_back(option.name);
+  const std::string meant = nearest(name, known);
+  throw CLI::ValidationError("--" + name,
+                             "is no option of 'brindle stripe'" +
+                                 (meant.empty() ? "" : "; did you mean --" + meant + "?"));
+}
+
+void check_values(const std::string& name, const std::vector<std::string>& values) {
+  check_option_name(name);
+  const SessionOption* option = find_session_option(name);
+  const std::string dashed_name = "--" + name;
+  if (option->flag) {
+    if (values.empty()) return;
+    throw CLI::ValidationError(dashed_name, "takes no value; give none, or leave the option out");
+  }
+  if (values.empty())
+    throw CLI::ValidationError(dashed_name, "lacks its value " + option->type_name);
+  if (values.size() > 1 && !option->repeatable) {
+    throw CLI::ValidationError(dashed_name,
+                               "takes one value, not " + std::to_string(values.size()));
+  }
+  for (const std::string& value : values) {
+    if (value.empty()) wrong_usage(dashed_name, option->type_name, value);
+  }
+}
+
+/// The command line, last word first, as CLI11 wants it.
+std::vector<std::string> words_of(const SessionDocument& document) {
+  std::vector<std::string> words = {document.mesh, "--"};
+  for (const auto& [name, values] : document.options) {
+    check_values(name, values);
+    if (values.empty()) words.push_back("--" + name);
+    for (auto value = values.rbegin(); value != values.rend(); ++value) {
+      words.push_back("--" + name + "=" + *value);
+    }
+  }
+  words.emplace_back("stripe");
+  return words;
+}
+
+void check_camera(const CameraView& view, const std::string& name) {
+  const auto refuse = [&](const char* what) { throw Error(name + ' ' + what); };
+  if (!(view.zoom >= 0.01f && view.zoom <= 10000)) {
+    refuse("must have a zoom from 0.01 to 10000");
+  }
+  if (!(view.elevation_deg >= -90 && view.elevation_deg <= 90)) {
+    refuse("must have an elevation from -90 to 90 degrees");
+  }
+  if (!std::isfinite(view.azimuth_deg)) refuse("must have a finite azimuth");
+  if (view.center && !view.center->allFinite()) refuse("must have a finite centre");
+  if (!view.rotation) return;
+  const float length = view.rotation->norm();
+  if (!(length > 1e-6f && std::isfinite(length))) refuse("must have a rotation that is not zero");
+}
+
+/// What the command line does not have.
+void check_rest(const SessionDocument& document) {
+  check_camera(document.camera, "the camera");
+  for (std::size_t i = 0; i < document.views.size(); ++i) {
+    if (document.views[i]) check_camera(*document.views[i], "view " + std::to_string(i + 1));
+  }
+  check_image_size(document.size.width, document.size.height);
+  if (!(document.frequency_by_zoom >= 0 && document.frequency_by_zoom <= 1)) {
+    throw Error("how far frequencies follow the zoom must be a number from 0 to 1");
+  }
+  if (!document.strokes.empty()) check_strokes(document.strokes);
+}
+
+bool all_finite(const std::vector<float>& numbers) {
+  return std::ranges::all_of(numbers, [](float number) { return std::isfinite(number); });
+}
+
+void check_effects(const SessionDocument& document, const StripeArguments& arguments) {
+  if (!document.strokes.empty() && !is_smooth(arguments.waves)) {
+    throw Error(
+        "strokes have no effect here: only --field smooth and --field curvature are drawn to "
+        "anything; erase the strokes first");
+  }
+  if (!document.phases) return;
+  if (!can_follow(arguments)) {
+    throw Error(
+        "phases are kept of plain stripes by the multilevel solver alone, without --slack and what "
+        "else gives phases; leave them out");
+  }
+  if (!all_finite(*document.phases)) throw Error("phases must be finite angles; leave them out");
+}
+
+/// Built-in tiles, and names that are neither these nor files. Pictures are read later.
+void check_tile(const StripeArguments& arguments) {
+  const std::string& tile = arguments.texture.tile;
+  if (parse_built_in_tile(tile) || !std::filesystem::path(tile).has_extension()) {
+    chosen_tile(arguments.texture, arguments.waves.cross);
+  }
+}
+
+void check_parsed(const ParsedSession& parsed) {
+  const StripeArguments& arguments = parsed.arguments();
+  const std::vector<Output> outputs = {{"session.png", OutputKind::picture}};
+  check_solver(arguments.device, arguments.solving.stripes.solver);
+  check_tile(arguments);
+  check_stripe_options(parsed.command(), arguments, outputs);
+  // Files say whether they hold points when they are read.
+  if (arguments.surface.points) check_stripe_points(parsed.command(), arguments, outputs);
+  check_own_arrays(arguments.surface, arguments.waves);
+}
+
+}  // namespace
+
+const std::vector<SessionOption>& session_options() {
+  static const std::vector<SessionOption> options = make_session_options();
+  return options;
+}
+
+void check_option_name(const std::string& name) {
+  if (find_session_option(name) == nullptr) refuse_unknown(name);
+}
+
+bool can_follow(const StripeArguments& arguments) {
+  const StripeOptions& stripes = arguments.solving.stripes;
+  const MakingOptions& making = arguments.making;
+  const bool given = making.anchor_boundary || !making.windings.empty() || making.merge_branches;
+  return !has_tiles(arguments) && !given && arguments.previous.empty() &&
+         !arguments.surface.points && arguments.device == DeviceKind::cpu &&
+         arguments.solving.slack.slack == 0 && stripes.solver.solver == Solver::multilevel &&
+         stripes.weights == EdgeWeights::paper &&
+         stripes.phase_shift != PhaseShiftKind::common_source;
+}
+
+const SessionOption* find_session_option(const std::string& name) {
+  const std::vector<SessionOption>& options = session_options();
+  const auto found = std::ranges::find(options, name, &SessionOption::name);
+  return found == options.end() ? nullptr : &*found;
+}
+
+ParsedSession::ParsedSession(const SessionDocument& document)
+    : app_(std::make_unique<CLI::App>()), arguments_(std::make_unique<StripeArguments>()) {
+  command_ = app_->add_subcommand("stripe");
+  add_stripe_options(*command_, *arguments_);
+  if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
+  app_->parse(words_of(document));
+  arguments_->waves.drawn_strokes = document.strokes;
+  arguments_->waves.frequency_factor = frequency_factor(document);
+  PictureOptions& picture = *arguments_->picture;
+  picture.render.camera = document.camera;
+  picture.render.camera.up = UpAxis::y;
+  if (is_shape(arguments_->surface)) stand_on_z(picture);
+  picture.render.width = document.size.width;
+  picture.render.height = document.size.height;
+}
+
+void check_document(const SessionDocument& document, const ParsedSession& parsed) {
+  check_rest(document);
+  check_parsed(parsed);
+  check_effects(document, parsed.arguments());
+}
+
+void check_document(const SessionDocument& document) {
+  check_document(document, ParsedSession(document));
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,69 @@
+/// The options of `brindle stripe` as sessions have them: what a window shows, and what a
+/// document's values mean.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "session_document.h"
+#include "stripe_arguments.h"
+
+namespace brindle::tool {
+
+/// Which part of a picture an option changes: that, and all that comes after.
+enum class SessionStage {
+  surface,  ///< the mesh itself
+  waves,    ///< directions and frequencies
+  phases,   ///< how they are solved for
+  style,    ///< what is drawn of the pattern
+};
+
+/// An option that documents may have.
+struct SessionOption {
+  std::string name;   ///< long, without dashes
+  std::string group;  ///< "Surface", "Field", "Solving", "Making", "Texture", "Picture", "Style"
+  std::string help;
+  std::string type_name;             ///< "N", "FILE", "a|b|c"; empty for flags
+  std::vector<std::string> choices;  ///< of `a|b|c` where nothing else is allowed, else empty
+  bool flag = false;
+  bool repeatable = false;
+  SessionStage stage = SessionStage::style;
+};
+
+/// In the order of `brindle stripe --help`. Without those that a session has another way (--camera,
+/// --size, --quality), that concern the machine (--threads) and that write files.
+const std::vector<SessionOption>& session_options();
+
+/// Null if there is no such option.
+const SessionOption* find_session_option(const std::string& name);
+
+/// Throws CLI::ValidationError, with what there is instead, for a name that is none of these.
+void check_option_name(const std::string& name);
+
+/// Whether patterns may follow earlier ones, so that documents may have phases: stripes of the
+/// multilevel solver, without slack, without given phases and in the paper's weights.
+bool can_follow(const StripeArguments& arguments);
+
+/// A document read as a command line of `brindle stripe`.
+class ParsedSession {
+ public:
+  /// Throws CLI::ParseError as the command does; without effects and without reading files.
+  explicit ParsedSession(const SessionDocument& document);
+
+  const CLI::App& command() const { return *command_; }
+  /// With the document's camera, size, strokes and frequency factor.
+  const StripeArguments& arguments() const { return *arguments_; }
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  CLI::App* command_ = nullptr;
+  std::unique_ptr<StripeArguments> arguments_;
+};
+
+/// `check_document` of one that is read already.
+void check_document(const SessionDocument& document, const ParsedSession& parsed);
+
+}  // namespace brindle::tool

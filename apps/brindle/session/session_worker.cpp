@@ -1,0 +1,162 @@
+#include "session_worker.h"
+
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
+#include "brindle/threads.h"
+
+namespace brindle::tool {
+
+/// Shared between the window's thread and the worker's; all but what only the latter uses is behind
+/// the mutex.
+struct SessionWorker::State {
+  int threads = 0;
+  mutable std::mutex mutex;
+  mutable std::condition_variable_any changed;
+  std::optional<SessionRequest> next;
+  std::optional<SessionRequest> current;
+  bool cancelled = false;  ///< `current` is not wanted any more
+  std::shared_ptr<const SessionFrame> latest;
+  std::optional<SessionFailure> failure;
+  std::string stage;
+  std::uint64_t frames = 0;
+
+  bool idle() const { return !next && !current; }
+  Progress progress(const std::stop_token& stop);
+  void finish(std::shared_ptr<const SessionFrame> frame);
+  void fail(std::uint64_t revision, std::string text);
+};
+
+namespace {
+
+/// Makes frames, on the worker's thread.
+class FrameMaker {
+ public:
+  std::shared_ptr<SessionFrame> frame(const SessionRequest& request, const Progress& progress) {
+    Stopwatch watch;
+    pattern_.update(request.document, request.follow, progress);
+    const double solve_milliseconds = watch.lap();
+    if (!picture_) picture_.emplace();
+    auto frame = std::make_shared<SessionFrame>();
+    frame->revision = request.revision;
+    frame->quality = request.quality;
+    frame->state = pattern_.state();
+    frame->image = picture_->draw(frame->state, request.quality, progress);
+    frame->camera = picture_->camera(*frame->state);
+    frame->draw_milliseconds = watch.lap();
+    frame->milliseconds = solve_milliseconds + frame->draw_milliseconds;
+    return frame;
+  }
+
+ private:
+  LivePattern pattern_;
+  std::optional<LivePicture> picture_;
+};
+
+/// Whether a frame that is being made is of no use once this is asked for. One that is drawn fast
+/// is shown in any case: somebody who does not stop moving the mouse would see nothing.
+bool is_useless(const SessionRequest& current, const SessionRequest& next) {
+  return current.quality == PictureQuality::final || next.follow == Follow::afresh ||
+         current.document.mesh != next.document.mesh;
+}
+
+}  // namespace
+
+Progress SessionWorker::State::progress(const std::stop_token& stop) {
+  return Progress([this, stop](std::string_view name, double) {
+    const std::lock_guard lock(mutex);
+    stage = name;
+    return !cancelled && !stop.stop_requested();
+  });
+}
+
+void SessionWorker::State::finish(std::shared_ptr<const SessionFrame> frame) {
+  const std::lock_guard lock(mutex);
+  latest = std::move(frame);
+}
+
+void SessionWorker::State::fail(std::uint64_t revision, std::string text) {
+  const std::lock_guard lock(mutex);
+  failure = SessionFailure{revision, std::move(text)};
+}
+
+SessionWorker::SessionWorker(int threads) : state_(std::make_unique<State>()), thread_() {
+  state_->threads = threads;
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+SessionWorker::~SessionWorker() {
+  thread_.request_stop();
+  state_->changed.notify_all();
+}
+
+void SessionWorker::run(const std::stop_token& stop) {
+  State& s = *state_;
+  const ThreadLimit limit(s.threads);
+  FrameMaker maker;
+  while (true) {
+    SessionRequest request;
+    {
+      std::unique_lock lock(s.mutex);
+      if (!s.changed.wait(lock, stop, [&] { return s.next.has_value(); })) return;
+      s.current = std::exchange(s.next, std::nullopt);
+      s.cancelled = false;
+      request = *s.current;
+    }
+    try {
+      std::shared_ptr<SessionFrame> frame = maker.frame(request, s.progress(stop));
+      frame->number = ++s.frames;
+      s.finish(std::move(frame));
+    } catch (const Cancelled&) {
+    } catch (const std::bad_alloc&) {
+      s.fail(request.revision, "not enough memory for this");
+    } catch (const std::exception& error) {
+      s.fail(request.revision, error.what());
+    }
+    const std::lock_guard lock(s.mutex);
+    s.current.reset();
+    s.stage.clear();
+    s.changed.notify_all();
+  }
+}
+
+void SessionWorker::request(SessionRequest request) {
+  State& s = *state_;
+  const std::lock_guard lock(s.mutex);
+  // What was to be made afresh and never was still is.
+  if (s.next && s.next->follow == Follow::afresh) request.follow = Follow::afresh;
+  if (s.current && is_useless(*s.current, request)) {
+    s.cancelled = true;
+    if (s.current->follow == Follow::afresh) request.follow = Follow::afresh;
+  }
+  s.next = std::move(request);
+  s.changed.notify_all();
+}
+
+std::shared_ptr<const SessionFrame> SessionWorker::latest() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->latest;
+}
+
+std::optional<SessionFailure> SessionWorker::take_failure() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->failure, std::nullopt);
+}
+
+bool SessionWorker::busy() const {
+  const std::lock_guard lock(state_->mutex);
+  return !state_->idle();
+}
+
+std::string SessionWorker::stage() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->stage;
+}
+
+void SessionWorker::wait() const {
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [this] { return state_->idle(); });
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,152 @@
+#include "styled_output.h"
+
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/line_drawing.h"
+#include "brindle/region_outlines.h"
+#include "picture_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kOutlineScale = 2;  // drawings are traced in pictures so much larger
+
+/// A pen that fills what is white in a picture where all else is black.
+Pen traced(std::string name, const Color& color, std::span<const StyledSurface> surfaces,
+           const StyledOptions& options) {
+  const Image image = render_styled(surfaces, options);
+  std::vector<Stroke> loops = region_outlines(image.width, image.height, light_shares(image));
+  for (Stroke& loop : loops) {
+    for (Eigen::Vector2f& point : loop) point /= kOutlineScale;
+  }
+  return {std::move(name), color, 1, std::move(loops), true};
+}
+
+/// All surfaces in black, `white` with its strokes, or its strokes alone, in white.
+std::vector<StyledSurface> black_and_white(std::span<const StyledSurface> surfaces,
+                                           std::size_t white, bool strokes_alone) {
+  constexpr Color kBlack{0, 0, 0}, kWhite{1, 1, 1};
+  std::vector<StyledSurface> result;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    StyledSurface& surface = result.emplace_back(surfaces[i]);
+    surface.shading = false;
+    surface.color = i == white && !strokes_alone ? kWhite : kBlack;
+    for (Strokes& strokes : surface.strokes) {
+      strokes.color = i == white ? kWhite : kBlack;
+      if (strokes.unit == WidthUnit::pixels) strokes.width *= kOutlineScale;
+      strokes.spacing *= kOutlineScale;
+    }
+  }
+  return result;
+}
+
+void write_outlines(const std::filesystem::path& path, const StyledScene& scene,
+                    std::vector<StyledSurface> surfaces, const StyleOptions& style,
+                    StyledOptions options) {
+  const int width = options.render.width, height = options.render.height;
+  options.render.width *= static_cast<int>(kOutlineScale);
+  options.render.height *= static_cast<int>(kOutlineScale);
+  options.render.transparent = true;
+  options.depth_cue = DepthCue::none;
+  options.occlusion = 0;
+  options.ground_shadow = false;
+  std::vector<Pen> pens;
+  for (std::size_t i = surfaces.size(); i-- > 0;) {
+    const StyledSurface& surface = surfaces[i];
+    const std::string number = i == 0 ? "" : "_" + std::to_string(i);
+    if (surface.between == BetweenStrokes::surface) {
+      pens.push_back(
+          traced("surface" + number, surface.color, black_and_white(surfaces, i, false), options));
+    }
+    if (surface.strokes.empty()) continue;
+    pens.push_back(traced("stripes" + number, surface.strokes[0].color,
+                          black_and_white(surfaces, i, true), options));
+  }
+  for (Pen& pen : pens_of_lines(scene, surfaces, style, options, 1 / kOutlineScale)) {
+    if (!pen.strokes.empty()) pens.push_back(std::move(pen));
+  }
+  write_svg(path, width, height, pens);
+}
+
+StyledScene scene_of(const Surface& surface, const StripeResult& result, const StyleOptions& style,
+                     const StylePatterns& patterns) {
+  const StripePattern& pattern = result.stripes();
+  StyledScene scene{
+      surface, {pattern.waves, pattern.solution.z}, std::nullopt, patterns.others, std::nullopt};
+  if (patterns.crossing) {
+    scene.crossing.emplace(patterns.crossing->waves, patterns.crossing->solution.z);
+  }
+  if (const Texture* texture = result.texture()) {
+    scene.texture.emplace(texture->pattern.waves, texture->tile, style.texture_shift);
+  }
+  return scene;
+}
+
+}  // namespace
+
+StyleInput read_style_input(const StyleOptions& style, const Preparation& prepared,
+                            const SurfaceOptions& surface, const WaveOptions& waves,
+                            const PictureOptions& picture, JobListener& listener) {
+  Viewpoint viewpoint = viewpoint_of(picture).value();
+  const Mesh& mesh = prepared.surface.mesh;
+  viewpoint.framed = mesh;
+  StyleInput input;
+  input.others = read_others(style, waves, mean_frequency(prepared.waves), viewpoint, listener);
+  viewpoint.framed = framed_mesh(mesh, input.others);
+  const ValueSource source{prepared.surface, prepared.arrays,        surface.mesh,
+                           waves.arrays,     prepared.vertex_of_row, &viewpoint};
+  const auto read = [&](const std::string& option, const std::string& value) {
+    return vertex_values(option, value, source);
+  };
+  input.values = read_style_values(style, read);
+  if (!style.follows_camera()) return input;
+  // The legend leaves less room, so that the camera stands farther away.
+  viewpoint.width -=
+      legend_width(follow(style, input.values).legends, viewpoint.width, viewpoint.height);
+  input.values = read_style_values(style, read);
+  return input;
+}
+
+StylePatterns make_style_patterns(const Surface& surface, const StripeResult& result,
+                                  const StyleOptions& style, StyleInput& input,
+                                  const StripeOptions& solving, const Progress& progress) {
+  StripeOptions options = solving;
+  options.last_phases.clear();
+  StylePatterns patterns;
+  if (style.cross_hatch) {
+    patterns.crossing = stripe_pattern(
+        surface, waves_across(result.stripes().waves, surface.normals), options, progress);
+  }
+  patterns.others = solve_others(style, std::move(input.others), options, progress);
+  return patterns;
+}
+
+StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
+                             const StylePatterns& patterns, const StyleOptions& style,
+                             const StyleInput& input, const PictureOptions& picture) {
+  StyledPicture styled(follow(style, input.values), scene_of(surface, result, style, patterns));
+  styled.options = styled_options(style, picture, styled.followed);
+  styled.surfaces = surfaces_of(styled.scene, style, styled.options.render, styled.followed);
+  return styled;
+}
+
+void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style) {
+  draw_lines(image, picture.scene, picture.surfaces, style, picture.options);
+  draw_legends(image, picture.followed.legends);
+}
+
+void write_styled_picture(const std::filesystem::path& path, const Surface& surface,
+                          const StripeResult& result, const StylePatterns& patterns,
+                          const StyleOptions& style, const StyleInput& input,
+                          const PictureOptions& picture) {
+  StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
+  if (lower_extension(path) == ".svg") {
+    return write_outlines(path, styled.scene, std::move(styled.surfaces), style, styled.options);
+  }
+  Image image = render_styled(styled.surfaces, styled.options);
+  draw_on_top(image, styled, style);
+  write_png(path, image);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,104 @@
+/// A session and the thread that solves and draws it: what is asked for, and when.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "session/session.h"
+#include "session/session_worker.h"
+#include "window_log.h"
+
+namespace brindle::tool {
+
+/// All that happens to the session goes through here. Nothing waits for the worker: changes are
+/// drawn at interactive quality at once, and with care when nothing has changed for a while.
+class LiveSession {
+ public:
+  /// `commands` is a file for all that is done, for `brindle render --replay`; empty: none.
+  LiveSession(SessionDocument document, WindowLog& log, const std::filesystem::path& commands = {});
+
+  const Session& session() const { return session_; }
+  const SessionDocument& document() const { return session_.document(); }
+
+  /// The document with the size of the picture in the window: what is saved. That size is no step
+  /// to undo.
+  SessionDocument document_as_shown() const;
+
+  /// As `Session::apply`.
+  bool apply(const SessionCommand& command);
+  /// The same within a drag, which begins here if none has: all until `end_drag` is undone in one
+  /// step.
+  bool apply_dragged(const SessionCommand& command);
+  void end_drag();
+  bool undo() { return apply(commands::Undo{}); }
+  bool redo() { return apply(commands::Redo{}); }
+  void add_message(MessageKind kind, const std::string& text);
+
+  void set_picture_size(PictureSize size);
+
+  /// Takes what the worker has made, and asks it for what is to be made. Returns whether there is
+  /// anything new to show. To be called once a turn.
+  bool update();
+
+  /// Whether `update` may have something to do soon without any input.
+  bool is_waiting() const;
+
+  /// The newest frame; null before the first one.
+  const std::shared_ptr<const SessionFrame>& frame() const { return frame_; }
+  /// Whether the frame is the document's own, drawn with care.
+  bool at_rest() const;
+  const SessionWorker& worker() const { return worker_; }
+
+  /// Why there is no first frame; empty while there may be one.
+  const std::string& first_failure() const { return first_failure_; }
+
+  using FrameTaker = std::function<void(const std::shared_ptr<const SessionFrame>&)>;
+
+  /// Calls `taker` with the final frame of the document, as soon as there is one.
+  void when_at_rest(FrameTaker taker);
+
+  /// Draws a variant of the document, at final quality, for `taker` alone.
+  void draw_variant(SessionDocument variant, FrameTaker taker);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Variant {
+    SessionDocument document;
+    FrameTaker taker;
+    std::uint64_t revision;
+  };
+
+  bool take_frame();
+  bool take_failure();
+  void keep_phases();
+  void request();
+  void send(PictureQuality quality);
+  void send_variant();
+  void log_frame(const SessionFrame& frame);
+  void log_messages();
+
+  Session session_;
+  WindowLog& log_;
+  std::ofstream commands_;
+  PictureSize size_;
+  std::shared_ptr<const SessionFrame> frame_;
+  std::uint64_t last_number_ = 0;     // of the worker's frames
+  std::uint64_t shown_revision_ = 0;  // that the frame shows
+  std::uint64_t asked_revision_ = 0;  // that was asked for last, in this size and quality
+  PictureSize asked_size_{0, 0};
+  PictureQuality asked_quality_ = PictureQuality::final;
+  Clock::time_point last_change_;
+  std::vector<FrameTaker> at_rest_takers_;
+  std::optional<Variant> variant_;
+  std::uint64_t variants_ = 0;
+  std::string first_failure_;
+  SessionMessage last_message_{};
+  SessionWorker worker_;  // last: its thread ends before what it was given goes
+};
+
+}  // namespace brindle::tool

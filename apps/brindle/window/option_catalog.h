@@ -1,0 +1,41 @@
+/// The options of sessions, in the groups and with the widgets in which a window shows them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session/session_options.h"
+
+namespace brindle::tool {
+
+enum class WidgetKind { flag, choice, number, text };
+
+/// How far a slider reaches; what is typed may go beyond.
+struct SliderRange {
+  float lowest = 0;
+  float highest = 1;
+  bool logarithmic = false;
+  bool whole = false;
+};
+
+struct CatalogOption {
+  std::string name;  ///< "stripes"
+  std::string help;
+  std::string form;  ///< how values are written: "AZIMUTH,ELEVATION"
+  WidgetKind kind = WidgetKind::text;
+  std::vector<std::string> names;  ///< values that are names: all of a choice, some of a text
+  bool file = false;               ///< the value may be a file
+  bool repeatable = false;         ///< a value a line
+  SliderRange range;               ///< of numbers
+  std::string standard;            ///< the value when it is not given, if help names it
+};
+
+struct OptionGroup {
+  std::string title;
+  std::vector<CatalogOption> options;
+};
+
+/// All of `options`, each in one group; those that no group names come last.
+std::vector<OptionGroup> option_catalog(const std::vector<SessionOption>& options);
+
+}  // namespace brindle::tool

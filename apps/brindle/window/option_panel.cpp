@@ -1,0 +1,357 @@
+#include "option_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "brindle/image.h"
+#include "formatted.h"
+#include "option_values.h"
+#include "picture_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kLabelShare = 0.44f;
+
+std::optional<float> number_in(const std::string& text) {
+  float value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::string text_of_number(float value, bool whole) {
+  return whole ? std::to_string(std::lround(value)) : formatted("%.4g", static_cast<double>(value));
+}
+
+std::string hex_color(const float* color) {
+  const auto channel = [](float value) {
+    return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+  };
+  return formatted("#%02x%02x%02x", channel(color[0]), channel(color[1]), channel(color[2]));
+}
+
+void show_tooltip(const std::string& title, const std::string& text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(title.c_str());
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+OptionPanel::OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log)
+    : live_(live), browser_(browser), log_(log), groups_(option_catalog(session_options())) {
+  const ParsedSession parsed{SessionDocument()};
+  for (const CLI::Option* option : parsed.command().get_options()) {
+    for (const CLI::Option* other : option->get_excludes()) {
+      excluded_[option->get_single_name()].push_back(other->get_single_name());
+    }
+  }
+}
+
+// What sliders and lists of names follow from.
+void OptionPanel::note_surface() {
+  if (!live_.frame() || live_.frame()->state == noted_) return;
+  const bool another = !noted_ || noted_->job->surface != live_.frame()->state->job->surface;
+  noted_ = live_.frame()->state;
+  if (!another) return;
+  diagonal_ = bounding_box(noted_->job->surface->mesh).diagonal();
+  arrays_.clear();
+  for (const DataArray& array : noted_->job->data.arrays.points) {
+    arrays_.push_back("array:" + array.name);
+  }
+}
+
+void OptionPanel::draw() {
+  note_surface();
+  for (const OptionGroup& group : groups_) draw_group(group);
+}
+
+void OptionPanel::draw_group(const OptionGroup& group) {
+  const bool first = &group == &groups_.front();
+  const bool open =
+      ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  log_.note_widget("group " + group.title);
+  if (!open) return;
+  for (const CatalogOption& option : group.options) {
+    ImGui::PushID(option.name.c_str());
+    draw_option(option);
+    ImGui::PopID();
+  }
+  ImGui::Dummy({0, ImGui::GetFontSize() * 0.3f});
+}
+
+void OptionPanel::draw_option(const CatalogOption& option) {
+  const bool given = live_.document().options.contains(option.name);
+  const float width = ImGui::GetContentRegionAvail().x;
+  draw_label(option, given);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelShare * width);
+  ImGui::BeginGroup();
+  draw_widget(option);
+  ImGui::EndGroup();
+  log_.note_widget("option " + option.name);
+  if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) {
+    show_tooltip("--" + option.name + " " + option.form, option.help);
+  }
+}
+
+void OptionPanel::draw_label(const CatalogOption& option, bool given) {
+  ImGui::AlignTextToFramePadding();
+  if (given) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+  }
+  ImGui::TextUnformatted(option.name.c_str());
+  if (given) ImGui::PopStyleColor();
+  log_.note_widget("label " + option.name);
+  show_tooltip("--" + option.name + " " + option.form, option.help);
+  draw_menu(option, given);
+}
+
+void OptionPanel::draw_menu(const CatalogOption& option, bool given) {
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Left) && given) ImGui::OpenPopup("menu");
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("menu");
+  if (!ImGui::BeginPopup("menu")) return;
+  if (ImGui::MenuItem("Leave out (as if not given)", nullptr, false, given)) {
+    live_.apply(commands::ClearOption{option.name});
+  }
+  log_.note_widget("clear " + option.name);
+  if (option.kind == WidgetKind::number) {
+    ImGui::TextDisabled("Type a value:");
+    draw_text(option, 0, 12 * ImGui::GetFontSize());
+  }
+  ImGui::EndPopup();
+}
+
+void OptionPanel::draw_widget(const CatalogOption& option) {
+  if (option.name == "colors") return draw_colors(option);
+  if (option.repeatable) return draw_texts(option);
+  switch (option.kind) {
+    case WidgetKind::flag:
+      return draw_flag(option);
+    case WidgetKind::choice:
+      return draw_choice(option);
+    case WidgetKind::number: {
+      const std::string text = text_of(option);
+      const auto value = number_in(text);
+      // Where a slider cannot show it, such as array:NAME.
+      if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
+      return draw_number(option, value.value_or(range_of(option).lowest), value.has_value());
+    }
+    case WidgetKind::text:
+      return draw_text(option, 0, -FLT_MIN);
+  }
+}
+
+// The value that is given, or the one that counts without.
+std::string OptionPanel::text_of(const CatalogOption& option) const {
+  const auto& options = live_.document().options;
+  const auto found = options.find(option.name);
+  if (found != options.end() && !found->second.empty()) return found->second.front();
+  if (option.name == "frequency" && diagonal_ > 0 && noted_) {
+    // What --stripes comes to.
+    const auto stripes = options.find("stripes");
+    const auto count = stripes == options.end() ? 40 : number_in(stripes->second.front());
+    if (count) return formatted("%.4g", static_cast<double>(*count) / diagonal_);
+  }
+  return option.standard;
+}
+
+SliderRange OptionPanel::range_of(const CatalogOption& option) const {
+  SliderRange range = option.range;
+  if (option.name.starts_with("frequency") && diagonal_ > 0) {
+    range.lowest = static_cast<float>(2 / diagonal_);
+    range.highest = static_cast<float>(400 / diagonal_);
+  }
+  return range;
+}
+
+void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values) {
+  commands::SetOptions change{{{option.name, std::move(values)}}, {}};
+  for (const std::string& other : excluded_[option.name]) {
+    if (live_.document().options.contains(other)) change.clear.push_back(other);
+  }
+  SessionCommand command = change;
+  if (change.clear.empty()) {
+    command = commands::SetOption{option.name, change.set.at(option.name)};
+  }
+  // All that one press of the mouse does is one step; whoever draws the frame ends it.
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    live_.apply_dragged(command);
+  } else {
+    live_.apply(command);
+  }
+}
+
+void OptionPanel::draw_flag(const CatalogOption& option) {
+  bool on = live_.document().options.contains(option.name);
+  if (!ImGui::Checkbox("##flag", &on)) return;
+  if (on) {
+    set(option, {});
+  } else {
+    live_.apply(commands::ClearOption{option.name});
+  }
+}
+
+void OptionPanel::draw_choice(const CatalogOption& option) {
+  const std::string current = text_of(option);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (!ImGui::BeginCombo("##choice", current.c_str())) return;
+  for (const std::string& name : option.names) {
+    const std::string label = name == option.standard ? name + " (default)" : name;
+    if (ImGui::Selectable((label + "##" + name).c_str(), name == current)) set(option, {name});
+    log_.note_widget("choice " + option.name + " " + name);
+  }
+  ImGui::EndCombo();
+}
+
+void OptionPanel::draw_number(const CatalogOption& option, float value, bool known) {
+  const SliderRange range = range_of(option);
+  const bool given = live_.document().options.contains(option.name);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
+  const std::string before = text_of_number(value, range.whole);
+  const std::string shown = known ? before : "off";
+  if (!given) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  }
+  bool changed = false;
+  if (range.whole) {
+    int whole = static_cast<int>(std::lround(value));
+    changed = ImGui::SliderInt("##number", &whole, static_cast<int>(range.lowest),
+                               static_cast<int>(range.highest), shown.c_str(), flags);
+    value = static_cast<float>(whole);
+  } else {
+    changed =
+        ImGui::SliderFloat("##number", &value, range.lowest, range.highest, shown.c_str(), flags);
+  }
+  if (!given) ImGui::PopStyleColor();
+  const std::string text = text_of_number(value, range.whole);
+  if (changed && text != before) set(option, {text});
+}
+
+// Value number `index` of an option: a field to type into, names and files to choose.
+void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, float width) {
+  const std::string id = option.name + " " + std::to_string(index);
+  ImGui::PushID(id.c_str());
+  const float button = ImGui::GetFrameHeight();
+  const bool has_names = !option.names.empty() || option.form.find("array:") != std::string::npos;
+  const float buttons = (has_names ? button : 0) + (option.file ? button : 0);
+  ImGui::SetNextItemWidth(width > 0 ? width : ImGui::GetContentRegionAvail().x - buttons);
+  const auto found = live_.document().options.find(option.name);
+  const bool given = found != live_.document().options.end() && index < found->second.size();
+  std::string text = given ? found->second[index] : "";
+  if (edited_ == id) text = edit_;
+  const std::string hint = option.standard.empty() ? option.form : option.standard;
+  const bool entered =
+      ImGui::InputTextWithHint("##text", hint.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  log_.note_widget("text " + id);
+  if (ImGui::IsItemActive()) {
+    edited_ = id;
+    edit_ = text;
+  }
+  if (entered || ImGui::IsItemDeactivatedAfterEdit()) set_one(option, index, text);
+  if (ImGui::IsItemDeactivated() && edited_ == id) edited_.clear();
+  if (has_names) draw_names(option, index);
+  if (option.file) {
+    ImGui::SameLine(0, 0);
+    if (ImGui::Button("...", {button, 0})) {
+      browser_.ask({.title = "--" + option.name,
+                    .done = [this, option, index](const std::filesystem::path& path) {
+                      set_one(option, index, path.string());
+                    }});
+    }
+    log_.note_widget("browse " + id);
+  }
+  ImGui::PopID();
+}
+
+// An empty value is none.
+void OptionPanel::set_one(const CatalogOption& option, std::size_t index,
+                          const std::string& value) {
+  const auto found = live_.document().options.find(option.name);
+  std::vector<std::string> values;
+  if (found != live_.document().options.end()) values = found->second;
+  const std::vector<std::string> before = values;
+  if (index < values.size()) {
+    values[index] = value;
+  } else {
+    values.push_back(value);
+  }
+  std::erase(values, "");
+  if (values == before) return;
+  if (values.empty()) {
+    live_.apply(commands::ClearOption{option.name});
+  } else {
+    set(option, std::move(values));
+  }
+}
+
+void OptionPanel::draw_names(const CatalogOption& option, std::size_t index) {
+  ImGui::SameLine(0, 0);
+  if (ImGui::ArrowButton("names", ImGuiDir_Down)) ImGui::OpenPopup("names");
+  log_.note_widget("names " + option.name);
+  if (!ImGui::BeginPopup("names")) return;
+  for (const std::string& name : option.names) {
+    if (ImGui::Selectable(name.c_str())) set_one(option, index, name);
+    log_.note_widget("choice " + option.name + " " + name);
+  }
+  const bool takes_arrays = option.form.find("array:") != std::string::npos ||
+                            option.form.find("VALUE") != std::string::npos;
+  if (takes_arrays) {
+    for (const std::string& name : arrays_) {
+      if (ImGui::Selectable(name.c_str())) set_one(option, index, name);
+    }
+    if (arrays_.empty()) ImGui::TextDisabled("(the mesh has no arrays)");
+  }
+  ImGui::EndPopup();
+}
+
+void OptionPanel::draw_texts(const CatalogOption& option) {
+  const auto found = live_.document().options.find(option.name);
+  const std::size_t count = found == live_.document().options.end() ? 0 : found->second.size();
+  for (std::size_t index = 0; index <= count; ++index) draw_text(option, index, -FLT_MIN);
+}
+
+// Swatches of the stripes, the surface and the background.
+void OptionPanel::draw_colors(const CatalogOption& option) {
+  static constexpr std::array kTitles = {"stripes", "surface", "background"};
+  const RenderOptions standard;
+  std::array<Color, 3> colors = {standard.stripe_color, standard.base_color,
+                                 standard.background_edge};
+  const auto found = live_.document().options.find(option.name);
+  std::size_t given = 2;
+  if (found != live_.document().options.end()) {
+    const auto parts = split(found->second.front(), ',');
+    given = std::min(parts.size(), colors.size());
+    for (std::size_t i = 0; i < given; ++i) colors[i] = parse_color(parts[i]).value_or(colors[i]);
+  }
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    std::array<float, 3> channels = {colors[i].red, colors[i].green, colors[i].blue};
+    const bool changed = ImGui::ColorEdit3(
+        kTitles[i], channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+    log_.note_widget(std::string("color ") + kTitles[i]);
+    if (!changed) continue;
+    colors[i] = {channels[0], channels[1], channels[2]};
+    std::string text;
+    for (std::size_t j = 0; j < std::max(given, i + 1); ++j) {
+      const std::array<float, 3> each = {colors[j].red, colors[j].green, colors[j].blue};
+      text += (j > 0 ? "," : "") + hex_color(each.data());
+    }
+    set(option, {text});
+  }
+}
+
+}  // namespace brindle::tool

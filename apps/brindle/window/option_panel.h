@@ -1,0 +1,56 @@
+/// The options of the session, as widgets.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "file_browser.h"
+#include "live_session.h"
+#include "option_catalog.h"
+
+namespace brindle::tool {
+
+/// Every change is a command of the session; what it refuses stays as it was, and a message says
+/// why. Dragging a slider is one step to undo.
+class OptionPanel {
+ public:
+  OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log);
+
+  /// All groups, into the current window of Dear ImGui.
+  void draw();
+
+ private:
+  void note_surface();
+  void draw_group(const OptionGroup& group);
+  void draw_option(const CatalogOption& option);
+  void draw_label(const CatalogOption& option, bool given);
+  void draw_menu(const CatalogOption& option, bool given);
+  void draw_widget(const CatalogOption& option);
+  void draw_flag(const CatalogOption& option);
+  void draw_choice(const CatalogOption& option);
+  void draw_number(const CatalogOption& option, float value, bool known);
+  void draw_text(const CatalogOption& option, std::size_t index, float width);
+  void draw_texts(const CatalogOption& option);
+  void draw_names(const CatalogOption& option, std::size_t index);
+  void draw_colors(const CatalogOption& option);
+
+  std::string text_of(const CatalogOption& option) const;
+  SliderRange range_of(const CatalogOption& option) const;
+  void set(const CatalogOption& option, std::vector<std::string> values);
+  void set_one(const CatalogOption& option, std::size_t index, const std::string& value);
+
+  LiveSession& live_;
+  FileBrowser& browser_;
+  WindowLog& log_;
+  std::vector<OptionGroup> groups_;
+  std::map<std::string, std::vector<std::string>> excluded_;  // by an option that is given
+  std::string edited_;  // option and value that are being typed, such as "field 0"
+  std::string edit_;    // what has been typed
+  std::shared_ptr<const LiveState> noted_;
+  double diagonal_ = 0;              // of the surface's bounding box
+  std::vector<std::string> arrays_;  // "array:NAME" of the surface
+};
+
+}  // namespace brindle::tool

@@ -1,0 +1,158 @@
+#include "picture_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <imgui.h>
+
+namespace brindle::tool {
+namespace {
+
+constexpr double kWheelRest = 0.4;  // seconds
+
+}  // namespace
+
+// Only when there is a new one; the texture is made anew when the size changes.
+void PictureView::upload() {
+  if (uploaded_ == live_.frame()) return;
+  uploaded_ = live_.frame();
+  const Image& image = uploaded_->image;
+  if (texture_ == 0 || image.width != width_ || image.height != height_) {
+    width_ = image.width;
+    height_ = image.height;
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    texture_ = GlTexture(name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
+  }
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
+                  image.pixels.data());
+}
+
+void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>& trail) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const PictureSize size{static_cast<int>(std::lround(room.x * pixels_per_unit)),
+                         static_cast<int>(std::lround(room.y * pixels_per_unit))};
+  if (size.width < 16 || size.height < 16) return;
+  live_.set_picture_size(size);
+  ImGui::InvisibleButton("picture", room,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                             ImGuiButtonFlags_MouseButtonRight);
+  log_.note_widget("picture");
+  if (!live_.frame()) return;
+  upload();
+  // A picture of another size is shown as it is, in the middle, until the right one is there.
+  const auto left = std::floor((room.x - static_cast<float>(width_) / pixels_per_unit) / 2);
+  const auto top = std::floor((room.y - static_cast<float>(height_) / pixels_per_unit) / 2);
+  const PicturePlace place{.corner = {corner.x + left, corner.y + top},
+                           .pixels_per_unit = pixels_per_unit,
+                           .size = {width_, height_},
+                           .frame = uploaded_.get()};
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 end(corner.x + room.x, corner.y + room.y);
+  ImGui::GetWindowDrawList()->PushClipRect(corner, end, true);
+  show(place);
+  tool_.draw_over(*ImGui::GetWindowDrawList(), place, hovered);
+  ImGui::GetWindowDrawList()->PopClipRect();
+  follow_mouse(place, trail);
+  if (hovered) follow_wheel(place);
+}
+
+void PictureView::show(const PicturePlace& place) {
+  const ImVec2 end = place.unit({place.size.width, place.size.height});
+  const auto id = static_cast<std::uintptr_t>(static_cast<GLuint>(texture_));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (live_.document().options.contains("transparent")) {
+    // What lies behind a transparent picture.
+    list.AddRectFilled(place.corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  }
+  list.AddImage(reinterpret_cast<ImTextureID>(id), place.corner, end);
+}
+
+void PictureView::follow_mouse(const PicturePlace& place,
+                               const std::vector<Eigen::Vector2f>& trail) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool draws = tool_.tool() != Tool::look;
+  if (draws) follow_tool(place, trail);
+  if (ImGui::IsItemActive() && !drawing_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    look(io.MouseDelta, ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift, place);
+  }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    if (!draws) centre_at(place);
+    tool_.finish_spline();
+  }
+}
+
+void PictureView::follow_tool(const PicturePlace& place,
+                              const std::vector<Eigen::Vector2f>& trail) {
+  std::vector<Eigen::Vector2d> pixels;
+  for (const Eigen::Vector2f& at : trail) pixels.push_back(place.pixel({at.x(), at.y()}));
+  if (pixels.empty()) pixels.push_back(place.pixel(ImGui::GetIO().MousePos));
+  if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    drawing_ = true;
+    tool_.press(place, pixels.front());
+  }
+  if (!drawing_) return;
+  tool_.drag(place, pixels);
+  if (ImGui::IsItemActive()) return;
+  drawing_ = false;
+  tool_.release();
+}
+
+void PictureView::look(const ImVec2& motion, bool moves, const PicturePlace& place) {
+  const CameraView& view = live_.document().camera;
+  const Eigen::Vector2f pixels = place.pixels_per_unit * Eigen::Vector2f(motion.x, motion.y);
+  if (moves) {
+    if (const auto center = middle()) {
+      live_.apply_dragged(commands::SetCamera{
+          moved(view, place.frame->camera, view.center.value_or(*center), place.size, pixels)});
+    }
+    return;
+  }
+  live_.apply_dragged(
+      commands::SetCamera{turned(view, pixels / static_cast<float>(place.size.height))});
+}
+
+std::optional<Vec3> PictureView::middle() const {
+  if (!live_.frame()) return std::nullopt;
+  return middle_of(live_.frame()->camera, bounding_box(live_.frame()->surface().mesh).center());
+}
+
+void PictureView::follow_wheel(const PicturePlace&) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseWheel == 0 || io.KeyCtrl) return;
+  live_.apply_dragged(commands::SetCamera{zoomed(live_.document().camera, io.MouseWheel)});
+  last_wheel_ = ImGui::GetTime();
+}
+
+void PictureView::update() {
+  const bool turning = last_wheel_ >= 0 && ImGui::GetTime() - last_wheel_ < kWheelRest;
+  if (turning || ImGui::IsAnyMouseDown()) return;
+  last_wheel_ = -1;
+  live_.end_drag();
+}
+
+void PictureView::centre_at(const PicturePlace& place) {
+  const Eigen::Vector2d pixel = place.pixel(ImGui::GetIO().MousePos);
+  const auto hit = pick(place.frame->surface(), place.frame->camera, place.size.width,
+                        place.size.height, pixel.x(), pixel.y());
+  CameraView view = live_.document().camera;
+  if (hit) {
+    view.center = hit->position;
+  } else {
+    view.center.reset();
+  }
+  live_.apply(commands::SetCamera{view});
+}
+
+}  // namespace brindle::tool

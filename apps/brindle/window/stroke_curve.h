@@ -1,0 +1,24 @@
+/// Strokes as they are drawn with a mouse.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace brindle::tool {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// The Catmull-Rom spline through these points, `parts` pieces between two of them: it runs through
+/// each of them, and parallel to the line between its neighbours. Ends are as if the first and the
+/// last point were there twice.
+Points catmull_rom(std::span<const Eigen::Vector3d> controls, int parts);
+
+/// At most `most` of the points, the first and the last among them, evenly along the list.
+Points thinned(std::span<const Eigen::Vector3d> points, std::size_t most);
+
+/// The distance of a point from a line through others, in the plane.
+double distance_to_line(const Eigen::Vector2d& point, std::span<const Eigen::Vector2d> line);
+
+}  // namespace brindle::tool

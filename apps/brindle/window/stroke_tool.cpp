@@ -1,0 +1,333 @@
+#include "stroke_tool.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <imgui.h>
+
+namespace brindle::tool {
+namespace {
+
+constexpr double kCombStep = 5;     // pixels
+constexpr double kNearStroke = 12;  // pixels
+constexpr int kSplineParts = 8;
+constexpr std::size_t kMostMoved = 24;
+
+struct ToolName {
+  const char* name;
+  const char* help;
+};
+constexpr std::array<ToolName, kToolCount> kTools = {
+    {{"Look",
+      "drag to turn, Shift or the middle button to move, wheel to zoom, double click for "
+      "the centre (V)"},
+     {"Comb", "draw on the surface; stripes cross what you draw, or run along it with 'along' (C)"},
+     {"Spline", "click points; Enter or a double click ends it (S)"},
+     {"Move", "drag strokes; the sliders change the one that is chosen (M)"},
+     {"Erase", "click strokes, or drag over them (E)"}}};
+
+constexpr ImU32 kStrokeColor = IM_COL32(255, 176, 32, 255);
+constexpr ImU32 kChosenColor = IM_COL32(255, 235, 120, 255);
+constexpr ImU32 kRim = IM_COL32(20, 20, 24, 200);
+constexpr ImU32 kSingularityColor = IM_COL32(245, 90, 60, 255);
+
+void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 color, float width) {
+  const int count = static_cast<int>(points.size());
+  list.AddPolyline(points.data(), count, kRim, 0, width + 2.5f);
+  list.AddPolyline(points.data(), count, color, 0, width);
+}
+
+}  // namespace
+
+void StrokeTool::choose(Tool tool) {
+  finish_spline();
+  // Also if the button is still down.
+  drawn_.reset();
+  tool_ = tool;
+  if (tool != Tool::move) chosen_.reset();
+}
+
+void StrokeTool::draw_bar() {
+  for (int i = 0; i < kToolCount; ++i) {
+    if (i > 0) ImGui::SameLine();
+    const bool chosen = static_cast<int>(tool_) == i;
+    if (chosen)
+      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
+    if (ImGui::Button(kTools[i].name)) choose(static_cast<Tool>(i));
+    if (chosen) ImGui::PopStyleColor();
+    log_.note_widget(std::string("tool ") + kTools[i].name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kTools[i].help);
+  }
+  ImGui::SameLine(0, 1.2f * ImGui::GetFontSize());
+  draw_sliders();
+}
+
+void StrokeTool::draw_sliders() {
+  const auto& strokes = live_.document().strokes;
+  if (chosen_ && *chosen_ >= strokes.size()) chosen_.reset();
+  float radius = chosen_ && diagonal_ > 0
+                     ? static_cast<float>(100 * strokes[*chosen_].radius / diagonal_)
+                     : radius_;
+  float strength = chosen_ ? static_cast<float>(strokes[*chosen_].strength) : strength_;
+  const float width = 7 * ImGui::GetFontSize();
+  ImGui::SetNextItemWidth(width);
+  bool changed = ImGui::SliderFloat("##radius", &radius, 0.5f, 40, "radius %.1f%%",
+                                    ImGuiSliderFlags_Logarithmic);
+  log_.note_widget("stroke radius");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("how far from the line the field follows, of the surface's diagonal");
+  }
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(width);
+  changed |= ImGui::SliderFloat("##strength", &strength, 0.05f, 20, "strength %.2f",
+                                ImGuiSliderFlags_Logarithmic);
+  log_.note_widget("stroke strength");
+  ImGui::SameLine();
+  ImGui::Checkbox("singularities", &show_singularities_);
+  log_.note_widget("show singularities");
+  if (!changed) return;
+  radius_ = radius;
+  strength_ = strength;
+  if (!chosen_) return;
+  FieldStroke stroke = strokes[*chosen_];
+  stroke.radius = radius / 100.0 * diagonal_;
+  stroke.strength = strength;
+  live_.apply_dragged(commands::ChangeStroke{*chosen_, std::move(stroke)});
+}
+
+void StrokeTool::note_frame(const SessionFrame& frame) {
+  if (noted_ == frame.state) return;
+  noted_ = frame.state;
+  const Mesh& mesh = frame.surface().mesh;
+  diagonal_ = bounding_box(mesh).diagonal();
+  singularities_.clear();
+  const auto& corners = noted_->job->result.stripes().corners;
+  for (std::size_t t = 0; t < std::min(corners.size(), mesh.triangles.size()); ++t) {
+    if (corners[t].kind != TriangleKind::field_singularity) continue;
+    const Triangle& triangle = mesh.triangles[t];
+    const Vec3& a = mesh.positions[triangle[0]];
+    const Vec3& b = mesh.positions[triangle[1]];
+    const Vec3& c = mesh.positions[triangle[2]];
+    singularities_.push_back({(a + b + c) / 3, (b - a).cross(c - a)});
+  }
+}
+
+std::optional<PickedPoint> StrokeTool::pick_at(const PicturePlace& place,
+                                               const Eigen::Vector2d& pixel) const {
+  return pick(place.frame->surface(), place.frame->camera, place.size.width, place.size.height,
+              pixel.x(), pixel.y());
+}
+
+std::optional<Eigen::Vector2d> StrokeTool::pixel_of(const PicturePlace& place,
+                                                    const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d near = point - place.frame->surface().mesh.origin;
+  return place_in_picture(near.cast<float>(), place.frame->camera, place.size.width,
+                          place.size.height);
+}
+
+std::vector<Eigen::Vector2d> StrokeTool::line_of(const PicturePlace& place,
+                                                 const FieldStroke& stroke) const {
+  std::vector<Eigen::Vector2d> line;
+  for (const Eigen::Vector3d& point : stroke.points) {
+    if (const auto pixel = pixel_of(place, point)) line.push_back(*pixel);
+  }
+  return line;
+}
+
+std::optional<std::size_t> StrokeTool::stroke_at(const PicturePlace& place,
+                                                 const Eigen::Vector2d& pixel) {
+  std::optional<std::size_t> nearest;
+  double least = kNearStroke * place.pixels_per_unit;
+  const auto& strokes = live_.document().strokes;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const double distance = distance_to_line(pixel, line_of(place, strokes[i]));
+    if (distance > least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
+}
+
+void StrokeTool::press(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  note_frame(*place.frame);
+  refused_ = false;
+  last_pixel_ = pixel;
+  switch (tool_) {
+    case Tool::look:
+      return;
+    case Tool::comb:
+      comb_.clear();
+      drawn_.reset();
+      if (const auto hit = pick_at(place, pixel)) comb_.push_back(hit->place);
+      return;
+    case Tool::spline:
+      return add_control(place, pixel);
+    case Tool::move:
+      chosen_ = stroke_at(place, pixel);
+      if (chosen_) {
+        moving_ = Moving{thinned(live_.document().strokes[*chosen_].points, kMostMoved), pixel};
+      }
+      return;
+    case Tool::erase:
+      return erase_at(place, pixel);
+  }
+}
+
+void StrokeTool::drag(const PicturePlace& place, const std::vector<Eigen::Vector2d>& pixels) {
+  if (refused_) return;
+  bool longer = false;
+  for (const Eigen::Vector2d& pixel : pixels) {
+    if (tool_ == Tool::comb) longer |= extend_comb(place, pixel);
+    if (tool_ == Tool::erase) erase_at(place, pixel);
+  }
+  if (longer && comb_.size() > 1) set_points(comb_);
+  if (tool_ == Tool::move) move_chosen(place, pixels.back());
+}
+
+void StrokeTool::release() {
+  if (tool_ == Tool::comb) drawn_.reset();
+  comb_.clear();
+  moving_.reset();
+  refused_ = false;
+}
+
+// The points of the stroke that is being drawn, which is added first.
+void StrokeTool::set_points(Points points) {
+  const FieldStroke stroke{std::move(points), radius_ / 100.0 * diagonal_, strength_};
+  if (drawn_ && *drawn_ < live_.document().strokes.size()) {
+    refused_ = !live_.apply_dragged(commands::ChangeStroke{*drawn_, stroke});
+    return;
+  }
+  refused_ = !live_.apply_dragged(commands::AddStroke{stroke});
+  if (!refused_) drawn_ = live_.document().strokes.size() - 1;
+}
+
+bool StrokeTool::extend_comb(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  if ((pixel - last_pixel_).norm() < kCombStep * place.pixels_per_unit) return false;
+  const auto hit = pick_at(place, pixel);
+  if (!hit) return false;
+  last_pixel_ = pixel;
+  if (!comb_.empty() && comb_.back() == hit->place) return false;
+  comb_.push_back(hit->place);
+  return true;
+}
+
+void StrokeTool::add_control(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  // Undone in the meantime.
+  if (drawn_ && *drawn_ + 1 != live_.document().strokes.size()) finish_spline();
+  const auto hit = pick_at(place, pixel);
+  if (!hit || (!controls_.empty() && controls_.back() == hit->place)) return;
+  controls_.push_back(hit->place);
+  if (controls_.size() < 2) return;
+  set_points(on_surface(place, catmull_rom(controls_, kSplineParts), {0, 0}));
+  if (refused_) controls_.pop_back();
+}
+
+bool StrokeTool::finish_spline() {
+  if (controls_.empty()) return false;
+  controls_.clear();
+  drawn_.reset();
+  return true;
+}
+
+// Points moved by pixels and laid onto what is seen there; those beside the surface stay aloft.
+Points StrokeTool::on_surface(const PicturePlace& place, const Points& points,
+                              const Eigen::Vector2d& shift) const {
+  Points result;
+  for (const Eigen::Vector3d& point : points) {
+    const auto pixel = pixel_of(place, point);
+    const auto hit = pixel ? pick_at(place, *pixel + shift) : std::nullopt;
+    if (hit) {
+      result.push_back(hit->place);
+    } else if (shift.isZero()) {
+      result.push_back(point);
+    }
+  }
+  return result;
+}
+
+void StrokeTool::move_chosen(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  if (!moving_ || !chosen_ || *chosen_ >= live_.document().strokes.size()) return;
+  if (pixel == last_pixel_) return;
+  last_pixel_ = pixel;
+  FieldStroke stroke = live_.document().strokes[*chosen_];
+  stroke.points = on_surface(place, moving_->points, pixel - moving_->from);
+  if (stroke.points.size() < 2) return;
+  refused_ = !live_.apply_dragged(commands::ChangeStroke{*chosen_, std::move(stroke)});
+}
+
+void StrokeTool::erase_at(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  if (const auto index = stroke_at(place, pixel)) {
+    live_.apply_dragged(commands::EraseStroke{*index});
+  }
+}
+
+bool StrokeTool::erase_chosen() {
+  if (!chosen_ || *chosen_ >= live_.document().strokes.size()) return false;
+  return live_.apply(commands::EraseStroke{*std::exchange(chosen_, std::nullopt)});
+}
+
+void StrokeTool::draw_over(ImDrawList& list, const PicturePlace& place, bool hovered) {
+  note_frame(*place.frame);
+  if (show_singularities_) draw_singularities(list, place);
+  if (tool_ == Tool::look) return;
+  draw_strokes(list, place);
+  if (hovered) draw_cursor(list, place);
+}
+
+void StrokeTool::draw_strokes(ImDrawList& list, const PicturePlace& place) {
+  const auto& strokes = live_.document().strokes;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    std::vector<ImVec2> line;
+    for (const Eigen::Vector2d& pixel : line_of(place, strokes[i])) {
+      line.push_back(place.unit(pixel));
+    }
+    if (line.size() < 2) continue;
+    draw_line(list, line, chosen_ == i ? kChosenColor : kStrokeColor, chosen_ == i ? 3 : 2);
+    list.AddCircleFilled(line.front(), 3, kStrokeColor);
+    list.AddCircleFilled(line.back(), 3, kStrokeColor);
+  }
+  for (const Eigen::Vector3d& control : controls_) {
+    const auto pixel = pixel_of(place, control);
+    if (!pixel) continue;
+    list.AddCircleFilled(place.unit(*pixel), 5, kRim);
+    list.AddCircleFilled(place.unit(*pixel), 3.5f, kChosenColor);
+  }
+}
+
+// Those on the side that is seen; what lies in front of them is not looked for.
+void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place) {
+  const Camera& camera = place.frame->camera;
+  for (const Singularity& singularity : singularities_) {
+    const Vec3 seen =
+        (camera.view_from_world * (singularity.position - camera.origin).homogeneous().eval())
+            .head<3>();
+    const Vec3 normal = camera.view_from_world.topLeftCorner<3, 3>() * singularity.normal;
+    const Vec3 to_viewer = camera.orthographic() ? Vec3(Vec3::UnitZ()) : Vec3(-seen);
+    if (normal.dot(to_viewer) <= 0) continue;
+    const auto pixel =
+        place_in_picture(singularity.position, camera, place.size.width, place.size.height);
+    if (!pixel) continue;
+    list.AddCircle(place.unit(*pixel), 6, kRim, 0, 4);
+    list.AddCircle(place.unit(*pixel), 6, kSingularityColor, 0, 2);
+  }
+}
+
+// How far the stroke would reach where the mouse is.
+void StrokeTool::draw_cursor(ImDrawList& list, const PicturePlace& place) {
+  if (tool_ != Tool::comb && tool_ != Tool::spline) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const auto hit = pick_at(place, place.pixel(mouse));
+  if (!hit) return;
+  const Vec3 right = place.frame->camera.view_from_world.block<1, 3>(0, 0).transpose();
+  const auto reach = static_cast<float>(radius_ / 100 * diagonal_);
+  const auto side = place_in_picture(hit->position + reach * right, place.frame->camera,
+                                     place.size.width, place.size.height);
+  if (!side) return;
+  const ImVec2 edge = place.unit(*side);
+  list.AddCircle(mouse, std::abs(edge.x - mouse.x), kRim, 0, 3);
+  list.AddCircle(mouse, std::abs(edge.x - mouse.x), kStrokeColor, 0, 1.2f);
+}
+
+}  // namespace brindle::tool

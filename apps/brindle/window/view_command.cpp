@@ -1,0 +1,159 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/error.h"
+#include "command_line.h"
+#include "commands.h"
+#include "option_values.h"
+#include "viewer.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kViewExamples =
+    R"(The window's panel has all options of 'brindle stripe'; those given here are set in it.
+
+Examples:
+  brindle view
+  brindle view horse.ply --stripes 60
+  brindle view scan.obj --field curvature --along
+  brindle view shell.ply inside.ply --between nothing
+  brindle view horse.json
+
+Press ? in the window for keys. A session that is saved there is drawn without a window by
+'brindle render'.)";
+
+struct ViewArguments {
+  std::vector<std::string> meshes;
+  OptionValues options;
+  std::string camera;
+  ViewerOptions viewer;
+  bool light = false;
+  bool dark = false;
+};
+
+// What the session's own check reads.
+void add_session_options(CLI::App& command, OptionValues& options) {
+  for (const SessionOption& option : session_options()) {
+    const std::string name = option.name;
+    if (option.flag) {
+      command.add_flag_callback(
+          "--" + name, [&options, name] { options[name] = {}; }, option.help);
+      continue;
+    }
+    CLI::Option* added = command.add_option_function<std::vector<std::string>>(
+        "--" + name,
+        [&options, name](const std::vector<std::string>& values) { options[name] = values; },
+        option.help);
+    added->type_name(option.type_name)->expected(1);
+    if (option.repeatable) added->take_all();
+  }
+}
+
+void set_window_size(ViewerOptions& viewer, const std::string& text) {
+  const auto parts = split(text, 'x');
+  const auto side = [&](const std::string& part) {
+    const float value = parse_positive_number("--window", part);
+    if (value < 320 || value > 16384) {
+      wrong_usage("--window", "sides from 320 to 16384", text);
+    }
+    return static_cast<int>(value);
+  };
+  if (parts.size() != 2) wrong_usage("--window", "WIDTHxHEIGHT", text);
+  viewer.width = side(parts[0]);
+  viewer.height = side(parts[1]);
+}
+
+void add_window_options(CLI::App& command, ViewArguments& arguments) {
+  ViewerOptions& viewer = arguments.viewer;
+  command
+      .add_option_function<std::string>(
+          "--window", [&viewer](const std::string& text) { set_window_size(viewer, text); },
+          "size of the window (default 1280x800)")
+      ->type_name("WIDTHxHEIGHT");
+  command.add_option("--scale", viewer.scale, "size of text and widgets (default: the display's)")
+      ->type_name("S")
+      ->check(CLI::Range(0.5, 4.0));
+  CLI::Option* light = command.add_flag("--light", arguments.light, "light colours");
+  command.add_flag("--dark", arguments.dark, "dark colours (default at first: as it was left)")
+      ->excludes(light);
+  command
+      .add_option("-o,--output", viewer.output,
+                  "write a picture of the window once all is drawn, and close it")
+      ->type_name("FILE.png");
+  command
+      .add_option("--log", viewer.log,
+                  "write what the window does, a line of JSON each, for reports of faults")
+      ->type_name("FILE.jsonl");
+  command
+      .add_option("--record-commands", viewer.commands,
+                  "write all that is done, for 'brindle render --replay'")
+      ->type_name("FILE.jsonl");
+}
+
+void add_view_options(CLI::App& command, ViewArguments& arguments) {
+  command.add_option("MESH", arguments.meshes,
+                     "a mesh file, a built-in shape such as shape:torus, or a saved session "
+                     "(.json); further meshes are seen beside the first, as with --with");
+  command.add_option("--camera", arguments.camera, "where from, in degrees (default 30,20)")
+      ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
+  add_session_options(command, arguments.options);
+  add_window_options(command, arguments);
+}
+
+SessionDocument first_document(const ViewArguments& arguments) {
+  const std::string& name = arguments.meshes.front();
+  if (lower_extension(name) == ".json") return read_session(name);
+  SessionDocument document;
+  document.mesh = name;
+  return document;
+}
+
+SessionDocument document_of(const ViewArguments& arguments) {
+  SessionDocument document;
+  if (!arguments.meshes.empty()) document = first_document(arguments);
+  for (const auto& [name, values] : arguments.options) document.options[name] = values;
+  for (std::size_t i = 1; i < arguments.meshes.size(); ++i) {
+    document.options["with"].push_back(arguments.meshes[i]);
+  }
+  if (!arguments.camera.empty()) {
+    const auto view = parse_camera_view(arguments.camera);
+    if (!view) {
+      wrong_usage("--camera",
+                  "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90",
+                  arguments.camera);
+    }
+    document.camera = *view;
+  }
+  // Phases that were kept are those of other waves.
+  if (!arguments.options.empty()) document.phases = nullptr;
+  check_document(document);
+  return document;
+}
+
+void run_view(const CLI::App&, const ViewArguments& arguments) {
+  ViewerOptions options = arguments.viewer;
+  if (arguments.light || arguments.dark) options.dark = arguments.dark;
+  if (options.output.empty()) {
+    options.settings = settings_path();
+  } else {
+    check_output_path(options.output);
+  }
+  const bool session =
+      !arguments.meshes.empty() && lower_extension(arguments.meshes.front()) == ".json";
+  Viewer viewer(document_of(arguments), session ? arguments.meshes.front() : "", options);
+  if (!arguments.meshes.empty()) viewer.remember_opened(arguments.meshes.front());
+  viewer.run();
+}
+
+}  // namespace
+
+Command add_view_command(CLI::App& app) {
+  return add_command<ViewArguments>(app, "view", "Open a window: stripes live, fields by strokes",
+                                    kViewExamples, add_view_options, run_view);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,318 @@
+#include "viewer.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include <imgui.h>
+
+#include "brindle/error.h"
+#include "formatted.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr int kFramesAfterInput = 3;  // what Dear ImGui needs to settle
+constexpr double kShortest = 1 / 60.0;
+constexpr double kShortestBusy = 1 / 12.0;  // where the software draws, it needs the processor
+constexpr double kPollWorker = 0.004;
+constexpr double kIdle = 1;
+constexpr double kMessageSeconds = 12;
+
+double seconds_now() {
+  using Seconds = std::chrono::duration<double>;
+  return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// What this thread alone has had of a processor.
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+}  // namespace
+
+Viewer::Viewer(SessionDocument document, std::filesystem::path session_file,
+               const ViewerOptions& options)
+    : options_(options),
+      settings_(read_settings(options.settings)),
+      log_(options.log.empty() ? WindowLog() : WindowLog(options.log)),
+      window_("Brindle", options.width, options.height,
+              {options.dark.value_or(settings_.dark), options.scale}),
+      live_(std::move(document), log_, options.commands),
+      jobs_(live_),
+      browser_(settings_.folder),
+      option_panel_(live_, browser_, log_),
+      figure_panel_(live_, log_),
+      shapes_(live_, log_),
+      tool_(live_, log_),
+      picture_(live_, tool_, log_),
+      session_file_(std::move(session_file)) {
+  settings_.dark = window_.dark();
+  log_.write("start", {{"window", window_.renderer()}, {"scale", window_.scale()}});
+}
+
+Viewer::~Viewer() = default;
+
+void Viewer::run() {
+  if (!options_.output.empty()) {
+    live_.when_at_rest([this](const auto&) { window_picture_ = options_.output; });
+  }
+  while (!window_.closing()) {
+    if (turn()) draw();
+    if (!live_.first_failure().empty()) throw Error(live_.first_failure());
+  }
+  if (recording_) stop_recording();
+  remember_settings();
+  log_.write(
+      "end",
+      {{"busy", live_.worker().busy()}, {"drawn", drawn_}, {"thread_seconds", thread_seconds()}});
+}
+
+// Waits for something to happen. Returns whether the window is to be drawn.
+bool Viewer::turn() {
+  const bool input = window_.wait(wait_seconds());
+  bool changed = live_.update();
+  changed |= jobs_.update();
+  take_dropped();
+  if (recording_ && live_.frame()) recording_->show(live_.frame());
+  if (recording_ && recording_->failed()) stop_recording();
+  if (input) frames_to_draw_ = kFramesAfterInput;
+  if (changed) last_drawn_ = 0;  // what is new is shown at once
+  if (changed || !window_picture_.empty()) frames_to_draw_ = std::max(frames_to_draw_, 1);
+  const double pause = seconds_now() - last_drawn_;
+  if (pause < shortest_pause() || (frames_to_draw_ == 0 && pause < kIdle)) return false;
+  frames_to_draw_ = std::max(frames_to_draw_ - 1, 0);
+  return true;
+}
+
+double Viewer::shortest_pause() const { return live_.worker().busy() ? kShortestBusy : kShortest; }
+
+double Viewer::wait_seconds() const {
+  if (frames_to_draw_ > 0) {
+    return std::clamp(last_drawn_ + shortest_pause() - seconds_now(), 0.0, kPollWorker);
+  }
+  return live_.is_waiting() || jobs_.busy() || recording_ ? kPollWorker : kIdle;
+}
+
+void Viewer::draw() {
+  const double start = seconds_now();
+  window_.begin_frame();
+  follow_keys();
+  draw_menus();
+  draw_panels();
+  shapes_.draw();
+  draw_keys();
+  browser_.draw(log_);
+  picture_.update();
+  Image copy;
+  window_.end_frame(window_picture_.empty() ? nullptr : &copy);
+  if (copy.width > 0) write_window_picture(std::move(copy));
+  log_.end_frame();
+  last_drawn_ = seconds_now();
+  ++drawn_;
+  window_milliseconds_ += 0.1 * (1000 * (last_drawn_ - start) - window_milliseconds_);
+}
+
+void Viewer::write_window_picture(Image picture) {
+  const std::filesystem::path path = std::exchange(window_picture_, {});
+  if (path == options_.output) {
+    write_png(path, picture);
+    return window_.ask_to_close();
+  }
+  jobs_.start([path, picture = std::move(picture)] {
+    write_png(path, picture);
+    return "wrote " + path.string();
+  });
+}
+
+void Viewer::draw_panels() {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float status = ImGui::GetFrameHeight() + 2;
+  const float height = viewport->WorkSize.y - status;
+  float left = 0;
+  float right = 0;
+  if (settings_.show_options) {
+    draw_options(height);
+    left = options_width_;
+  }
+  if (settings_.show_figures) {
+    right = std::round(13.5f * ImGui::GetFontSize());
+    draw_figures(height);
+  }
+  draw_picture(left, right, height);
+  draw_status();
+}
+
+void Viewer::draw_options(float height) {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float text = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos(viewport->WorkPos);
+  ImGui::SetNextWindowSize({std::round(22 * text), height}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSizeConstraints({14 * text, height},
+                                      {std::max(14 * text, viewport->WorkSize.x / 2), height});
+  ImGui::Begin("options", nullptr, kPanel);
+  options_width_ = ImGui::GetWindowWidth();
+  draw_camera();
+  option_panel_.draw();
+  ImGui::End();
+}
+
+void Viewer::draw_figures(float height) {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float width = std::round(13.5f * ImGui::GetFontSize());
+  ImGui::SetNextWindowPos(
+      {viewport->WorkPos.x + viewport->WorkSize.x - width, viewport->WorkPos.y});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::Begin("figures", nullptr, kPanel | ImGuiWindowFlags_NoResize);
+  figure_panel_.draw(window_milliseconds_);
+  ImGui::End();
+}
+
+void Viewer::draw_picture(float left, float right, float height) {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos({viewport->WorkPos.x + left, viewport->WorkPos.y});
+  ImGui::SetNextWindowSize({viewport->WorkSize.x - left - right, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin("picture", nullptr,
+               kPanel | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const float gap = ImGui::GetStyle().FramePadding.y;
+  ImGui::SetCursorPos({2 * gap, gap});
+  tool_.draw_bar();
+  ImGui::SetCursorPos({0, ImGui::GetFrameHeight() + 2 * gap});
+  picture_.draw(window_.pixels_per_unit(), window_.take_trail());
+  draw_message();
+  ImGui::End();
+}
+
+void Viewer::draw_camera() {
+  const bool open = ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen);
+  log_.note_widget("group Camera");
+  if (!open) return;
+  const CameraView& view = live_.document().camera;
+  const float column = ImGui::GetStyle().WindowPadding.x + 0.44f * ImGui::GetContentRegionAvail().x;
+  const auto labelled = [column](const char* label) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(column);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+  };
+  float zoom = view.zoom;
+  labelled("zoom");
+  if (ImGui::SliderFloat("##zoom", &zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic)) {
+    CameraView zoomed = view;
+    zoomed.zoom = zoom;
+    live_.apply_dragged(commands::SetCamera{zoomed});
+  }
+  log_.note_widget("zoom");
+  float share = live_.document().frequency_by_zoom;
+  labelled("stripes by zoom");
+  if (ImGui::SliderFloat("##share", &share, 0, 1, share == 0 ? "no" : "%.2f")) {
+    live_.apply_dragged(commands::SetFrequencyByZoom{share});
+  }
+  log_.note_widget("frequency by zoom");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip(
+        "frequencies are multiplied by zoom to this power: 0 as they are, 1 as many\n"
+        "stripes on the screen however near one is");
+  }
+  bool free = view.rotation.has_value();
+  if (ImGui::Checkbox("free", &free)) set_camera(free ? freed(view) : upright(view));
+  log_.note_widget("camera free");
+  ImGui::SameLine();
+  bool orthographic = view.projection == Projection::orthographic;
+  if (ImGui::Checkbox("orthographic", &orthographic)) {
+    CameraView changed = view;
+    changed.projection = orthographic ? Projection::orthographic : Projection::perspective;
+    set_camera(changed);
+  }
+  log_.note_widget("camera orthographic");
+  ImGui::SameLine();
+  if (ImGui::Button("fit")) set_camera({.projection = view.projection});
+  log_.note_widget("camera fit");
+}
+
+// What is going on, and how to find out more.
+void Viewer::draw_status() {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float height = ImGui::GetFrameHeight() + 2;
+  ImGui::SetNextWindowPos(
+      {viewport->WorkPos.x, viewport->WorkPos.y + viewport->WorkSize.y - height});
+  ImGui::SetNextWindowSize({viewport->WorkSize.x, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 3});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("status", nullptr,
+               kPanel | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar(2);
+  ImGui::TextUnformatted(live_.document().mesh.c_str());
+  if (recording_) {
+    ImGui::SameLine(0, 20);
+    ImGui::TextColored({0.9f, 0.25f, 0.2f, 1}, "recording %.1f s (R stops)", recording_->seconds());
+  }
+  const std::string stage = live_.worker().stage();
+  if (!stage.empty()) {
+    ImGui::SameLine(0, 20);
+    ImGui::TextDisabled("%s ...", stage.c_str());
+  }
+  const char* help = "? keys";
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(help).x);
+  ImGui::TextDisabled("%s", help);
+  ImGui::End();
+}
+
+// The last message, for a while, at the lower edge of the picture.
+void Viewer::draw_message() {
+  const auto& messages = live_.session().messages();
+  if (!messages.empty() && (!message_ || !(*message_ == messages.back()))) {
+    message_ = messages.back();
+    message_since_ = seconds_now();
+  }
+  if (!message_ || message_->text.empty() || seconds_now() - message_since_ > kMessageSeconds) {
+    return;
+  }
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const float text = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({corner.x + text / 2, corner.y + ImGui::GetWindowHeight() - text / 2},
+                          ImGuiCond_Always, {0, 1});
+  const float width = ImGui::GetWindowWidth() - text;
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {width, ImGui::GetWindowHeight() / 2});
+  ImGui::Begin("message", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushTextWrapPos(width - 3 * text);
+  const bool bad = message_->kind == MessageKind::error;
+  const ImVec4 red = window_.dark() ? ImVec4(1, 0.5f, 0.4f, 1) : ImVec4(0.7f, 0.1f, 0.05f, 1);
+  if (bad) ImGui::PushStyleColor(ImGuiCol_Text, red);
+  ImGui::TextUnformatted(message_->text.c_str());
+  if (bad) ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) message_since_ = 0;
+  ImGui::End();
+}
+
+void Viewer::remember_opened(const std::string& name) {
+  remember(settings_, name);
+  remember_settings();
+}
+
+void Viewer::remember_settings() {
+  settings_.dark = window_.dark();
+  settings_.folder = browser_.folder().string();
+  try {
+    write_settings(options_.settings, settings_);
+  } catch (const Error& error) {
+    live_.add_message(MessageKind::warning, error.what());
+  }
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,132 @@
+/// The window of `brindle view`.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app_window.h"
+#include "background_jobs.h"
+#include "figure_panel.h"
+#include "file_browser.h"
+#include "live_session.h"
+#include "option_panel.h"
+#include "picture_view.h"
+#include "recording.h"
+#include "shape_dialog.h"
+#include "stroke_tool.h"
+#include "window_settings.h"
+
+namespace brindle::tool {
+
+struct ViewerOptions {
+  int width = 1280;  ///< of the window, in the desktop's units
+  int height = 800;
+  float scale = 0;                 ///< of text; 0: what the desktop says
+  std::optional<bool> dark;        ///< else as it was last time
+  std::filesystem::path log;       ///< empty: none
+  std::filesystem::path commands;  ///< empty: none
+  std::filesystem::path output;    ///< a picture of the window to write, and then to close it
+  std::filesystem::path settings;  ///< empty: nothing is remembered
+};
+
+/// Puts the parts of the window together: menus, keys, panels, the picture.
+class Viewer {
+ public:
+  /// Opens the window. Throws Error if that cannot be done.
+  Viewer(SessionDocument document, std::filesystem::path session_file,
+         const ViewerOptions& options);
+  ~Viewer();
+
+  /// Until the user closes the window. Throws Error if OpenGL is lost, and if the document that it
+  /// was opened with cannot be shown.
+  void run();
+
+  /// Lists a mesh or a session among those that were opened.
+  void remember_opened(const std::string& name);
+
+  /// Opens what a user has named: a session, a file of strokes, a mesh or a shape. What cannot be
+  /// opened changes nothing and leaves a message.
+  void open(const std::string& name);
+
+ private:
+  bool turn();
+  double shortest_pause() const;
+  double wait_seconds() const;
+  void draw();
+  void write_window_picture(Image picture);
+  void draw_panels();
+  void draw_options(float height);
+  void draw_camera();
+  void draw_figures(float height);
+  void draw_picture(float left, float right, float height);
+  void draw_status();
+  void draw_message();
+  void draw_keys();
+
+  void draw_menus();
+  void draw_file_menu();
+  void draw_recent_menu();
+  void draw_shape_menu();
+  void draw_save_items();
+  void draw_export_items();
+  void draw_edit_menu();
+  void draw_view_menu();
+  void draw_side_items();
+  void draw_stored_views();
+  void draw_help_menu();
+  bool item(const char* label, const char* keys, bool chosen = false, bool enabled = true);
+
+  void follow_keys();
+  void follow_control_key(const PressedKey& key);
+  void follow_plain_key(const PressedKey& key);
+  void follow_letter(int key);
+  void take_dropped();
+
+  void ask_open();
+  void ask_save_session();
+  void save_session(const std::filesystem::path& path);
+  void ask_save_picture(bool transparent);
+  void ask_save_window();
+  using Export = void (*)(const LiveState&, const std::filesystem::path&, JobListener&);
+  void ask_export(const std::string& title, std::vector<std::string> extensions, Export write);
+  void ask_strokes(bool save);
+  void open_strokes(const std::filesystem::path& path);
+  void toggle_recording();
+  void stop_recording();
+  void set_camera(const CameraView& view);
+  void paste_view();
+  void show_view(const std::string& name);
+  void cycle_view();
+  void toggle_theme();
+  void remember_settings();
+  std::string stem() const;
+
+  ViewerOptions options_;
+  WindowSettings settings_;
+  WindowLog log_;
+  AppWindow window_;
+  LiveSession live_;
+  BackgroundJobs jobs_;
+  FileBrowser browser_;
+  OptionPanel option_panel_;
+  FigurePanel figure_panel_;
+  ShapeDialog shapes_;
+  StrokeTool tool_;
+  PictureView picture_;
+  std::unique_ptr<Recording> recording_;
+  std::filesystem::path session_file_;
+  std::filesystem::path window_picture_;   // to be written after the next frame
+  std::optional<SessionMessage> message_;  // that is shown over the picture
+  double message_since_ = 0;
+  bool show_keys_ = false;
+  int frames_to_draw_ = 3;
+  double last_drawn_ = 0;
+  std::size_t drawn_ = 0;
+  double window_milliseconds_ = 0;
+  float options_width_ = 0;
+};
+
+}  // namespace brindle::tool

@@ -1,0 +1,206 @@
+// What the window reads and writes.
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "viewer.h"
+
+namespace brindle::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kOpened = {".ply", ".obj",  ".vtp", ".vtu", ".vtk", ".stl",
+                                          ".off", ".gltf", ".glb", ".csv", ".json"};
+
+// Files of strokes have these alone.
+bool holds_strokes_alone(const fs::path& path) {
+  std::ifstream file(path);
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  return json.is_object() && json.contains("strokes") && !json.contains("mesh");
+}
+
+// What there is to say of a file goes into one message.
+class NoteCollector : public JobListener {
+ public:
+  Progress progress() override { return {}; }
+  void note(const std::string& line) override {
+    if (!line.empty()) text += "\n" + line;
+  }
+
+  std::string text;
+};
+
+}  // namespace
+
+std::string Viewer::stem() const {
+  const std::string& mesh = live_.document().mesh;
+  if (!session_file_.empty()) return session_file_.stem().string();
+  if (!mesh.starts_with("shape:")) return fs::path(mesh).stem().string();
+  return mesh.substr(6, mesh.find(',') - 6);
+}
+
+void Viewer::open(const std::string& name) {
+  try {
+    if (lower_extension(name) != ".json") {
+      // Whether the file can be read turns out in the worker's thread.
+      if (live_.apply(commands::Open{name})) remember(settings_, name);
+    } else if (holds_strokes_alone(name)) {
+      return open_strokes(name);
+    } else if (live_.apply(commands::Load{read_session(name)})) {
+      session_file_ = name;
+      remember(settings_, name);
+    }
+    remember_settings();
+  } catch (const std::exception& error) {
+    live_.add_message(MessageKind::error, error.what());
+  }
+}
+
+void Viewer::open_strokes(const fs::path& path) {
+  try {
+    live_.apply(commands::SetStrokes{read_strokes(path)});
+  } catch (const Error& error) {
+    live_.add_message(MessageKind::error, error.what());
+  }
+}
+
+void Viewer::take_dropped() {
+  for (const fs::path& path : window_.take_dropped()) {
+    log_.write("drop", {{"file", path.string()}});
+    open(path.string());
+  }
+}
+
+void Viewer::ask_open() {
+  browser_.ask({.title = "Open a mesh, a session or strokes",
+                .extensions = kOpened,
+                .done = [this](const fs::path& path) { open(path.string()); }});
+}
+
+void Viewer::ask_save_session() {
+  browser_.ask({.title = "Save the session",
+                .extensions = {".json"},
+                .save = true,
+                .name = stem() + ".json",
+                .done = [this](const fs::path& path) { save_session(path); }});
+}
+
+// What is saved is what is shown when all is drawn.
+void Viewer::save_session(const fs::path& path) {
+  live_.when_at_rest([this, path](const auto&) {
+    try {
+      write_session(path, live_.document_as_shown());
+      session_file_ = path;
+      remember(settings_, path.string());
+      live_.add_message(MessageKind::note, "wrote " + path.string());
+      remember_settings();
+    } catch (const Error& error) {
+      live_.add_message(MessageKind::error, error.what());
+    }
+  });
+}
+
+void Viewer::ask_save_picture(bool transparent) {
+  const auto save = [this](const fs::path& path) {
+    return [this, path](const std::shared_ptr<const SessionFrame>& frame) {
+      jobs_.start([path, frame] {
+        write_png(path, frame->image);
+        return "wrote " + path.string();
+      });
+    };
+  };
+  browser_.ask({.title = "Save the picture",
+                .extensions = {".png"},
+                .save = true,
+                .name = stem() + ".png",
+                .done = [this, transparent, save](const fs::path& path) {
+                  if (!transparent) return live_.when_at_rest(save(path));
+                  live_.when_at_rest([this, path, save](const auto&) {
+                    SessionDocument variant = live_.document_as_shown();
+                    variant.options["transparent"] = {};
+                    live_.draw_variant(std::move(variant), save(path));
+                  });
+                }});
+}
+
+void Viewer::ask_save_window() {
+  browser_.ask({.title = "Save a picture of the window",
+                .extensions = {".png"},
+                .save = true,
+                .name = stem() + "_window.png",
+                .done = [this](const fs::path& path) {
+                  live_.when_at_rest([this, path](const auto&) { window_picture_ = path; });
+                }});
+}
+
+void Viewer::ask_export(const std::string& title, std::vector<std::string> extensions,
+                        Export write) {
+  const std::string name = stem() + "_stripes" + extensions.front();
+  const auto save = [this, write](const fs::path& path) {
+    live_.when_at_rest([this, path, write](const std::shared_ptr<const SessionFrame>& frame) {
+      jobs_.start([path, write, state = frame->state] {
+        NoteCollector notes;
+        write(*state, path, notes);
+        return "wrote " + path.string() + notes.text;
+      });
+    });
+  };
+  browser_.ask({.title = title,
+                .extensions = std::move(extensions),
+                .save = true,
+                .name = name,
+                .done = save});
+}
+
+void Viewer::ask_strokes(bool save) {
+  const auto write = [this](const fs::path& path) {
+    try {
+      write_strokes(path, live_.document().strokes);
+      live_.add_message(MessageKind::note, "wrote " + path.string());
+    } catch (const Error& error) {
+      live_.add_message(MessageKind::error, error.what());
+    }
+  };
+  const auto read = [this](const fs::path& path) { open_strokes(path); };
+  browser_.ask({.title = save ? "Save the strokes" : "Load strokes",
+                .extensions = {".json"},
+                .save = save,
+                .name = save ? stem() + "_strokes.json" : "",
+                .done = save ? std::function<void(const fs::path&)>(write) : read});
+}
+
+void Viewer::toggle_recording() {
+  if (recording_) return stop_recording();
+  if (!live_.frame()) return;
+  browser_.ask({.title = "Record a video",
+                .extensions = {".mp4"},
+                .save = true,
+                .name = stem() + ".mp4",
+                .done = [this](const fs::path& path) {
+                  try {
+                    check_video_available(path);
+                    check_output_path(path);
+                    recording_ = std::make_unique<Recording>(path, live_.frame());
+                  } catch (const Error& error) {
+                    live_.add_message(MessageKind::error, error.what());
+                  }
+                }});
+}
+
+// The encoder needs a while for what it has been given.
+void Viewer::stop_recording() {
+  jobs_.start([recording = std::shared_ptr<Recording>(std::move(recording_))] {
+    recording->finish();
+    return "wrote " + recording->path().string();
+  });
+}
+
+}  // namespace brindle::tool

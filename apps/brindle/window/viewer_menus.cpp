@@ -1,0 +1,366 @@
+// What the menus and the keys of the window do.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "brindle/error.h"
+#include "brindle/version.h"
+#include "session/session_export.h"
+#include "viewer.h"
+
+namespace brindle::tool {
+namespace {
+
+struct Side {
+  const char* name;
+  float azimuth_deg;
+  float elevation_deg;
+};
+constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
+                                         {"Back", 180, 0},
+                                         {"Left", -90, 0},
+                                         {"Right", 90, 0},
+                                         {"Top", 0, 90},
+                                         {"Bottom", 0, -90}}};
+
+constexpr std::array kViews = {"stripes", "branches", "angle_error"};
+
+constexpr std::array<std::pair<const char*, const char*>, 25> kKeys = {{
+    {"drag", "turn"},
+    {"Shift + drag, middle drag", "move"},
+    {"wheel", "zoom"},
+    {"double click", "this point in the middle; beside the surface: the whole surface"},
+    {"1 ... 9", "recall a view"},
+    {"Ctrl + 1 ... 9", "store the view"},
+    {"Home", "see the whole surface"},
+    {"O", "orthographic or perspective"},
+    {"T", "turntable or free"},
+    {"Ctrl + C, Ctrl + V", "copy and paste the view as JSON"},
+    {"B", "stripes, branches, angle errors"},
+    {"V C S M E", "look, comb, spline, move and erase strokes"},
+    {"Enter", "end the spline"},
+    {"Delete", "erase the chosen stroke"},
+    {"Ctrl + Z", "undo"},
+    {"Ctrl + Shift + Z, Ctrl + Y", "redo"},
+    {"Ctrl + O", "open a mesh or a session"},
+    {"Ctrl + S", "save the session"},
+    {"Ctrl + P", "save the picture"},
+    {"R", "start or stop recording"},
+    {"Tab", "show or hide the panels"},
+    {"L", "light or dark"},
+    {"Ctrl + click on a slider", "type a number"},
+    {"right click on a name", "leave the option out, or type its value"},
+    {"Ctrl + Q", "quit"},
+}};
+
+}  // namespace
+
+bool Viewer::item(const char* label, const char* keys, bool chosen, bool enabled) {
+  const bool clicked = ImGui::MenuItem(label, keys, chosen, enabled);
+  log_.note_widget(std::string("item ") + label);
+  return clicked;
+}
+
+void Viewer::draw_menus() {
+  if (!ImGui::BeginMainMenuBar()) return;
+  const auto menu = [this](const char* name, void (Viewer::*contents)()) {
+    const bool open = ImGui::BeginMenu(name);
+    log_.note_widget(std::string("menu ") + name);
+    if (!open) return;
+    (this->*contents)();
+    ImGui::EndMenu();
+  };
+  menu("File", &Viewer::draw_file_menu);
+  menu("Edit", &Viewer::draw_edit_menu);
+  menu("View", &Viewer::draw_view_menu);
+  menu("Help", &Viewer::draw_help_menu);
+  ImGui::EndMainMenuBar();
+}
+
+void Viewer::draw_file_menu() {
+  if (item("Open...", "Ctrl+O")) ask_open();
+  draw_recent_menu();
+  draw_shape_menu();
+  ImGui::Separator();
+  draw_save_items();
+  ImGui::Separator();
+  draw_export_items();
+  ImGui::Separator();
+  if (item("Quit", "Ctrl+Q")) window_.ask_to_close();
+}
+
+void Viewer::draw_recent_menu() {
+  const bool open = ImGui::BeginMenu("Open recent", !settings_.recent.empty());
+  log_.note_widget("item Open recent");
+  if (!open) return;
+  std::string chosen;
+  for (const std::string& name : settings_.recent) {
+    if (item(name.c_str(), nullptr)) chosen = name;
+  }
+  ImGui::EndMenu();
+  if (!chosen.empty()) this->open(chosen);
+}
+
+void Viewer::draw_shape_menu() {
+  const bool open = ImGui::BeginMenu("Shape");
+  log_.note_widget("item Shape");
+  if (!open) return;
+  for (const ShapeEntry& shape : shapes_.shapes()) {
+    if (item(shape.name.c_str(), nullptr)) live_.apply(commands::Open{shape_text(shape, {})});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shape.help.c_str());
+  }
+  ImGui::Separator();
+  if (item("Parameters...", nullptr)) shapes_.open();
+  ImGui::EndMenu();
+}
+
+void Viewer::draw_save_items() {
+  if (item("Save session", "Ctrl+S")) {
+    session_file_.empty() ? ask_save_session() : save_session(session_file_);
+  }
+  if (item("Save session as...", nullptr)) ask_save_session();
+  if (item("Save picture...", "Ctrl+P")) ask_save_picture(false);
+  if (item("Save picture without background...", nullptr)) ask_save_picture(true);
+  if (item("Save picture of the window...", nullptr)) ask_save_window();
+  if (item(recording_ ? "Stop recording" : "Record a video...", "R")) toggle_recording();
+}
+
+void Viewer::draw_export_items() {
+  if (item("Export mesh...", nullptr)) {
+    ask_export("Export the mesh", {".vtp", ".ply", ".obj", ".glb", ".gltf"}, export_pattern);
+  }
+  if (item("Export curves...", nullptr)) {
+    ask_export("Export the stripes' curves", {".vtp", ".ply", ".obj", ".csv"}, export_curves);
+  }
+  if (item("Export samples...", nullptr)) {
+    ask_export("Export samples", {".csv", ".ply", ".vtp"}, export_samples);
+  }
+  ImGui::Separator();
+  const bool has_strokes = !live_.document().strokes.empty();
+  if (item("Load strokes...", nullptr)) ask_strokes(false);
+  if (item("Save strokes...", nullptr, false, has_strokes)) ask_strokes(true);
+  if (item("Erase all strokes", nullptr, false, has_strokes)) live_.apply(commands::SetStrokes{});
+}
+
+void Viewer::draw_edit_menu() {
+  const Session& session = live_.session();
+  const std::string undo = "Undo " + session.undo_name() + "###Undo";
+  const std::string redo = "Redo " + session.redo_name() + "###Redo";
+  if (ImGui::MenuItem(undo.c_str(), "Ctrl+Z", false, session.can_undo())) live_.undo();
+  log_.note_widget("item Undo");
+  if (ImGui::MenuItem(redo.c_str(), "Ctrl+Shift+Z", false, session.can_redo())) live_.redo();
+  log_.note_widget("item Redo");
+  ImGui::Separator();
+  if (item("Copy view", "Ctrl+C")) window_.set_clipboard(view_text(live_.document().camera));
+  if (item("Paste view", "Ctrl+V")) paste_view();
+}
+
+void Viewer::draw_view_menu() {
+  const CameraView& view = live_.document().camera;
+  if (item("See everything", "Home")) set_camera({.projection = view.projection});
+  draw_side_items();
+  draw_stored_views();
+  ImGui::Separator();
+  const auto& options = live_.document().options;
+  const auto found = options.find("view");
+  const std::string current = found == options.end() ? "stripes" : found->second.front();
+  for (const char* name : kViews) {
+    if (item(name, "B", current == name)) show_view(name);
+  }
+  ImGui::Separator();
+  if (item("Options", "Tab", settings_.show_options)) {
+    settings_.show_options = !settings_.show_options;
+  }
+  if (item("Figures", "Tab", settings_.show_figures)) {
+    settings_.show_figures = !settings_.show_figures;
+  }
+  if (item("Dark", "L", window_.dark())) toggle_theme();
+}
+
+void Viewer::draw_side_items() {
+  const bool open = ImGui::BeginMenu("From");
+  log_.note_widget("item From");
+  if (!open) return;
+  for (const Side& side : kSides) {
+    if (item(side.name, nullptr)) {
+      set_camera(from_side(live_.document().camera, side.azimuth_deg, side.elevation_deg));
+    }
+  }
+  ImGui::EndMenu();
+}
+
+void Viewer::draw_stored_views() {
+  const bool open = ImGui::BeginMenu("Stored views");
+  log_.note_widget("item Stored views");
+  if (!open) return;
+  for (int key = 1; key <= kStoredViews; ++key) {
+    const std::string number = std::to_string(key);
+    const bool stored = live_.document().views[static_cast<std::size_t>(key) - 1].has_value();
+    if (item(("Recall " + number).c_str(), number.c_str(), false, stored)) {
+      live_.apply(commands::RecallView{key});
+    }
+  }
+  ImGui::Separator();
+  for (int key = 1; key <= kStoredViews; ++key) {
+    const std::string number = std::to_string(key);
+    if (item(("Store as " + number).c_str(), ("Ctrl+" + number).c_str())) {
+      live_.apply(commands::StoreView{key});
+    }
+  }
+  ImGui::EndMenu();
+}
+
+void Viewer::draw_help_menu() {
+  if (item("Keys", "?")) show_keys_ = true;
+  ImGui::Separator();
+  ImGui::TextDisabled("Brindle " BRINDLE_VERSION);
+  ImGui::TextDisabled("%s", window_.renderer().c_str());
+}
+
+void Viewer::draw_keys() {
+  if (!show_keys_) return;
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (ImGui::Begin("Keys and mouse", &show_keys_,
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
+    for (const auto& [keys, what] : kKeys) {
+      ImGui::TextUnformatted(keys);
+      ImGui::SameLine(14 * ImGui::GetFontSize());
+      ImGui::TextDisabled("%s", what);
+    }
+  }
+  log_.note_widget("keys");
+  ImGui::End();
+}
+
+void Viewer::follow_keys() {
+  const bool typing = ImGui::GetIO().WantTextInput || browser_.is_open();
+  for (const PressedKey& key : window_.take_keys()) {
+    if (typing) continue;
+    key.control ? follow_control_key(key) : follow_plain_key(key);
+  }
+}
+
+void Viewer::follow_control_key(const PressedKey& key) {
+  if (key.key >= GLFW_KEY_1 && key.key <= GLFW_KEY_9) {
+    live_.apply(commands::StoreView{key.key - GLFW_KEY_1 + 1});
+    return live_.add_message(MessageKind::note, "the view is stored under " +
+                                                    std::string(1, static_cast<char>(key.key)));
+  }
+  switch (key.key) {
+    case GLFW_KEY_Z:
+      key.shift ? live_.redo() : live_.undo();
+      return;
+    case GLFW_KEY_Y:
+      live_.redo();
+      return;
+    case GLFW_KEY_O:
+      return ask_open();
+    case GLFW_KEY_S:
+      return session_file_.empty() || key.shift ? ask_save_session() : save_session(session_file_);
+    case GLFW_KEY_P:
+      return ask_save_picture(false);
+    case GLFW_KEY_C:
+      return window_.set_clipboard(view_text(live_.document().camera));
+    case GLFW_KEY_V:
+      return paste_view();
+    case GLFW_KEY_Q:
+      return window_.ask_to_close();
+    default:
+      return;
+  }
+}
+
+void Viewer::follow_plain_key(const PressedKey& key) {
+  if (key.key >= GLFW_KEY_1 && key.key <= GLFW_KEY_9) {
+    live_.apply(commands::RecallView{key.key - GLFW_KEY_1 + 1});
+    return;
+  }
+  const CameraView& view = live_.document().camera;
+  switch (key.key) {
+    case GLFW_KEY_HOME:
+      return set_camera({.projection = view.projection});
+    case GLFW_KEY_O:
+      return set_camera(with_other_projection(view));
+    case GLFW_KEY_T:
+      return set_camera(view.rotation ? upright(view) : freed(view));
+    case GLFW_KEY_TAB:
+      settings_.show_options = settings_.show_figures = !settings_.show_options;
+      return;
+    case GLFW_KEY_ESCAPE:
+      show_keys_ = false;
+      [[fallthrough]];
+    case GLFW_KEY_ENTER:
+      tool_.finish_spline();
+      return;
+    case GLFW_KEY_DELETE:
+      tool_.erase_chosen();
+      return;
+    case '?':
+      show_keys_ = !show_keys_;
+      return;
+    default:
+      return follow_letter(key.key);
+  }
+}
+
+void Viewer::follow_letter(int key) {
+  switch (key) {
+    case GLFW_KEY_V:
+      return tool_.choose(Tool::look);
+    case GLFW_KEY_C:
+      return tool_.choose(Tool::comb);
+    case GLFW_KEY_S:
+      return tool_.choose(Tool::spline);
+    case GLFW_KEY_M:
+      return tool_.choose(Tool::move);
+    case GLFW_KEY_E:
+      return tool_.choose(Tool::erase);
+    case GLFW_KEY_B:
+      return cycle_view();
+    case GLFW_KEY_R:
+      return toggle_recording();
+    case GLFW_KEY_L:
+      return toggle_theme();
+    default:
+      return;
+  }
+}
+
+void Viewer::set_camera(const CameraView& view) { live_.apply(commands::SetCamera{view}); }
+
+void Viewer::paste_view() {
+  try {
+    set_camera(parse_view_text(window_.clipboard()));
+  } catch (const std::exception& error) {
+    live_.add_message(MessageKind::error, error.what());
+  }
+}
+
+void Viewer::show_view(const std::string& name) {
+  if (name == kViews.front()) {
+    live_.apply(commands::ClearOption{"view"});
+  } else {
+    live_.apply(commands::SetOption{"view", {name}});
+  }
+}
+
+void Viewer::cycle_view() {
+  const auto& options = live_.document().options;
+  const auto found = options.find("view");
+  const std::string current = found == options.end() ? kViews.front() : found->second.front();
+  const auto at = std::ranges::find(kViews, current);
+  const bool last = at == kViews.end() || at + 1 == kViews.end();
+  show_view(last ? kViews.front() : *(at + 1));
+}
+
+void Viewer::toggle_theme() {
+  window_.set_dark(!window_.dark());
+  settings_.dark = window_.dark();
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,30 @@
+/// A molecule in water whose atoms are charged. Nanometres, elementary charges, kT/e.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "gallery/gallery.h"
+
+namespace brindle {
+
+/// At this distance two elementary charges in water of 25 degrees repel each other with kT.
+constexpr double kBjerrumLength = 0.7;
+
+struct PointCharge {
+  Eigen::Vector3d at;
+  double charge = 0;
+};
+
+/// One charge in every atom; together they are 0.
+std::vector<PointCharge> charges_of_molecule();
+
+/// Coulomb's law: kBjerrumLength times the sum of charge / distance.
+double potential_at(const Eigen::Vector3d& at, std::span<const PointCharge> charges);
+
+/// The surface, with `potential` per point.
+GalleryFile charged_molecule(double detail);
+
+}  // namespace brindle

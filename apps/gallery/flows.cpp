@@ -1,0 +1,112 @@
+#include "gallery/flows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "brindle/geometry/append_mesh.h"
+#include "brindle/geometry/normals.h"
+#include "brindle/shapes/parametric_shapes.h"
+#include "gallery/hare.h"
+#include "gallery/implicit.h"
+
+namespace brindle {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+constexpr double kCalm = 0.16;  // inside of this radius a vortex turns like a wheel
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+ImplicitFunction pebble_function() {
+  return blended({ellipsoid({-0.25, 0, 0}, {0.95, 0.8, 0.62}, turned(0, 6, 0)),
+                  ellipsoid({0.65, 0.1, 0.12}, {0.62, 0.6, 0.5}),
+                  ellipsoid({-0.1, 0.1, 0.35}, {0.5, 0.5, 0.42})},
+                 0.07);
+}
+
+/// Round an axis of the vortex, slower and slower far outside.
+Point whirl(const Point& core, const Point& at, const Point& normal) {
+  const Point arm = at - core;
+  return normal.cross(arm) / (arm.squaredNorm() + kCalm * kCalm);
+}
+
+struct Flow {
+  std::vector<Vec3> velocity;
+  std::vector<float> speed;
+
+  void add(const Vec3& v) {
+    velocity.push_back(v);
+    speed.push_back(v.norm());
+  }
+};
+
+}  // namespace
+
+std::array<Point, 2> vortex_cores(int number) {
+  const double turn = 2 * std::numbers::pi * number / kVortexSteps;
+  const ImplicitFunction surface = pebble_function();
+  const auto on_surface = [&](Point p) {
+    for (int k = 0; k < 40; ++k) p -= surface(p) * level_curvature(surface, p, 1e-3).normal;
+    return p;
+  };
+  // Each on a circle of its own, so that they come nearer and part again.
+  return {on_surface({1.4, -0.45 + 0.3 * std::cos(turn), 0.35 + 0.28 * std::sin(turn)}),
+          on_surface({0.35 + 0.2 * std::sin(turn), -1.3, 0.15 - 0.25 * std::cos(turn)})};
+}
+
+Mesh vortex_pebble(double detail) {
+  return isosurface(pebble_function(), {Vec3::Constant(-1.6f), Vec3::Constant(1.6f)},
+                    static_cast<float>(0.035 / detail));
+}
+
+GalleryFile vortex_step(int number, const Mesh& pebble) {
+  GalleryFile file{"", pebble, {}, {}};
+  file.name = std::to_string(1000 + number);
+  file.name = "step_" + file.name.substr(1) + ".vtp";
+  const std::array<Point, 2> cores = vortex_cores(number);
+  const std::vector<Vec3> normals = vertex_normals(file.mesh);
+  Flow flow;
+  std::vector<float> near, core;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const Point p = file.mesh.positions[v].cast<double>(), n = normals[v].cast<double>();
+    flow.add((whirl(cores[0], p, n) - whirl(cores[1], p, n)).cast<float>());
+    near.push_back(static_cast<float>(std::min((p - cores[0]).norm(), (p - cores[1]).norm())));
+    core.push_back(kNone);
+  }
+  for (std::size_t k = 0; k < cores.size(); ++k) {
+    Mesh ball = make_sphere({.radius = 0.07f, .resolution = 8});
+    for (Vec3& position : ball.positions) position += cores[k].cast<float>();
+    for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
+      flow.add(Vec3::Zero());
+      near.push_back(kNone);
+      core.push_back(static_cast<float>(k));
+    }
+    append(ball, file.mesh);
+  }
+  file.arrays.points = {make_data_array("velocity", flow.velocity),
+                        make_data_array("speed", 1, flow.speed), make_data_array("near", 1, near),
+                        make_data_array("core", 1, core)};
+  return file;
+}
+
+GalleryFile hare_flow(double detail) {
+  GalleryFile file{"flow.vtp", hare_mesh(static_cast<float>(0.022 / detail)), {}, {}};
+  const std::vector<Vec3> normals = vertex_normals(file.mesh);
+  Flow flow;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const Vec3 p = 2.1f * file.mesh.positions[v];
+    const Vec3 abc(std::sin(p.z()) + std::cos(p.y()), std::sin(p.x()) + std::cos(p.z()),
+                   std::sin(p.y()) + std::cos(p.x()));
+    flow.add(abc - abc.dot(normals[v]) * normals[v]);
+  }
+  file.arrays.points = {make_data_array("velocity", flow.velocity),
+                        make_data_array("speed", 1, flow.speed)};
+  return file;
+}
+
+}  // namespace brindle

@@ -1,0 +1,93 @@
+#include "gallery/gallery.h"
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+
+#include "brindle/base/output_file.h"
+#include "brindle/files.h"
+#include "gallery/items.h"
+
+namespace brindle {
+namespace {
+
+/// A placeholder of a word: "{role=value}".
+struct Place {
+  std::size_t begin = 0, end = 0;
+  std::string role, value;
+};
+
+std::optional<Place> place_in(const std::string& word) {
+  const std::size_t begin = word.find('{');
+  const std::size_t equals = word.find('=', begin);
+  const std::size_t end = word.find('}', equals);
+  if (begin == std::string::npos || end == std::string::npos) return std::nullopt;
+  return Place{begin, end + 1, word.substr(begin + 1, equals - begin - 1),
+               word.substr(equals + 1, end - equals - 1)};
+}
+
+/// Parted at spaces, but for those in single quotes.
+std::vector<std::string> words_in(const std::string& line) {
+  std::vector<std::string> words;
+  bool inside = false, begun = false;
+  for (const char c : line) {
+    if (c == '\'') {
+      inside = !inside;
+    } else if (c == ' ' && !inside) {
+      begun = false;
+      continue;
+    }
+    if (!begun) words.emplace_back();
+    begun = true;
+    if (c != '\'') words.back() += c;
+  }
+  return words;
+}
+
+bool is_file(const std::string& value) {
+  return value.ends_with(".vtp") || value.ends_with(".csv");
+}
+
+std::string filled(const Place& place, const GalleryChoice& choice) {
+  if (place.role == "surface" && !choice.surface.empty()) return choice.surface;
+  if (place.role == "field" && !choice.field.empty()) return choice.field;
+  if (place.role == "values" && !choice.values.empty()) return choice.values;
+  if (!is_file(place.value)) return place.value;
+  return (std::filesystem::path(choice.folder) / place.value).string();
+}
+
+}  // namespace
+
+const std::vector<GalleryItem>& gallery_items() {
+  static const std::vector<GalleryItem> items = {
+      liver_item(),    nested_item(), vortices_item(), aneurysm_item(), molecule_item(),
+      hatching_item(), glyphs_item(), crosses_item(),  rough_item(),    giant_item()};
+  return items;
+}
+
+std::vector<std::string> filled_words(const GalleryPicture& picture, const GalleryChoice& choice) {
+  std::vector<std::string> words = words_in(picture.line);
+  for (std::string& word : words) {
+    if (const auto place = place_in(word)) {
+      word.replace(place->begin, place->end - place->begin, filled(*place, choice));
+    }
+  }
+  return words;
+}
+
+bool has_place(const GalleryPicture& picture, std::string_view role) {
+  return picture.line.find("{" + std::string(role) + "=") != std::string::npos;
+}
+
+void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files) {
+  for (const GalleryFile& file : files) {
+    const std::filesystem::path path = std::filesystem::path(folder) / file.name;
+    if (file.text.empty()) {
+      write_mesh(path, file.mesh, file.arrays.points, file.arrays.cells);
+    } else {
+      write_file(path, [&](std::ostream& out) { out << file.text; });
+    }
+  }
+}
+
+}  // namespace brindle

@@ -1,0 +1,76 @@
+#include "gallery/hare.h"
+
+#include <utility>
+
+namespace brindle {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+/// A part on both sides: `side` is 1 on the left and -1 on the right.
+template <class Part>
+void add_pair(std::vector<ImplicitFunction>& parts, const Part& part) {
+  for (const double side : {1.0, -1.0}) parts.push_back(part(side));
+}
+
+void add_body(std::vector<ImplicitFunction>& parts) {
+  parts.push_back(ellipsoid({-0.12, 0, 0.56}, {0.62, 0.43, 0.52}, turned(0, -24, 0)));
+  parts.push_back(ellipsoid({0.27, 0, 0.66}, {0.33, 0.32, 0.46}, turned(0, 14, 0)));
+  parts.push_back(limb({0.32, 0, 0.85}, {0.44, 0, 1.16}, 0.27, 0.2));
+  parts.push_back(limb({-0.72, 0, 0.3}, {-0.8, 0, 0.42}, 0.11, 0.13));  // tail
+  add_pair(parts, [](double side) {
+    return ellipsoid({-0.22, 0.3 * side, 0.4}, {0.4, 0.19, 0.37}, turned(8 * side, -18, 0));
+  });
+  add_pair(parts, [](double side) {  // hind feet
+    return limb({-0.3, 0.4 * side, 0.09}, {0.28, 0.43 * side, 0.08}, 0.1, 0.085);
+  });
+  add_pair(parts, [](double side) {  // forelegs and paws
+    return limb({0.36, 0.17 * side, 0.6}, {0.47, 0.16 * side, 0.12}, 0.13, 0.085);
+  });
+  add_pair(parts, [](double side) {
+    return limb({0.47, 0.16 * side, 0.09}, {0.6, 0.17 * side, 0.08}, 0.09, 0.08);
+  });
+}
+
+void add_head(std::vector<ImplicitFunction>& parts) {
+  parts.push_back(ellipsoid({0.55, 0, 1.33}, {0.33, 0.23, 0.25}, turned(0, 16, 0)));
+  parts.push_back(ellipsoid({0.78, 0, 1.23}, {0.16, 0.13, 0.125}, turned(0, 10, 0)));
+  add_pair(parts, [](double side) {  // cheeks
+    return ellipsoid({0.66, 0.12 * side, 1.2}, {0.16, 0.12, 0.13});
+  });
+}
+
+/// An ear is hollow towards the side.
+ImplicitFunction ear(double side) {
+  const Eigen::Matrix3d turn = turned(-13 * side, -24, 0);
+  const Point middle(0.27, 0.17 * side, 1.88);
+  const Point outwards = turn * Point(0.5, 0.85 * side, 0).normalized();
+  return without(ellipsoid(middle, {0.12, 0.085, 0.48}, turn),
+                 ellipsoid(middle + 0.095 * outwards, {0.075, 0.075, 0.36}, turn), 0.014);
+}
+
+}  // namespace
+
+ImplicitFunction hare() {
+  std::vector<ImplicitFunction> body, all;
+  add_body(body);
+  add_head(body);
+  all.push_back(blended(std::move(body), 0.028));
+  add_pair(all, ear);
+  add_pair(all, [](double side) {
+    return ellipsoid({0.7, 0.172 * side, 1.4}, {0.062, 0.055, 0.062});  // eyes
+  });
+  return blended(std::move(all), 0.01);
+}
+
+Mesh hare_mesh(float edge_length) {
+  return isosurface(hare(), {{-1.1f, -0.7f, -0.1f}, {1.1f, 0.7f, 2.5f}}, edge_length);
+}
+
+Mesh fine_hare_mesh(float edge_length) {
+  Mesh mesh = subdivide(hare_mesh(4 * edge_length), 2);
+  settle(mesh, hare(), 0.1 * static_cast<double>(edge_length));
+  return mesh;
+}
+
+}  // namespace brindle

@@ -1,0 +1,26 @@
+/// A liver: its hull, the vessels and a tumour in it, and a needle that comes in. Millimetres; x to
+/// the patient's left, y to the back, z up.
+#pragma once
+
+#include <vector>
+
+#include "brindle/shapes/capsules.h"
+#include "gallery/implicit.h"
+
+namespace brindle {
+
+ImplicitFunction liver_hull();
+ImplicitFunction liver_tumour();
+std::vector<Capsule> liver_vessels();
+
+/// A needle whose tip is there; it comes from the front, above.
+Mesh needle_mesh(const Eigen::Vector3d& tip, double detail);
+
+/// Two places of the tip: before the liver, and at the tumour.
+extern const Eigen::Vector3d kTipFar, kTipNear;
+
+Mesh liver_hull_mesh(double detail);
+Mesh liver_tumour_mesh(double detail);
+Mesh liver_vessels_mesh(double detail);
+
+}  // namespace brindle

@@ -1,0 +1,27 @@
+/// Pairs of branches that a pattern can do without.
+#pragma once
+
+#include <cstddef>
+
+#include "brindle/export.h"
+#include "brindle/stripe_pattern.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+struct MergedBranches {
+  std::size_t pairs = 0;  ///< that are gone
+  std::size_t branches_before = 0, branches_after = 0;
+  double energy_before = 0, energy_after = 0;
+};
+
+/// Removes pairs of opposite branches with a way between them of ten periods at most: the way is
+/// taken a period longer on one side, and phases around are solved for by least squares. Of all
+/// pairs those go first that raise the energy least, as long as it stays within 1 + `share` times
+/// what it was; those that lower it go in any case. Works on what any solver has found; phases
+/// farther than four periods from such a way, and fixed ones, stay as they are. Throws Error for a
+/// share that is negative or not finite, for points without triangles and for a pattern of another
+/// surface; Cancelled if `progress` asks for it. The pattern then is as it was.
+MergedBranches merge_branches(const Surface& surface, StripePattern& pattern, double share,
+                              const StripeOptions& options = {}, const Progress& progress = {});
+
+}  // namespace brindle

@@ -1,0 +1,37 @@
+/// What colours and widths of a picture mean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/image.h"
+#include "brindle/styled_picture.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// A bar beside a picture: colours, widths of strokes, or both, of the values between two ends.
+struct Legend {
+  std::string title;  ///< with the unit: "speed in m/s". Letters, digits and the signs of units
+  float lowest = 0;
+  float highest = 1;
+  std::optional<ColorScale> scale = std::nullopt;  ///< else `ink`
+  /// Widths of strokes at the lowest and at the highest value, in any unit: what they are to each
+  /// other is shown.
+  std::optional<Eigen::Vector2f> widths = std::nullopt;
+  Color ink{0.16f, 0.17f, 0.19f};  ///< of letters and lines
+};
+
+/// Pixels at the right side that legends of a picture of this size need.
+int legend_width(const std::vector<Legend>& legends, int width, int height);
+
+/// Numbers, at most `most` and at least two, that are whole multiples of 1, 2 or 5 times a power of
+/// ten and lie between the ends. The ends themselves if there are no such numbers.
+std::vector<double> tick_values(double lowest, double highest, int most);
+
+/// Draws legends, the first on top, into the `legend_width` pixels at the picture's right side.
+/// Throws Error for ends that are no numbers.
+void draw_legends(Image& image, const std::vector<Legend>& legends);
+
+}  // namespace brindle

@@ -1,0 +1,87 @@
+/// Textures that follow changing input, frame by frame.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/quality.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/surface.h"
+#include "brindle/texture_waves.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+struct TextureAnimatorOptions {
+  /// Whether the directions are vectors, whose signs are meant, as TextureOptions has it.
+  bool oriented = false;
+  AnimatorOptions stripes;  ///< of both patterns
+};
+
+/// One frame's input, one entry per vertex each. Spans are read during the call only.
+struct TextureFrameInput {
+  FrameInput u;                               ///< V runs along u.directions turned by 90 degrees
+  std::span<const float> frequencies_v = {};  ///< stripes per unit length of V; empty: those of U
+  std::span<const Vec3> normals = {};         ///< unit vectors; empty: those of the surface
+};
+
+/// One of a frame's patterns.
+struct TexturePatternFrame {
+  FrameResult stripes;
+  std::span<const CornerPhases> corners;  ///< one entry per triangle; valid until the next frame
+  PatternQuality quality;
+};
+
+/// How a frame's orientation follows from the last frame's.
+enum class FrameOrientation {
+  afresh,     ///< as `texture_pattern` finds it: the first frame
+  kept,       ///< of every triangle as it was: none had to be looked at again
+  continued,  ///< triangles run as they ran; those that had no orientation follow their neighbours
+  shortened   ///< the same, and the seam, grown too long, was laid anew between its ends
+};
+
+struct TextureFrameMilliseconds {
+  double solve = 0;    ///< frames of both patterns
+  double orient = 0;   ///< orientation, seams, and the waves at all corners
+  double measure = 0;  ///< corner phases, branches, errors, distortion
+};
+
+struct TextureFrameResult {
+  TexturePatternFrame u;
+  TexturePatternFrame v;
+  const TextureWaves& waves;  ///< both at the corners of every triangle; valid until the next frame
+  TextureSeams seams;
+  TextureQuality quality;
+  FrameOrientation orientation = FrameOrientation::afresh;
+  TextureFrameMilliseconds milliseconds;
+};
+
+/// Lays a texture over one surface for a field that changes from frame to frame. The stripes of U
+/// and V follow as StripeAnimator lets them. Triangles go on running as they ran, whatever the
+/// signs of the directions do, so that the seam stays where it is but at its ends, which follow the
+/// field's singularities. Where nothing has changed that orientation goes by, everything is kept,
+/// and is what computing it afresh would give.
+class TextureAnimator {
+ public:
+  /// Keeps what it needs of the surface. Throws Error for options out of range, and for a surface
+  /// without triangles.
+  explicit TextureAnimator(const Surface& surface, const TextureAnimatorOptions& options = {});
+  ~TextureAnimator();
+  TextureAnimator(TextureAnimator&&) noexcept;
+  TextureAnimator& operator=(TextureAnimator&&) noexcept;
+
+  /// Solves for the next frame of both patterns, orients and measures it. Throws Error as
+  /// `texture_pattern` does, and for normals or frequencies that are not one per vertex; the
+  /// animator then is as it was before the call.
+  TextureFrameResult frame(const TextureFrameInput& input);
+
+  /// Forgets the last frame: the next one is solved and oriented afresh.
+  void restart();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace brindle

@@ -1,0 +1,95 @@
+/// Frequencies that yield within bounds, so that fewer stripes must begin or end (docs/spacing.md).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/export.h"
+#include "brindle/frequency_field.h"
+#include "brindle/phase_graph.h"
+#include "brindle/progress.h"
+#include "brindle/surface.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// How far frequencies may depart from those that are asked for. A number is one.
+struct Slack {
+  /// S, of 0 or above: from f / (1 + S) to f (1 + S); 0: not at all.
+  Slack(float s = 0) : everywhere(s) {}
+
+  float everywhere;
+  std::vector<float> by_vertex;  ///< S_i in place of `everywhere`; empty: none
+  /// By vertex, from 0 to 1: where branches are unwelcome. Curl weighs up to 10 times as much
+  /// there, and slack is up to 3 times as large, so that they go elsewhere. Empty: 0.
+  std::vector<float> calm;
+
+  /// Whether frequencies may change.
+  bool yields() const { return everywhere > 0 || !by_vertex.empty(); }
+};
+
+/// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the
+/// vertex, and unless lists are empty or have one entry for each of so many vertices.
+void check(const Slack& slack, std::size_t vertices);
+
+/// What has become of the frequencies, over all vertices that a triangle joins to others (of
+/// points: neighbours).
+struct FrequencyChange {
+  double ratio_min = 1;  ///< the frequency chosen over the one asked for
+  double ratio_max = 1;
+  double ratio_mean = 1;
+  double share_at_bounds = 0;  ///< of the vertices, between 0 and 1
+  int sweeps = 0;              ///< over all vertices
+  double residual = 0;  ///< length of the projected gradient, over that after the first sweep
+};
+
+/// Finds the frequency g between bounds around the frequency f asked for with which g d is as
+/// nearly the gradient of a phase as it can be: its curl is what makes branches. It minimises
+///
+///     sum_T w_T / A_T (sum_m C_Tm g_m)^2 + eta Dirichlet(g) + mu sum_i M_i (g_i - f_i)^2
+///
+/// where sum_m C_Tm g_m is the circulation of g d around triangle T (compare the curl correction in
+/// Ray et al., Periodic global parameterization, 2006), by multigrid between the bounds. Results
+/// are bit-identical for any number of threads. Turning a direction round changes nothing.
+/// Triangles whose corners have no common orientation have no circulation, and those with a corner
+/// without a wave take no part; a vertex without any other keeps its frequency. Points take the
+/// triangles that they make with their neighbours.
+class YieldingFrequency {
+ public:
+  /// Throws Error as `check` does.
+  YieldingFrequency(const Surface& surface, const Slack& slack);
+  ~YieldingFrequency();
+  YieldingFrequency(YieldingFrequency&&) noexcept;
+  YieldingFrequency& operator=(YieldingFrequency&&) noexcept;
+
+  /// The frequency per vertex, until the next call but one. Spans have one entry per vertex and
+  /// values that `stripe_pattern` takes; neither is checked. Starts from what was kept last,
+  /// relative to the frequencies asked for, and then allocates nothing. `progress` hears of it
+  /// where nothing was kept; whatever it throws, what was kept stays.
+  std::span<const float> solve(std::span<const Vec3> positions, std::span<const Vec3> directions,
+                               std::span<const float> wanted, const Progress& progress = {});
+
+  /// Makes the last result the one to start from. Cannot fail after `solve`.
+  void keep();
+
+  /// Another one for the same surface and slack, with nothing kept.
+  YieldingFrequency sibling() const;
+
+  /// What was kept last.
+  std::span<const float> frequencies() const;
+
+  /// Forgets what was kept.
+  void restart();
+
+  /// Of the last `solve`.
+  const FrequencyChange& change() const;
+
+ private:
+  struct Setting;
+  struct State;
+  explicit YieldingFrequency(std::shared_ptr<const Setting> setting);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace brindle

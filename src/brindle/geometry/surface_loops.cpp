@@ -1,0 +1,256 @@
+#include "brindle/surface_loops.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "brindle/geometry/mesh_edges.h"
+
+namespace brindle {
+namespace {
+
+constexpr Index kNowhere = std::numeric_limits<Index>::max();
+
+class Unions {
+ public:
+  explicit Unions(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+  Index find(Index x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  bool join(Index a, Index b) {
+    a = find(a), b = find(b);
+    if (a == b) return false;
+    parent_[std::max(a, b)] = std::min(a, b);
+    return true;
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+class LoopFinder {
+ public:
+  explicit LoopFinder(const Surface& surface)
+      : mesh_(surface.mesh),
+        neighborhood_(*surface.neighborhood),
+        edges_(mesh_edges(mesh_, neighborhood_)),
+        triangles_of_(edges_.count(), {kNowhere, kNowhere}),
+        component_(mesh_.vertex_count(), kNowhere) {
+    for (Index t = 0; t < mesh_.triangle_count(); ++t) {
+      for (int m = 0; m < 3; ++m) {
+        const Index rank = edges_.ranks[t][m];
+        if (rank < 2) triangles_of_[edges_.of_triangle[t][m]][rank] = t;
+      }
+    }
+  }
+
+  std::vector<SurfaceLoop> find() {
+    find_components();
+    find_boundaries();
+    find_tree();
+    find_handles();
+    return std::move(loops_);
+  }
+
+ private:
+  void find_components() {
+    std::size_t count = 0;
+    for (Index start = 0; start < component_.size(); ++start) {
+      if (component_[start] != kNowhere || neighborhood_.of(start).empty()) continue;
+      std::vector<Index> queue = {start};
+      component_[start] = static_cast<Index>(count);
+      for (std::size_t next = 0; next < queue.size(); ++next) {
+        for (const Index neighbor : neighborhood_.of(queue[next])) {
+          if (component_[neighbor] != kNowhere) continue;
+          component_[neighbor] = static_cast<Index>(count);
+          queue.push_back(neighbor);
+        }
+      }
+      ++count;
+    }
+    manifold_.assign(count, true);
+    for (std::size_t e = 0; e < edges_.count(); ++e) {
+      if (edges_.triangle_counts[e] > 2) manifold_[component_[edges_.vertices[e][0]]] = false;
+    }
+  }
+
+  bool is_usable(Index edge) const { return manifold_[component_[edges_.vertices[edge][0]]]; }
+
+  /// The other edge of the triangle at one of the edge's ends.
+  Index edge_beside(Index triangle, Index edge, Index vertex) const {
+    for (const Index other : edges_.of_triangle[triangle]) {
+      const auto& ends = edges_.vertices[other];
+      if (other != edge && (ends[0] == vertex || ends[1] == vertex)) return other;
+    }
+    return kNowhere;
+  }
+
+  Index other_end(Index edge, Index vertex) const {
+    const auto& ends = edges_.vertices[edge];
+    return ends[0] == vertex ? ends[1] : ends[0];
+  }
+
+  void find_boundaries() {
+    boundary_of_.assign(edges_.count(), kNowhere);
+    std::vector<Index> firsts;
+    for (Index e = 0; e < edges_.count(); ++e) {
+      if (edges_.triangle_counts[e] == 1 && is_usable(e)) firsts.push_back(e);
+    }
+    std::sort(firsts.begin(), firsts.end(),
+              [&](Index a, Index b) { return edges_.vertices[a] < edges_.vertices[b]; });
+    for (const Index first : firsts) {
+      if (boundary_of_[first] == kNowhere) follow_boundary(first);
+    }
+    boundary_count_ = loops_.size();
+  }
+
+  void follow_boundary(Index first) {
+    const auto number = static_cast<Index>(loops_.size());
+    SurfaceLoop loop;
+    loop.boundary = true;
+    loop.name = "boundary-" + std::to_string(number + 1);
+    Index edge = first;
+    Index at = starts_at(first);
+    while (boundary_of_[edge] == kNowhere) {
+      boundary_of_[edge] = number;
+      loop.vertices.push_back(at);
+      at = other_end(edge, at);
+      // Round the vertex through its triangles to the next edge that has one alone.
+      Index triangle = triangles_of_[edge][0];
+      for (edge = edge_beside(triangle, edge, at); edges_.triangle_counts[edge] == 2;) {
+        const auto& sides = triangles_of_[edge];
+        triangle = sides[0] == triangle ? sides[1] : sides[0];
+        edge = edge_beside(triangle, edge, at);
+      }
+    }
+    add(std::move(loop));
+  }
+
+  /// The end at which a boundary edge starts in its triangle's sense.
+  Index starts_at(Index edge) const {
+    const Index t = triangles_of_[edge][0];
+    for (int m = 0; m < 3; ++m) {
+      if (edges_.of_triangle[t][m] == edge) return mesh_.triangles[t][m];
+    }
+    return kNowhere;
+  }
+
+  double edge_length(Index a, Index b) const {
+    return static_cast<double>((mesh_.positions[a] - mesh_.positions[b]).norm());
+  }
+
+  void add(SurfaceLoop loop) {
+    loop.component = component_[loop.vertices[0]];
+    for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+      loop.length += edge_length(loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()]);
+    }
+    loops_.push_back(std::move(loop));
+  }
+
+  /// Shortest ways along edges from the first vertex of each component.
+  void find_tree() {
+    distance_.assign(mesh_.vertex_count(), std::numeric_limits<double>::infinity());
+    parent_.assign(mesh_.vertex_count(), kNowhere);
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    std::vector<bool> begun(manifold_.size());
+    for (Index v = 0; v < component_.size(); ++v) {
+      if (component_[v] == kNowhere || begun[component_[v]]) continue;
+      begun[component_[v]] = true;
+      distance_[v] = 0;
+      queue.push({0, v});
+    }
+    while (!queue.empty()) {
+      const auto [reached, v] = queue.top();
+      queue.pop();
+      if (reached > distance_[v]) continue;
+      for (const Index neighbor : neighborhood_.of(v)) {
+        const double d = reached + edge_length(v, neighbor);
+        if (d >= distance_[neighbor]) continue;
+        distance_[neighbor] = d;
+        parent_[neighbor] = v;
+        queue.push({d, neighbor});
+      }
+    }
+  }
+
+  /// Edges that neither the tree has nor a tree of triangles (and of what fills boundaries) that
+  /// takes the edges of the longest loops first.
+  void find_handles() {
+    struct LoopEdge {
+      double length;
+      Index edge;
+    };
+    std::vector<LoopEdge> candidates;
+    for (Index e = 0; e < edges_.count(); ++e) {
+      const auto [a, b] = edges_.vertices[e];
+      if (!is_usable(e) || edges_.triangle_counts[e] == 0) continue;
+      if (parent_[a] == b || parent_[b] == a) continue;
+      candidates.push_back({distance_[a] + distance_[b] + edge_length(a, b), e});
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const LoopEdge& x, const LoopEdge& y) {
+      return std::pair(-x.length, x.edge) < std::pair(-y.length, y.edge);
+    });
+    const auto triangles = static_cast<Index>(mesh_.triangle_count());
+    Unions unions(triangles + boundary_count_);
+    std::vector<Index> left;
+    for (const auto& [length, e] : candidates) {
+      const auto& sides = triangles_of_[e];
+      const Index other = sides[1] == kNowhere ? triangles + boundary_of_[e] : sides[1];
+      if (!unions.join(sides[0], other)) left.push_back(e);
+    }
+    std::reverse(left.begin(), left.end());
+    for (const Index e : left) add_handle(e);
+  }
+
+  std::vector<Index> way_to_root(Index v) const {
+    std::vector<Index> way = {v};
+    while (parent_[way.back()] != kNowhere) way.push_back(parent_[way.back()]);
+    return way;
+  }
+
+  void add_handle(Index edge) {
+    const auto [a, b] = edges_.vertices[edge];
+    std::vector<Index> there = way_to_root(a), back = way_to_root(b);
+    Index meeting = there.back();
+    while (!there.empty() && !back.empty() && there.back() == back.back()) {
+      meeting = there.back();
+      there.pop_back();
+      back.pop_back();
+    }
+    SurfaceLoop loop;
+    loop.name = "loop-" + std::to_string(loops_.size() - boundary_count_ + 1);
+    // The loop's own edge is that between its last vertex and its first.
+    loop.vertices = std::move(back);
+    loop.vertices.push_back(meeting);
+    loop.vertices.insert(loop.vertices.end(), there.rbegin(), there.rend());
+    add(std::move(loop));
+  }
+
+  const Mesh& mesh_;
+  const Adjacency& neighborhood_;
+  MeshEdges edges_;
+  std::vector<std::array<Index, 2>> triangles_of_;
+  std::vector<Index> component_;
+  std::vector<bool> manifold_;
+  std::vector<Index> boundary_of_;
+  std::size_t boundary_count_ = 0;
+  std::vector<double> distance_;
+  std::vector<Index> parent_;
+  std::vector<SurfaceLoop> loops_;
+};
+
+}  // namespace
+
+std::vector<SurfaceLoop> surface_loops(const Surface& surface) {
+  if (surface.mesh.triangles.empty()) return {};
+  return LoopFinder(surface).find();
+}
+
+}  // namespace brindle

@@ -1,0 +1,46 @@
+/// Which corners of a triangle show the waves of their vertices turned round.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brindle/mesh.h"
+#include "brindle/texture_waves.h"
+
+namespace brindle {
+
+/// Bit m: U at corner m is the vertex's wave turned round; bit 3 + m: V is. kUnoriented: even so
+/// the corners do not run alike, or one has no wave. All that the orientation of a texture goes by.
+using CornerSigns = std::uint8_t;
+inline constexpr CornerSigns kTurnedRound = 0x3f;
+inline constexpr CornerSigns kUnoriented = 0x40;
+
+inline bool turns_u(CornerSigns signs, Index corner) { return (signs >> corner & 1) != 0; }
+inline bool turns_v(CornerSigns signs, Index corner) { return (signs >> (corner + 3) & 1) != 0; }
+
+/// What `orient_corners` turns, for corners with these directions.
+CornerSigns corner_signs(const std::array<Vec3, 3>& u, const std::array<Vec3, 3>& v);
+
+/// The same for all triangles, from the directions of the vertices.
+void corner_signs(std::span<const Triangle> triangles, std::span<const Vec3> u,
+                  std::span<const Vec3> v, std::vector<CornerSigns>& signs);
+
+/// Turns the triangles with a 1 round.
+void turn_signs(std::span<const std::uint8_t> turned, std::span<CornerSigns> signs);
+
+/// The waves of one of a texture's patterns, one per vertex, with their phases.
+struct VertexWaves {
+  std::span<const Vec3> positions;
+  std::span<const Vec3> directions;
+  std::span<const float> frequencies;
+  std::span<const Complex> z;
+};
+
+/// The waves of all vertices at the corners of all triangles, turned as `signs` say. Allocates
+/// nothing if `waves` has room for them.
+void set_texture_waves(std::span<const Triangle> triangles, std::span<const CornerSigns> signs,
+                       const VertexWaves& u, const VertexWaves& v, TextureWaves& waves);
+
+}  // namespace brindle

@@ -1,0 +1,258 @@
+#include "brindle/windings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+#include "brindle/error.h"
+#include "brindle/pipeline/harmonic_change.h"
+#include "brindle/pipeline/stripes_again.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kMostRounds = 5;
+constexpr double kLargestShare = 0.95;  // of a wave
+
+std::vector<LoopWalk> walks_of(const Surface& surface, std::span<const SurfaceLoop> loops,
+                               const StripePattern& pattern) {
+  if (pattern.solution.z.size() != surface.mesh.vertex_count()) {
+    throw Error("windings: the pattern has " + std::to_string(pattern.solution.z.size()) +
+                " phases, the surface " + std::to_string(surface.mesh.vertex_count()) +
+                " vertices");
+  }
+  std::vector<LoopWalk> walks;
+  for (const SurfaceLoop& loop : loops) {
+    for (const Index v : loop.vertices) {
+      if (v >= surface.mesh.vertex_count()) throw Error(loop.name + " is of another surface");
+    }
+    walks.push_back(
+        walk_round(loop, surface.normals, pattern.waves, pattern.solution.z, pattern.phase_shift));
+  }
+  return walks;
+}
+
+std::vector<Winding> numbers_of(const std::vector<LoopWalk>& walks) {
+  std::vector<Winding> numbers;
+  for (const LoopWalk& walk : walks) {
+    numbers.push_back(walk.oriented ? Winding(walk.winding()) : std::nullopt);
+  }
+  return numbers;
+}
+
+std::string names_of(const std::vector<SurfaceLoop>& loops) {
+  std::string names;
+  for (const SurfaceLoop& loop : loops) names += (names.empty() ? "" : ", ") + loop.name;
+  return names;
+}
+
+/// One boundary of every piece follows from its others.
+std::vector<std::size_t> independent(const std::vector<SurfaceLoop>& loops) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const bool last = std::none_of(loops.begin() + static_cast<std::ptrdiff_t>(i) + 1, loops.end(),
+                                   [&](const SurfaceLoop& other) {
+                                     return other.boundary && other.component == loops[i].component;
+                                   });
+    if (!loops[i].boundary || !last) found.push_back(i);
+  }
+  return found;
+}
+
+std::size_t find_loop(const std::vector<SurfaceLoop>& loops, const std::string& name) {
+  const std::vector<std::size_t> ways = independent(loops);
+  if (ways.empty()) {
+    throw Error(
+        "windings: this surface has no way round: every loop on it can be drawn together, as on a "
+        "sphere or a disc; a tube, a ring or a surface with a handle has one");
+  }
+  if (name.empty() && ways.size() == 1) return ways.front();
+  if (name.empty()) {
+    throw Error("windings: this surface has " + std::to_string(ways.size()) +
+                " ways round; name the one that is meant: " + names_of(loops));
+  }
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].name == name) return i;
+  }
+  throw Error("windings: there is no '" + name + "'; this surface has " + names_of(loops));
+}
+
+struct Wanted {
+  std::size_t loop;
+  int periods;
+};
+
+std::vector<Wanted> wanted_of(const std::vector<SurfaceLoop>& loops,
+                              std::span<const WantedWinding> wanted) {
+  std::vector<Wanted> result;
+  for (const WantedWinding& w : wanted) {
+    if (std::abs(w.periods) > 1'000'000) {
+      throw Error("windings: " + std::to_string(w.periods) + " is beyond a million");
+    }
+    const std::size_t loop = find_loop(loops, w.loop);
+    for (const Wanted& other : result) {
+      if (other.loop == loop) throw Error("windings: " + loops[loop].name + " is named twice");
+    }
+    result.push_back({loop, w.periods});
+  }
+  return result;
+}
+
+/// What is missing, in each loop's own sense; empty if nothing is.
+/// And the numbers of handles that are not named, which stay as they are.
+void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Winding>& before,
+                 std::vector<Wanted>& wanted) {
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const bool named = std::ranges::any_of(wanted, [&](const Wanted& w) { return w.loop == i; });
+    if (!named && !loops[i].boundary && before[i]) wanted.push_back({i, *before[i]});
+  }
+}
+
+std::vector<MissingPeriods> missing_of(const std::vector<SurfaceLoop>& loops,
+                                       const std::vector<LoopWalk>& walks,
+                                       const std::vector<Wanted>& wanted) {
+  std::vector<MissingPeriods> missing;
+  bool any = false;
+  for (const Wanted& w : wanted) {
+    const LoopWalk& walk = walks[w.loop];
+    if (!walk.oriented) {
+      throw Error("windings: the field cannot be oriented along " + loops[w.loop].name +
+                  ", or has no waves there: there is no number to choose");
+    }
+    missing.push_back({w.loop, walk.sign * w.periods - walk.periods});
+    any = any || missing.back().periods != 0;
+  }
+  return any ? missing : std::vector<MissingPeriods>();
+}
+
+/// Waves whose phase changes by what it did and `change` (radians per unit length).
+WaveSet turned_waves(const WaveSet& waves, const std::vector<Eigen::Vector3d>& change) {
+  WaveSet result = waves;
+  for (std::size_t v = 0; v < change.size(); ++v) {
+    if (waves.directions[v].isZero(0)) continue;
+    const Eigen::Vector3d own =
+        static_cast<double>(waves.frequencies[v]) * waves.directions[v].cast<double>();
+    const Eigen::Vector3d more = change[v] / (2 * std::numbers::pi);
+    if (!(more.norm() < kLargestShare * own.norm())) {
+      throw Error(
+          "windings: these numbers would change the wave at vertex " + std::to_string(v) +
+          " by more than there is of it; take numbers nearer to those that the pattern has");
+    }
+    const Eigen::Vector3d sum = own + more;
+    result.directions[v] = sum.normalized().cast<float>();
+    result.frequencies[v] = static_cast<float>(sum.norm());
+  }
+  return result;
+}
+
+void measure_turn(const WaveSet& before, WoundPattern& result) {
+  const WaveSet& after = result.pattern.waves;
+  double sum = 0, count = 0;
+  for (std::size_t v = 0; v < before.directions.size(); ++v) {
+    const Eigen::Vector3d a = before.directions[v].cast<double>();
+    const Eigen::Vector3d b = after.directions[v].cast<double>();
+    if (a.isZero(0)) continue;
+    const double turn = std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+    const double change =
+        static_cast<double>(after.frequencies[v]) / static_cast<double>(before.frequencies[v]) - 1;
+    sum += turn;
+    ++count;
+    result.largest_turn_deg = std::max(result.largest_turn_deg, turn);
+    result.largest_frequency_change = std::max(result.largest_frequency_change, std::abs(change));
+  }
+  result.mean_turn_deg = count > 0 ? sum / count : 0;
+}
+
+}  // namespace
+
+std::vector<Winding> windings(const Surface& surface, std::span<const SurfaceLoop> loops,
+                              const StripePattern& pattern) {
+  return numbers_of(walks_of(surface, loops, pattern));
+}
+
+std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
+                              const StripePattern& pattern) {
+  if (pattern.corners.size() != surface.mesh.triangle_count()) {
+    throw Error("windings: the pattern is of another surface");
+  }
+  std::vector<bool> reached(surface.mesh.vertex_count());
+  std::vector<Index> queue = {loop.vertices.at(0)};
+  reached.at(queue[0]) = true;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    for (const Index neighbor : surface.neighborhood->of(queue[next])) {
+      if (!reached[neighbor]) queue.push_back(neighbor);
+      reached[neighbor] = true;
+    }
+  }
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < pattern.corners.size(); ++t) {
+    const TriangleKind kind = pattern.corners[t].kind;
+    const bool branch = kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
+    count += branch && reached[surface.mesh.triangles[t][0]];
+  }
+  return count;
+}
+
+WaveSet waves_round(const Surface& surface, const DirectionField& reference,
+                    const WantedWinding& wanted) {
+  if (wanted.periods <= 0)
+    throw Error("windings: the number of stripes round a loop must be above 0");
+  if (reference.size() != surface.mesh.vertex_count()) {
+    throw Error("windings: there must be one direction per vertex");
+  }
+  const std::vector<SurfaceLoop> loops = surface_loops(surface);
+  const Wanted number = wanted_of(loops, std::span(&wanted, 1)).front();
+  const std::size_t count = surface.mesh.vertex_count();
+  WaveSet waves{surface.mesh.positions, reference, std::vector<float>(count, 1e-6f)};
+  std::vector<LoopWalk> walks;
+  const std::vector<Complex> z(count, Complex(0, 1));
+  for (const SurfaceLoop& loop : loops) {
+    walks.push_back(walk_round(loop, surface.normals, waves, z, PhaseShiftKind::aligned));
+  }
+  if (!walks[number.loop].oriented) missing_of(loops, walks, {number});
+  const auto change = harmonic_change(surface, mesh_edges(surface.mesh, *surface.neighborhood),
+                                      loops, walks, {{number.loop, number.periods}}, reference);
+  for (std::size_t v = 0; v < count; ++v) {
+    const double radians = change[v].norm();
+    waves.directions[v] =
+        radians > 0 ? Vec3((change[v] / radians).cast<float>()) : Vec3(Vec3::Zero());
+    waves.frequencies[v] =
+        radians > 0 ? static_cast<float>(radians / (2 * std::numbers::pi)) : 1.0f;
+  }
+  return waves;
+}
+
+WoundPattern wind(const Surface& surface, const StripePattern& pattern,
+                  std::span<const WantedWinding> wanted, const StripeOptions& options,
+                  const Progress& progress) {
+  const std::vector<SurfaceLoop> loops = surface_loops(surface);
+  std::vector<Wanted> numbers = wanted_of(loops, wanted);
+  std::vector<LoopWalk> walks = walks_of(surface, loops, pattern);
+  WoundPattern result;
+  result.pattern = pattern;
+  result.before = numbers_of(walks);
+  keep_others(loops, result.before, numbers);
+  result.energy_before = pattern.solution.energy;
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  for (int round = 0;; ++round) {
+    const std::vector<MissingPeriods> missing = missing_of(loops, walks, numbers);
+    if (missing.empty()) break;
+    if (round == kMostRounds) {
+      throw Error("windings: the solver comes to other numbers than those wanted, as with " +
+                  loops[missing[0].loop].name + "; take numbers nearer to those of the pattern");
+    }
+    progress.report("windings", static_cast<double>(round) / kMostRounds);
+    const WaveSet& waves = result.pattern.waves;
+    WaveSet turned = turned_waves(
+        waves, harmonic_change(surface, edges, loops, walks, missing, waves.directions));
+    result.pattern = stripes_again(surface, std::move(turned), pattern, options, progress);
+    walks = walks_of(surface, loops, result.pattern);
+  }
+  result.after = numbers_of(walks);
+  measure_turn(pattern.waves, result);
+  return result;
+}
+
+}  // namespace brindle

@@ -1,0 +1,52 @@
+/// Frames whose frequencies yield before they are solved: what all animators share.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brindle/stripe_animator.h"
+#include "brindle/yielding_frequency.h"
+
+namespace brindle {
+
+/// The options of an animator that frequencies have nothing to do with; and throws Error unless
+/// these are such.
+AnimatorOptions without_slack(AnimatorOptions options);
+void refuse_slack(const AnimatorOptions& options);
+
+class YieldingFrames {
+ public:
+  /// Frequencies stay as they are.
+  YieldingFrames() = default;
+
+  /// The same where there is no slack. Throws Error for slack that `check` refuses.
+  YieldingFrames(const Surface& surface, const Slack& slack);
+
+  bool yields() const { return yielding_.has_value(); }
+
+  /// Another one for the same surface and slack.
+  YieldingFrames sibling() const;
+
+  /// Whether frequencies yield and the input is that which was kept last.
+  bool is_kept(const FrameInput& input) const;
+
+  /// The input with the frequencies to solve for. Throws what `YieldingFrequency::solve` does.
+  FrameInput yielded(const FrameInput& input, const Progress& progress);
+
+  /// Makes the input yielded last the last frame's. Cannot fail.
+  void keep(const FrameInput& input);
+  void restart();
+
+  /// Of the last frame that was kept; empty where nothing yields.
+  std::span<const float> frequencies() const;
+  const FrequencyChange& change() const { return change_; }
+
+ private:
+  std::optional<YieldingFrequency> yielding_;
+  std::vector<Vec3> positions_, directions_;  ///< kept
+  std::vector<float> wanted_;
+  FrequencyChange change_;
+};
+
+}  // namespace brindle

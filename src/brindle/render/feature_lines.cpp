@@ -1,0 +1,265 @@
+#include "brindle/feature_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "brindle/error.h"
+#include "brindle/fragment_phase.h"
+#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/mesh_edges.h"
+
+namespace brindle {
+namespace {
+
+using Weights = std::array<double, 3>;
+
+/// A straight line within a triangle, between two numbered nodes.
+struct LineSegment {
+  std::array<Index, 2> nodes;
+  Index triangle;
+  std::array<Weights, 2> barycentric;
+};
+
+Vec3 point_in(const Mesh& mesh, const Triangle& t, const Weights& weights) {
+  Vec3 point = Vec3::Zero();
+  for (int m = 0; m < 3; ++m) point += static_cast<float>(weights[m]) * mesh.positions[t[m]];
+  return point;
+}
+
+Vec3 normal_in(std::span<const Vec3> normals, const Triangle& t, const Weights& weights) {
+  Vec3 normal = Vec3::Zero();
+  for (int m = 0; m < 3; ++m) normal += static_cast<float>(weights[m]) * normals[t[m]];
+  return normal.normalized();
+}
+
+/// Joins segments at their nodes into lines as long as they go on.
+class SegmentJoiner {
+ public:
+  SegmentJoiner(const Mesh& mesh, std::span<const Vec3> normals, std::vector<LineSegment> segments)
+      : mesh_(mesh), normals_(normals), segments_(std::move(segments)), used_(segments_.size()) {
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+      for (const Index node : segments_[s].nodes) at_node_[node].push_back(s);
+    }
+  }
+
+  Polylines joined() {
+    // From where lines end or fork first, then what is left: closed lines.
+    for (const auto& [node, around] : at_node_) {
+      if (around.size() != 2) add_lines(node);
+    }
+    for (const auto& [node, around] : at_node_) add_lines(node);
+    lines_.origin = mesh_.origin;
+    return std::move(lines_);
+  }
+
+ private:
+  std::optional<std::size_t> next_at(Index node) const {
+    for (const std::size_t s : at_node_.at(node)) {
+      if (!used_[s]) return s;
+    }
+    return std::nullopt;
+  }
+
+  void add_lines(Index start) {
+    while (next_at(start)) {
+      Index node = start;
+      std::size_t last = 0;
+      Weights arrival{};
+      while (const std::optional<std::size_t> s = next_at(node)) {
+        const LineSegment& segment = segments_[*s];
+        const int from = segment.nodes[0] == node ? 0 : 1;
+        add_point(segment.triangle, segment.barycentric[from], segment.barycentric[1 - from]);
+        used_[*s] = true;
+        last = *s;
+        arrival = segment.barycentric[1 - from];
+        node = segment.nodes[1 - from];
+        if (node == start || at_node_.at(node).size() != 2) break;
+      }
+      const bool closed = node == start;
+      if (!closed) add_point(segments_[last].triangle, arrival, arrival);
+      lines_.offsets.push_back(static_cast<Index>(lines_.points.size()));
+      lines_.closed.push_back(closed ? 1 : 0);
+    }
+  }
+
+  void add_point(Index triangle, const Weights& place, const Weights& arrival) {
+    const Triangle& t = mesh_.triangles[triangle];
+    lines_.points.push_back(point_in(mesh_, t, place));
+    lines_.normals.push_back(normal_in(normals_, t, place));
+    lines_.places.push_back({triangle, place});
+    lines_.arrivals.push_back(arrival);
+  }
+
+  const Mesh& mesh_;
+  std::span<const Vec3> normals_;
+  std::vector<LineSegment> segments_;
+  std::vector<bool> used_;
+  std::map<Index, std::vector<std::size_t>> at_node_;
+  Polylines lines_;
+};
+
+void check_normals(const Mesh& mesh, std::span<const Vec3> normals) {
+  if (normals.size() == mesh.vertex_count()) return;
+  throw Error("lines of a surface need a normal for each of its " +
+              std::to_string(mesh.vertex_count()) + " vertices, not " +
+              std::to_string(normals.size()));
+}
+
+/// Where a line crosses the edge between corners a and b of a triangle.
+Weights crossing(int a, int b, double facing_a, double facing_b) {
+  const double share = facing_a / (facing_a - facing_b);
+  Weights weights{};
+  weights[a] = 1 - share;
+  weights[b] = share;
+  return weights;
+}
+
+/// The part of a line that is passed on as one dash.
+struct Dash {
+  std::size_t first, last;
+};
+
+/// A dash that reaches the end of a closed line goes on to its first point.
+void add_dash(const Polylines& lines, std::size_t line, const Dash& dash, Polylines& dashes) {
+  for (std::size_t i = dash.first; i <= dash.last; ++i) {
+    dashes.points.push_back(lines.points[i]);
+    dashes.normals.push_back(lines.normals[i]);
+  }
+  const bool to_end = lines.closed[line] != 0 && dash.last + 1 == lines.offsets[line + 1];
+  const bool whole = to_end && dash.first == lines.offsets[line];
+  if (to_end && !whole) {
+    dashes.points.push_back(lines.points[lines.offsets[line]]);
+    dashes.normals.push_back(lines.normals[lines.offsets[line]]);
+  }
+  dashes.offsets.push_back(static_cast<Index>(dashes.points.size()));
+  dashes.closed.push_back(whole ? 1 : 0);
+}
+
+/// Whether a stroke of the pattern covers the point; so it does where there is no wave.
+bool covered(const TrianglePoint& place, const Mesh& mesh, const WaveSet& waves,
+             std::span<const Complex> z, float width) {
+  const Triangle& t = mesh.triangles[place.triangle];
+  std::array<CornerWave, 3> corners;
+  Vec3 weights;
+  for (int m = 0; m < 3; ++m) {
+    corners[m] = {{mesh.positions[t[m]], waves.directions[t[m]], waves.frequencies[t[m]]}, z[t[m]]};
+    weights[m] = static_cast<float>(place.barycentric[m]);
+  }
+  const Complex phase = fragment_phase(corners, weights).z;
+  if (phase == Complex(0)) return true;
+  const float turns = std::arg(phase) / (2 * std::numbers::pi_v<float>)-0.25f;
+  return std::abs(turns - std::round(turns)) <= 0.5f * width;
+}
+
+/// Steps short enough that no dash is missed.
+float fine_spacing(const WaveSet& waves) {
+  constexpr float kStepsPerPeriod = 40;
+  const auto highest = std::ranges::max_element(waves.frequencies);
+  return highest == waves.frequencies.end() || !(*highest > 0) ? 0
+                                                               : 1 / (kStepsPerPeriod * *highest);
+}
+
+}  // namespace
+
+Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye) {
+  check_normals(mesh, normals);
+  std::vector<double> facing(mesh.vertex_count());
+  for (std::size_t v = 0; v < facing.size(); ++v) {
+    const Vec3 view = eye - mesh.positions[v];
+    facing[v] = static_cast<double>(normals[v].dot(view.normalized()));
+    if (facing[v] == 0) facing[v] = 1e-12;  // a line through a vertex passes beside it
+  }
+  std::map<std::array<Index, 2>, Index> nodes;  // by edge
+  std::vector<LineSegment> segments;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    LineSegment segment{{}, static_cast<Index>(t), {}};
+    int found = 0;
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      const double facing_a = facing[corners[a]], facing_b = facing[corners[b]];
+      if ((facing_a > 0) == (facing_b > 0)) continue;
+      const std::array<Index, 2> edge{std::min(corners[a], corners[b]),
+                                      std::max(corners[a], corners[b])};
+      segment.nodes[found] =
+          nodes.try_emplace(edge, static_cast<Index>(nodes.size())).first->second;
+      segment.barycentric[found++] = crossing(a, b, facing_a, facing_b);
+    }
+    if (found == 2) segments.push_back(segment);
+  }
+  return SegmentJoiner(mesh, normals, std::move(segments)).joined();
+}
+
+Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
+                       const Adjacency& neighborhood, float angle_deg) {
+  check_normals(mesh, normals);
+  std::map<std::array<Index, 2>, LineSegment> of_edge;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      const Index from = mesh.triangles[t][a], to = mesh.triangles[t][b];
+      LineSegment segment{{from, to}, static_cast<Index>(t), {}};
+      segment.barycentric[0][a] = segment.barycentric[1][b] = 1;
+      of_edge.try_emplace({std::min(from, to), std::max(from, to)}, segment);
+    }
+  }
+  std::vector<LineSegment> segments;
+  for (const auto& [from, to] : feature_edges(mesh, mesh_edges(mesh, neighborhood), angle_deg)) {
+    segments.push_back(of_edge.at({std::min(from, to), std::max(from, to)}));
+  }
+  return SegmentJoiner(mesh, normals, std::move(segments)).joined();
+}
+
+Polylines dashes_of(const Polylines& lines, const Mesh& mesh, const WaveSet& waves,
+                    std::span<const Complex> z, float width) {
+  const float spacing = fine_spacing(waves);
+  if (!(spacing > 0)) return lines;
+  const Polylines fine = resampled(lines, spacing);
+  Polylines dashes;
+  dashes.origin = lines.origin;
+  for (std::size_t line = 0; line < fine.count(); ++line) {
+    std::optional<Dash> dash;
+    for (std::size_t i = fine.offsets[line]; i < fine.offsets[line + 1]; ++i) {
+      const bool on = covered(fine.places[i], mesh, waves, z, width);
+      if (on) dash = dash ? Dash{dash->first, i} : Dash{i, i};
+      const bool ends = !on || i + 1 == fine.offsets[line + 1];
+      if (dash && ends) {
+        add_dash(fine, line, *dash, dashes);
+        dash.reset();
+      }
+    }
+  }
+  return dashes;
+}
+
+std::vector<Stroke> dashed(std::span<const Stroke> strokes, float on, float off) {
+  if (!(on > 0) || !(off > 0)) throw Error("dashes and gaps must be longer than 0 pixels");
+  std::vector<Stroke> dashes;
+  for (const Stroke& stroke : strokes) {
+    bool pen = true;
+    float left = on;
+    if (!stroke.empty()) dashes.push_back({stroke.front()});
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      Eigen::Vector2f from = stroke[i - 1];
+      float length = (stroke[i] - from).norm();
+      while (length > left) {
+        from += left / length * (stroke[i] - from);
+        length -= left;
+        if (pen) dashes.back().push_back(from);
+        pen = !pen;
+        left = pen ? on : off;
+        if (pen) dashes.push_back({from});
+      }
+      left -= length;
+      if (pen) dashes.back().push_back(stroke[i]);
+    }
+  }
+  return dashes;
+}
+
+}  // namespace brindle

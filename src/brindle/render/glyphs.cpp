@@ -1,0 +1,228 @@
+#include "brindle/glyphs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kFullTurn = 2 * std::numbers::pi_v<float>;
+
+/// Adds one glyph after the other. Coordinates of a glyph: x along the first direction, y across
+/// it, z off the surface.
+class GlyphBuilder {
+ public:
+  void begin(const Sample& sample, Index number) {
+    origin_ = sample.position;
+    axes_.col(0) = sample.direction_u;
+    axes_.col(2) = sample.normal;
+    axes_.col(1) = sample.normal.cross(sample.direction_u).normalized();
+    number_ = number;
+  }
+
+  Index add(const Vec3& place, const Vec3& normal) {
+    if (glyphs_.mesh.positions.size() >= std::numeric_limits<Index>::max()) {
+      throw Error("there are more glyphs than a mesh can hold");
+    }
+    glyphs_.mesh.positions.push_back(origin_ + axes_ * place);
+    glyphs_.normals.push_back((axes_ * normal).normalized());
+    glyphs_.sample_of_vertex.push_back(number_);
+    return static_cast<Index>(glyphs_.mesh.positions.size() - 1);
+  }
+  void add_triangle(Index a, Index b, Index c) { glyphs_.mesh.triangles.push_back({a, b, c}); }
+
+  Glyphs take() { return std::move(glyphs_); }
+
+ private:
+  Glyphs glyphs_;
+  Vec3 origin_;
+  Eigen::Matrix3f axes_;
+  Index number_ = 0;
+};
+
+void add_disc(GlyphBuilder& builder, const GlyphSize& size) {
+  constexpr int kCorners = 24;
+  const float lift = 0.06f * std::min(size.along, size.across);
+  for (const float side : {-1.0f, 1.0f}) {
+    const Vec3 normal(0, 0, side);
+    const Index middle = builder.add({0, 0, side * lift}, normal);
+    for (int k = 0; k < kCorners; ++k) {
+      const float angle = kFullTurn * static_cast<float>(k) / kCorners;
+      builder.add(
+          {0.5f * size.along * std::cos(angle), 0.5f * size.across * std::sin(angle), side * lift},
+          normal);
+    }
+    for (Index k = 0; k < kCorners; ++k) {
+      builder.add_triangle(middle, middle + 1 + k, middle + 1 + (k + 1) % kCorners);
+    }
+  }
+}
+
+/// A ring of vertices around the x axis, which lies at `height`.
+struct Ring {
+  float x, radius;
+  float slope;  // of the normal along x
+};
+
+void add_turned(GlyphBuilder& builder, std::span<const Ring> rings, float height) {
+  constexpr int kSides = 14;
+  Index last = 0;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    Index first = 0;
+    for (int k = 0; k < kSides; ++k) {
+      const float angle = kFullTurn * static_cast<float>(k) / kSides;
+      const Vec3 out(0, std::cos(angle), std::sin(angle));
+      const Index v = builder.add(rings[r].radius * out + Vec3(rings[r].x, 0, height),
+                                  out + Vec3(rings[r].slope, 0, 0));
+      if (k == 0) first = v;
+    }
+    for (Index k = 0; r > 0 && k < kSides; ++k) {
+      const Index next = (k + 1) % kSides;
+      builder.add_triangle(last + k, last + next, first + k);
+      builder.add_triangle(first + k, last + next, first + next);
+    }
+    last = first;
+  }
+}
+
+/// A shaft and a head, which take all of the length.
+void add_arrow(GlyphBuilder& builder, const GlyphSize& size) {
+  const float length = size.along;
+  const float head = 0.42f * length;
+  const float thick = 0.19f * length, thin = 0.075f * length;
+  const float steep = thick / head;
+  const Ring rings[] = {{-0.5f * length, 0, -1e3f},
+                        {-0.5f * length, thin, -1e3f},
+                        {-0.5f * length, thin, 0},
+                        {0.5f * length - head, thin, 0},
+                        {0.5f * length - head, thin, -1e3f},
+                        {0.5f * length - head, thick, -1e3f},
+                        {0.5f * length - head, thick, steep},
+                        {0.5f * length, 0, steep}};
+  add_turned(builder, rings, thick);
+}
+
+void add_ellipse(GlyphBuilder& builder, const GlyphSize& size) {
+  constexpr int kAround = 28, kRings = 7;
+  const Vec3 radii(0.5f * size.along, 0.5f * size.across,
+                   0.16f * std::min(size.along, size.across));
+  Index last = 0;
+  for (int r = 0; r <= kRings; ++r) {
+    // From the rim, which lies on the surface, to the top.
+    const float up = 0.25f * kFullTurn * static_cast<float>(r) / kRings;
+    Index first = 0;
+    for (int k = 0; k < kAround; ++k) {
+      const float angle = kFullTurn * static_cast<float>(k) / kAround;
+      const Vec3 out(std::cos(up) * std::cos(angle), std::cos(up) * std::sin(angle), std::sin(up));
+      const Index v = builder.add(out.cwiseProduct(radii), out.cwiseQuotient(radii));
+      if (k == 0) first = v;
+    }
+    for (Index k = 0; r > 0 && k < kAround; ++k) {
+      const Index next = (k + 1) % kAround;
+      builder.add_triangle(last + k, last + next, first + next);
+      builder.add_triangle(last + k, first + next, first + k);
+    }
+    last = first;
+  }
+}
+
+/// A number from 0 to 1 that looks like chance and is the same for the same numbers.
+float chance(Index sample, Index which) {
+  std::uint32_t x = sample * 0x9e3779b9u + which * 0x85ebca6bu;
+  x = (x ^ (x >> 16)) * 0x7feb352du;
+  x = (x ^ (x >> 15)) * 0x846ca68bu;
+  return static_cast<float>((x ^ (x >> 16)) >> 8) / 16777216.0f;
+}
+
+/// Bristles side by side that begin and end in points.
+void add_stroke(GlyphBuilder& builder, const GlyphSize& size, Index sample) {
+  constexpr int kBristles = 4, kSteps = 14;
+  const float length = 1.5f * size.across, width = 0.36f * size.along;
+  const float lift = 0.04f * std::min(size.along, size.across);
+  for (int bristle = 0; bristle < kBristles; ++bristle) {
+    const auto which = static_cast<Index>(4 * bristle);
+    const float begin = -0.5f + 0.22f * chance(sample, which);
+    const float end = 0.5f - 0.22f * chance(sample, which + 1);
+    const float middle = ((static_cast<float>(bristle) + 0.5f) / kBristles - 0.5f) * width +
+                         0.05f * width * (chance(sample, which + 2) - 0.5f);
+    const float half = (0.36f + 0.28f * chance(sample, which + 3)) * width / kBristles;
+    Index last = 0;
+    for (int step = 0; step <= kSteps; ++step) {
+      const float t = static_cast<float>(step) / kSteps;
+      // Soon at its full width, and long in running out.
+      const float thick = half * std::min(1.0f, 6 * t) * std::sqrt(std::max(1 - t * t, 0.0f));
+      const float y = length * (begin + t * (end - begin));
+      const float bow = 0.06f * length * (4 * t * (1 - t) - 0.5f);
+      const Index v = builder.add({middle + bow - thick, y, lift}, Vec3::UnitZ());
+      builder.add({middle + bow + thick, y, lift}, Vec3::UnitZ());
+      if (step > 0) {
+        builder.add_triangle(last, last + 1, v);
+        builder.add_triangle(v, last + 1, v + 1);
+      }
+      last = v;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<GlyphShape> parse_glyph_shape(std::string_view name) {
+  if (name == "disc") return GlyphShape::disc;
+  if (name == "arrow") return GlyphShape::arrow;
+  if (name == "ellipse") return GlyphShape::ellipse;
+  if (name == "stroke") return GlyphShape::stroke;
+  return std::nullopt;
+}
+
+std::vector<GlyphSize> glyph_sizes(std::span<const Sample> samples, float share,
+                                   std::span<const float> factors) {
+  if (!factors.empty() && factors.size() != samples.size()) {
+    throw Error("there are " + std::to_string(factors.size()) + " sizes for " +
+                std::to_string(samples.size()) + " glyphs");
+  }
+  std::vector<GlyphSize> sizes;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float size = share * (factors.empty() ? 1.0f : factors[i]);
+    sizes.push_back({size * samples[i].spacing_u, size * samples[i].spacing_v});
+  }
+  return sizes;
+}
+
+Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
+                 std::span<const GlyphSize> sizes) {
+  if (sizes.size() != samples.size()) {
+    throw Error("there are " + std::to_string(sizes.size()) + " sizes for " +
+                std::to_string(samples.size()) + " glyphs");
+  }
+  GlyphBuilder builder;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const GlyphSize& size = sizes[i];
+    if (!(size.along > 0) || !(size.across > 0)) continue;
+    const auto number = static_cast<Index>(i);
+    builder.begin(samples[i], number);
+    switch (shape) {
+      case GlyphShape::disc:
+        add_disc(builder, size);
+        break;
+      case GlyphShape::arrow:
+        add_arrow(builder, size);
+        break;
+      case GlyphShape::ellipse:
+        add_ellipse(builder, size);
+        break;
+      case GlyphShape::stroke:
+        add_stroke(builder, size, number);
+        break;
+    }
+  }
+  return builder.take();
+}
+
+}  // namespace brindle

@@ -1,0 +1,45 @@
+// How much of the light from all around reaches a point: what is near it on the screen may stand in
+// its way (Mittring 2007; points in the hemisphere over the surface).
+
+uniform float occlusion;         // 1: as little as there is; 0 would be all of it
+uniform float occlusion_radius;  // how far away things count, in units of length
+uniform vec2 part_of_target;     // share of the depths' texture that is in use
+
+float view_depth(float depth) {
+  if (is_orthographic()) {
+    return (clip_from_view[3][2] - (2.0 * depth - 1.0)) / clip_from_view[2][2];
+  }
+  return clip_from_view[3][2] / (2.0 * depth - 1.0 + clip_from_view[2][2]);
+}
+
+// Jimenez 2014: interleaved gradient noise.
+float chance(vec2 pixel) {
+  return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+}
+
+float open_share(SurfacePoint p) {
+  const float kSamples = 18.0;
+  vec3 n = normalize(p.view_normal);
+  vec3 side = normalize(cross(n, abs(n.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
+  vec3 other = cross(n, side);
+  float turn = chance(gl_FragCoord.xy);
+  float blocked = 0.0;
+  for (float k = 0.5; k < kSamples; k += 1.0) {
+    float share = k / kSamples;
+    float angle = kTurn * (turn + 0.618034 * k);
+    float flat_part = sqrt(share);
+    vec3 direction = flat_part * (cos(angle) * side + sin(angle) * other) + sqrt(1.0 - share) * n;
+    float distance = occlusion_radius * (0.08 + 0.92 * fract(turn + 0.754878 * k));
+    vec3 place = p.view_position + distance * direction + 0.01 * occlusion_radius * n;
+    vec4 clip = clip_from_view * vec4(place, 1.0);
+    vec2 target = 0.5 * (clip.xy * tile.xy / clip.w + tile.zw) + 0.5;
+    if (any(lessThan(target, vec2(0.0))) || any(greaterThan(target, vec2(1.0)))) continue;
+    float front = view_depth(textureLod(visible_depth, target * part_of_target, 0.0).r);
+    float behind = -place.z - front;
+    // What is far in front is another thing, not a wall.
+    if (behind > 0.02 * occlusion_radius) {
+      blocked += 1.0 - smoothstep(1.0, 2.5, behind / occlusion_radius);
+    }
+  }
+  return 1.0 - occlusion * clamp(1.35 * blocked / kSamples, 0.0, 1.0);
+}

@@ -1,0 +1,61 @@
+// A texture whose tiles differ from region to region. Each pass draws one region.
+
+uniform vec3 figure_color;
+uniform vec2 texture_shift;
+uniform vec2 region;        // from this value to that
+uniform bool first_region;  // also draws what has no tile
+
+// A value in the middle of the tile, to first order: tiles are not cut where regions meet.
+float value_of_tile(SurfacePoint p, Footprint f, uint which) {
+  vec3 values;
+  for (int m = 0; m < 3; ++m) values[m] = style_values[kStyleValues * p.vertices[m] + which];
+  if (min(values.x, min(values.y, values.z)) <= kNoValue) return kNoValue;
+  float value = dot(values, p.barycentric);
+  mat2 uv_per_pixel = mat2(f.dx, f.dy);
+  float area = determinant(uv_per_pixel);
+  if (abs(area) < 1e-12) return value;
+  vec2 to_middle = floor(f.uv) + 0.5 - f.uv;
+  vec2 pixels = inverse(uv_per_pixel) * to_middle;
+  return value + dot(vec2(dot(values, p.barycentric_dx), dot(values, p.barycentric_dy)), pixels);
+}
+
+// A quarter more than the phase over 2 pi, as texture_pattern.glsl has it.
+bool footprint_at(SurfacePoint p, out Footprint footprint) {
+  const float kMostTiles = 4.0;
+  TextureFragment f = texture_at(p);
+  if (f.u.direction == vec3(0.0) || f.v.direction == vec3(0.0)) return false;
+  footprint = Footprint(vec2(turns_at_centre(f.u, p), turns_at_centre(f.v, p)) + 0.25 -
+                            texture_shift,
+                        vec2(f.u.turns_per_pixel.x, f.v.turns_per_pixel.x),
+                        vec2(f.u.turns_per_pixel.y, f.v.turns_per_pixel.y));
+  if (f.u.z == vec2(0.0) || f.v.z == vec2(0.0) ||
+      max(length(footprint.dx), length(footprint.dy)) >= kMostTiles) {
+    footprint = Footprint(vec2(0.0), vec2(kMostTiles, 0.0), vec2(0.0, kMostTiles));
+  }
+  return true;
+}
+
+// The tile, shrunk about its middle.
+vec3 with_decal(vec3 surface, Footprint f, float size) {
+  vec2 from_middle = f.uv - floor(f.uv) - 0.5;
+  vec2 pixel = vec2(length(vec2(f.dx.x, f.dy.x)), length(vec2(f.dx.y, f.dy.y)));
+  vec2 inside = clamp((0.5 * size - abs(from_middle)) / max(pixel, 1e-6) + 0.5, 0.0, 1.0);
+  Footprint decal = Footprint(from_middle / size + 0.5, f.dx / size, f.dy / size);
+  return mix(surface, with_tile(surface, figure_color, decal), inside.x * inside.y);
+}
+
+// False where another region is.
+bool pattern_at(inout vec3 surface, SurfacePoint p, float tone) {
+  Footprint f;
+  if (!footprint_at(p, f)) return first_region;
+  float value = kRegions ? value_of_tile(p, f, kValueOfRegion) : region.x;
+  if (kRegions && value <= kNoValue) return first_region;
+  if (kRegions && (value < region.x || value >= region.y)) return false;
+  float size = kTileSizes ? value_of_tile(p, f, kSizeOfTile) : 1.0;
+  if (size >= 1.0) {
+    surface = with_tile(surface, figure_color, f);
+  } else if (size > 1e-3) {
+    surface = with_decal(surface, f, size);
+  }
+  return true;
+}

@@ -1,0 +1,20 @@
+// What the strokes and colours of a surface follow, vertex by vertex.
+
+layout(std430, binding = 0) readonly buffer StyleValues { float style_values[]; };
+layout(std430, binding = 1) readonly buffer SecondWaves { vec4 second_waves[]; };
+layout(std430, binding = 2) readonly buffer SecondPhases { vec2 second_phases[]; };
+
+const uint kStyleValues = 8u;  // a vertex: width, opacity and place of the first strokes, of the
+                               // second ones, place of the surface, value of regions
+const uint kPlaceOfSurface = 6u;
+const uint kValueOfRegion = 7u;
+const uint kSizeOfTile = 0u;  // in place of strokes
+const float kNoValue = -1e30;
+
+// The value at a point; far below zero where a corner has none.
+float style_value(SurfacePoint p, uint which) {
+  vec3 values;
+  for (int m = 0; m < 3; ++m) values[m] = style_values[kStyleValues * p.vertices[m] + which];
+  if (min(values.x, min(values.y, values.z)) <= kNoValue) return kNoValue;
+  return dot(values, p.barycentric);
+}

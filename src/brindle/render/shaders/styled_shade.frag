@@ -1,0 +1,40 @@
+// The light of one surface of several, where it is the one that is seen: one evaluation for a group
+// of samples, weighted by how many they are.
+
+uniform usampler2D groups;  // as group_samples.frag writes them
+uniform int group;          // the one to shade
+uniform int last_group;     // which all further ones join
+uniform int first_number;  // of the surface's triangles
+uniform int triangle_count;
+uniform bool middle_of_samples;  // where samples may be no surface's in between
+uniform bool shading;
+uniform vec3 base_color;
+uniform vec3 up;  // of the world, seen from the camera
+
+layout(location = 0) out vec4 color;
+
+vec4 light_at(SurfacePoint p) {
+  vec3 surface = base_color;
+  if (kSurfacePlaces) {
+    float place = style_value(p, kPlaceOfSurface);
+    if (place > kNoValue) surface = scale_color(place);
+  }
+  if (!pattern_at(surface, p, tone_at(p, up))) return vec4(0.0);
+  if (shading) surface = lit(surface, p.view_normal, line_of_sight(p), up);
+  return vec4(with_depth_cue(surface * open_share(p), p), 1.0);
+}
+
+void main() {
+  uvec4 of_sample =
+      uvec4(texelFetch(groups, ivec2(gl_FragCoord.xy), 0).x) >> uvec4(0u, 2u, 4u, 6u) & 3u;
+  uvec4 numbers = triangles_here() - 1u - uint(first_number);
+  vec4 chosen = shares(equal(min(of_sample, uvec4(last_group)), uvec4(group))) *
+      shares(lessThan(numbers, uvec4(triangle_count)));
+  uint number = chosen.x > 0.0 ? numbers.x : chosen.y > 0.0 ? numbers.y :
+                chosen.z > 0.0 ? numbers.z : numbers.w;
+  // Where this triangle is seen for certain.
+  vec2 place = middle_of(chosen * shares(equal(numbers, uvec4(number))));
+  SurfacePoint p = surface_point(surface_triangle(number), gl_FragCoord.xy + place,
+                                 gl_FragCoord.xy + (middle_of_samples ? place : vec2(0.0)));
+  color = 0.25 * dot(chosen, vec4(1.0)) * light_at(p);
+}

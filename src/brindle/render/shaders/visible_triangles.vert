@@ -1,0 +1,14 @@
+// Which triangle is seen where: places alone.
+
+layout(location = 0) in vec3 vertex_position;
+
+uniform mat4 view_from_world;
+uniform mat4 clip_from_view;
+uniform vec4 tile;    // scale and offset of clip coordinates: the part of the picture being drawn
+uniform vec3 origin;  // taken off every position: a surface far from zero keeps its digits
+
+void main() {
+  vec4 view_position = view_from_world * vec4(vertex_position - origin, 1.0);
+  gl_Position = clip_from_view * vec4(view_position.xyz, 1.0);
+  gl_Position.xy = gl_Position.xy * tile.xy + gl_Position.w * tile.zw;
+}

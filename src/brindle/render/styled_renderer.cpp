@@ -1,0 +1,521 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "brindle/error.h"
+#include "brindle/geometry/append_mesh.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/shader_program.h"
+#include "brindle/headless_context.h"
+#include "brindle/render/gl_style.h"
+#include "brindle/render/gl_surface.h"
+#include "brindle/render/gl_target.h"
+#include "brindle/render/ground_shadow.h"
+#include "brindle/render/sample_groups.h"
+#include "brindle/render/tiled_picture.h"
+#include "brindle/render/visible_triangles.h"
+#include "brindle/styled_picture.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kVisibleSamples =
+    2;  // along the side of a light sample, as visible_samples.glsl has it
+constexpr GLuint kShadowUnit = 14;
+constexpr GLuint kColorMapUnit = 15;
+constexpr float kOcclusionReach = 0.11f;  // of the surfaces' diagonal
+
+/// A surface and what was uploaded of it.
+struct DrawnSurface {
+  Mesh mesh;  ///< relative to the origin of the first surface
+  GlSurface surface;
+  GlStyle style;
+  int first_number = 0;  ///< of its triangles among those of all surfaces
+};
+
+/// Positions relative to `origin`.
+Mesh moved_to(const Mesh& mesh, const Eigen::Vector3d& origin) {
+  Mesh moved = mesh;
+  const Vec3 offset = (mesh.origin - origin).cast<float>();
+  for (Vec3& position : moved.positions) position += offset;
+  moved.origin = origin;
+  return moved;
+}
+
+GlTexture color_map_texture(ColorMap map) {
+  constexpr int kTexels = 256;
+  std::vector<Vec3> texels;
+  for (int i = 0; i < kTexels; ++i) {
+    texels.push_back(linear_light(map_color(map, static_cast<float>(i) / (kTexels - 1))));
+  }
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_1D, 1, &name);
+  GlTexture texture(name);
+  glTextureStorage1D(texture, 1, GL_RGB32F, kTexels);
+  glTextureSubImage1D(texture, 0, 0, kTexels, GL_RGB, GL_FLOAT, texels.data());
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+/// Two axes along the ground and the one off it.
+Eigen::Matrix3f ground_axes(UpAxis up) {
+  Eigen::Matrix3f axes;
+  if (up == UpAxis::z) {
+    axes = Eigen::Matrix3f::Identity();
+  } else {
+    axes.col(0) = Vec3::UnitZ();
+    axes.col(1) = Vec3::UnitX();
+    axes.col(2) = Vec3::UnitY();
+  }
+  return axes;
+}
+
+GlTexture shadow_texture(const GroundShadow& shadow) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  GlTexture texture(name);
+  glTextureStorage2D(texture, 1, GL_R32F, GroundShadow::kSide, GroundShadow::kSide);
+  glTextureSubImage2D(texture, 0, 0, 0, GroundShadow::kSide, GroundShadow::kSide, GL_RED, GL_FLOAT,
+                      shadow.missing.data());
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+/// Distances from the camera of the nearest and the farthest point.
+Eigen::Vector2f depth_range(std::span<const Vec3> points, const Camera& camera) {
+  Eigen::Vector2f range(std::numeric_limits<float>::max(), 0);
+  for (const Vec3& point : points) {
+    const Vec3 relative = point - camera.origin;
+    const float depth = -(camera.view_from_world * relative.homogeneous()).z();
+    range = {std::min(range[0], depth), std::max(range[1], depth)};
+  }
+  if (!(range[1] > range[0])) return {0, 1};
+  return range;
+}
+
+/// Frames the points in the part of the picture that is left of the margin.
+Camera camera_beside(std::span<const Vec3> points, const RenderOptions& render, int margin) {
+  const int width = render.width - margin;
+  Camera camera = framed_camera(points, render.camera, width, render.height);
+  const float share = static_cast<float>(width) / static_cast<float>(render.width);
+  camera.clip_from_view.row(0) *= share;
+  camera.clip_from_view.row(0) -= (1 - share) * camera.clip_from_view.row(3);
+  return camera;
+}
+
+void check_styled_options(const StyledOptions& options) {
+  check_options(options.render);
+  if (!(options.occlusion >= 0 && options.occlusion <= 1)) {
+    throw Error("occlusion is a number from 0 to 1, not " + std::to_string(options.occlusion));
+  }
+  if (options.right_margin < 0 || options.right_margin >= options.render.width) {
+    throw Error("the margin of " + std::to_string(options.right_margin) +
+                " pixels leaves no room for the picture");
+  }
+}
+
+}  // namespace
+
+std::vector<float> rescaled(std::span<const float> values, float lowest, float highest, float first,
+                            float last) {
+  std::vector<float> result(values.begin(), values.end());
+  for (float& value : result) {
+    if (std::isnan(value)) continue;
+    const float place =
+        highest > lowest ? (value - lowest) / (highest - lowest) : (value < lowest ? 0.0f : 1.0f);
+    value = first + std::clamp(place, 0.0f, 1.0f) * (last - first);
+  }
+  return result;
+}
+
+std::vector<Vec3> framed_points(std::span<const StyledSurface> surfaces) {
+  std::vector<Vec3> points;
+  for (const StyledSurface& styled : surfaces) {
+    const Vec3 offset = (styled.mesh.origin - surfaces.front().mesh.origin).cast<float>();
+    for (const Vec3& point : points_of_triangles(styled.mesh)) points.push_back(point + offset);
+  }
+  return points;
+}
+
+Camera styled_camera(std::span<const StyledSurface> surfaces, const StyledOptions& options) {
+  check_styled_options(options);
+  if (!options.framed.empty()) {
+    return camera_beside(options.framed, options.render, options.right_margin);
+  }
+  return camera_beside(framed_points(surfaces), options.render, options.right_margin);
+}
+
+namespace {
+
+/// Programs are made when they are needed for the first time: drivers take their time.
+class StyledPrograms {
+ public:
+  const ShaderProgram& whole() {
+    if (!whole_) whole_.emplace(Files{"visible_triangles.vert"}, Files{"styled_visibility.frag"});
+    return *whole_;
+  }
+  const ShaderProgram& between_strokes(const std::string& features) {
+    return programs_
+        .try_emplace("between strokes\n" + features, Files{"visible_triangles.vert"},
+                     Files{{"features", features},
+                           "surface_buffers.glsl",
+                           "surface_point.glsl",
+                           "fragment_phase.glsl",
+                           "fragment_turns.glsl",
+                           "stripe_middle.glsl",
+                           "light.glsl",
+                           "style_buffers.glsl",
+                           "color_scale.glsl",
+                           "strokes.glsl",
+                           "tone.glsl",
+                           "strokes_visibility.frag"})
+        .first->second;
+  }
+  const ShaderProgram& strokes(const std::string& features, bool occlusion) {
+    const char* open_share = occlusion_file(occlusion);
+    return programs_
+        .try_emplace("strokes\n" + features + open_share, Files{"full_screen.vert"},
+                     Files{{"features", features},
+                           "surface_buffers.glsl",
+                           "surface_point.glsl",
+                           "fragment_phase.glsl",
+                           "fragment_turns.glsl",
+                           "stripe_coverage.glsl",
+                           "light.glsl",
+                           "style_buffers.glsl",
+                           "color_scale.glsl",
+                           "strokes.glsl",
+                           "stroke_layers.glsl",
+                           "tone.glsl",
+                           "depth_cue.glsl",
+                           "visible_samples.glsl",
+                           open_share,
+                           "styled_shade.frag"})
+        .first->second;
+  }
+  const ShaderProgram& texture(const std::string& features, bool occlusion) {
+    const char* open_share = occlusion_file(occlusion);
+    return programs_
+        .try_emplace("texture\n" + features + open_share, Files{"full_screen.vert"},
+                     Files{{"features", features},
+                           "surface_buffers.glsl",
+                           "surface_point.glsl",
+                           "fragment_phase.glsl",
+                           "fragment_turns.glsl",
+                           "light.glsl",
+                           "style_buffers.glsl",
+                           "color_scale.glsl",
+                           "texture_fragment.glsl",
+                           "texture_tile.glsl",
+                           "region_texture.glsl",
+                           "tone.glsl",
+                           "depth_cue.glsl",
+                           "visible_samples.glsl",
+                           open_share,
+                           "styled_shade.frag"})
+        .first->second;
+  }
+  const ShaderProgram& ground() {
+    if (!ground_) {
+      ground_.emplace(Files{"full_screen.vert"},
+                      Files{"visible_samples.glsl", "ground_shadow.frag"});
+    }
+    return *ground_;
+  }
+
+ private:
+  using Files = std::initializer_list<ShaderSource>;
+
+  static const char* occlusion_file(bool occlusion) {
+    return occlusion ? "occlusion.glsl" : "no_occlusion.glsl";
+  }
+
+  std::optional<ShaderProgram> whole_, ground_;
+  std::map<std::string, ShaderProgram> programs_;  ///< by what they are and by their features
+};
+
+}  // namespace
+
+struct StyledRenderer::State {
+  StyledPrograms programs;
+  TiledPicture picture;
+  Target visible;
+  SampleGroups groups;
+  GlVertexArray no_attributes = no_vertex_attributes();
+  std::vector<DrawnSurface> surfaces;
+  std::vector<Vec3> points;  // of all surfaces, as the camera frames them
+  float diagonal = 0;
+
+  void measure();
+  void draw_visible(const Camera& camera, const Eigen::Vector4f& transform,
+                    const Eigen::Vector2i& largest, const Eigen::Vector2i& size,
+                    const StyledOptions& options);
+  void draw_surfaces(const Camera& camera, const Eigen::Vector4f& transform, const Target& light,
+                     const Eigen::Vector2i& size, const StyledOptions& options);
+  void draw_surface(const DrawnSurface& drawn, const Camera& camera,
+                    const Eigen::Vector4f& transform, const Target& light,
+                    const Eigen::Vector2i& size, const StyledOptions& options);
+  void draw_ground(const Camera& camera, const Eigen::Vector4f& transform, const Target& light,
+                   const Eigen::Vector2i& size, const StyledOptions& options);
+  void set_picture(const ShaderProgram& program, const Camera& camera, const Eigen::Vector2i& size,
+                   const StyledOptions& options) const;
+};
+
+/// The first pass: which triangle of which surface each sample shows.
+void StyledRenderer::State::draw_visible(const Camera& camera, const Eigen::Vector4f& transform,
+                                         const Eigen::Vector2i& largest,
+                                         const Eigen::Vector2i& size,
+                                         const StyledOptions& options) {
+  constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  const int samples = kVisibleSamples * shading_side(options.render);
+  fit_target(visible, {GL_R32UI}, true, kVisibleSamples * largest.x(),
+             kVisibleSamples * largest.y());
+  glClearNamedFramebufferuiv(visible.framebuffer, GL_COLOR, 0, kNothing.data());
+  glClearNamedFramebufferfv(visible.framebuffer, GL_DEPTH, 0, &kFarthest);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, visible.framebuffer);
+  glViewport(0, 0, kVisibleSamples * size.x(), kVisibleSamples * size.y());
+  glEnable(GL_DEPTH_TEST);
+  for (const DrawnSurface& drawn : surfaces) {
+    const ShaderProgram& program = drawn.style.discards()
+                                       ? programs.between_strokes(drawn.style.features())
+                                       : programs.whole();
+    program.set("first_number", drawn.first_number);
+    if (drawn.style.discards()) {
+      program.set("color_map", static_cast<int>(kColorMapUnit));
+      drawn.surface.bind(program, camera, transform);
+      drawn.style.bind(program, samples);
+      program.set("target_size", Eigen::Vector2f((kVisibleSamples * size).cast<float>()));
+      program.set("up", up_seen_by(camera, options.render.camera.up));
+    }
+    drawn.surface.draw(program, camera, transform);
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+/// What a program of the second pass has to know of the picture.
+void StyledRenderer::State::set_picture(const ShaderProgram& program, const Camera& camera,
+                                        const Eigen::Vector2i& size,
+                                        const StyledOptions& options) const {
+  program.set("target_size", Eigen::Vector2f(size.cast<float>()));
+  program.set("up", up_seen_by(camera, options.render.camera.up));
+  bind_visible(program, visible);
+  program.set("color_map", static_cast<int>(kColorMapUnit));
+  program.set("has_threshold", options.scale.threshold.has_value());
+  program.set("threshold", options.scale.threshold.value_or(0.0f));
+  program.set("beyond_color", linear_light(options.scale.beyond));
+  program.set("depth_range", depth_range(points, camera));
+  program.set("haze_color", linear_light(options.render.background_center));
+  program.set("occlusion", options.occlusion);
+  program.set("occlusion_radius", kOcclusionReach * diagonal);
+  program.set("part_of_target",
+              Eigen::Vector2f(Eigen::Vector2f((kVisibleSamples * size).cast<float>())
+                                  .cwiseQuotient(Eigen::Vector2f(visible.width, visible.height))));
+}
+
+/// Adds the surface's light where it is seen.
+void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Camera& camera,
+                                         const Eigen::Vector4f& transform, const Target& light,
+                                         const Eigen::Vector2i& size,
+                                         const StyledOptions& options) {
+  const bool texture = drawn.style.regions() > 0, occlusion = options.occlusion > 0;
+  const std::string features = drawn.style.features() + "const int kDepthCue = " +
+                               std::to_string(static_cast<int>(options.depth_cue)) + ";\n";
+  const ShaderProgram& program =
+      texture ? programs.texture(features, occlusion) : programs.strokes(features, occlusion);
+  groups.find(drawn.surface, visible, camera, transform, light, size, drawn.first_number);
+  set_picture(program, camera, size, options);
+  drawn.surface.bind(program, camera, transform);
+  drawn.style.bind(program, shading_side(options.render));
+  program.set("first_number", drawn.first_number);
+  program.set("triangle_count", static_cast<int>(drawn.surface.triangle_count()));
+  if (!options.render.shading) program.set("shading", false);
+  const int count = SampleGroups::count(drawn.surface, options.render.quality);
+  for (std::size_t region = 0; region < std::max<std::size_t>(drawn.style.regions(), 1); ++region) {
+    if (texture) drawn.style.bind_region(program, region);
+    groups.shade(program, light, count, SampleGroups::First::on_top);
+  }
+}
+
+/// The second pass: the light of each surface where it is seen, on top of nothing.
+void StyledRenderer::State::draw_surfaces(const Camera& camera, const Eigen::Vector4f& transform,
+                                          const Target& light, const Eigen::Vector2i& size,
+                                          const StyledOptions& options) {
+  constexpr std::array<float, 4> kNoLight{0, 0, 0, 0};
+  glClearNamedFramebufferfv(light.framebuffer, GL_COLOR, 0, kNoLight.data());
+  glViewport(0, 0, size.x(), size.y());
+  for (const DrawnSurface& drawn : surfaces) {
+    if (drawn.surface.triangle_count() == 0) continue;
+    draw_surface(drawn, camera, transform, light, size, options);
+  }
+  if (options.ground_shadow) draw_ground(camera, transform, light, size, options);
+}
+
+void StyledRenderer::State::draw_ground(const Camera& camera, const Eigen::Vector4f& transform,
+                                        const Target& light, const Eigen::Vector2i& size,
+                                        const StyledOptions& options) {
+  const Eigen::Matrix3f axes = ground_axes(options.render.camera.up);
+  Mesh all;
+  for (const DrawnSurface& drawn : surfaces) append(drawn.mesh, all);
+  const GroundShadow shadow = ground_shadow(all.positions, all.triangles, axes);
+  if (shadow.missing.empty()) return;
+  const GlTexture texture = shadow_texture(shadow);
+  const Vec3 origin = axes.transpose() * camera.origin;
+  const ShaderProgram& program = programs.ground();
+  program.set("target_size", Eigen::Vector2f(size.cast<float>()));
+  program.set("clip_from_view", camera.clip_from_view);
+  program.set("view_from_world", camera.view_from_world);
+  program.set("tile", transform);
+  bind_visible(program, visible);
+  program.set("shadow", static_cast<int>(kShadowUnit));
+  program.set("ground", Vec3((shadow.height - origin.z()) * axes.col(2)));
+  program.set("across", Vec3(axes.col(0)));
+  program.set("away", Vec3(axes.col(1)));
+  program.set("upwards", Vec3(axes.col(2)));
+  Eigen::Vector4f place;
+  place << shadow.lower - origin.head<2>(), shadow.size.cwiseInverse();
+  program.set("shadow_place", place);
+  glBindTextureUnit(kShadowUnit, texture);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light.framebuffer);
+  glUseProgram(program.name());
+  glBindVertexArray(no_attributes);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+}
+
+StyledRenderer::StyledRenderer() : state_(std::make_unique<State>()) {}
+
+StyledRenderer::~StyledRenderer() = default;
+StyledRenderer::StyledRenderer(StyledRenderer&&) noexcept = default;
+StyledRenderer& StyledRenderer::operator=(StyledRenderer&&) noexcept = default;
+
+namespace {
+
+/// What the surface is without its style.
+SurfaceDrawing drawing_of(const StyledSurface& styled, const Mesh& mesh) {
+  SurfaceDrawing drawing{.mesh = mesh, .normals = styled.normals};
+  if (!styled.strokes.empty()) {
+    drawing.waves = styled.strokes.front().waves;
+    drawing.z = styled.strokes.front().z;
+  }
+  if (styled.texture) {
+    drawing.texture_waves = styled.texture->waves;
+    drawing.texture_tile = &styled.texture->tiles.front().tile;
+  }
+  return drawing;
+}
+
+DrawnSurface drawn_surface(const StyledSurface& styled, const Eigen::Vector3d& origin) {
+  DrawnSurface drawn{moved_to(styled.mesh, origin), {}, GlStyle(styled)};
+  drawn.surface.upload(drawing_of(styled, drawn.mesh));
+  return drawn;
+}
+
+/// Whether buffers can stay, with other numbers in them.
+bool has_buffers_of(const DrawnSurface& drawn, const StyledSurface& styled) {
+  return drawn.mesh.triangles == styled.mesh.triangles &&
+         drawn.mesh.vertex_count() == styled.mesh.vertex_count() &&
+         drawn.surface.has_normals() == !styled.normals.empty() &&
+         drawn.surface.has_waves() == !styled.strokes.empty() &&
+         drawn.surface.has_texture() == styled.texture.has_value();
+}
+
+void check_triangle_count(std::size_t count) {
+  if (count <= std::numeric_limits<int>::max()) return;
+  throw Error("the surfaces have more triangles than a picture can number");
+}
+
+}  // namespace
+
+/// Numbers the triangles of all surfaces.
+void StyledRenderer::State::measure() {
+  int number = 0;
+  points.clear();
+  for (DrawnSurface& drawn : surfaces) {
+    drawn.first_number = number;
+    number += static_cast<int>(drawn.mesh.triangle_count());
+    const std::vector<Vec3> more = points_of_triangles(drawn.mesh);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  Eigen::AlignedBox3f box;
+  for (const Vec3& point : points) box.extend(point);
+  diagonal = points.empty() ? 0 : box.diagonal().norm();
+}
+
+void StyledRenderer::upload(std::span<const StyledSurface> surfaces) {
+  if (surfaces.empty()) throw Error("cannot draw a picture of no surface; add one");
+  std::vector<DrawnSurface> drawn;
+  std::size_t triangles = 0;
+  for (const StyledSurface& styled : surfaces) {
+    check_triangle_count(triangles += styled.mesh.triangle_count());
+    drawn.push_back(drawn_surface(styled, surfaces.front().mesh.origin));
+  }
+  state_->surfaces = std::move(drawn);
+  state_->measure();
+}
+
+void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
+  State& s = *state_;
+  if (number >= s.surfaces.size()) {
+    throw Error("there is no surface " + std::to_string(number) + " to update; upload it");
+  }
+  DrawnSurface& drawn = s.surfaces[number];
+  const Eigen::Vector3d origin = s.surfaces.front().mesh.origin;
+  if (has_buffers_of(drawn, surface)) {
+    GlStyle style(surface, &drawn.style);
+    Mesh mesh = moved_to(surface.mesh, origin);
+    const SurfaceDrawing drawing = drawing_of(surface, mesh);
+    drawn.surface.update({.positions = mesh.positions,
+                          .normals = drawing.normals,
+                          .waves = drawing.waves,
+                          .z = drawing.z});
+    if (surface.texture) drawn.surface.update_texture(*surface.texture->waves);
+    drawn.mesh = std::move(mesh);
+    drawn.style = std::move(style);
+  } else {
+    std::size_t triangles = surface.mesh.triangle_count();
+    for (const DrawnSurface& other : s.surfaces) triangles += other.mesh.triangle_count();
+    check_triangle_count(triangles - drawn.mesh.triangle_count());
+    drawn = drawn_surface(surface, origin);
+  }
+  s.measure();
+}
+
+Image StyledRenderer::draw(const StyledOptions& options) const {
+  check_styled_options(options);
+  State& s = *state_;
+  const RenderOptions& render = options.render;
+  const auto framed = options.framed.empty() ? std::span<const Vec3>(s.points) : options.framed;
+  const Camera camera = camera_beside(framed, render, options.right_margin);
+  const GlTexture map = color_map_texture(options.scale.map);
+  return s.picture.draw(render, [&](const Target& target, const Tile& tile) {
+    const Eigen::Vector4f transform = tile_transform(tile, render);
+    const Eigen::Vector2i size = shading_side(render) * Eigen::Vector2i(tile.width, tile.height);
+    s.draw_visible(camera, transform, {target.width, target.height}, size, options);
+    glBindTextureUnit(kColorMapUnit, map);
+    s.draw_surfaces(camera, transform, target, size, options);
+  });
+}
+
+Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options) {
+  check_styled_options(options);
+  const HeadlessContext context;
+  StyledRenderer renderer;
+  renderer.upload(surfaces);
+  Image image = renderer.draw(options);
+  context.check_errors("drawing the picture");
+  return image;
+}
+
+}  // namespace brindle

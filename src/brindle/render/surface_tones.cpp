@@ -1,0 +1,69 @@
+#include "brindle/surface_tones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "brindle/error.h"
+#include "brindle/render/outer_side.h"
+
+namespace brindle {
+namespace {
+
+float smoothstep(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+/// The twin of `lit` in light.glsl for a white surface: change both or neither.
+Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Vec3& up) {
+  const Vec3 v = -view_position.normalized();
+  const float facing = std::clamp(n.dot(v), 0.0f, 1.0f);
+  const Vec3 key_from = Vec3(-0.45f, 0.70f, 0.75f).normalized();
+  const Vec3 fill_from = Vec3(0.85f, 0.05f, 0.50f).normalized();
+  const float key = std::clamp((n.dot(key_from) + 0.25f) / 1.25f, 0.0f, 1.0f);
+  const float fill = std::clamp((n.dot(fill_from) + 0.40f) / 1.40f, 0.0f, 1.0f);
+  const float sky = 0.5f + 0.5f * n.dot(up);
+  const Vec3 ground_light(0.17f, 0.165f, 0.16f), sky_light(0.30f, 0.31f, 0.33f);
+  Vec3 light = key * Vec3(0.66f, 0.64f, 0.61f) + fill * Vec3(0.12f, 0.13f, 0.15f) + ground_light +
+               sky * (sky_light - ground_light);
+  light *= 0.62f + (1 - 0.62f) * smoothstep(0, 0.55f, facing);
+  const float gloss = std::pow(std::clamp(n.dot((key_from + v).normalized()), 0.0f, 1.0f), 40.0f);
+  light += Vec3::Constant(0.035f * gloss);
+  light += Vec3::Constant(0.03f * std::pow(1 - facing, 4.0f) * sky);
+  return light;
+}
+
+/// The twin of tone.glsl.
+float tone_of(const Vec3& light) {
+  return std::pow(std::clamp(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 0.0f, 1.0f), 1 / 2.2f);
+}
+
+}  // namespace
+
+std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals,
+                                 const Camera& camera, UpAxis up) {
+  if (normals.size() != mesh.vertex_count()) {
+    throw Error("light needs a normal for each of the " + std::to_string(mesh.vertex_count()) +
+                " vertices, not " + std::to_string(normals.size()));
+  }
+  const HiddenSide hidden = hidden_side(mesh);
+  const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
+  const Vec3 upwards = turn * (up == UpAxis::z ? Vec3::UnitZ() : Vec3::UnitY());
+  std::vector<float> tones(normals.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t v = 0; v < tones.size(); ++v) {
+    if (normals[v].isZero(0)) continue;
+    const Vec3 relative = mesh.positions[v] - camera.origin;
+    const Vec3 place = (camera.view_from_world * relative.homogeneous()).head<3>();
+    Vec3 normal = turn * normals[v];
+    const bool turned_away = normal.dot(place) > 0;
+    if (hidden == HiddenSide::front || (hidden == HiddenSide::none && turned_away)) {
+      normal = -normal;
+    }
+    tones[v] = tone_of(light_on_white(normal, place, upwards));
+  }
+  return tones;
+}
+
+}  // namespace brindle

@@ -1,0 +1,349 @@
+#include "brindle/waves/bounded_multigrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+constexpr std::size_t kBlockGrain = 4;  ///< blocks that are not worth waking another thread
+constexpr std::size_t kCopyGrain = 65536;
+constexpr int kCoarseVisits = 2;  ///< of a coarser level from each but the finest: a W cycle
+constexpr int kCoarsestSweeps = 8;
+/// Corrections that are constant on aggregates are too short.
+constexpr double kLongestStep = 2;
+constexpr std::size_t kMostChanged = 64;  ///< one node in so many, before levels are summed anew
+
+struct EnergySums {
+  double energy = 0, square = 0;
+  std::size_t changed = 0;
+  EnergySums operator+(const EnergySums& o) const {
+    return {energy + o.energy, square + o.square, changed + o.changed};
+  }
+};
+
+/// What the energy does along the correction s and the way m that the last cycle went.
+struct StepSums {
+  double rs = 0, rm = 0, ss = 0, sm = 0, mm = 0;
+  StepSums operator+(const StepSums& o) const {
+    return {rs + o.rs, rm + o.rm, ss + o.ss, sm + o.sm, mm + o.mm};
+  }
+};
+
+struct StepLengths {
+  double correction = 0, momentum = 0;
+};
+
+/// Where the energy is least.
+StepLengths best_lengths(const StepSums& sums, double longest) {
+  const double determinant = sums.ss * sums.mm - sums.sm * sums.sm;
+  if (determinant > 1e-6 * sums.ss * sums.mm) {
+    return {(sums.rs * sums.mm - sums.rm * sums.sm) / determinant,
+            (sums.rm * sums.ss - sums.rs * sums.sm) / determinant};
+  }
+  return {sums.ss > 0 ? std::clamp(sums.rs / sums.ss, 0.0, longest) : 0.0, 0.0};
+}
+
+template <class Body>
+void for_rows(const RowLevel& rows, const Body& body) {
+  parallel_for(
+      rows.block_count(),
+      [&](std::size_t begin, std::size_t end) {
+        const Index last = std::min(rows.size(), static_cast<Index>(end) * kRowBlock);
+        for (Index i = static_cast<Index>(begin) * kRowBlock; i < last; ++i) body(i);
+      },
+      kBlockGrain);
+}
+
+/// The sum over all rows of what `add(i, sum)` adds.
+template <class Sum, class Add>
+Sum sum_over_rows(const RowLevel& rows, const Add& add) {
+  return parallel_sum<Sum>(
+      rows.block_count(),
+      [&](std::size_t begin, std::size_t end) {
+        Sum sum;
+        const Index last = std::min(rows.size(), static_cast<Index>(end) * kRowBlock);
+        for (Index i = static_cast<Index>(begin) * kRowBlock; i < last; ++i) add(i, sum);
+        return sum;
+      },
+      kBlockGrain);
+}
+
+/// What row i has of the product with `x`, but for the diagonal.
+float row_product(const RowLevel& rows, const std::vector<float>& values,
+                  const std::vector<float>& x, Index i) {
+  float sum = 0;
+  for (Index e = rows.offsets[i]; e < rows.offsets[i + 1]; ++e) {
+    sum += values[e] * x[rows.columns[e]];
+  }
+  return sum;
+}
+
+}  // namespace
+
+BoundedMultigrid::BoundedMultigrid(std::shared_ptr<const RowLevels> levels)
+    : rows_(std::move(levels)) {
+  for (const RowLevel& rows : rows_->levels) {
+    const std::size_t size = rows.size();
+    Level& level = levels_.emplace_back();
+    level.values.resize(rows.columns.size());
+    for (auto* v :
+         {&level.diagonal, &level.inverse, &level.right, &level.x, &level.lower, &level.upper}) {
+      v->resize(size);
+    }
+    level.last.resize(rows.block_count() > 1 ? size : 0);
+  }
+  for (auto* v : {&residual_, &step_, &free_, &last_x_, &last_residual_})
+    v->resize(levels_[0].x.size());
+}
+
+void BoundedMultigrid::prepare() {
+  weigh(0);
+  summed_ = false;
+  last_energy_ = std::numeric_limits<double>::infinity();
+  longest_step_ = kLongestStep;
+  has_momentum_ = false;
+}
+
+/// What a residual is divided by: the diagonal, and what the row shares with other blocks.
+void BoundedMultigrid::weigh(std::size_t l) {
+  const RowLevel& rows = rows_->levels[l];
+  Level& level = levels_[l];
+  for_rows(rows, [&](Index i) {
+    float sum = level.diagonal[i];
+    for (Index e = rows.outside[i]; e < rows.offsets[i + 1]; ++e) sum += std::abs(level.values[e]);
+    level.inverse[i] = sum > 0 ? 1 / sum : 0;
+  });
+}
+
+/// The coarser level's matrix: sums over the nodes that are free.
+void BoundedMultigrid::sum(std::size_t l) {
+  const RowLevel& fine = rows_->levels[l];
+  const RowLevel& coarse = rows_->levels[l + 1];
+  const Level& from = levels_[l];
+  Level& to = levels_[l + 1];
+  for_rows(coarse, [&](Index parent) {
+    for (Index e = coarse.offsets[parent]; e < coarse.offsets[parent + 1]; ++e) to.values[e] = 0;
+    float diagonal = 0;
+    for (Index i = fine.children[parent]; i < fine.children[parent + 1]; ++i) {
+      if (l == 0 && free_[i] == 0) continue;
+      diagonal += from.diagonal[i];
+      for (Index e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e) {
+        const float value = l == 0 ? from.values[e] * free_[fine.columns[e]] : from.values[e];
+        if (fine.target[e] == kInsideParent) {
+          diagonal += value;
+        } else {
+          to.values[fine.target[e]] += value;
+        }
+      }
+    }
+    to.diagonal[parent] = diagonal;
+  });
+  weigh(l + 1);
+}
+
+template <bool kBounded>
+void BoundedMultigrid::sweep(std::size_t l, bool forward) {
+  const RowLevel& rows = rows_->levels[l];
+  Level& level = levels_[l];
+  if (rows.block_count() > 1) {
+    parallel_for(
+        level.x.size(),
+        [&](std::size_t begin, std::size_t end) {
+          std::copy(level.x.begin() + static_cast<std::ptrdiff_t>(begin),
+                    level.x.begin() + static_cast<std::ptrdiff_t>(end),
+                    level.last.begin() + static_cast<std::ptrdiff_t>(begin));
+        },
+        kCopyGrain);
+  }
+  const float* const values = level.values.data();
+  const float* const last = level.last.data();
+  const Index* const columns = rows.columns.data();
+  float* const x = level.x.data();
+  const auto relax = [&](Index i) {
+    float residual = level.right[i] - level.diagonal[i] * x[i];
+    const Index outside = rows.outside[i], end = rows.offsets[i + 1];
+    for (Index e = rows.offsets[i]; e < outside; ++e) residual -= values[e] * x[columns[e]];
+    for (Index e = outside; e < end; ++e) residual -= values[e] * last[columns[e]];
+    float now = x[i] + residual * level.inverse[i];
+    if constexpr (kBounded) now = std::min(std::max(now, level.lower[i]), level.upper[i]);
+    x[i] = now;
+  };
+  parallel_for(
+      rows.block_count(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+          const Index first = static_cast<Index>(block) * kRowBlock;
+          const Index behind = std::min(rows.size(), first + kRowBlock);
+          if (forward) {
+            for (Index i = first; i < behind; ++i) relax(i);
+          } else {
+            for (Index i = behind; i-- > first;) relax(i);
+          }
+        }
+      },
+      kBlockGrain);
+}
+
+/// What level l leaves undone becomes the right side of the next.
+void BoundedMultigrid::restrict_residual(std::size_t l) {
+  const RowLevel& fine = rows_->levels[l];
+  const Level& from = levels_[l];
+  Level& to = levels_[l + 1];
+  for_rows(rows_->levels[l + 1], [&](Index parent) {
+    float sum = 0;
+    for (Index i = fine.children[parent]; i < fine.children[parent + 1]; ++i) {
+      sum += l == 0 ? residual_[i] * free_[i]
+                    : from.right[i] - from.diagonal[i] * from.x[i] -
+                          row_product(fine, from.values, from.x, i);
+    }
+    to.right[parent] = sum;
+    to.x[parent] = 0;
+  });
+}
+
+/// The right side, and the bounds that all children keep.
+void BoundedMultigrid::restrict_bounds(std::size_t l) {
+  const RowLevel& fine = rows_->levels[l];
+  const Level& from = levels_[l];
+  Level& to = levels_[l + 1];
+  for_rows(rows_->levels[l + 1], [&](Index parent) {
+    float right = 0, lower = 0, upper = std::numeric_limits<float>::max();
+    for (Index i = fine.children[parent]; i < fine.children[parent + 1]; ++i) {
+      right += from.right[i];
+      lower = std::max(lower, from.lower[i]);
+      upper = std::min(upper, from.upper[i]);
+    }
+    to.right[parent] = right;
+    to.lower[parent] = lower;
+    to.upper[parent] = upper;
+  });
+}
+
+void BoundedMultigrid::start() {
+  std::ranges::fill(free_, 1.0f);
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+    sum(l);
+    restrict_bounds(l);
+  }
+  std::ranges::fill(levels_.back().x, 1.0f);
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    Level& level = levels_[l];
+    if (l + 1 < levels_.size()) {
+      const RowLevel& rows = rows_->levels[l];
+      for_rows(rows, [&](Index i) {
+        level.x[i] = level.diagonal[i] > 0 ? levels_[l + 1].x[rows.parent[i]] : 1;
+      });
+    }
+    for (int s = 0; s < (l == 0 ? 0 : kCoarsestSweeps); ++s) sweep<true>(l, s % 2 == 0);
+  }
+}
+
+void BoundedMultigrid::correct(std::size_t l) {
+  const RowLevel& rows = rows_->levels[l];
+  const std::vector<float>& coarse = levels_[l + 1].x;
+  for_rows(rows, [&](Index i) { levels_[l].x[i] += coarse[rows.parent[i]]; });
+}
+
+void BoundedMultigrid::descend(std::size_t l) {
+  if (l + 1 == levels_.size()) {
+    for (int s = 0; s < kCoarsestSweeps; ++s) {
+      sweep<false>(l, true);
+      sweep<false>(l, false);
+    }
+    return;
+  }
+  sweep<false>(l, true);
+  restrict_residual(l);
+  for (int visit = 0; visit < kCoarseVisits; ++visit) descend(l + 1);
+  correct(l);
+  sweep<false>(l, false);
+}
+
+BoundedMultigrid::Measure BoundedMultigrid::measure() {
+  const RowLevel& rows = rows_->levels[0];
+  const Level& level = levels_[0];
+  const EnergySums sums = sum_over_rows<EnergySums>(rows, [&](Index i, EnergySums& sum) {
+    const float x = level.x[i];
+    const float r =
+        level.right[i] - level.diagonal[i] * x - row_product(rows, level.values, level.x, i);
+    // What nothing is asked of stays, too.
+    const bool held = (x <= level.lower[i] && r <= 0) || (x >= level.upper[i] && r >= 0) ||
+                      !(level.diagonal[i] > 0);
+    const float free = held ? 0.0f : 1.0f;
+    sum.changed += free != free_[i];
+    residual_[i] = r;
+    free_[i] = free;
+    sum.energy -= static_cast<double>(x) * static_cast<double>(r + level.right[i]);
+    if (!held) sum.square += static_cast<double>(r) * static_cast<double>(r);
+  });
+  changed_ += sums.changed;
+  return {sums.energy, std::sqrt(sums.square)};
+}
+
+/// The coarser levels' correction and some of the way that the last cycle went, projected. How far
+/// that way changes the residual is known: it has.
+void BoundedMultigrid::step() {
+  const RowLevel& rows = rows_->levels[0];
+  Level& level = levels_[0];
+  const std::vector<float>& coarse = levels_[1].x;
+  const auto within = [&](float x, Index i) {
+    return std::min(std::max(x, level.lower[i]), level.upper[i]);
+  };
+  for_rows(rows, [&](Index i) {
+    step_[i] = within(level.x[i] + free_[i] * coarse[rows.parent[i]], i) - level.x[i];
+  });
+  const StepSums sums = sum_over_rows<StepSums>(rows, [&](Index i, StepSums& sum) {
+    const double r = residual_[i], s = step_[i];
+    sum.rs += s * r;
+    sum.ss += s * static_cast<double>(level.diagonal[i] * step_[i] +
+                                      row_product(rows, level.values, step_, i));
+    if (!has_momentum_) return;
+    const double m = level.x[i] - last_x_[i];
+    const double product = last_residual_[i] - residual_[i];
+    sum.rm += m * r;
+    sum.sm += s * product;
+    sum.mm += m * product;
+  });
+  const StepLengths lengths = best_lengths(sums, longest_step_);
+  const auto correction = static_cast<float>(lengths.correction);
+  const auto momentum = static_cast<float>(lengths.momentum);
+  for_rows(rows, [&](Index i) {
+    const float x = level.x[i];
+    const float way = has_momentum_ ? x - last_x_[i] : 0;
+    last_x_[i] = x;
+    last_residual_[i] = residual_[i];
+    level.x[i] = within(x + correction * step_[i] + momentum * way, i);
+  });
+  has_momentum_ = true;
+}
+
+BoundedMultigrid::Measure BoundedMultigrid::cycle() {
+  sweep<true>(0, true);
+  const Measure now = measure();
+  // Long steps leave the bounds and are cut there: that may raise the energy.
+  if (now.energy > last_energy_) {
+    longest_step_ = 1;
+    has_momentum_ = false;
+  }
+  last_energy_ = now.energy;
+  if (levels_.size() > 1) {
+    if (!summed_ || changed_ * kMostChanged > free_.size()) {
+      for (std::size_t l = 0; l + 1 < levels_.size(); ++l) sum(l);
+      summed_ = true;
+      changed_ = 0;
+    }
+    restrict_residual(0);
+    descend(1);
+    step();
+  }
+  sweep<true>(0, false);
+  return now;
+}
+
+}  // namespace brindle

@@ -1,0 +1,259 @@
+#include "brindle/waves/frequency_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "brindle/base/parallel.h"
+#include "brindle/waves/circulation.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kSmoothness = 0.03f;  ///< eta
+/// mu times the square of the radius of gyration. That radius is about 0.29 of the diagonal for
+/// spheres and squares, and the same however a surface is turned.
+constexpr double kFaithfulness = 1;
+
+/// Areas and their moments.
+struct Moments {
+  double area = 0, square = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+
+  Moments operator+(const Moments& o) const {
+    return {area + o.area, square + o.square, first + o.first};
+  }
+  void add(float triangle_area, const Vec3& at) {
+    const double a = triangle_area;
+    area += a;
+    first += a * at.cast<double>();
+    square += a * at.cast<double>().squaredNorm();
+  }
+  double square_of_gyration() const {
+    return area > 0 ? std::max(0.0, (square - first.squaredNorm() / area) / area) : 0;
+  }
+};
+
+struct SquareSum {
+  double sum = 0;
+  SquareSum operator+(const SquareSum& o) const { return {sum + o.sum}; }
+};
+
+float unit_of(std::span<const float> wanted) {
+  if (wanted.empty()) return 1;
+  const SquareSum squares =
+      parallel_sum<SquareSum>(wanted.size(), [&](std::size_t begin, std::size_t end) {
+        SquareSum sum;
+        for (std::size_t i = begin; i < end; ++i) {
+          sum.sum += static_cast<double>(wanted[i]) * static_cast<double>(wanted[i]);
+        }
+        return sum;
+      });
+  return static_cast<float>(1 / std::sqrt(squares.sum / static_cast<double>(wanted.size())));
+}
+
+/// Triangles side by side, and which of them count.
+struct TriangleLanes {
+  std::array<LaneVectors, 3> corners, directions;
+  std::array<Lanes, 3> f;
+  Lanes weight;
+  std::array<bool, kTriangleLanes> has_waves{};
+};
+
+/// Of `count` triangles from `first`; the lanes behind them repeat the last.
+TriangleLanes gathered(std::span<const Triangle> triangles, std::size_t first, std::size_t count,
+                       const FrequencyInput& input, std::span<const float> weights, float unit) {
+  const float scale = 1 / unit;  // lengths in periods: their squares stay in the range of floats
+  TriangleLanes lanes;
+  for (int l = 0; l < kTriangleLanes; ++l) {
+    const std::size_t t = first + std::min<std::size_t>(static_cast<std::size_t>(l), count - 1);
+    lanes.has_waves[l] = true;
+    for (int m = 0; m < 3; ++m) {
+      const Index vertex = triangles[t][m];
+      const Vec3 corner = scale * (input.positions[vertex] - input.positions[0]);
+      const Vec3& direction = input.directions[vertex];
+      for (int k = 0; k < 3; ++k) {
+        lanes.corners[m][k][l] = corner[k];
+        lanes.directions[m][k][l] = direction[k];
+      }
+      lanes.f[m][l] = unit * input.wanted[vertex];
+      lanes.has_waves[l] &= !direction.isZero(0);
+    }
+    lanes.weight[l] = weights.empty() ? 1 : weights[t];
+  }
+  return lanes;
+}
+
+/// What triangles add, side by side.
+struct TermLanes {
+  std::array<Lanes, 3> diagonal, beside;
+  Lanes area;
+
+  TriangleTerms at(int l) const {
+    return {{diagonal[0][l], diagonal[1][l], diagonal[2][l]},
+            {beside[0][l], beside[1][l], beside[2][l]},
+            area[l] / 3};
+  }
+};
+
+TermLanes terms_of(const TriangleLanes& lanes) {
+  const TriangleShapes shapes = triangle_shapes(lanes.corners);
+  const std::array<Lanes, 3> coefficient = circulation_coefficients(shapes, lanes.directions);
+  const Lanes root = (lanes.weight / divisor(shapes.area)).sqrt();
+  std::array<Lanes, 3> c;
+  for (int m = 0; m < 3; ++m) c[m] = root * coefficient[m] * lanes.f[m];
+  TermLanes terms;
+  for (int m = 0; m < 3; ++m) {
+    const int next = (m + 1) % 3, previous = (m + 2) % 3;
+    const std::array<Lanes, 3>& f = lanes.f;
+    const Lanes joined = shapes.half_cotangent[next] + shapes.half_cotangent[previous];
+    terms.diagonal[m] = c[m] * c[m] + kSmoothness * joined * f[m] * f[m];
+    terms.beside[m] =
+        c[next] * c[previous] - kSmoothness * shapes.half_cotangent[m] * f[next] * f[previous];
+  }
+  terms.area = shapes.area;
+  return terms;
+}
+
+Vec3 middle_of(const std::array<LaneVectors, 3>& corners, int l) {
+  Vec3 sum = Vec3::Zero();
+  for (const LaneVectors& corner : corners) sum += Vec3(corner[0][l], corner[1][l], corner[2][l]);
+  return sum / 3;
+}
+
+}  // namespace
+
+void set_terms(std::span<const Triangle> triangles, const FrequencyInput& input,
+               std::span<const float> weights, FrequencyTerms& terms) {
+  const float unit = unit_of(input.wanted);
+  const auto moments_of = [&](std::size_t begin, std::size_t end) {
+    Moments moments;
+    for (std::size_t first = begin; first < end; first += kTriangleLanes) {
+      const std::size_t count = std::min<std::size_t>(kTriangleLanes, end - first);
+      const TriangleLanes lanes = gathered(triangles, first, count, input, weights, unit);
+      const TermLanes found = terms_of(lanes);
+      for (int l = 0; l < static_cast<int>(count); ++l) {
+        const bool counts = lanes.has_waves[l] && found.area[l] > 0;
+        terms.triangles[first + static_cast<std::size_t>(l)] =
+            counts ? found.at(l) : TriangleTerms{};
+        if (counts) moments.add(found.area[l], middle_of(lanes.corners, l));
+      }
+    }
+    return moments;
+  };
+  const double square = parallel_sum<Moments>(triangles.size(), moments_of).square_of_gyration();
+  terms.unit = unit;
+  terms.faithfulness = static_cast<float>(square > 0 ? kFaithfulness / square : 0);
+}
+
+namespace {
+
+bool has_three_vertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+
+/// Frequencies are joined along stripes, and hardly across them.
+std::vector<float> stripe_strengths(const Adjacency& adjacency, const FrequencyInput& input) {
+  std::vector<float> strengths(adjacency.directed_edge_count());
+  parallel_for(adjacency.node_count(), [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      for (Index e = adjacency.offsets[i]; e < adjacency.offsets[i + 1]; ++e) {
+        const Index j = adjacency.neighbors[e];
+        const Vec3 edge = (input.positions[j] - input.positions[i]).stableNormalized();
+        const float from = edge.dot(input.directions[j]), to = edge.dot(input.directions[i]);
+        strengths[e] = std::max(0.0f, 1 - (from * from + to * to) / 2) + kSmoothness;
+      }
+    }
+  });
+  return strengths;
+}
+
+Index entry_of(const RowLevel& rows, Index row, Index column) {
+  const auto begin = rows.columns.begin() + rows.offsets[row];
+  const auto end = rows.columns.begin() + rows.offsets[row + 1];
+  return static_cast<Index>(std::find(begin, end, column) - rows.columns.begin());
+}
+
+}  // namespace
+
+FrequencyRows::FrequencyRows(std::span<const Triangle> triangles, std::span<const float> weights,
+                             const Adjacency& adjacency, const FrequencyInput& input)
+    : levels_(std::make_shared<const RowLevels>(
+          row_levels(adjacency, stripe_strengths(adjacency, input)))) {
+  set_triangles(triangles, weights);
+  set_corners();
+}
+
+void FrequencyRows::set_triangles(std::span<const Triangle> triangles,
+                                  std::span<const float> weights) {
+  const std::vector<Index>& place_of = levels_->place_of;
+  std::vector<Index> offsets(place_of.size() + 1);
+  const auto first_place = [&](const Triangle& t) {
+    return std::min({place_of[t[0]], place_of[t[1]], place_of[t[2]]});
+  };
+  for (const Triangle& triangle : triangles) {
+    if (has_three_vertices(triangle)) ++offsets[first_place(triangle) + 1];
+  }
+  for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
+  triangles_.resize(offsets.back());
+  weights_.resize(weights.empty() ? 0 : triangles_.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!has_three_vertices(triangles[t])) continue;
+    const Index place = offsets[first_place(triangles[t])]++;
+    triangles_[place] = triangles[t];
+    if (!weights.empty()) weights_[place] = weights[t];
+  }
+}
+
+void FrequencyRows::set_corners() {
+  const RowLevel& rows = levels_->levels[0];
+  const std::vector<Index>& place_of = levels_->place_of;
+  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  offsets_.assign(rows.size() + 2, 0);
+  for (const Triangle& triangle : triangles_) {
+    for (const Index vertex : triangle) ++offsets_[place_of[vertex] + 2];
+  }
+  for (std::size_t i = 2; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
+  corners_.resize(offsets_.back());
+  for (Index t = 0; t < triangles_.size(); ++t) {
+    for (Index m = 0; m < 3; ++m) {
+      corners_[offsets_[place_of[triangles_[t][m]] + 1]++].corner = 4 * t + m;
+    }
+  }
+  offsets_.pop_back();
+  parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
+    for (auto row = static_cast<Index>(begin); row < end; ++row) {
+      for (Index k = offsets_[row]; k < offsets_[row + 1]; ++k) {
+        const Triangle& triangle = triangles_[corners_[k].corner / 4];
+        const Index m = corners_[k].corner % 4;
+        corners_[k].next = entry_of(rows, row, place_of[triangle[(m + 1) % 3]]);
+        corners_[k].previous = entry_of(rows, row, place_of[triangle[(m + 2) % 3]]);
+      }
+    }
+  });
+}
+
+void FrequencyRows::set(const FrequencyTerms& terms, std::span<const float> wanted,
+                        BoundedMultigrid& multigrid) const {
+  const RowLevel& rows = levels_->levels[0];
+  const std::span<float> values = multigrid.values(), diagonals = multigrid.diagonal();
+  const std::span<float> right = multigrid.right();
+  parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
+    std::fill(values.begin() + rows.offsets[begin], values.begin() + rows.offsets[end], 0.0f);
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      float diagonal = 0, mass = 0;
+      for (Index k = offsets_[i]; k < offsets_[i + 1]; ++k) {
+        const Corner& at = corners_[k];
+        const TriangleTerms& term = terms.triangles[at.corner / 4];
+        const Index m = at.corner % 4;
+        diagonal += term.diagonal[m];
+        mass += term.mass;
+        values[at.next] += term.beside[m == 0 ? 2 : m - 1];
+        values[at.previous] += term.beside[m == 2 ? 0 : m + 1];
+      }
+      const float f = terms.unit * wanted[levels_->node_at[i]];
+      right[i] = terms.faithfulness * mass * f * f;
+      diagonals[i] = diagonal + right[i];
+    }
+  });
+}
+
+}  // namespace brindle

@@ -1,0 +1,246 @@
+#include <filesystem>
+#include <string>
+
+#include "tool.h"
+
+#ifdef BRINDLE_HAS_GL
+
+#include "brindle/image.h"
+
+namespace brindle::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+const char* const kSquare = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
+
+struct StyleTool : ToolTest {
+  static Arguments with(const Arguments& more,
+                        const std::string& mesh = "shape:torus,resolution=24") {
+    Arguments arguments = {"stripe", mesh, "--stripes", "8", "-o", "out.png", "--size", "96x72"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Image picture(const Arguments& more, const std::string& mesh = "shape:torus,resolution=24") {
+    const ToolResult result = run(with(more, mesh));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_png(folder / "out.png");
+  }
+};
+
+TEST_F(StyleTool, EveryStyleChangesThePicture) {
+  const Image plain = picture({});
+  const std::vector<Arguments> styles = {
+      {"--width-by", "height"},
+      {"--width-by", "curvature", "--width-range", "1px,4px"},
+      {"--width-by", "light", "--cross-hatch", "0.6", "--tones", "0.2,0.9"},
+      {"--color-by", "distance:1,0,0", "--colormap", "magma", "--threshold", "1"},
+      {"--color-by", "distance:camera", "--color-on", "surface", "--no-legend"},
+      {"--opacity-by", "height", "--opacity-range", "1,0.2"},
+      {"--color-by", "light", "--color-on", "surface", "--flat"},
+      {"--frequency-by", "distance:camera"},
+      {"--frequency-by", "light", "--frequency-range", "1,2,inverse"},
+      {"--pixel-width", "3", "--stroke-spacing", "4"},
+      {"--between", "nothing"},
+      {"--with", "shape:sphere,resolution=6@#ff0000"},
+      {"--flat"},
+      {"--transparent"},
+      {"--depth-cue", "chroma"},
+      {"--depth-cue", "haze"},
+      {"--outline", "dashed", "--line-width", "2"},
+      {"--creases", "10", "--outline", "solid", "--hidden-lines", "dashed"}};
+  for (const Arguments& style : styles) {
+    EXPECT_NE(picture(style).pixels, plain.pixels) << style[0] << ' ' << style.back();
+  }
+}
+
+TEST_F(StyleTool, TransparentPicturesHaveNoBackground) {
+  EXPECT_EQ(picture({"--transparent"}).at(0, 0).alpha, 0);
+  EXPECT_EQ(picture({"--flat"}).at(0, 0).alpha, 255);
+}
+
+TEST_F(StyleTool, OtherSurfacesAreOpaqueStripedOrDiscarded) {
+  const Arguments flat = {"--flat", "--colors", "000,fff"};
+  const auto with_other = [&](const std::string& other) {
+    Arguments arguments = flat;
+    arguments.insert(arguments.end(), {"--with", other});
+    return picture(arguments);
+  };
+  const Image opaque = with_other("shape:sphere,radius=2,resolution=8@#ff0000");
+  EXPECT_EQ(opaque.at(48, 36), (Pixel{255, 0, 0, 255}));
+  const Image striped = with_other("shape:sphere,radius=2,resolution=8@striped@#ff0000");
+  EXPECT_NE(striped.pixels, opaque.pixels);
+  const Image discarded = with_other("shape:sphere,radius=2,resolution=8@discarded@#ff0000");
+  EXPECT_NE(discarded.pixels, striped.pixels);
+}
+
+TEST_F(StyleTool, ValuesComeFromFilesToo) {
+  write_text(folder / "mesh.obj", kSquare);
+  write_text(folder / "values.csv", "a,b\n1,4\n2,3\n3,nan\n4,1\n");
+  write_text(folder / "one.csv", "a\n1\n2\n3\n4\n");
+  const Image a = picture({"--color-by", "values.csv:a", "--color-on", "surface"}, "mesh.obj");
+  const Image same = picture({"--color-by", "one.csv", "--color-on", "surface"}, "mesh.obj");
+  EXPECT_EQ(a.pixels, same.pixels);
+  const Image b = picture({"--color-by", "values.csv:b", "--color-on", "surface"}, "mesh.obj");
+  EXPECT_NE(a.pixels, b.pixels);
+  ASSERT_EQ(run({"stripe", "mesh.obj", "-o", "made.vtp", "-q"}).exit_code, 0);
+  picture({"--width-by", "array:phase", "--color-by", "array:frequency"}, "made.vtp");
+}
+
+TEST_F(StyleTool, BadValuesAreRefused) {
+  write_text(folder / "mesh.obj", kSquare);
+  write_text(folder / "values.csv", "a,b\n1,nan\n2,nan\n3,nan\n4,nan\n");
+  write_text(folder / "short.csv", "a\n1\n2\n");
+  const auto refused = [&](int code, const std::string& said, const Arguments& more) {
+    expect_refusal(code, said, with(more, "mesh.obj"));
+  };
+  refused(2, "--color-by", {"--color-by", "nonsense"});
+  refused(2, "--color-by", {"--color-by", "distance:1,2"});
+  refused(2, "--color-by", {"--color-by", "camera"});
+  refused(2, "--frequency-by", {"--frequency-by", "nonsense"});
+  refused(2, "array:NAME", {"--width-by", "array:"});
+  refused(1, "no array 'speed'", {"--color-by", "array:speed"});
+  refused(1, "none.csv", {"--color-by", "none.csv"});
+  refused(1, "several columns", {"--color-by", "values.csv"});
+  refused(1, "'c'", {"--color-by", "values.csv:c"});
+  refused(1, "no values", {"--color-by", "values.csv:b"});
+  refused(1, "2 rows", {"--width-by", "short.csv"});
+  refused(2, "--colormap", {"--color-by", "height", "--colormap", "jet"});
+  refused(2, "--color-range", {"--color-by", "height", "--color-range", "2,1"});
+  refused(2, "--color-range", {"--color-by", "height", "--color-range", "nan,1"});
+  refused(2, "--width-range", {"--width-by", "height", "--width-range", "0.5,2"});
+  refused(2, "--width-range", {"--width-by", "height", "--width-range", "1px,2"});
+  refused(2, "--opacity-range", {"--opacity-by", "height", "--opacity-range", "0,2"});
+  refused(2, "--threshold", {"--color-by", "height", "--threshold", "much"});
+  refused(2, "--tones", {"--width-by", "light", "--tones", "0.8,0.2"});
+  refused(2, "--cross-hatch", {"--width-by", "light", "--cross-hatch", "0"});
+  refused(2, "--with", {"--with", "shape:sphere@blue"});
+  refused(2, "--pixel-width", {"--pixel-width", "0"});
+  refused(2, "--creases", {"--creases", "180"});
+  refused(2, "--occlusion", {"--occlusion", "2"});
+  const Arguments tiles = {"--texture", "dots", "--texture-by", "height", "--regions"};
+  for (const char* regions : {"plus", "0,cross", "1,plus,0,dots", "x,plus", "0,plus@red"}) {
+    Arguments more = tiles;
+    more.push_back(regions);
+    refused(2, "--regions", more);
+  }
+  refused(2, "--texture-shift", {"--texture", "dots", "--texture-shift", "1,2,3"});
+  refused(2, "--tile-size-range", {"--texture", "dots", "--tile-size-range", "0.1,0.5"});
+  refused(2, "--tile-size-range",
+          {"--texture", "dots", "--tile-size-by", "height", "--tile-size-range", "0.1,2"});
+  refused(2, "--tile-size-by", {"--tile-size-by", "height"});
+  refused(2, "--tile-size-by", {"--texture", "dots", "--tile-size-by", "size"});
+  refused(1, "no values", {"--texture", "dots", "--tile-size-by", "values.csv:b"});
+  refused(2, "--outline", {"--outline", "dotted"});
+  refused(1, "none.ply", {"--with", "none.ply"});
+  refused(2, "out.png", {"--with", "out.png"});
+}
+
+TEST_F(StyleTool, TilesFollowValuesAndFlow) {
+  const Arguments plain = {"--texture", "dots"};
+  const Image dots = picture(plain);
+  EXPECT_NE(picture({"--texture", "dots", "--texture-by", "height", "--regions",
+                     "0,plus@#ff0000,0.1,minus"})
+                .pixels,
+            dots.pixels);
+  EXPECT_NE(picture({"--texture", "dots", "--texture-shift", "0.5"}).pixels, dots.pixels);
+  const Image decals = picture({"--texture", "dots", "--tile-size-by", "height"});
+  EXPECT_NE(decals.pixels, dots.pixels);
+  EXPECT_NE(
+      picture({"--texture", "dots", "--tile-size-by", "height", "--tile-size-range", "1,0"}).pixels,
+      decals.pixels);
+  EXPECT_NE(picture({"--texture", "dots", "--occlusion", "1", "--ground-shadow"}).pixels,
+            dots.pixels);
+}
+
+TEST_F(StyleTool, DrawsOutlinesOfStripes) {
+  const ToolResult result = run({"stripe", "shape:torus,resolution=24", "--stripes", "8",
+                                 "--outline", "solid", "-o", "out.svg", "--size", "96x72"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string svg = content(folder / "out.svg");
+  EXPECT_NE(svg.find("<g id=\"surface\" fill=\"#f4efe5\" fill-rule=\"evenodd\">"),
+            std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"stripes\" fill=\"#1c325a\""), std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"lines\" fill=\"none\""), std::string::npos);
+  const Arguments to_svg = {"stripe", "shape:torus,resolution=24", "-o", "out.svg"};
+  for (const Arguments& more : std::vector<Arguments>{{"--color-by", "height"},
+                                                      {"--transparent"},
+                                                      {"--texture", "dots"},
+                                                      {"--view", "branches"}}) {
+    Arguments arguments = to_svg;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).exit_code, 2) << more[0];
+  }
+}
+
+TEST_F(StyleTool, GlyphsFollowValues) {
+  const auto glyphs = [&](const Arguments& more) {
+    Arguments arguments = {
+        "sample", "shape:torus,resolution=24", "--stripes", "8", "-o", "out.png", "--size",
+        "96x72"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_png(folder / "out.png");
+  };
+  const Image discs = glyphs({"--glyph", "disc"});
+  for (const char* shape : {"arrow", "ellipse", "stroke"}) {
+    EXPECT_NE(glyphs({"--glyph", shape}).pixels, discs.pixels) << shape;
+  }
+  EXPECT_NE(glyphs({"--size-by", "height", "--size-range", "0.1,1"}).pixels, discs.pixels);
+  EXPECT_NE(glyphs({"--color-by", "height", "--no-legend"}).pixels, discs.pixels);
+  EXPECT_NE(glyphs({"--glyph-size", "0.4"}).pixels, discs.pixels);
+  const Arguments sample = {"sample", "shape:torus,resolution=24", "-o", "out.png"};
+  for (const Arguments& more : std::vector<Arguments>{{"--size-range", "0,1"},
+                                                      {"--colormap", "magma"},
+                                                      {"--glyph", "cube"},
+                                                      {"--size-by", "camera"},
+                                                      {"--glyph-size", "0"}}) {
+    Arguments arguments = sample;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).exit_code, 2) << more[0];
+  }
+  EXPECT_EQ(run({"sample", "shape:torus,resolution=24", "--glyph", "disc"}).exit_code, 2);
+}
+
+TEST_F(StyleTool, OptionsWithoutEffectAreRefused) {
+  const std::vector<Arguments> refused = {
+      {"--width-range", "0.1,0.2"},
+      {"--width-by", "height", "--stripe-width", "0.4"},
+      {"--pixel-width", "2", "--stripe-width", "0.4"},
+      {"--width-by", "height", "--pixel-width", "3"},
+      {"--tones", "0.2,0.8", "--width-by", "height"},
+      {"--cross-hatch", "0.5"},
+      {"--colormap", "magma"},
+      {"--threshold", "1"},
+      {"--color-range", "0,1"},
+      {"--color-on", "surface", "--width-by", "height"},
+      {"--opacity-range", "0,1"},
+      {"--legend", "x"},
+      {"--no-legend", "--width-by", "light"},
+      {"--legend", "x", "--no-legend", "--color-by", "height"},
+      {"--flat", "--width-by", "light"},
+      {"--hidden-lines", "dashed"},
+      {"--line-width", "2", "--flat"},
+      {"--color-on", "surface", "--color-by", "height", "--between", "nothing"},
+      {"--flat", "--view", "branches"},
+      {"--width-by", "height", "--texture", "dots"},
+      {"--texture-by", "height", "--regions", "0,plus"},
+      {"--texture-shift", "0.5"},
+      {"--regions", "0,plus", "--texture", "dots"},
+      {"--texture-by", "height", "--texture", "dots"},
+      {"--flat", "--cross"},
+      {"--flat", "--points"}};
+  for (const Arguments& row : refused) {
+    const ToolResult result = run(with(row));
+    EXPECT_EQ(result.exit_code, 2) << row[0] << ' ' << row.back();
+    EXPECT_NE(result.err.find("has no effect"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(run({"stripe", "shape:torus,resolution=24", "--flat"}).exit_code, 2);
+  EXPECT_EQ(run({"stripe", "shape:torus,resolution=24", "--flat", "-o", "a.vtp"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace brindle::test
+
+#endif

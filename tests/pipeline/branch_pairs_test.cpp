@@ -1,0 +1,128 @@
+#include "brindle/branch_pairs.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/shapes.h"
+#include "brindle/threads.h"
+#include "phase_graphs.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::kAxis;
+
+/// Many branches, most of them in pairs that need not be.
+struct Knot {
+  Surface surface = make_surface(make_shape("trefoil,resolution=28"));
+  StripeOptions options;
+
+  StripePattern pattern() const {
+    return stripe_pattern(surface, projected_direction_field(kAxis, surface.normals), 8, options);
+  }
+};
+
+double energy_again(const Surface& surface, const StripePattern& pattern) {
+  return energy(build_phase_graph(surface.neighborhood, pattern.waves, pattern.phase_shift),
+                pattern.solution.z);
+}
+
+TEST(BranchPairs, AreFewerAtNoMoreEnergy) {
+  const Knot knot;
+  StripePattern pattern = knot.pattern();
+  const std::size_t before = pattern.quality.branches;
+  const double energy_before = pattern.solution.energy;
+  const MergedBranches merged = merge_branches(knot.surface, pattern, 0);
+  EXPECT_GT(merged.pairs, 2u);
+  EXPECT_EQ(merged.branches_before, before);
+  EXPECT_LE(merged.branches_after + 2 * merged.pairs, before);
+  EXPECT_EQ(merged.branches_after, pattern.quality.branches);
+  EXPECT_EQ(merged.energy_before, energy_before);
+  EXPECT_LE(merged.energy_after, energy_before * (1 + 1e-6));
+  EXPECT_NEAR(merged.energy_after, energy_again(knot.surface, pattern), 1e-9);
+  EXPECT_EQ(pattern.quality.field_singularities, knot.pattern().quality.field_singularities);
+}
+
+TEST(BranchPairs, GoAsLongAsTheEnergyAllows) {
+  const Knot knot;
+  std::size_t last = knot.pattern().quality.branches;
+  for (const double share : {0.0, 0.1, 0.5}) {
+    StripePattern pattern = knot.pattern();
+    const MergedBranches merged = merge_branches(knot.surface, pattern, share);
+    EXPECT_LE(merged.branches_after, last);
+    EXPECT_LE(merged.energy_after, (1 + share + 1e-6) * merged.energy_before);
+    last = merged.branches_after;
+  }
+}
+
+TEST(BranchPairs, OfAnySolverAreTaken) {
+  Knot knot;
+  for (const Solver solver : {Solver::relaxation, Solver::averaged, Solver::global}) {
+    if (!is_available(solver)) continue;
+    knot.options.solver.solver = solver;
+    StripePattern pattern = knot.pattern();
+    const MergedBranches merged = merge_branches(knot.surface, pattern, 0.1, knot.options);
+    EXPECT_LE(merged.branches_after, merged.branches_before) << name_of(solver);
+    EXPECT_LE(merged.energy_after, 1.1001 * merged.energy_before) << name_of(solver);
+    EXPECT_NEAR(merged.energy_after, energy_again(knot.surface, pattern), 1e-9);
+  }
+}
+
+TEST(BranchPairs, HardlyDependOnHowDirectionsAreSigned) {
+  const Knot knot;
+  StripePattern pattern = knot.pattern(), other = pattern;
+  const auto flipped = testing_support::flip_half(other.waves, 5);
+  for (std::size_t v = 0; v < flipped.size(); ++v) {
+    if (flipped[v]) other.solution.z[v] = -std::conj(other.solution.z[v]);
+  }
+  other.corners =
+      corner_phases(knot.surface.mesh.triangles, other.waves, other.solution.z, other.phase_shift);
+  const MergedBranches a = merge_branches(knot.surface, pattern, 0.1);
+  const MergedBranches b = merge_branches(knot.surface, other, 0.1);
+  EXPECT_NEAR(static_cast<double>(a.pairs), static_cast<double>(b.pairs), 1);
+}
+
+TEST(BranchPairs, AreTheSameForEveryNumberOfThreads) {
+  const Knot knot;
+  StripePattern alone = knot.pattern(), together = alone;
+  const ThreadLimit one(1);
+  merge_branches(knot.surface, alone, 0.1);
+  const ThreadLimit two(2);
+  merge_branches(knot.surface, together, 0.1);
+  EXPECT_EQ(alone.solution.z, together.solution.z);
+}
+
+TEST(BranchPairs, LeaveFixedPhasesAndPatternsWithoutBranchesAsTheyAre) {
+  Knot knot;
+  StripePattern pattern = knot.pattern();
+  knot.options.fixed_phases = pattern.solution.z;
+  const auto before = pattern.solution.z;
+  EXPECT_EQ(merge_branches(knot.surface, pattern, 1, knot.options).pairs, 0u);
+  EXPECT_EQ(pattern.solution.z, before);
+
+  const Surface plane = make_surface(make_shape("plane,resolution=20"));
+  StripePattern straight =
+      stripe_pattern(plane, projected_direction_field(Vec3::UnitX(), plane.normals), 4);
+  const auto z = straight.solution.z;
+  EXPECT_EQ(merge_branches(plane, straight, 1).pairs, 0u);
+  EXPECT_EQ(straight.solution.z, z);
+}
+
+TEST(BranchPairs, RefuseWhatCannotBe) {
+  const Knot knot;
+  StripePattern pattern = knot.pattern();
+  for (const double bad : {-0.1, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(merge_branches(knot.surface, pattern, bad), Error);
+  }
+  const Surface other = make_surface(make_shape("torus,resolution=16"));
+  EXPECT_THROW(merge_branches(other, pattern, 0), Error);
+  const auto before = pattern.solution.z;
+  const Progress cancelling([](std::string_view, double) { return false; });
+  EXPECT_THROW(merge_branches(knot.surface, pattern, 0, {}, cancelling), Cancelled);
+  EXPECT_EQ(pattern.solution.z, before);
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,107 @@
+#include "brindle/glyphs.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+Sample sample_at(const Vec3& position, float spacing_u, float spacing_v) {
+  Sample sample;
+  sample.position = position;
+  sample.normal = Vec3::UnitZ();
+  sample.direction_u = Vec3::UnitX();
+  sample.direction_v = Vec3::UnitY();
+  sample.spacing_u = spacing_u;
+  sample.spacing_v = spacing_v;
+  return sample;
+}
+
+BoundingBox box_of(const Glyphs& glyphs, Index sample) {
+  Mesh part;
+  for (std::size_t v = 0; v < glyphs.mesh.vertex_count(); ++v) {
+    if (glyphs.sample_of_vertex[v] == sample) part.positions.push_back(glyphs.mesh.positions[v]);
+  }
+  return bounding_box(part);
+}
+
+constexpr GlyphShape kShapes[] = {GlyphShape::disc, GlyphShape::arrow, GlyphShape::ellipse,
+                                  GlyphShape::stroke};
+
+TEST(Glyphs, SizesAreProportional) {
+  const std::vector<Sample> samples{sample_at({0, 0, 0}, 1, 1), sample_at({5, 0, 0}, 1, 1),
+                                    sample_at({9, 2, 1}, 1, 1)};
+  const std::vector<float> factors{0.25f, 0.5f, 1};
+  for (const GlyphShape shape : {GlyphShape::disc, GlyphShape::arrow, GlyphShape::ellipse}) {
+    const Glyphs glyphs = glyphs_at(samples, shape, glyph_sizes(samples, 0.8f, factors));
+    const Vec3 largest = box_of(glyphs, 2).upper - box_of(glyphs, 2).lower;
+    for (Index i = 0; i < 3; ++i) {
+      const Vec3 extent = box_of(glyphs, i).upper - box_of(glyphs, i).lower;
+      EXPECT_TRUE(extent.isApprox(factors[i] * largest, 1e-4f)) << i;
+    }
+    EXPECT_NEAR(largest.x(), 0.8f, 1e-5f);
+  }
+}
+
+TEST(Glyphs, EllipsesHaveTheAxesOfTheSpacings) {
+  const std::vector<Sample> samples{sample_at({1, 2, 3}, 2, 0.5f)};
+  const Glyphs glyphs = glyphs_at(samples, GlyphShape::ellipse, glyph_sizes(samples, 1));
+  const Vec3 extent = box_of(glyphs, 0).upper - box_of(glyphs, 0).lower;
+  EXPECT_NEAR(extent.x(), 2, 1e-5f);
+  EXPECT_NEAR(extent.y(), 0.5f, 1e-5f);
+  EXPECT_NEAR(box_of(glyphs, 0).center().x(), 1, 1e-5f);
+}
+
+TEST(Glyphs, ArrowsPointAlongTheFirstDirection) {
+  Sample sample = sample_at({0, 0, 0}, 1, 1);
+  sample.direction_u = Vec3(0, -1, 0);
+  const std::vector<Sample> samples{sample};
+  const Glyphs glyphs = glyphs_at(samples, GlyphShape::arrow, glyph_sizes(samples, 1));
+  // The tip is alone at its end.
+  int at_tip = 0, thick = 0;
+  for (const Vec3& p : glyphs.mesh.positions) {
+    at_tip += p.y() < -0.499f ? 1 : 0;
+    thick += std::abs(p.x()) > 0.1f ? 1 : 0;
+    if (std::abs(p.x()) > 0.1f) {
+      EXPECT_LT(p.y(), 0);
+    }
+  }
+  EXPECT_GT(at_tip, 0);
+  EXPECT_GT(thick, 0);
+}
+
+TEST(Glyphs, NormalsAreUnitAndTrianglesInRange) {
+  const std::vector<Sample> samples{sample_at({0, 0, 0}, 1, 2), sample_at({3, 0, 0}, 2, 1)};
+  for (const GlyphShape shape : kShapes) {
+    const Glyphs glyphs = glyphs_at(samples, shape, glyph_sizes(samples, 0.7f));
+    ASSERT_EQ(glyphs.normals.size(), glyphs.mesh.vertex_count());
+    ASSERT_EQ(glyphs.sample_of_vertex.size(), glyphs.mesh.vertex_count());
+    for (const Vec3& normal : glyphs.normals) EXPECT_NEAR(normal.norm(), 1, 1e-5f);
+    for (const Triangle& t : glyphs.mesh.triangles) {
+      for (const Index corner : t) EXPECT_LT(corner, glyphs.mesh.vertex_count());
+    }
+  }
+}
+
+TEST(Glyphs, WithoutASizeThereIsNone) {
+  const std::vector<Sample> samples{sample_at({0, 0, 0}, 1, 1), sample_at({3, 0, 0}, 1, 1)};
+  const std::vector<float> factors{std::numeric_limits<float>::quiet_NaN(), 0};
+  for (const GlyphShape shape : kShapes) {
+    EXPECT_TRUE(
+        glyphs_at(samples, shape, glyph_sizes(samples, 0.8f, factors)).mesh.positions.empty());
+  }
+  EXPECT_THROW(glyphs_at(samples, GlyphShape::disc, {}), Error);
+  EXPECT_THROW(glyph_sizes(samples, 1, std::vector<float>(3, 1.0f)), Error);
+}
+
+TEST(Glyphs, NamesAreReadBack) {
+  EXPECT_EQ(parse_glyph_shape("arrow"), GlyphShape::arrow);
+  EXPECT_EQ(parse_glyph_shape("stroke"), GlyphShape::stroke);
+  EXPECT_FALSE(parse_glyph_shape("cube"));
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,91 @@
+#include "brindle/surface_tones.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/shapes.h"
+#include "brindle/styled_picture.h"
+#include "brindle/surface.h"
+#include "render/test_drawings.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+struct Seen {
+  std::size_t vertices = 0;
+  double worst = 0;
+};
+
+/// The tones of vertices against those of the pixels that show them.
+Seen compare(const Surface& surface, UpAxis up) {
+  StyledOptions options;
+  options.render.width = kWidth;
+  options.render.height = kHeight;
+  options.render.camera.up = up;
+  options.render.transparent = true;
+  const std::vector<StyledSurface> surfaces{
+      {.mesh = surface.mesh, .normals = surface.normals, .color = {1, 1, 1}}};
+  const Image image = render_styled(surfaces, options);
+  const Camera camera = styled_camera(surfaces, options);
+  const std::vector<float> tones = surface_tones(surface.mesh, surface.normals, camera, up);
+  const Vec3 eye = eye_of(camera);
+  Seen seen;
+  for (std::size_t v = 0; v < tones.size(); ++v) {
+    const Vec3& position = surface.mesh.positions[v];
+    const Vec3 to_eye = (eye - position).normalized();
+    if (surface.normals[v].dot(to_eye) < 0.3f) continue;
+    const Eigen::Vector4f clip =
+        camera.clip_from_view *
+        (camera.view_from_world * Vec3(position - camera.origin).homogeneous());
+    const int x = static_cast<int>((clip.x() / clip.w() + 1) / 2 * kWidth);
+    const int y = static_cast<int>((1 - clip.y() / clip.w()) / 2 * kHeight);
+    const Pixel pixel = image.at(x, y);
+    if (pixel.alpha < 255) continue;
+    const Vec3 light = premultiplied_light(pixel).head<3>();
+    const float tone = std::pow(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 1 / 2.2f);
+    seen.worst = std::max(seen.worst, std::abs(static_cast<double>(tone - tones[v])));
+    ++seen.vertices;
+  }
+  return seen;
+}
+
+TEST(SurfaceTones, AreThoseOfPictures) {
+  for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
+    const Seen seen = compare(make_surface(make_shape("sphere,resolution=24")), up);
+    EXPECT_GT(seen.vertices, 300u);
+    EXPECT_LT(seen.worst, 0.03);
+  }
+}
+
+TEST(SurfaceTones, AreThoseOfTheOuterSide) {
+  Mesh mesh = make_shape("sphere,resolution=12");
+  const Surface outside = make_surface(mesh);
+  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  const Surface inside_out = make_surface(mesh);
+  const Camera camera = framed_camera(mesh.positions, {}, kWidth, kHeight);
+  const auto one = surface_tones(outside.mesh, outside.normals, camera, UpAxis::y);
+  const auto other = surface_tones(inside_out.mesh, inside_out.normals, camera, UpAxis::y);
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t v = 0; v < one.size(); ++v) EXPECT_NEAR(one[v], other[v], 1e-4);
+  EXPECT_GT(*std::ranges::max_element(one), 0.8f);
+  EXPECT_LT(*std::ranges::min_element(one), 0.5f);
+}
+
+TEST(SurfaceTones, NeedNormals) {
+  const Surface surface = make_surface(make_shape("plane,resolution=2"));
+  std::vector<Vec3> normals = surface.normals;
+  const Camera camera = framed_camera(surface.mesh.positions, {}, kWidth, kHeight);
+  normals[1] = Vec3::Zero();
+  const auto tones = surface_tones(surface.mesh, normals, camera, UpAxis::y);
+  EXPECT_TRUE(std::isnan(tones[1]));
+  EXPECT_FALSE(std::isnan(tones[0]));
+  normals.pop_back();
+  EXPECT_THROW(surface_tones(surface.mesh, normals, camera, UpAxis::y), Error);
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,233 @@
+#include "session/live_pattern.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/threads.h"
+#include "progress_reports.h"
+
+namespace brindle::tool {
+namespace {
+
+SessionDocument torus() {
+  SessionDocument document;
+  document.mesh = "shape:torus,resolution=24";
+  document.size = {160, 120};
+  document.options["stripes"] = {"20"};
+  return document;
+}
+
+SessionDocument with(SessionDocument document, const std::string& name, const std::string& value) {
+  document.options[name] = {value};
+  return document;
+}
+
+std::set<std::string> stages(const LivePattern& pattern) {
+  std::set<std::string> names;
+  for (const auto& [name, time] : pattern.state()->figures.milliseconds) names.insert(name);
+  return names;
+}
+
+const std::vector<Complex>& z_of(const LivePattern& pattern) {
+  return pattern.state()->job->result.stripes().solution.z;
+}
+
+TEST(LivePattern, KeepsTheStagesWhoseInputsStay) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  EXPECT_TRUE(stages(pattern).contains("load"));
+  const auto surface = pattern.state()->job->surface.get();
+  const std::uint64_t drawn = pattern.state()->pattern;
+
+  SessionDocument moved = torus();
+  moved.camera.azimuth_deg = 77;
+  pattern.update(moved, Follow::last);
+  EXPECT_TRUE(stages(pattern).empty());
+  EXPECT_EQ(pattern.state()->pattern, drawn);
+
+  pattern.update(with(moved, "stripe-width", "0.3"), Follow::last);
+  EXPECT_TRUE(stages(pattern).empty());
+  EXPECT_NE(pattern.state()->pattern, drawn);
+
+  pattern.update(with(moved, "sweeps", "3"), Follow::afresh);
+  EXPECT_FALSE(stages(pattern).contains("field"));
+  EXPECT_TRUE(stages(pattern).contains("solve"));
+
+  pattern.update(with(moved, "stripes", "22"), Follow::last);
+  EXPECT_FALSE(stages(pattern).contains("field"));
+  EXPECT_TRUE(stages(pattern).contains("waves"));
+
+  pattern.update(with(moved, "curvature-anchor", "0.5"), Follow::last);
+  EXPECT_TRUE(stages(pattern).contains("field"));
+  EXPECT_FALSE(stages(pattern).contains("load"));
+  EXPECT_NE(surface, nullptr);
+}
+
+TEST(LivePattern, ReadsAndSolvesForAStyleOnce) {
+  SessionDocument document = with(torus(), "color-by", "height");
+  document.options["with"] = {"shape:box,resolution=6@striped"};
+  LivePattern pattern;
+  pattern.update(document, Follow::afresh);
+  EXPECT_TRUE(stages(pattern).contains("style"));
+  const std::uint64_t drawn = pattern.state()->pattern;
+  pattern.update(with(document, "color-range", "0,1"), Follow::last);
+  EXPECT_TRUE(stages(pattern).empty()) << "looks alone are another";
+  EXPECT_NE(pattern.state()->pattern, drawn);
+  pattern.update(with(document, "rotate", "20"), Follow::last);
+  EXPECT_TRUE(stages(pattern).contains("style"));
+  pattern.update(torus(), Follow::last);
+  EXPECT_EQ(pattern.state()->style, nullptr);
+}
+
+TEST(LivePattern, FollowsCalmlyAndIsThenGivenByItsAngles) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  EXPECT_EQ(pattern.state()->phases, nullptr);
+  SessionDocument next = torus();
+  next.strokes = {{{{-0.2, 0.9, 0.3}, {0.2, 0.9, 0.3}}, 0.5, 1}};
+  LivePattern afresh;
+  afresh.update(next, Follow::afresh);
+  pattern.update(next, Follow::last);
+  ASSERT_NE(pattern.state()->phases, nullptr);
+  EXPECT_TRUE(pattern.state()->figures.followed);
+
+  SessionDocument kept = next;
+  kept.phases = pattern.state()->phases;
+  LivePattern loaded;
+  loaded.update(kept, Follow::afresh);
+  EXPECT_EQ(z_of(loaded), z_of(pattern)) << "bit for bit";
+  EXPECT_EQ(loaded.state()->figures.branches, pattern.state()->figures.branches);
+  EXPECT_NEAR(loaded.state()->figures.energy, pattern.state()->figures.energy,
+              1e-5 * std::abs(pattern.state()->figures.energy) + 1e-7);
+  // Asked for of the document alone, it is that of the document alone.
+  pattern.update(next, Follow::afresh);
+  EXPECT_EQ(z_of(pattern), z_of(afresh));
+}
+
+TEST(LivePattern, StaysNearToTheLastPattern) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const std::vector<Complex> before = z_of(pattern);
+  pattern.update(with(torus(), "stripes", "20.05"), Follow::last);
+  const std::vector<Complex>& after = z_of(pattern);
+  double near = 0;
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    near += static_cast<double>(std::abs(std::arg(after[v] * std::conj(before[v])))) /
+            static_cast<double>(after.size());
+  }
+  EXPECT_LT(near, 0.3);
+  EXPECT_GT(near, 0);
+}
+
+TEST(LivePattern, DoesNotDependOnTheNumberOfThreads) {
+  const auto solved = [](int threads) {
+    const ThreadLimit limit(threads);
+    LivePattern pattern;
+    pattern.update(torus(), Follow::afresh);
+    pattern.update(with(torus(), "stripes", "25"), Follow::last);
+    pattern.update(with(torus(), "rotate", "10"), Follow::last);
+    return z_of(pattern);
+  };
+  EXPECT_EQ(solved(1), solved(3));
+}
+
+TEST(LivePattern, CancelledAnywhereItStaysAsItWas) {
+  SessionDocument other = torus();
+  other.mesh = "shape:box,resolution=6";
+  other.options["color-by"] = {"height"};
+  other.options["with"] = {"shape:torus,resolution=12@striped"};
+  testing_support::Reports all;
+  LivePattern reference;
+  reference.update(other, Follow::afresh, all.progress());
+  ASSERT_GT(all.count(), 5);
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const auto state = pattern.state();
+  for (int at = 0; at < all.count(); ++at) {
+    testing_support::Reports reports(at);
+    EXPECT_THROW(pattern.update(other, Follow::last, reports.progress()), Cancelled);
+    EXPECT_EQ(pattern.state(), state);
+  }
+  pattern.update(other, Follow::last);
+  EXPECT_EQ(z_of(pattern), z_of(reference));
+}
+
+TEST(LivePattern, CancelledWhileFollowingItStaysAsItWas) {
+  const SessionDocument next = with(torus(), "stripes", "23");
+  LivePattern reference;
+  reference.update(torus(), Follow::afresh);
+  testing_support::Reports all;
+  reference.update(next, Follow::last, all.progress());
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const auto state = pattern.state();
+  for (int at = 0; at < all.count(); ++at) {
+    testing_support::Reports reports(at);
+    EXPECT_THROW(pattern.update(next, Follow::last, reports.progress()), Cancelled);
+    EXPECT_EQ(pattern.state(), state);
+  }
+  pattern.update(next, Follow::last);
+  EXPECT_EQ(z_of(pattern), z_of(reference));
+}
+
+TEST(LivePattern, FailingItStaysAsItWasAndSaysWhy) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const auto state = pattern.state();
+  SessionDocument missing = torus();
+  missing.mesh = "nowhere.ply";
+  SessionDocument wrong_phases = torus();
+  wrong_phases.phases = std::make_shared<const std::vector<float>>(3, 0.0f);
+  SessionDocument far_stroke = torus();
+  far_stroke.strokes = {{{{100, 0, 0}, {101, 0, 0}}, 0.1, 1}};
+  const std::pair<SessionDocument, const char*> failing[] = {
+      {missing, "nowhere.ply"},
+      {wrong_phases, "leave 'phases' out"},
+      {far_stroke, "strokes[0]"},
+      {with(torus(), "color-by", "nothing.csv"), "nothing.csv"},
+      {with(torus(), "texture", "nothing.png"), "nothing.png"}};
+  for (const auto& [document, why] : failing) {
+    try {
+      pattern.update(document, Follow::last);
+      ADD_FAILURE() << why;
+    } catch (const std::exception& error) {
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(pattern.state(), state);
+  }
+}
+
+TEST(LivePattern, ZoomMakesStripesDenserByItsShare) {
+  const auto frequency = [](float zoom, float share) {
+    SessionDocument document = torus();
+    document.camera.zoom = zoom;
+    document.frequency_by_zoom = share;
+    LivePattern pattern;
+    pattern.update(document, Follow::afresh);
+    return pattern.state()->job->result.stripes().waves.frequencies.front();
+  };
+  EXPECT_FLOAT_EQ(frequency(4, 0), frequency(1, 0));
+  EXPECT_FLOAT_EQ(frequency(4, 1), 4 * frequency(1, 0));
+  EXPECT_FLOAT_EQ(frequency(4, 0.5f), 2 * frequency(1, 0));
+}
+
+TEST(LivePattern, StrokesOfTheDocumentAndOfAFileCountAlike) {
+  SessionDocument drawn = torus();
+  drawn.strokes = {{{{-0.2, 0.9, 0.3}, {0.2, 0.9, 0.3}}, 0.5, 3}};
+  const auto path = std::filesystem::path(testing::TempDir()) / "brindle_live_strokes.json";
+  write_strokes(path, drawn.strokes);
+  const SessionDocument read = with(torus(), "strokes", path.string());
+  LivePattern a, b, none;
+  a.update(drawn, Follow::afresh);
+  b.update(read, Follow::afresh);
+  none.update(torus(), Follow::afresh);
+  std::filesystem::remove(path);
+  EXPECT_EQ(z_of(a), z_of(b));
+  EXPECT_NE(z_of(a), z_of(none));
+}
+
+}  // namespace
+}  // namespace brindle::tool

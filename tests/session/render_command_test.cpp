@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include "apps/tool.h"
+#include "session/session.h"
+#include "session/session_worker.h"
+
+namespace brindle::tool {
+namespace {
+
+using test::content;
+
+SessionDocument small_document() {
+  SessionDocument document;
+  document.mesh = "shape:torus,resolution=24";
+  document.size = {160, 120};
+  return document;
+}
+
+struct RenderTool : test::ToolTest {
+  /// The bytes of the picture that the tool draws of a session.
+  std::string rendered(const SessionDocument& document,
+                       const std::vector<std::string>& more = {}) const {
+    write_session(folder / "s.json", document);
+    std::vector<std::string> arguments = {"render", "s.json", "--output", "s.png", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const test::ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return content(folder / "s.png");
+  }
+};
+
+TEST_F(RenderTool, DrawsWhatStripeDraws) {
+  const std::vector<OptionValues> looks = {
+      {{"stripes", {"30"}}, {"along", {}}},
+      {{"color-by", {"height"}}, {"width-by", {"height"}}, {"outline", {"dashed"}}},
+      {{"texture", {"arrows"}}, {"field", {"curvature"}}},
+      {{"with", {"shape:sphere@striped", "shape:box@#303030"}}, {"between", {"nothing"}}},
+      {{"slack", {"0.2"}}, {"view", {"branches"}}, {"direction", {"-1,0.3,0"}}}};
+  for (const OptionValues& options : looks) {
+    SessionDocument document = small_document();
+    document.options = options;
+    document.camera = {50, 35, 1.5f};
+    std::vector<std::string> arguments = {"stripe", document.mesh, "--camera=50,35,1.5",
+                                          "--size", "160x120",     "--output",
+                                          "a.png",  "--quiet"};
+    for (const auto& [name, values] : options) {
+      if (values.empty()) arguments.push_back("--" + name);
+      for (const std::string& value : values) arguments.push_back("--" + name + "=" + value);
+    }
+    const test::ToolResult result = run(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(rendered(document), content(folder / "a.png")) << options.begin()->first;
+  }
+}
+
+TEST_F(RenderTool, DrawsWhatTheWindowShows) {
+  SessionWorker worker;
+  Session session(small_document());
+  const auto show = [&](PictureQuality quality) {
+    worker.request({session.document(), session.revision(), quality,
+                    session.follows() ? Follow::last : Follow::afresh});
+    worker.wait();
+    session.keep_phases(worker.latest()->revision, worker.latest()->state->phases);
+  };
+  show(PictureQuality::final);
+  session.apply(commands::SetOption{"stripes", {"23"}});
+  show(PictureQuality::interactive);
+  show(PictureQuality::final);
+  ASSERT_NE(session.document().phases, nullptr) << "it followed";
+  EXPECT_EQ(rendered(session.document()), png_of(worker.latest()->image));
+}
+
+TEST_F(RenderTool, ReplayedCommandsGiveThePictureOfTheirScript) {
+  const std::vector<SessionCommand> commands = {
+      commands::SetOption{"stripes", {"30"}},
+      commands::BeginDrag{},
+      commands::SetCamera{{10, 20, 1}},
+      commands::SetCamera{{60, 20, 1.4f}},
+      commands::EndDrag{},
+      commands::AddStroke{{{{-0.2, 0.9, 0.3}, {0.2, 0.9, 0.3}}, 0.5, 2}},
+      commands::SetOption{"stripe-width", {"0.2"}},
+      commands::Undo{},
+      commands::StoreView{2}};
+  write_commands(folder / "events.jsonl", commands);
+  Session session(small_document());
+  for (const SessionCommand& command : commands) EXPECT_TRUE(session.apply(command));
+  const std::string replayed = rendered(small_document(), {"--replay", "events.jsonl"});
+  EXPECT_EQ(replayed, rendered(session.document()));
+  EXPECT_NE(replayed, rendered(small_document()));
+}
+
+TEST_F(RenderTool, SaysWhichCommandIsRefused) {
+  write_session(folder / "s.json", small_document());
+  write_commands(folder / "e.jsonl", {commands::SetOption{"stripes", {"9"}}, commands::Redo{}});
+  expect_refusal(1, "e.jsonl: command 2, redo",
+                 {"render", "s.json", "-o", "a.png", "--replay", "e.jsonl"});
+}
+
+TEST_F(RenderTool, OutputsMustSuit) {
+  write_session(folder / "s.json", small_document());
+  expect_refusal(2, "--output is required", {"render", "s.json"});
+  expect_refusal(2, ".svg", {"render", "s.json", "-o", "a.svg"});
+  expect_refusal(2, "is read by SESSION", {"render", "s.json", "-o", "s.json"});
+  expect_refusal(2, "--size", {"render", "s.json", "-o", "a.vtp", "--size", "10x10"});
+  expect_refusal(1, "t.json", {"render", "t.json", "-o", "a.png"});
+  EXPECT_EQ(run({"render", "s.json", "-o", "a.vtp", "-o", "r.json", "-q"}).exit_code, 0);
+  EXPECT_EQ(run({"stripe", "shape:torus,resolution=24", "-o", "b.vtp", "-q"}).exit_code, 0);
+  EXPECT_EQ(content(folder / "a.vtp"), content(folder / "b.vtp"));
+}
+
+TEST_F(RenderTool, AFileThatIsNoMeshFailsAndWritesNothing) {
+  test::write_text(folder / "bad.ply", "ply, or not");
+  SessionDocument document = small_document();
+  document.mesh = "bad.ply";
+  write_session(folder / "s.json", document);
+  expect_refusal(1, "bad.ply", {"render", "s.json", "-o", "a.png"});
+}
+
+}  // namespace
+}  // namespace brindle::tool

@@ -1,0 +1,232 @@
+#include "session/session.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "session/session_options.h"
+
+namespace brindle::tool {
+namespace {
+
+SessionDocument small_document() {
+  SessionDocument document;
+  document.mesh = "shape:torus,resolution=24";
+  document.size = {160, 120};
+  return document;
+}
+
+FieldStroke stroke_at(double x) { return {{{x, 0, 0}, {x, 1, 0}, {x, 1, 1}}, 0.3, 2}; }
+
+/// Any command: most are accepted, some refused.
+class AnyCommand {
+ public:
+  explicit AnyCommand(unsigned seed) : random_(seed) {}
+
+  SessionCommand operator()() {
+    switch (below(16)) {
+      case 0:
+        return commands::Open{below(2) ? "shape:torus,resolution=24" : "shape:box", below(2) > 0};
+      case 1:
+        return commands::SetOption{"stripes", {std::to_string(below(50))}};  // 0 is refused
+      case 2:
+        return commands::SetOption{"along", {}};
+      case 3:
+        return commands::ClearOption{below(2) ? "along" : "stripes"};
+      case 4:
+        return commands::SetOptions{{{"field", {"curvature"}}, {"curvature-direction", {"min"}}},
+                                    {"along"}};
+      case 5:
+        return commands::AddStroke{stroke_at(below(5))};
+      case 6:
+        return commands::ChangeStroke{static_cast<std::size_t>(below(4)), stroke_at(below(9))};
+      case 7:
+        return commands::EraseStroke{static_cast<std::size_t>(below(4))};
+      case 8:
+        return commands::SetStrokes{{stroke_at(1), stroke_at(2)}};
+      case 9:
+        return commands::SetCamera{
+            {static_cast<float>(below(360)), static_cast<float>(below(120)), 2}};
+      case 10:
+        return commands::SetSize{{below(400), 100}};
+      case 11:
+        return commands::StoreView{below(11)};
+      case 12:
+        return commands::RecallView{below(11)};
+      case 13:
+        return commands::SetFrequencyByZoom{static_cast<float>(below(3)) / 2};
+      case 14:
+        return below(2) ? SessionCommand(commands::BeginDrag{}) : commands::EndDrag{};
+      default:
+        return commands::SetOption{"field", {"raw-curvature"}};  // not with strokes
+    }
+  }
+  int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
+
+ private:
+  std::mt19937 random_;
+};
+
+TEST(Session, AnySequenceUndoneIsTheSameAndRedoneToo) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    AnyCommand any(seed);
+    const SessionDocument first = small_document();
+    Session session(first);
+    int accepted = 0;
+    for (int i = 0; i < 40; ++i) {
+      accepted += session.apply(any()) ? 1 : 0;
+      if (any.below(6) == 0) session.undo();
+      if (any.below(6) == 0) session.redo();
+    }
+    EXPECT_GT(accepted, 5);
+    session.end_drag();
+    const SessionDocument last = session.document();
+    int steps = 0;
+    while (session.undo()) ++steps;
+    EXPECT_EQ(session.document(), first) << "seed " << seed;
+    for (int i = 0; i < steps; ++i) EXPECT_TRUE(session.redo());
+    // What was undone before can be redone, too.
+    while (!(session.document() == last) && session.undo()) {
+    }
+    EXPECT_EQ(session.document(), last) << "seed " << seed;
+  }
+}
+
+TEST(Session, RefusesWithoutATraceAndSaysWhy) {
+  const std::pair<SessionCommand, const char*> refused[] = {
+      {commands::SetOption{"stripes", {"-3"}}, "--stripes: expected a finite number above zero"},
+      {commands::SetOption{"stripez", {"3"}}, "did you mean --stripes"},
+      {commands::SetOption{"along", {"yes"}}, "takes no value"},
+      {commands::SetOption{"stripes", {}}, "lacks its value"},
+      {commands::SetOption{"stripes", {"1", "2"}}, "takes one value"},
+      {commands::SetOption{"camera", {"1,2"}}, "the session's camera"},
+      {commands::SetOption{"curvature-direction", {"min"}}, "has no effect here"},
+      {commands::SetOption{"field", {"array:speed"}}, "built-in shapes have no arrays"},
+      {commands::SetOption{"legend", {""}}, "--legend"},
+      {commands::Open{"nowhere.ply"}, "there is no such file"},
+      {commands::Open{"shape:toruss"}, "torus"},
+      {commands::ChangeStroke{7, stroke_at(0)}, "there is no stroke 7"},
+      {commands::AddStroke{{{{0, 0, 0}}, 1, 1}}, "strokes[0]"},
+      {commands::RecallView{3}, "no view is stored under the key 3"},
+      {commands::StoreView{12}, "1 to 9"},
+      {commands::SetSize{{0, 100}}, "0"},
+      {commands::SetCamera{{0, 95, 1}}, "elevation"},
+      {commands::SetCamera{{0, 0, 0}}, "zoom"},
+      {commands::SetFrequencyByZoom{2}, "0 to 1"},
+  };
+  Session session(small_document());
+  for (const auto& [command, why] : refused) {
+    const std::uint64_t revision = session.revision();
+    EXPECT_FALSE(session.apply(command)) << why;
+    EXPECT_EQ(session.document(), small_document());
+    EXPECT_EQ(session.revision(), revision);
+    EXPECT_FALSE(session.can_undo());
+    ASSERT_FALSE(session.messages().empty());
+    EXPECT_NE(session.messages().back().text.find(why), std::string::npos)
+        << session.messages().back().text;
+  }
+}
+
+TEST(Session, StrokesNeedAFieldThatFollowsThem) {
+  Session session(small_document());
+  EXPECT_TRUE(session.apply(commands::AddStroke{stroke_at(0)}));
+  EXPECT_FALSE(session.apply(commands::SetOption{"direction", {"1,0,0"}}));
+  EXPECT_NE(session.messages().back().text.find("erase the strokes"), std::string::npos);
+  EXPECT_TRUE(session.apply(commands::SetStrokes{}));
+  EXPECT_TRUE(session.apply(commands::SetOption{"direction", {"1,0,0"}}));
+}
+
+TEST(Session, ADragIsOneStep) {
+  Session session(small_document());
+  session.apply(commands::SetOption{"stripes", {"30"}});
+  session.begin_drag();
+  for (int i = 31; i < 40; ++i) session.apply(commands::SetOption{"stripes", {std::to_string(i)}});
+  session.end_drag();
+  EXPECT_EQ(session.document().options.at("stripes").front(), "39");
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.document().options.at("stripes").front(), "30");
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.document().options.at("stripes").front(), "39");
+  // A drag that comes back is none.
+  session.begin_drag();
+  session.apply(commands::SetOption{"stripes", {"50"}});
+  session.apply(commands::SetOption{"stripes", {"39"}});
+  session.end_drag();
+  session.undo();
+  EXPECT_EQ(session.document().options.at("stripes").front(), "30");
+}
+
+TEST(Session, PhasesBelongToTheirWavesAlone) {
+  Session session(small_document());
+  const auto phases = std::make_shared<const std::vector<float>>(std::vector<float>{0.5f, 1.0f});
+  EXPECT_FALSE(session.keep_phases(session.revision() + 1, phases));
+  EXPECT_TRUE(session.keep_phases(session.revision(), phases));
+  EXPECT_FALSE(session.can_undo()) << "no step of its own";
+  session.apply(commands::SetCamera{{10, 10, 1}});
+  session.apply(commands::SetOption{"stripe-width", {"0.3"}});
+  EXPECT_EQ(session.document().phases, phases) << "looks do not change the pattern";
+  session.apply(commands::SetOption{"stripes", {"50"}});
+  EXPECT_EQ(session.document().phases, nullptr);
+  session.undo();
+  EXPECT_EQ(session.document().phases, phases);
+}
+
+TEST(Session, ZoomChangesWavesWhereFrequenciesFollowIt) {
+  Session session(small_document());
+  const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
+  session.apply(commands::SetFrequencyByZoom{1});
+  session.keep_phases(session.revision(), phases);
+  session.apply(commands::SetCamera{{40, 20, 1}});
+  EXPECT_EQ(session.document().phases, phases);
+  session.apply(commands::SetCamera{{40, 20, 2}});
+  EXPECT_EQ(session.document().phases, nullptr);
+  EXPECT_FLOAT_EQ(frequency_factor(session.document()), 2);
+}
+
+TEST(Session, TakesBackWhatTurnedOutNotToWork) {
+  Session session(small_document());
+  session.apply(commands::SetOption{"stripes", {"20"}});
+  const SessionDocument good = session.document();
+  session.apply(commands::SetOption{"calm", {"nowhere.csv"}});  // needs --slack: refused
+  session.apply(commands::SetOptions{{{"slack", {"0.1"}}, {"calm", {"nowhere.csv"}}}, {}});
+  EXPECT_TRUE(session.take_back(session.revision(), "nowhere.csv: there is no such file"));
+  EXPECT_EQ(session.document(), good);
+  EXPECT_FALSE(session.can_redo());
+  EXPECT_EQ(session.messages().back().text, "nowhere.csv: there is no such file");
+  // What failed belongs to a document that is gone: only said.
+  const std::uint64_t old = session.revision();
+  session.apply(commands::SetOption{"stripes", {"25"}});
+  EXPECT_FALSE(session.take_back(old, "late"));
+  EXPECT_EQ(session.document().options.at("stripes").front(), "25");
+}
+
+TEST(Session, FollowsChangesOfOneSurface) {
+  Session session(small_document());
+  EXPECT_FALSE(session.follows());
+  session.apply(commands::SetOption{"stripes", {"20"}});
+  EXPECT_TRUE(session.follows());
+  session.undo();
+  EXPECT_FALSE(session.follows());
+  session.apply(commands::Open{"shape:box"});
+  EXPECT_FALSE(session.follows());
+}
+
+TEST(SessionOptions, AreThoseOfTheCommandInGroups) {
+  const auto* stripes = find_session_option("stripes");
+  ASSERT_NE(stripes, nullptr);
+  EXPECT_EQ(stripes->group, "Field");
+  EXPECT_EQ(stripes->stage, SessionStage::waves);
+  EXPECT_EQ(stripes->type_name, "N");
+  EXPECT_EQ(find_session_option("output"), nullptr);
+  EXPECT_EQ(find_session_option("camera"), nullptr);
+  EXPECT_TRUE(find_session_option("with")->repeatable);
+  EXPECT_TRUE(find_session_option("flat")->flag);
+  EXPECT_EQ(find_session_option("solver")->choices,
+            (std::vector<std::string>{"multilevel", "relaxation", "averaged", "global"}));
+  EXPECT_EQ(find_session_option("slack")->stage, SessionStage::phases);
+  EXPECT_EQ(find_session_option("color-by")->stage, SessionStage::style);
+  EXPECT_TRUE(find_session_option("field")->choices.empty()) << "a file may be given, too";
+}
+
+}  // namespace
+}  // namespace brindle::tool

@@ -1,0 +1,157 @@
+#include "session/session_worker.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "session/picking.h"
+
+namespace brindle::tool {
+namespace {
+
+SessionDocument torus(const std::string& stripes = "20") {
+  SessionDocument document;
+  document.mesh = "shape:torus,resolution=24";
+  document.size = {160, 120};
+  document.options["stripes"] = {stripes};
+  return document;
+}
+
+SessionRequest request_of(SessionDocument document, std::uint64_t revision,
+                          PictureQuality quality = PictureQuality::final,
+                          Follow follow = Follow::afresh) {
+  return {std::move(document), revision, quality, follow};
+}
+
+Image drawn(const SessionDocument& document, PictureQuality quality = PictureQuality::final) {
+  LivePattern pattern;
+  pattern.update(document, Follow::afresh);
+  return LivePicture().draw(pattern.state(), quality);
+}
+
+TEST(SessionWorker, TheNewestWins) {
+  SessionWorker worker;
+  EXPECT_EQ(worker.latest(), nullptr);
+  for (int i = 1; i <= 20; ++i) {
+    const bool last = i == 20;
+    worker.request(request_of(torus(std::to_string(10 + i)), static_cast<std::uint64_t>(i),
+                              last ? PictureQuality::final : PictureQuality::interactive));
+  }
+  worker.wait();
+  const auto frame = worker.latest();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->revision, 20u);
+  EXPECT_LT(frame->number, 20u) << "not all were made";
+  EXPECT_FALSE(worker.take_failure());
+  EXPECT_EQ(frame->image.pixels, drawn(torus("30")).pixels);
+}
+
+TEST(SessionWorker, WhatWasToBeAfreshIsAfresh) {
+  SessionWorker worker;
+  worker.request(request_of(torus("20"), 1));
+  worker.wait();
+  // Undone, and at once looked at from elsewhere.
+  SessionDocument moved = torus("24");
+  moved.camera.azimuth_deg = 50;
+  worker.request(request_of(torus("24"), 2, PictureQuality::interactive, Follow::afresh));
+  worker.request(request_of(moved, 3, PictureQuality::final, Follow::last));
+  worker.wait();
+  EXPECT_EQ(worker.latest()->image.pixels, drawn(moved).pixels);
+  EXPECT_EQ(worker.latest()->state->phases, nullptr);
+}
+
+TEST(SessionWorker, FailuresLeaveTheLastFrame) {
+  SessionWorker worker;
+  worker.request(request_of(torus(), 1));
+  worker.wait();
+  const auto good = worker.latest();
+  SessionDocument bad = torus();
+  bad.mesh = "nowhere.ply";
+  worker.request(request_of(bad, 2));
+  worker.wait();
+  EXPECT_EQ(worker.latest(), good);
+  const auto failure = worker.take_failure();
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->revision, 2u);
+  EXPECT_NE(failure->text.find("nowhere.ply"), std::string::npos);
+  EXPECT_FALSE(worker.take_failure()) << "said once";
+  worker.request(request_of(torus("25"), 3));
+  worker.wait();
+  EXPECT_EQ(worker.latest()->revision, 3u);
+}
+
+TEST(SessionWorker, StopsWhileItSolves) {
+  SessionDocument large = torus();
+  large.mesh = "shape:torus,resolution=300";
+  SessionWorker worker;
+  worker.request(request_of(large, 1));
+  while (worker.stage().empty() && worker.busy()) std::this_thread::yield();
+  SUCCEED();  // the destructor cancels and waits
+}
+
+TEST(SessionWorker, KeptPhasesGiveThePictureThatWasShown) {
+  SessionWorker worker;
+  worker.request(request_of(torus("20"), 1));
+  worker.wait();
+  worker.request(request_of(torus("21"), 2, PictureQuality::interactive, Follow::last));
+  worker.wait();
+  worker.request(request_of(torus("21"), 2, PictureQuality::final, Follow::last));
+  worker.wait();
+  const auto frame = worker.latest();
+  ASSERT_NE(frame->state->phases, nullptr);
+  SessionDocument kept = torus("21");
+  kept.phases = frame->state->phases;
+  EXPECT_EQ(frame->image.pixels, drawn(kept).pixels);
+}
+
+TEST(SessionWorker, DrawsEverythingThatStripeDraws) {
+  SessionWorker worker;
+  std::uint64_t revision = 0;
+  for (const OptionValues& options :
+       {OptionValues{{"texture", {"bricks"}}}, OptionValues{{"cross", {}}},
+        OptionValues{{"points", {}}}, OptionValues{{"view", {"branches"}}},
+        OptionValues{{"color-by", {"height"}}, {"outline", {"solid"}}},
+        OptionValues{{"width-by", {"light"}}, {"cross-hatch", {"0.5"}}}, OptionValues()}) {
+    SessionDocument document = torus();
+    document.options.insert(options.begin(), options.end());
+    worker.request(request_of(document, ++revision));
+    worker.wait();
+    const auto failure = worker.take_failure();
+    EXPECT_FALSE(failure) << failure->text;
+    ASSERT_NE(worker.latest(), nullptr);
+    EXPECT_EQ(worker.latest()->revision, revision);
+    EXPECT_EQ(worker.latest()->image.pixels, drawn(document).pixels) << "uploaded anew or not";
+  }
+}
+
+TEST(SessionWorker, FramesCanBePicked) {
+  SessionWorker worker;
+  SessionDocument document = torus();
+  document.options["color-by"] = {"height"};  // with a legend beside it
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    document.camera.projection = projection;
+    worker.request(request_of(document, 1));
+    worker.wait();
+    const auto frame = worker.latest();
+    const Surface& surface = frame->surface();
+    int picked = 0;
+    for (std::size_t v = 0; v < surface.mesh.vertex_count(); v += 7) {
+      const auto place = place_in_picture(surface.mesh.positions[v], frame->camera, 160, 120);
+      ASSERT_TRUE(place);
+      const auto hit = pick(surface, frame->camera, 160, 120, place->x(), place->y());
+      // At outlines a ray may pass by the vertex that it is aimed at.
+      const Vec3 normal = frame->camera.view_from_world.topLeftCorner<3, 3>() * surface.normals[v];
+      if (!hit && std::abs(normal.z()) < 0.3f) continue;
+      ASSERT_TRUE(hit);
+      const float depth = -(frame->camera.view_from_world *
+                            Vec3(surface.mesh.positions[v] - frame->camera.origin).homogeneous())
+                               .z();
+      EXPECT_LE(hit->depth, depth + 1e-3f);
+      picked += (hit->position - surface.mesh.positions[v]).norm() < 1e-3f ? 1 : 0;
+    }
+    EXPECT_GT(picked, 10) << "those in front";
+  }
+}
+
+}  // namespace
+}  // namespace brindle::tool

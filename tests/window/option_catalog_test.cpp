@@ -1,0 +1,79 @@
+#include "window/option_catalog.h"
+
+#include <charconv>
+#include <map>
+
+#include <gtest/gtest.h>
+
+namespace brindle::tool {
+namespace {
+
+std::map<std::string, CatalogOption> all_entries() {
+  std::map<std::string, CatalogOption> entries;
+  for (const OptionGroup& group : option_catalog(session_options())) {
+    EXPECT_FALSE(group.options.empty()) << group.title;
+    for (const CatalogOption& option : group.options) {
+      EXPECT_TRUE(entries.emplace(option.name, option).second) << option.name << " is there twice";
+    }
+  }
+  return entries;
+}
+
+TEST(OptionCatalogTest, HasEveryOptionOfSessionsOnce) {
+  const auto entries = all_entries();
+  EXPECT_EQ(entries.size(), session_options().size());
+  for (const SessionOption& option : session_options()) {
+    ASSERT_TRUE(entries.contains(option.name)) << option.name;
+    EXPECT_EQ(entries.at(option.name).help, option.help);
+  }
+}
+
+TEST(OptionCatalogTest, OptionsThatNoGroupNamesAreShown) {
+  std::vector<SessionOption> options(2);
+  options[0].name = "stripes";
+  options[1].name = "brand-new";
+  options[1].help = "something else";
+  const auto groups = option_catalog(options);
+  ASSERT_EQ(groups.size(), 2);
+  EXPECT_EQ(groups[0].options.front().kind, WidgetKind::number);
+  EXPECT_EQ(groups[1].options.front().name, "brand-new");
+  EXPECT_EQ(groups[1].options.front().kind, WidgetKind::text);
+}
+
+TEST(OptionCatalogTest, KnowsTheValuesThatCountWithoutAnOption) {
+  const auto entries = all_entries();
+  EXPECT_EQ(entries.at("stripes").standard, "40");
+  EXPECT_EQ(entries.at("solver").standard, "multilevel");
+  EXPECT_EQ(entries.at("curvature-direction").standard, "max");
+  EXPECT_EQ(entries.at("lambda").standard, "0.025");
+  EXPECT_EQ(entries.at("subdivide").standard, "");
+}
+
+TEST(OptionCatalogTest, ChoicesHaveNamesAndStandardsAreAmongThem) {
+  for (const auto& [name, option] : all_entries()) {
+    if (option.kind != WidgetKind::choice) continue;
+    EXPECT_GT(option.names.size(), 1) << name;
+    if (option.standard.empty()) continue;
+    EXPECT_NE(std::ranges::find(option.names, option.standard), option.names.end())
+        << name << ": " << option.standard;
+  }
+}
+
+TEST(OptionCatalogTest, SlidersReachTheirStandards) {
+  for (const auto& [name, option] : all_entries()) {
+    if (option.kind != WidgetKind::number) continue;
+    EXPECT_LT(option.range.lowest, option.range.highest) << name;
+    if (option.range.logarithmic) {
+      EXPECT_GT(option.range.lowest, 0) << name;
+    }
+    float value = 0;
+    const char* end = option.standard.data() + option.standard.size();
+    if (std::from_chars(option.standard.data(), end, value).ec != std::errc()) continue;
+    if (option.range.logarithmic && value == 0) continue;
+    EXPECT_GE(value, option.range.lowest) << name;
+    EXPECT_LE(value, option.range.highest) << name;
+  }
+}
+
+}  // namespace
+}  // namespace brindle::tool
