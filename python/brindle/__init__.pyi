@@ -1,0 +1,35 @@
+from ._animate import Animator as Animator
+from ._animate import FieldAnimator as FieldAnimator
+from ._animate import TextureAnimator as TextureAnimator
+from ._arguments import Cancelled as Cancelled
+from ._arguments import Error as Error
+from ._arguments import PatternWarning as PatternWarning
+from ._curves import Curves as Curves
+from ._curves import Samples as Samples
+from ._curves import samples as samples
+from ._curves import samples_of as samples_of
+from ._pictures import has_opengl as has_opengl
+from ._pictures import read_png as read_png
+from ._pictures import render as render
+from ._pictures import write_png as write_png
+from ._stripes import Stripes as Stripes
+from ._stripes import has_solver as has_solver
+from ._stripes import stripes as stripes
+from ._stripes import stripes_from_phases as stripes_from_phases
+from ._surface import Loop as Loop
+from ._surface import Stroke as Stroke
+from ._surface import Surface as Surface
+from ._surface import as_surface as as_surface
+from ._surface import points as points
+from ._surface import read as read
+from ._surface import read_strokes as read_strokes
+from ._surface import shape as shape
+from ._surface import shape_help as shape_help
+from ._surface import shape_names as shape_names
+from ._surface import write_strokes as write_strokes
+from ._textures import Texture as Texture
+from ._textures import TexturedMesh as TexturedMesh
+from ._textures import crosses as crosses
+from ._textures import texture as texture
+
+__version__: str

@@ -1,0 +1,251 @@
+"""Stripes as curves, and samples where two patterns cross."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
+
+from . import _core
+from ._arguments import (Error, count_and_frequency, flag, number, path_of, solving, warn,
+                         whole_number)
+from ._stripes import Field, Stripes, frequencies_of, invocation
+from ._surface import Progress, Surface, as_surface
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+CURVE_ENDS = ("closed", "boundary", "no_wave", "nonmanifold", "branch", "singularity")
+
+
+def placed(points: Any, origin: tuple[float, float, float]) -> Any:
+    """Points relative to an origin where they stand."""
+    if origin == (0.0, 0.0, 0.0):
+        return points
+    import numpy as np
+    return points.astype(np.float64) + np.asarray(origin)
+
+
+class Curves:
+    """The centre lines of stripes. ``points, edges = curves`` are ready for a curve network."""
+
+    def __init__(self, core: "_core.Curves", stripes: Stripes) -> None:
+        self._core = core
+        self.stripes = stripes
+
+    def __iter__(self) -> "Iterator[NDArray[Any]]":
+        return iter((self.points, self.edges))
+
+    def __repr__(self) -> str:
+        return f"<brindle.Curves: {self.count} curves of {len(self.points)} points>"
+
+    @property
+    def count(self) -> int:
+        """How many curves there are."""
+        return len(self._core.closed)
+
+    @cached_property
+    def points(self) -> "NDArray[np.floating]":
+        """(k, 3) points on the surface, curve after curve."""
+        return placed(self._core.local_points, self.stripes.surface.origin)
+
+    @cached_property
+    def edges(self) -> "NDArray[np.int32]":
+        """(l, 2) numbers of points that are joined; closed curves come back to their first one."""
+        return self._core.edges()
+
+    @property
+    def normals(self) -> "NDArray[np.float32]":
+        """(k, 3) unit normals of the surface."""
+        return self._core.normals
+
+    @property
+    def offsets(self) -> "NDArray[np.int32]":
+        """(count + 1,): curve i has the points offsets[i] up to offsets[i + 1]."""
+        return self._core.offsets
+
+    @property
+    def closed(self) -> "NDArray[np.bool_]":
+        """(count,) whether a curve comes back to its first point, which is not repeated."""
+        return self._core.closed
+
+    @cached_property
+    def lengths(self) -> "NDArray[np.float64]":
+        """(count,) with the way back of closed curves."""
+        return self._core.lengths()
+
+    @cached_property
+    def ends(self) -> list[tuple[str, str]]:
+        """Of every curve why it ends at its first and its last point: "closed", "boundary",
+        "no_wave", "nonmanifold", "branch" or "singularity"."""
+        return [(CURVE_ENDS[first], CURVE_ENDS[last]) for first, last in self._core.ends()]
+
+    @property
+    def lines(self) -> "list[NDArray[np.floating]]":
+        """The points of every curve, (?, 3) each."""
+        import numpy as np
+        return np.split(self.points, self.offsets[1:-1]) if self.count else []
+
+    @property
+    def places(self) -> "tuple[NDArray[np.int32], NDArray[np.float64]]":
+        """Where the points are on the mesh: triangles (k,), barycentric coordinates (k, 3). Empty
+        for simplified curves that have lost them."""
+        return self._core.places()
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """The figures that ``brindle curves --report`` has of one family of curves, but for
+        ``spacing``."""
+        quality = self.stripes.report
+        closed, figures = int(self.closed.sum()), self._core.figures()
+        return {"energy": quality["energy"], "branches": quality["branches"],
+                "field_singularities": quality["field_singularities"], "curves": self.count,
+                "closed": closed, "open": self.count - closed,
+                "short_curves_left_out": figures.pop("short_curves_left_out"),
+                "points": len(self.points), "length": float(sum(self.lengths)), **figures}
+
+    def measures(self, line_width: float = 0) -> dict[str, Any]:
+        """What a maker asks: ``lengths``, ``gaps`` between neighbours (in a build with nanoflann)
+        and, for a width above 0, the share of the surface's area that lines of it cover,
+        ``coverage``. Lengths are in the units of the vertices."""
+        return self._core.measures(self.stripes._core, number(line_width, "line_width"))
+
+    def tubes(self, radius: float, sides: int = 8) -> Surface:
+        """Tubes around the curves, as a surface: for printing, and for pictures."""
+        vertices, triangles = self._core.tubes(number(radius, "radius"), whole_number(sides, "sides"))
+        return Surface(placed(vertices, self.stripes.surface.origin), triangles)
+
+    def write(self, path: Any, *, name: str = "u",
+              point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
+        """Writes .obj, .ply, .vtp or .csv lines, or a drawing (``.svg``, as ``draw``), whole or not
+        at all. ``point_data``: arrays of a row per point."""
+        text = path_of(path)
+        if text.lower().endswith(".svg"):
+            self.draw(text)
+            return
+        self._core.write(text, name, dict(point_data or {}))
+
+    def draw(self, path: Any, **options: Any) -> None:
+        """Writes an SVG drawing with hidden lines removed: options as ``brindle.render`` has them
+        (size, camera, up, colors)."""
+        from ._pictures import draw_curves
+        draw_curves(path_of(path), self, options)
+
+
+def curves_of(stripes: Stripes, join: bool, offset: float, min_length: float,
+              simplify: Optional[float], resample: Optional[float]) -> Curves:
+    wishes = _core.CurveWishes()
+    wishes.join = flag(join, "join")
+    wishes.offset = number(offset, "offset")
+    wishes.min_length = number(min_length, "min_length")
+    if simplify is not None:
+        wishes.simplify = number(simplify, "simplify")
+    if resample is not None:
+        wishes.resample = number(resample, "resample")
+    return Curves(_core.curves(stripes._core, wishes), stripes)
+
+
+class Samples:
+    """Points where two patterns cross. ``points, normals = samples`` are (k, 3) each."""
+
+    def __init__(self, core: "_core.Samples", surface: Surface, u: Stripes, v: Stripes) -> None:
+        self._core = core
+        self.surface = surface
+        self.u = u
+        self.v = v
+
+    def __iter__(self) -> "Iterator[NDArray[Any]]":
+        return iter((self.points, self.normals))
+
+    def __repr__(self) -> str:
+        return f"<brindle.Samples: {self.count}>"
+
+    @cached_property
+    def _columns(self) -> "dict[str, NDArray[Any]]":
+        return self._core.columns()
+
+    @property
+    def count(self) -> int:
+        """k."""
+        return self._core.count
+
+    @cached_property
+    def points(self) -> "NDArray[np.floating]":
+        """(k, 3) positions on the surface."""
+        return placed(self._columns["points"], self.surface.origin)
+
+    @property
+    def normals(self) -> "NDArray[np.float32]":
+        """(k, 3) unit normals."""
+        return self._columns["normals"]
+
+    @property
+    def directions(self) -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
+        """(k, 3) unit tangent directions of U and of V, up to sign."""
+        return self._columns["directions_u"], self._columns["directions_v"]
+
+    @property
+    def spacings(self) -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
+        """(k,) distances to the next sample along U and along V, ideally."""
+        return self._columns["spacing_u"], self._columns["spacing_v"]
+
+    @property
+    def places(self) -> "tuple[NDArray[np.int32], NDArray[np.float32]]":
+        """Where samples are on the mesh: triangles (k,), barycentric coordinates (k, 3)."""
+        return self._columns["triangles"], self._columns["barycentric"]
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """The figures of ``brindle sample --report`` that are the samples' own."""
+        return {"samples": self.count, "doubles_left_out": self._core.doubles,
+                "branches_u": self.u.report.get("branches", 0),
+                "branches_v": self.v.report.get("branches", 0),
+                "nearest_neighbour": self._core.spacing()}
+
+    def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
+        """Writes .csv, .ply or .vtp with all that a sample has, whole or not at all.
+        ``point_data``: arrays of a row per sample."""
+        self._core.write(path_of(path), dict(point_data or {}))
+
+
+def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
+            frequency: Any = None, directions_v: "Optional[ArrayLike]" = None,
+            stripes_v: Any = None, frequency_v: Any = None, min_distance: float = 0.25,
+            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
+            threads: int = 0, progress: Optional[Progress] = None) -> Samples:
+    """Regular points along a field: where stripes across ``directions`` (U) cross those along them
+    (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
+
+    Arguments as those of ``brindle.stripes``; ``directions_v``, ``stripes_v`` and ``frequency_v``
+    are V's, unless U's turned by 90 degrees and U's frequency are wanted. Samples nearer to another
+    than ``min_distance`` spacings are left out. Needs a build with nanoflann.
+    """
+    surface = as_surface(surface)
+    options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
+    field = Field(surface, directions, False)
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    frequency_v = frequencies_of(surface, frequency_v)
+    if stripes_v is not None and frequency_v is not None:
+        raise Error("stripes_v and frequency_v exclude each other: give one of both")
+    count_v, frequency_v = (count, frequency) if stripes_v is None and frequency_v is None else (
+        stripes_v, frequency_v)
+
+    def pattern(of: Field, directions: Any, count: Any, frequency: Any, name: str) -> Stripes:
+        made = _core.stripes(surface._core, directions, count, frequency, of.origin, options, None,
+                             "", progress)
+        warn(made.warnings(of.origin.source), 4)
+        return Stripes(made, surface, invocation(name, surface, {}))
+
+    u = pattern(field, field.directions, count, frequency, "samples")
+    if directions_v is None:
+        v = pattern(field, surface.turned_field(u.directions, 90), count_v, frequency_v, "samples")
+    else:
+        other = Field(surface, directions_v, False)
+        v = pattern(other, other.directions, count_v, frequency_v, "samples")
+    return samples_of(u, v, min_distance=min_distance)
+
+
+def samples_of(u: Stripes, v: Stripes, *, min_distance: float = 0.25) -> Samples:
+    """Points where the stripes of two patterns on one surface cross."""
+    made = _core.samples(u._core, v._core, number(min_distance, "min_distance"))
+    return Samples(made, u.surface, u, v)

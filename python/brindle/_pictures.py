@@ -1,0 +1,165 @@
+"""Pictures as arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
+
+from . import _core
+from ._arguments import Error, flag, number, path_of, whole_number, word
+from ._curves import Curves, Samples
+from ._stripes import Stripes
+from ._surface import Surface, as_surface
+from ._textures import Texture
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+_STRIPE_COLOR = "#1c325a"
+_SAMPLE_COLOR = "#c7422b"
+_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "up": None, "colors": None}
+
+
+#: Whether this build draws pictures.
+has_opengl: bool = _core.has_opengl
+
+
+def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
+               camera: Sequence[float] = (30, 20), up: Optional[str] = None,
+               colors: Optional[Sequence[str]] = None, **unknown: Any) -> "_core.Picture":
+    if unknown:
+        raise TypeError(f"{next(iter(unknown))}: no option of pictures; there are "
+                        f"{', '.join(_OPTIONS)}")
+    picture = _core.Picture()
+    try:
+        width, height = size
+        azimuth, elevation, *rest = camera
+        zoom = rest[0] if rest else 1
+        if len(rest) > 1:
+            raise ValueError("too many numbers")
+    except (TypeError, ValueError) as error:
+        raise Error("expected size=(width, height) and camera=(azimuth, elevation[, zoom])") from error
+    picture.set_size(whole_number(width, "size"), whole_number(height, "size"))
+    if up is None:
+        up = "z" if surface._core.stands_on_z else "y"
+    picture.set_camera(number(azimuth, "camera"), number(elevation, "camera"),
+                       number(zoom, "camera"), word(up, "up"))
+    if colors is not None:
+        picture.set_colors([word(color, "colors") for color in colors])
+    return picture
+
+
+def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 900),
+           camera: Sequence[float] = (30, 20), up: Optional[str] = None,
+           colors: Optional[Sequence[str]] = None, view: Optional[str] = None,
+           stripe_width: Optional[float] = None, tile: Any = None,
+           tube_radius: Optional[float] = None, transparent: bool = False,
+           shading: bool = True) -> "NDArray[np.uint8]":
+    """A picture (h, w, 4) of uint8, red, green, blue and alpha, row by row from the top; that of the
+    tool with the same options.
+
+    ``pattern``: Stripes, Texture, Curves, Samples or None, of this surface. ``size``: (width,
+    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: "y" or "z",
+    the axis that points up; None: z for built-in shapes, else y. ``colors``: those of stripes,
+    surface and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or
+    "angle_error"; ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker",
+    "dots", "arrows" and so on, or an array of pixels. ``tube_radius`` of curves. ``transparent``:
+    no background. ``shading``: light.
+
+    Needs a build with OpenGL, and no display: raises brindle.Error otherwise.
+    """
+    surface = as_surface(surface)
+    picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors)
+    picture.transparent = flag(transparent, "transparent")
+    picture.shading = flag(shading, "shading")
+    _refuse_unused(pattern, view, stripe_width, tile, tube_radius)
+    if view is not None:
+        picture.set_view(word(view, "view"))
+    if stripe_width is not None:
+        picture.set_stripe_width(number(stripe_width, "stripe_width"))
+    if isinstance(pattern, Texture):
+        return _core.render_texture(pattern._core, "checker" if tile is None else tile, picture)
+    if isinstance(pattern, (Curves, Samples)):
+        return _render_ornaments(surface, pattern, colors, tube_radius, picture)
+    if pattern is not None and not isinstance(pattern, Stripes):
+        raise TypeError(f"pattern: expected Stripes, Texture, Curves or Samples, got "
+                        f"{type(pattern).__name__}")
+    if pattern is not None:
+        _check_belongs(surface, pattern.surface)
+    return _core.render(surface._core, None if pattern is None else pattern._core, picture)
+
+
+def _refuse_unused(pattern: Any, view: Any, stripe_width: Any, tile: Any, tube_radius: Any) -> None:
+    stripes, texture = isinstance(pattern, Stripes), isinstance(pattern, Texture)
+    for name, value, used in (("view", view, stripes or texture),
+                              ("stripe_width", stripe_width, stripes),
+                              ("tile", tile, texture),
+                              ("tube_radius", tube_radius, isinstance(pattern, Curves))):
+        if value is not None and not used:
+            raise Error(f"{name} has no effect here: the picture shows something else")
+
+
+def _check_belongs(surface: Surface, other: Surface) -> None:
+    if (surface.vertex_count, surface.triangle_count) != (other.vertex_count, other.triangle_count):
+        raise Error("the pattern was not made for this surface")
+
+
+def _color(colors: Optional[Sequence[str]]) -> str:
+    return _STRIPE_COLOR if colors is None else colors[0]
+
+
+def _render_ornaments(surface: Surface, pattern: Any, colors: Any, tube_radius: Any,
+                      picture: "_core.Picture") -> Any:
+    if isinstance(pattern, Curves):
+        radius = tube_radius
+        if radius is None:
+            radius = 1 / (12 * float(pattern.stripes.frequency.mean()))
+        mesh, color = pattern.tubes(radius), _color(colors)
+    else:
+        mesh, color = _discs(pattern), _SAMPLE_COLOR if colors is None else colors[0]
+    ornament = _core.Ornament(mesh.vertices, mesh.triangles, color)
+    return _core.render_ornaments(surface._core, [ornament], picture)
+
+
+def _discs(samples: Samples) -> Surface:
+    """Discs a third as wide as the spacing, just above and below: a surface may be wound either
+    way."""
+    import numpy as np
+    corners = 16
+    x, normal = samples.directions[0], samples.normals
+    y = np.cross(normal, x)
+    radius = 0.16 * np.minimum(*samples.spacings)[:, None, None]
+    angles = np.linspace(0, 2 * np.pi, corners, endpoint=False)[None, :, None]
+    ring = np.cos(angles) * x[:, None, :] + np.sin(angles) * y[:, None, :]
+    vertices = np.concatenate([samples.points[:, None, :]
+                               + radius * (ring + height * normal[:, None, :])
+                               for height in (-0.12, 0.12)], axis=1).reshape(-1, 3)
+    fan = np.array([(0, k, k + 1) for k in range(1, corners - 1)])
+    starts = corners * np.arange(2 * samples.count)[:, None, None]
+    return Surface(vertices, (starts + fan[None]).reshape(-1, 3))
+
+
+def draw_curves(path: str, curves: Curves, options: Mapping[str, Any]) -> None:
+    surface = curves.stripes.surface
+    picture = picture_of(surface, **options)
+    pen = _core.PenLines("u", _color(options.get("colors")), curves._core.local_points,
+                         curves.offsets, curves.closed.astype("u1"))
+    _core.draw_lines(path, surface._core, [pen], picture)
+
+
+def tile_png(tile: Any, colors: Optional[Sequence[str]]) -> bytes:
+    """The content of a PNG file with a tile, by name or as an array of pixels."""
+    picture = _core.Picture()
+    if colors is not None:
+        picture.set_colors([word(color, "colors") for color in colors])
+    return _core.tile_png(tile, picture)
+
+
+def write_png(path: Any, image: "NDArray[np.uint8]") -> None:
+    """Writes an array of pixels (h, w, 3 or 4) of uint8, whole or not at all."""
+    _core.write_png(path_of(path), image)
+
+
+def read_png(path: Any) -> "NDArray[np.uint8]":
+    """The pixels (h, w, 4) of any PNG file."""
+    return _core.read_png(path_of(path))

@@ -1,0 +1,315 @@
+"""Stripe patterns."""
+
+from __future__ import annotations
+
+import json
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Mapping, Optional
+
+from . import _core
+from ._arguments import (Error, PatternWarning, count_and_frequency, described, flag, in_pythons_words,
+                         number, path_of, refuse, solving, warn, word)
+from ._surface import Progress, Surface, _flat_tensors, as_surface
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._curves import Curves
+    from ._textures import TexturedMesh
+
+_TENSOR_COLUMNS = (6, 9)
+
+
+class Field:
+    """Directions that a pattern follows, and where they come from."""
+
+    def __init__(self, surface: Surface, given: Any, along: bool) -> None:
+        self.origin = _core.FieldOrigin()
+        self.directions = self._directions(surface, given)
+        if along:
+            self.directions = surface.turned_field(self.directions, 90)
+
+    def _directions(self, surface: Surface, given: Any) -> Any:
+        self.origin.source = "the field"
+        if given is None:
+            self.origin.source = "the smooth field"
+            return surface.smooth_field()
+        if isinstance(given, str):
+            self.origin.source = f"the array '{given}'"
+            name, array, is_of_cells = surface._found(given)
+            directions = self._of_array(surface, name, surface.array(given))
+            if is_of_cells:  # before rows were moved to vertices
+                self.origin.rows_nonfinite = _core.nonfinite_rows(array)
+            return directions
+        shape = getattr(given, "shape", ())
+        if len(shape) == 2 and shape[1] == 2 or len(shape) == 3 or (
+                len(shape) == 2 and shape[1] in _TENSOR_COLUMNS):
+            return self._of_array(surface, "directions", given)
+        return given
+
+    def _of_array(self, surface: Surface, name: str, array: Any) -> Any:
+        array = _flat_tensors(array)
+        if len(array.shape) == 2 and array.shape[1] in _TENSOR_COLUMNS:
+            directions, nonfinite, near_normal, isotropic, _ = _core.tensor_field(
+                surface._core, name, array, "major")
+            self.origin.tensor = (near_normal, isotropic)
+        else:
+            directions, nonfinite = _core.array_field(surface._core, name, array)
+        self.origin.rows_nonfinite = nonfinite
+        return directions
+
+
+def frequencies_of(surface: Surface, frequency: Any) -> Any:
+    """A frequency, or those of a named array."""
+    return surface.array(frequency) if isinstance(frequency, str) else frequency
+
+
+def invocation(command: str, surface: Surface, options: Mapping[str, Any]) -> str:
+    """What a report says of a call, as JSON."""
+    return json.dumps({"version": _core.version(), "command": command, "input": surface.name,
+                       "options": described(options)})
+
+
+class Stripes:
+    """Stripes over a surface: what ``brindle.stripes`` returns.
+
+    Arrays share the pattern's memory where they can, are read-only, and keep it alive.
+    """
+
+    def __init__(self, core: "_core.Stripes", surface: Surface, said: str) -> None:
+        self._core = core
+        self._said = said
+        self.surface = surface
+
+    def __repr__(self) -> str:
+        return f"<brindle.Stripes on {self.surface!r}>"
+
+    @property
+    def phases(self) -> "NDArray[np.complex64]":
+        """(n,) exp(i Phi) per vertex; stripes are where Phi is near pi / 2. Shares memory."""
+        return self._core.phases
+
+    @property
+    def frequency(self) -> "NDArray[np.float32]":
+        """(n,) stripes per unit length. Shares memory."""
+        return self._core.frequency
+
+    @property
+    def frequency_wanted(self) -> "NDArray[np.float32]":
+        """(n,) stripes per unit length that were asked for: those of ``frequency`` but for slack."""
+        return self._core.frequency_wanted
+
+    @property
+    def frequency_change(self) -> Optional[dict[str, Any]]:
+        """With slack, what has become of the frequencies: ratios of those chosen to those asked
+        for, the share of vertices at the bounds, and so on."""
+        return self._core.frequency_change()
+
+    @property
+    def turned(self) -> Optional[dict[str, float]]:
+        """With winding, how far the field was turned for it, and the energy before."""
+        return self._core.turned()
+
+    @property
+    def merged(self) -> Optional[dict[str, float]]:
+        """With merge_branches: the pairs that are gone, branches and energy before and after."""
+        return self._core.merged()
+
+    def windings(self) -> dict[str, Optional[int]]:
+        """How many stripes wind round each of ``surface.loops()``, by its name: 0 are rings, 1 a
+        right-handed spiral, -1 a left-handed one. None where the field has no orientation there."""
+        return _core.windings(self._core)
+
+    @property
+    def directions(self) -> "NDArray[np.float32]":
+        """(n, 3) unit tangent vectors, zero where there is no wave. Shares memory."""
+        return self._core.directions
+
+    @cached_property
+    def corner_phases(self) -> "NDArray[np.float32]":
+        """(m, 3) lifted phases at the corners of triangles, in radians, linear in the triangle; NaN
+        where a triangle has none (a singularity of the field, a corner without wave)."""
+        return self._core.corner_phases()
+
+    @cached_property
+    def branches(self) -> "NDArray[np.int8]":
+        """(m,) 1 in triangles where a stripe begins or ends, singularities of the field among them;
+        0 elsewhere."""
+        return self._core.branches()
+
+    @cached_property
+    def branch_indices(self) -> "NDArray[np.int8]":
+        """(m,) what the phase gains around each triangle, over 2 pi; 0 in singularities."""
+        return self._core.branch_indices()
+
+    @cached_property
+    def singularities(self) -> "NDArray[np.bool_]":
+        """(m,) True in triangles whose corners' directions cannot be oriented alike."""
+        return self._core.kinds() == 2
+
+    @cached_property
+    def angle_errors(self) -> "NDArray[np.float32]":
+        """(m,) degrees between the phase's gradient and the field; -1 in irregular triangles."""
+        return self._core.angle_errors()
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """Every figure about the pattern, with the keys of the tool's ``--report``."""
+        return json.loads(self._core.report(self._said))
+
+    @cached_property
+    def point_data(self) -> "dict[str, NDArray[Any]]":
+        """Named arrays of a row per vertex, those of the tool's mesh files: phase (radians; NaN
+        where there is no wave), direction, frequency, branch, sin_phase, valid, original_id."""
+        return self._core.point_arrays()
+
+    @cached_property
+    def cell_data(self) -> "dict[str, NDArray[Any]]":
+        """Named arrays of a row per triangle: branch, corner_phase."""
+        return self._core.cell_arrays()
+
+    def curves(self, *, join: bool = False, offset: float = 0, min_length: float = 0,
+               simplify: Optional[float] = None, resample: Optional[float] = None) -> "Curves":
+        """The centre lines of the stripes: ``points, edges = p.curves()`` gives (k, 3) and (l, 2).
+
+        ``join``: where curves end in one branch, joins them in pairs. ``offset``: moved by so many
+        periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
+        points) and ``simplify`` (tolerance) are lengths.
+        """
+        from ._curves import curves_of
+        return curves_of(self, join, offset, min_length, simplify, resample)
+
+    def mesh(self) -> "TexturedMesh":
+        """A mesh with texture coordinates: U across the stripes, one unit a period."""
+        from ._textures import TexturedMesh
+        return TexturedMesh(_core.textured_stripes(self._core), {"": self}, self.surface)
+
+    def write(self, path: Any, *, uv: bool = False) -> None:
+        """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, whole or not at
+        all: the pattern's arrays and those of the surface. ``uv``: with texture coordinates, where
+        vertices are split. Warns of arrays that the format cannot hold."""
+        if flag(uv, "uv"):
+            self.mesh().write(path)
+            return
+        points, cells = fitting(path_of(path), self.point_data, self.cell_data)
+        if self.surface.is_points:
+            points = {"normal": self.surface.normals, **points}
+        for name, array in self.surface.point_data.items():
+            points.setdefault(name, array)
+        for name, array in self.surface.cell_data.items():
+            cells.setdefault(name, array)
+        for line in _core.write_surface(path_of(path), self.surface._core, points, cells):
+            warn(line)
+
+    def put_on(self, mesh: Any) -> Any:
+        """Puts the pattern's arrays on a mesh of pyvista, trimesh, meshio or VTK, the one that it
+        was made for or another one with as many vertices, by their names: ``point_data`` and
+        ``cell_data`` of this. Returns the mesh."""
+        from ._meshes import put_arrays
+        return put_arrays(mesh, self.surface, self.point_data, self.cell_data)
+
+
+def has_solver(name: str) -> bool:
+    """Whether this build has the solver: all but "global" are always there."""
+    return _core.has_solver(word(name, "name"))
+
+
+def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> tuple[dict, dict]:
+    """Arrays of waves as a format has them: glTF has no NaN and no cells, OBJ has no waves."""
+    kind = path.lower().rpartition(".")[2]
+    if kind == "obj":
+        return {name: points[name] for name in ("normal", "uv") if name in points}, {}
+    if kind not in ("gltf", "glb"):
+        return dict(points), dict(cells)
+    import numpy as np
+    return {name: np.nan_to_num(array) if name.startswith(("phase", "sin_phase")) else array
+            for name, array in points.items()}, {}
+
+
+def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
+            frequency: Any = None, along: bool = False, solver: str = "multilevel",
+            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            momentum: Optional[float] = None, seed: Optional[int] = None,
+            sweeps: Optional[int] = None, cycles: Optional[int] = None,
+            global_iterations: Optional[int] = None, slack: Any = None,
+            calm: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
+            winding: Any = None, merge_branches: Optional[float] = None,
+            previous: Optional[Stripes] = None, lambda_: Optional[float] = None,
+            match: Optional[str] = None, threads: int = 0,
+            progress: Optional[Progress] = None) -> Stripes:
+    """Lays stripes over a surface, across ``directions``: waves run along them.
+
+    ``surface``: a Surface, or whatever ``brindle.as_surface`` takes. ``directions``: (n, 3) vectors
+    of any length, up to sign, a row per vertex, projected into the tangent planes (unit tangent
+    vectors stay as they are); zero or NaN for no wave; or the name of an array of vectors or
+    tensors that the surface has; None: ``surface.smooth_field()``. ``along``: stripes run along
+    them instead.
+
+    ``stripes``: so many along the bounding box's diagonal (40 unless ``frequency`` is given).
+    ``frequency``: stripes per unit length, a number, an array (n,), where NaN means no wave, or the
+    name of one.
+
+    ``solver``: "multilevel", "relaxation", "averaged" or "global" (where built with CHOLMOD).
+    ``phase_shift``: "aligned", "common_source" or "trapezoid". ``weights``: "paper" or
+    "cotangent". ``sweeps`` and ``cycles`` are of multilevel; ``epsilon``, ``momentum`` and ``seed``
+    of relaxation and averaged; ``global_iterations`` of global.
+
+    ``slack``: how far frequencies may yield so that fewer stripes begin or end, a number S or an
+    array (n,): between f / (1 + S) and f (1 + S); 0 or None: not at all. ``calm``: (n,) from 0 to
+    1, where branches are unwelcome. ``p.frequency`` then is what was chosen.
+
+    ``anchor_boundary``: lays the first stripe along boundaries, so many periods inside (0: on the
+    rim, 0.5: the rim is in the middle of a gap). ``winding``: how many stripes wind round a loop as
+    helices, of a surface with one way round a number, else a dict by the names of
+    ``surface.loops()``; turns the field by small angles.
+
+    ``merge_branches``: removes pairs of opposite branches, those first that raise the energy least,
+    as long as it stays within 1 + so much times what it was; 0: those alone that lower it.
+
+    ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
+    are matched by "number" or "position" (``match``; by number if the triangles are the same).
+
+    ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,
+    fraction)`` hears of stages, and cancels by returning False. Other threads of Python run
+    meanwhile; Ctrl-C stops it.
+
+    Raises brindle.Error for values that cannot be, brindle.Cancelled, TypeError for wrong types.
+    """
+    given = dict(locals())
+    surface = as_surface(given.pop("surface"))
+    given.pop("progress")
+    options = solving(solver, phase_shift, weights, threads, given)
+    if previous is None:
+        refuse(given, ("lambda_", "match"), "no pattern is followed; add previous")
+    elif not isinstance(previous, Stripes):
+        raise TypeError(f"previous: expected brindle.Stripes, got {type(previous).__name__}")
+    if lambda_ is not None:
+        options.lambda_ = number(lambda_, "lambda_")
+    field = Field(surface, directions, flag(along, "along"))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    made = _core.stripes(surface._core, field.directions, count, frequency, field.origin, options,
+                         None if previous is None else previous._core,
+                         "" if match is None else word(match, "match"), progress)
+    warn(made.warnings(field.origin.source))
+    changed = {name: value for name, value in given.items() if value is not DEFAULTS.get(name)}
+    return Stripes(made, surface, invocation("stripes", surface, changed))
+
+
+DEFAULTS = {**(stripes.__kwdefaults__ or {}), "directions": None}
+
+
+def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
+                        stripes: Any = None, frequency: Any = None,
+                        phase_shift: str = "aligned") -> Stripes:
+    """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
+    complex (n,), exp(i Phi) per vertex, 0 where there is none. Directions and frequencies are those
+    of the frame. Lifted to the triangles and measured like any other."""
+    given = {"phase_shift": None if phase_shift == "aligned" else phase_shift, "stripes": stripes,
+             "frequency": frequency}
+    surface = as_surface(surface)
+    field = Field(surface, directions, False)
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    made = _core.stripes_from_phases(surface._core, phases, field.directions, count, frequency,
+                                     field.origin, solving("multilevel", phase_shift, "paper", 0, {}))
+    return Stripes(made, surface, invocation("stripes_from_phases", surface, given))

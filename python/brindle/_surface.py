@@ -1,0 +1,438 @@
+"""Surfaces: meshes and points, with what every pattern needs of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import (TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union)
+
+from . import _core
+from ._arguments import (Error, count_and_frequency, flag, number, path_of, warn, whole_number,
+                         word)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+Progress = Callable[[str, float], Any]
+
+
+@dataclass
+class Stroke:
+    """A line near a surface that a smooth field runs along: ``points`` (k, 3), two or more, how far
+    from it it draws (``radius``, in units of length), and how strongly (``strength``)."""
+
+    points: Any
+    radius: float
+    strength: float = 1.0
+
+    def _parts(self) -> tuple[Any, float, float]:
+        return self.points, number(self.radius, "radius"), number(self.strength, "strength")
+
+
+def _parts_of(strokes: Any) -> list[tuple[Any, float, float]]:
+    strokes = [strokes] if isinstance(strokes, Stroke) else list(strokes)
+    for stroke in strokes:
+        if not isinstance(stroke, Stroke):
+            raise TypeError(f"strokes: expected brindle.Stroke, got {type(stroke).__name__}")
+    return [stroke._parts() for stroke in strokes]
+
+
+def read_strokes(path: Any) -> list[Stroke]:
+    """The strokes of a JSON file, as the tool's ``--strokes`` takes them."""
+    return [Stroke(*parts) for parts in _core.read_strokes(path_of(path))]
+
+
+def write_strokes(path: Any, strokes: Sequence[Stroke]) -> None:
+    """Writes strokes as JSON, whole or not at all."""
+    _core.write_strokes(path_of(path), _parts_of(strokes))
+
+
+class Loop(NamedTuple):
+    """A closed way along the edges of a surface."""
+
+    name: str  #: "boundary-1" and so on, "loop-1" and so on for ways round handles
+    boundary: bool
+    vertices: Any  #: (k,) in order, the first not repeated
+    length: float
+    component: int  #: which connected piece it is on, from 0
+
+
+class Surface:
+    """A surface of triangles, or of points without triangles.
+
+    ``Surface(V, F)`` takes n vertices and m triangles: arrays of shape (n, 3) and (m, 3), of any
+    real or whole numbers, in any order of memory; triangles are vertex numbers from 0. Vertices and
+    triangles keep their numbers. The arrays are copied once, as packed floats.
+
+    ``repair=True`` does what reading a file does: triangles that cannot be used are dropped
+    (corners that are no vertices or not finite, two corners alike, no area, repeated), vertices at
+    one place are joined; ``s.repair`` says what was found. Without it these are errors, except
+    that triangles may have no area and vertices may stand at one place.
+
+    ``point_data`` and ``cell_data`` are named arrays of a row per vertex and per triangle.
+
+    Raises brindle.Error for coordinates that are not finite, corners out of range and arrays of
+    another shape, TypeError for what holds no real numbers.
+
+    Surfaces do not change; all arrays that they give share their memory and are read-only.
+    """
+
+    __slots__ = ("_core", "_source", "__weakref__")
+
+    def __init__(self, vertices: "ArrayLike", triangles: "ArrayLike", *, repair: bool = False,
+                 point_data: Optional[Mapping[str, "ArrayLike"]] = None,
+                 cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
+        self._core = _core.surface_of_arrays(vertices, triangles, dict(point_data or {}),
+                                             dict(cell_data or {}), flag(repair, "repair"))
+        self._source: Any = None
+
+    @classmethod
+    def _of(cls, core: "_core.Surface", source: Any = None) -> "Surface":
+        surface = cls.__new__(cls)
+        surface._core = core
+        surface._source = source
+        return surface
+
+    def __repr__(self) -> str:
+        kind = "points" if self.is_points else f"vertices, {self.triangle_count} triangles"
+        return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}>"
+
+    # --- what it is ---------------------------------------------------------------------------
+
+    @property
+    def name(self) -> str:
+        """The file, "shape:..." or "arrays"."""
+        return self._core.name
+
+    @property
+    def is_points(self) -> bool:
+        """Whether there are no triangles."""
+        return self._core.is_points
+
+    @property
+    def vertex_count(self) -> int:
+        """n."""
+        return self._core.vertex_count
+
+    @property
+    def triangle_count(self) -> int:
+        """m."""
+        return self._core.triangle_count
+
+    @property
+    def edge_count(self) -> int:
+        """Pairs of neighbours."""
+        return self._core.edge_count
+
+    @property
+    def diagonal(self) -> float:
+        """Of the bounding box, in the units of the vertices."""
+        return self._core.diagonal
+
+    @property
+    def vertices(self) -> "NDArray[np.floating]":
+        """(n, 3) positions: float32 that share memory or, of a surface whose coordinates are large
+        against its size, float64."""
+        return self._core.vertices
+
+    @property
+    def triangles(self) -> "NDArray[np.int32]":
+        """(m, 3) vertex numbers; shares memory."""
+        return self._core.triangles
+
+    @property
+    def normals(self) -> "NDArray[np.float32]":
+        """(n, 3) unit normals, zero where there is none; shares memory."""
+        return self._core.normals
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """Where the zero of the library's floats stands: 0, 0, 0 unless coordinates are large."""
+        return self._core.origin
+
+    @property
+    def neighbors(self) -> "tuple[NDArray[np.int32], NDArray[np.int32]]":
+        """Offsets (n + 1,) and vertex numbers: those of vertex i stand at offsets[i] up to
+        offsets[i + 1]."""
+        return self._core.neighbor_offsets, self._core.neighbors
+
+    @property
+    def point_data(self) -> "dict[str, NDArray[Any]]":
+        """Named arrays of a row per vertex, as the file or object has them; they share memory."""
+        return self._core.point_data
+
+    @property
+    def cell_data(self) -> "dict[str, NDArray[Any]]":
+        """Named arrays of a row per triangle."""
+        return self._core.cell_data
+
+    @property
+    def repair(self) -> dict[str, int]:
+        """What had to be repaired, by name: all 0 if there was nothing. Vertices that no triangle
+        uses stay."""
+        return self._core.repair
+
+    @property
+    def notes(self) -> str:
+        """Lines on what was repaired, and what the file holds that is not here."""
+        return self._core.left_out + self._core.repair_text
+
+    def curvature(self) -> "tuple[NDArray, NDArray, NDArray, NDArray]":
+        """Principal curvatures, of the larger absolute value (n,) and the smaller (n,), in
+        1 / length, and their unit directions (n, 3) and (n, 3)."""
+        return self._core.curvature()
+
+    # --- others made of it --------------------------------------------------------------------
+
+    def subdivided(self, times: int = 1) -> "Surface":
+        """Every triangle split in four, ``times`` times; arrays are interpolated."""
+        return Surface._of(self._core.subdivided(whole_number(times, "times")))
+
+    def moved(self, vertices: "ArrayLike") -> "Surface":
+        """The same triangles with (n, 3) vertices elsewhere."""
+        return Surface._of(self._core.moved(vertices), self._source)
+
+    # --- fields -------------------------------------------------------------------------------
+
+    def smooth_field(self, *, symmetry: int = 2, curvature_anchor: float = 0,
+                     curvature: str = "max", feature_anchor: float = 0, feature_angle: float = 40,
+                     feature_radius: float = 0,
+                     strokes: Sequence[Stroke] = ()) -> "NDArray[np.float32]":
+        """(n, 3) unit tangent vectors that turn as little as possible from vertex to vertex.
+
+        ``symmetry``: 1 vectors, 2 lines, 4 crosses. ``curvature_anchor``: how strongly principal
+        curvature attracts the field (``curvature``: "max" or "min"); ``feature_anchor``: the same
+        of edges where the surface bends by more than ``feature_angle`` degrees, as far as
+        ``feature_radius`` from them (0: at their vertices). ``strokes``: lines that the field runs
+        along (``brindle.Stroke``), for even symmetries.
+        """
+        return _core.smooth_field(self._core, whole_number(symmetry, "symmetry"),
+                                  number(curvature_anchor, "curvature_anchor"),
+                                  word(curvature, "curvature"),
+                                  number(feature_anchor, "feature_anchor"),
+                                  number(feature_angle, "feature_angle"),
+                                  number(feature_radius, "feature_radius"), _parts_of(strokes))
+
+    def stroke_anchors(self, strokes: Sequence[Stroke]
+                       ) -> "tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]":
+        """What strokes ask of a field: vertices (k,), directions (k, 3) and weights (k,), as
+        ``FieldAnimator.frame`` takes them."""
+        return _core.stroke_anchors(self._core, _parts_of(strokes))
+
+    def projected_field(self, axis: Sequence[float]) -> "NDArray[np.float32]":
+        """(n, 3): one vector of any length but 0, projected into every tangent plane."""
+        try:
+            x, y, z = (number(component, "axis") for component in axis)
+        except TypeError:
+            raise
+        except ValueError as error:
+            raise Error("axis: expected three numbers") from error
+        return _core.projected_field(self._core, x, y, z)
+
+    def curvature_field(self, which: str = "max", *, anchor: float = 0.1,
+                        raw: bool = False) -> "NDArray[np.float32]":
+        """(n, 3): along the principal direction of larger ("max") or smaller ("min") absolute
+        curvature.
+
+        It is the smooth field drawn to curvature by ``anchor``, as ``--field curvature`` of the
+        tool. ``raw=True`` gives the directions as they are measured, noise and all.
+        """
+        if flag(raw, "raw"):
+            return _core.raw_curvature_field(self._core, word(which, "which"))
+        if not number(anchor, "anchor") > 0:
+            raise Error("anchor: 0 leaves nothing of curvature; take smooth_field")
+        return self.smooth_field(curvature_anchor=anchor, curvature=which)
+
+    def array_field(self, vectors: "Union[str, ArrayLike]") -> "NDArray[np.float32]":
+        """(n, 3): vectors of any length projected into the tangent planes.
+
+        ``vectors`` are (n, 3) or, in the plane of x and y, (n, 2); or the name of such an array:
+        "velocity", "points/velocity", "cells/velocity" (moved to the vertices). Zero, NaN and
+        normal vectors give zero: no wave.
+        """
+        name, array = self._array(vectors, "directions")
+        return _core.array_field(self._core, name, array)[0]
+
+    def tensor_field(self, tensors: "Union[str, ArrayLike]",
+                     axis: str = "major") -> "NDArray[np.float32]":
+        """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
+        YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor" or
+        "max-abs"."""
+        name, array = self._array(tensors, "tensors")
+        return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"))[0]
+
+    def turned_field(self, directions: "ArrayLike", degrees: float = 90) -> "NDArray[np.float32]":
+        """(n, 3): every direction turned about its vertex's normal, counter-clockwise seen from
+        outside."""
+        return _core.turned_field(self._core, directions, number(degrees, "degrees"))
+
+    def frequencies_by(self, array: "Union[str, ArrayLike]", *, stripes: Any = None,
+                       frequency: Any = None, range: tuple[float, float] = (0.4, 2.5),
+                       inverse: bool = False) -> "NDArray[np.float32]":
+        """(n,) frequencies, in stripes per unit length, denser where ``array`` (n,) is larger (of
+        vectors: longer): ``frequency``, or that of so many ``stripes`` along the diagonal, times
+        the factors of ``range`` at its smallest and largest number. NaN where the array is."""
+        stripes, frequency = count_and_frequency(stripes, frequency)
+        if frequency is None:
+            frequency = self.frequency_of(stripes)
+        name, values = self._array(array, "array")
+        lowest, highest = range
+        return _core.frequencies_by(self._core, name, values, number(frequency, "frequency"),
+                                    (number(lowest, "range"), number(highest, "range")),
+                                    flag(inverse, "inverse"))
+
+    def frequency_of(self, stripes: float) -> float:
+        """Stripes per unit length, of so many along the bounding box's diagonal."""
+        return _core.frequency_of_stripes(self._core, number(stripes, "stripes"))
+
+    # --- ways round ---------------------------------------------------------------------------
+
+    def loops(self) -> list[Loop]:
+        """All boundaries, then for every handle its two ways round."""
+        return [Loop(*parts) for parts in _core.loops(self._core)]
+
+    def waves_round(self, reference: "ArrayLike", periods: int,
+                    loop: str = "") -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
+        """Directions (n, 3) and frequencies (n,) of waves that run round a loop with so many
+        periods and do not branch, as the wales of a sleeve. ``reference``: (n, 3) directions that
+        run along the loop; ``loop``: its name, where there are several."""
+        return _core.waves_round(self._core, reference, word(loop, "loop"),
+                                 whole_number(periods, "periods"))
+
+    # --- arrays -------------------------------------------------------------------------------
+
+    def array(self, name: str) -> "NDArray[Any]":
+        """The array of that name with a row per vertex: "speed", "points/speed", or
+        "cells/speed", which is moved to the vertices. Raises Error, listing what there is, for
+        another name."""
+        found, array, is_of_cells = self._found(word(name, "name"))
+        return self.moved_to_points(array, found) if is_of_cells else array
+
+    def moved_to_points(self, cells: "ArrayLike", name: str = "array") -> "NDArray[Any]":
+        """An array of a row per triangle moved to the vertices: means weighted by area."""
+        return self._core.moved_to_points(name, cells)
+
+    def carried(self, array: "Union[str, ArrayLike]", to: Any,
+                max_distance: float = float("inf")) -> "NDArray[Any]":
+        """An array of this surface at the vertices of another one: from the nearest place, or NaN
+        where that is farther than ``max_distance``."""
+        name, values = self._found(array)[:2] if isinstance(array, str) else ("array", array)
+        return self._core.carried(name, values, as_surface(to)._core,
+                                  number(max_distance, "max_distance"))
+
+    def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
+                ) -> "tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.float64]]":
+        """What of the triangles is nearest to k points (k, 3): triangles (k,), -1 where none is
+        near enough, barycentric coordinates (k, 3), distances (k,)."""
+        return self._core.nearest(points, number(max_distance, "max_distance"))
+
+    def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None,
+              cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
+        """Writes .vtp, .ply, .obj, .gltf or .glb, whole or not at all, with the surface's arrays
+        and those given. Warns of arrays that the format cannot hold."""
+        points = {**self.point_data, **(point_data or {})}
+        cells = {**self.cell_data, **(cell_data or {})}
+        for line in _core.write_surface(path_of(path), self._core, points, cells):
+            warn(line)
+
+    def _found(self, name: str) -> tuple[str, Any, bool]:
+        """An array by its name, as it is, and whether it is of cells."""
+        where, _, rest = name.partition("/")
+        points, cells = self.point_data, self.cell_data
+        if where != "cells" and (found := rest if where == "points" else name) in points:
+            return found, points[found], False
+        if where != "points" and (found := rest if where == "cells" else name) in cells:
+            return found, cells[found], True
+        known = [*points, *(f"cells/{cell}" for cell in cells)]
+        raise Error(f"{self.name}: there is no array '{name}'; "
+                    + (f"there are {', '.join(known)}" if known else "there are none at all"))
+
+    def _array(self, given: Any, what: str) -> tuple[str, Any]:
+        """A name for messages, and the array."""
+        if isinstance(given, str):
+            return given, self.array(given)
+        return what, given
+
+
+def _flat_tensors(array: Any) -> Any:
+    """(n, 3, 3) as (n, 9)."""
+    shape = getattr(array, "shape", None)
+    if shape is None:
+        import numpy as np
+        try:
+            array = np.asarray(array)
+        except ValueError as error:
+            raise Error(f"tensors: no table of numbers: {error}") from error
+        shape = array.shape
+    return array.reshape(-1, 9) if len(shape) == 3 and tuple(shape[1:]) == (3, 3) else array
+
+
+def as_surface(mesh: Any) -> Surface:
+    """The surface that an object is or looks like: a Surface, a pair of arrays (V, F), and meshes of
+    pyvista, trimesh, meshio and VTK (vtkPolyData), whose polygons are cut into triangles.
+
+    Vertices keep their numbers, vertices at one place are joined and triangles that cannot be used
+    are dropped, as when a file is read. Point and cell data come along. Raises TypeError for
+    anything else.
+    """
+    if isinstance(mesh, Surface):
+        return mesh
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        return Surface(mesh[0], mesh[1])
+    from ._meshes import surface_of
+    return surface_of(mesh)
+
+
+def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdivide: int = 0,
+         progress: Optional[Progress] = None) -> Surface:
+    """Reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf, .glb, or points of .csv and others.
+
+    ``points``: take the vertices alone, as points, each joined to its ``neighbors`` nearest; None:
+    if the file has no faces. ``subdivide``: split every triangle in four, so many times.
+    ``progress(stage, fraction)`` may return False to cancel.
+
+    ``s.point_data`` and ``s.cell_data`` are the file's arrays. Raises brindle.Error naming the file,
+    the line where there is one, and the remedy.
+    """
+    if points is not None:
+        points = flag(points, "points")
+    return Surface._of(_core.read(path_of(path), points, whole_number(neighbors, "neighbors"),
+                                  _times(subdivide), progress))
+
+
+def shape(name: str, *, subdivide: int = 0, **parameters: float) -> Surface:
+    """A built-in shape: ``shape("torus")``, ``shape("torus", resolution=64, noise=0.2)`` or
+    ``shape("torus,resolution=64")``. ``shape_names()`` and ``shape_help()`` list them."""
+    spec = word(name, "name")
+    for key, value in parameters.items():
+        if isinstance(value, (bool, str)) or not hasattr(value, "__float__"):
+            raise TypeError(f"{key}: expected a number, got {value!r}")
+        spec += f",{key}={value}"
+    return Surface._of(_core.shape(spec, _times(subdivide)))
+
+
+def points(positions: "ArrayLike", normals: "Optional[ArrayLike]" = None, *, neighbors: int = 8,
+           point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> Surface:
+    """A surface of points alone: positions (n, 3) and, if they are known, normals (n, 3). Each
+    point is joined to its ``neighbors`` nearest. Points that are not finite or repeated are set
+    aside and keep their numbers."""
+    return Surface._of(_core.surface_of_points(positions, normals,
+                                               whole_number(neighbors, "neighbors"),
+                                               dict(point_data or {})))
+
+
+def shape_names() -> list[str]:
+    """The names of all built-in shapes."""
+    return _core.shape_names()
+
+
+def shape_help() -> str:
+    """A line per shape and parameter, with ranges and defaults."""
+    return _core.shape_help()
+
+
+def _times(subdivide: Any) -> int:
+    times = whole_number(subdivide, "subdivide")
+    if not 0 <= times <= 10:
+        raise Error(f"subdivide: {times} is not in 0 .. 10")
+    return times

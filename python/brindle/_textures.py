@@ -1,0 +1,229 @@
+"""Texture coordinates along a field, and along cross fields."""
+
+from __future__ import annotations
+
+import json
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Mapping, Optional
+
+from . import _core
+from ._arguments import (count_and_frequency, flag, path_of, refuse, solving, warn, word)
+from ._curves import placed
+from ._stripes import Field, Stripes, fitting, frequencies_of, invocation
+from ._surface import Progress, Surface, as_surface
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+_SYMMETRIC_TILES = ("checker", "dots", "plus")
+
+
+class TexturedMesh:
+    """A mesh whose vertices have texture coordinates, for other programs. Vertices of the surface
+    keep their numbers; copies and new ones follow them."""
+
+    def __init__(self, core: "_core.TexturedMesh", stripes: Mapping[str, Stripes],
+                 surface: Surface) -> None:
+        self._core = core
+        self._stripes = dict(stripes)
+        self.surface = surface
+
+    @cached_property
+    def vertices(self) -> "NDArray[np.floating]":
+        """(n', 3)."""
+        return placed(self._core.local_vertices, self._core.origin)
+
+    @property
+    def triangles(self) -> "NDArray[np.int32]":
+        """(m', 3)."""
+        return self._core.triangles
+
+    @property
+    def uv(self) -> "NDArray[np.float32]":
+        """(n', 2): one tile is one unit; U to the right, V upwards."""
+        return self._core.uv
+
+    @property
+    def vertex_origins(self) -> "NDArray[np.int32]":
+        """(n', 3): the vertices of the surface whose mean a vertex is: three times the same for a
+        vertex and its copies."""
+        return self._core.vertex_origins
+
+    @property
+    def triangle_origins(self) -> "NDArray[np.int32]":
+        """(m',): the triangle of the surface that a triangle is or is part of."""
+        return self._core.triangle_origins
+
+    @cached_property
+    def point_data(self) -> "dict[str, NDArray[Any]]":
+        """Named arrays of a row per vertex: normal, uv, those of the patterns and of the surface."""
+        import numpy as np
+        normals = self._core.carried_numbers(self.surface.normals, 3)
+        arrays = {"normal": normals, "uv": self.uv}
+        whole = (self.vertex_origins[:, 0] == self.vertex_origins[:, 1])
+        for suffix, stripes in self._stripes.items():
+            z, directions, frequency = self._core.carried_stripes(stripes._core)
+            valid = (z != 0) & directions.any(axis=1)
+            phase = np.where(valid, np.angle(z), np.float32(np.nan)).astype(np.float32)
+            branch = self._core.carried_numbers(stripes.point_data["branch"], 1)
+            arrays.update({f"phase{suffix}": phase, f"direction{suffix}": directions,
+                           f"frequency{suffix}": frequency, f"branch{suffix}": np.floor(branch),
+                           f"sin_phase{suffix}": np.sin(phase), f"valid{suffix}": valid.astype(np.uint8)})
+        origin = self.vertex_origins[:, 0].astype(np.int64)
+        arrays["original_id"] = np.where(whole, origin, -1)
+        for name, array in self._core.carried_data()[0].items():
+            arrays.setdefault(name, array)
+        return arrays
+
+    @cached_property
+    def cell_data(self) -> "dict[str, NDArray[Any]]":
+        """Named arrays of a row per triangle: branch, and those of the surface."""
+        arrays = {f"branch{suffix}": stripes.cell_data["branch"][self.triangle_origins]
+                  for suffix, stripes in self._stripes.items()}
+        for name, array in self._core.carried_data()[1].items():
+            arrays.setdefault(name, array)
+        return arrays
+
+    def write(self, path: Any, *, tile: Any = None, colors: Optional[tuple[str, ...]] = None) -> None:
+        """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: a picture that
+        goes along, by name ("checker" and so on, in ``colors``) or as an array (h, w, 3 or 4) of
+        uint8; .gltf and .glb hold it, for others it is written beside the mesh."""
+        text = path_of(path)
+        points, cells = fitting(text, self.point_data, self.cell_data)
+        png = b""
+        if tile is not None:
+            from ._pictures import tile_png
+            png = tile_png(tile, colors)
+        for line in _core.write_mesh(text, self._core.origin, self._core.local_vertices,
+                                     self.triangles, points, cells, png):
+            warn(line)
+
+
+class Texture:
+    """Texture coordinates over a surface: what ``brindle.texture`` and ``brindle.crosses`` return.
+
+    ``surface`` is what they belong to: the one handed over or, of crosses, that one with every
+    singular triangle split in three at its barycentre.
+    """
+
+    def __init__(self, core: "_core.Texture", surface: Surface, said: str) -> None:
+        self._core = core
+        self._said = said
+        self.surface = surface
+
+    def __repr__(self) -> str:
+        return f"<brindle.Texture on {self.surface!r}>"
+
+    @cached_property
+    def corner_uv(self) -> "NDArray[np.float32]":
+        """(m, 3, 2) coordinates at the corners of triangles, linear in each, one tile a unit.
+        Along edges they agree up to whole tiles and, where the field cannot be oriented, a turn.
+        NaN in triangles without them: singularities of the field, corners without wave."""
+        return self._core.corner_uv()
+
+    @property
+    def is_cross(self) -> bool:
+        """Whether it lies along a cross field."""
+        return self._core.is_cross
+
+    @cached_property
+    def u(self) -> Optional[Stripes]:
+        """The stripes along the field; None for crosses."""
+        return self._part(self._core.u)
+
+    @cached_property
+    def v(self) -> Optional[Stripes]:
+        """The stripes across the field; None for crosses."""
+        return self._part(self._core.v)
+
+    @cached_property
+    def cover(self) -> Optional[Stripes]:
+        """Of crosses: both waves, on a surface that has each vertex twice (2 i and 2 i + 1) and
+        each triangle for either wave. Its curves are both families of lines."""
+        core = self._core.cover
+        return None if core is None else Stripes(core, Surface._of(core.surface), self._said)
+
+    @property
+    def triangle_origins(self) -> "NDArray[np.int32]":
+        """Of crosses: for every triangle of ``surface`` that of the surface handed over."""
+        return self._core.triangle_origins
+
+    @property
+    def singular(self) -> "NDArray[np.int32]":
+        """Of crosses: triangles of the surface handed over around which U becomes V."""
+        return self._core.singular
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """Every figure, with the keys of the tool's ``--report``."""
+        return json.loads(self._core.report(self._said))
+
+    def mesh(self) -> TexturedMesh:
+        """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
+        stripes = {} if self.u is None or self.v is None else {"": self.u, "_v": self.v}
+        return TexturedMesh(self._core.mesh(), stripes, self.surface)
+
+    def write(self, path: Any, *, tile: Any = "checker",
+              colors: Optional[tuple[str, ...]] = None) -> None:
+        """Writes .vtp, .ply, .obj, .gltf or .glb with the tile, as ``brindle stripe --texture``."""
+        self.mesh().write(path, tile=tile, colors=colors)
+
+    def put_on(self, mesh: Any, name: str = "uv") -> Any:
+        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as an array of its
+        triangles, six numbers each (u, v of three corners). Returns the mesh."""
+        from ._meshes import put_arrays
+        return put_arrays(mesh, self.surface, {}, {name: self.corner_uv.reshape(-1, 6)})
+
+    def _part(self, core: Any) -> Optional[Stripes]:
+        return None if core is None else Stripes(core, self.surface, self._said)
+
+
+def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
+            frequency: Any = None, stripes_v: Any = None, frequency_v: Any = None,
+            oriented: bool = False, along: bool = False, slack: Any = None,
+            calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
+            phase_shift: str = "aligned", weights: str = "paper", threads: int = 0,
+            progress: Optional[Progress] = None) -> Texture:
+    """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
+
+    ``oriented``: directions are vectors whose signs are meant, and U runs along them; otherwise an
+    orientation is looked for. ``stripes_v`` or ``frequency_v``: tiles across the field; as along it
+    unless given. All else as for ``brindle.stripes``.
+    """
+    given = dict(locals())
+    surface = as_surface(given.pop("surface"))
+    given.pop("progress")
+    if stripes_v is not None and frequency_v is not None:
+        raise _core.Error("stripes_v and frequency_v exclude each other: give one of both")
+    options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
+    field = Field(surface, directions, flag(along, "along"))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    made = _core.texture(surface._core, field.directions, count, frequency, stripes_v,
+                         frequencies_of(surface, frequency_v), flag(oriented, "oriented"),
+                         field.origin, options, progress)
+    warn(made.warnings(field.origin.source))
+    changed = {name: value for name, value in given.items() if value is not _DEFAULTS.get(name)}
+    return Texture(made, surface, invocation("texture", surface, changed))
+
+
+_DEFAULTS = {**(texture.__kwdefaults__ or {}), "directions": None}
+
+
+def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
+            frequency: Any = None, slack: Any = None, calm: "Optional[ArrayLike]" = None,
+            solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
+            threads: int = 0, progress: Optional[Progress] = None) -> Texture:
+    """Square tiles along a cross field: directions and their quarter turns, which are not told
+    apart. ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``.
+    """
+    surface = as_surface(surface)
+    options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
+    field = Field(surface, surface.smooth_field(symmetry=4) if directions is None else directions,
+                  False)
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    made = _core.crosses(surface._core, field.directions, count, frequency, field.origin,
+                         options, progress)
+    warn(made.warnings(field.origin.source))
+    return Texture(made, Surface._of(made.surface),
+                   invocation("crosses", surface, {"stripes": stripes, "frequency": frequency}))

@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <atomic>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "brindle/smooth_field.h"
+#include "brindle/stripe_animator.h"
+#include "job.h"
+#include "pattern_data.h"
+
+namespace brindle::python {
+namespace {
+
+// One frame after the other; a second call meanwhile is refused.
+struct AnimatorData {
+  SurfacePointer surface;
+  StripeAnimator animator;
+  std::vector<float> everywhere;   // one frequency for all vertices, if a frame had that
+  std::vector<float> frequencies;  // of the last frame, with slack
+  double phase_step = 0;
+  bool unchanged = false;
+  FrameMilliseconds milliseconds;
+  std::atomic<bool> busy{false};
+
+  AnimatorData(SurfacePointer on, StripeAnimator with)
+      : surface(std::move(on)), animator(std::move(with)) {}
+};
+
+std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
+                                            const std::string& solver, float lambda, int sweeps,
+                                            int cycles, int iterations,
+                                            const std::string& phase_shift,
+                                            const py::object& edge_weights, py::handle slack,
+                                            py::handle calm) {
+  AnimatorOptions options;
+  if (solver != "multilevel" && solver != "relaxation") {
+    throw Error("solver: '" + solver + "' is neither multilevel nor relaxation");
+  }
+  options.solver = solver == "multilevel" ? FrameSolver::multilevel : FrameSolver::relaxation;
+  options.lambda = lambda;
+  options.sweeps = sweeps;
+  options.cycles = cycles;
+  options.iterations = iterations;
+  const auto kind = parse_phase_shift_kind(phase_shift);
+  if (!kind) throw Error("phase_shift: '" + phase_shift + "' is neither aligned nor trapezoid");
+  options.phase_shift = *kind;
+  if (!edge_weights.is_none()) {
+    options.edge_weights = numbers_of(table_of(edge_weights, "edge_weights").view, "edge_weights");
+    if (options.edge_weights.size() != surface->surface.neighborhood->directed_edge_count()) {
+      throw Error("edge_weights: give one to each of " +
+                  std::to_string(surface->surface.neighborhood->directed_edge_count()) +
+                  " directed edges");
+    }
+  }
+  options.slack = slack_of(slack, calm);
+  return std::make_unique<AnimatorData>(surface, StripeAnimator(surface->surface, options));
+}
+
+// Frequencies of a number or an array; the number's vector is kept for the next frames.
+std::span<const float> frame_frequencies(AnimatorData& data, const Table& table,
+                                         const RowsIn<float>& rows) {
+  if (!table.is_number) return rows.rows();
+  const float frequency = numbers_of(table.view, "frequencies").front();
+  const std::size_t vertices = data.surface->surface.mesh.vertex_count();
+  if (data.everywhere.size() != vertices ||
+      (vertices > 0 && data.everywhere.front() != frequency)) {
+    data.everywhere.assign(vertices, frequency);
+  }
+  return data.everywhere;
+}
+
+// The array for the phases: `out`, if there is one, or a new one.
+py::array_t<Complex> phase_array(py::handle out, std::size_t count) {
+  if (out.is_none()) return py::array_t<Complex>(static_cast<py::ssize_t>(count));
+  if (!py::isinstance<py::array_t<Complex, py::array::c_style>>(out)) {
+    throw py::type_error("out: expected a packed array of complex64");
+  }
+  auto array = py::reinterpret_borrow<py::array_t<Complex>>(out);
+  if (array.ndim() != 1 || array.size() != static_cast<py::ssize_t>(count) || !array.writeable()) {
+    throw Error("out: expected an array of " + std::to_string(count) + " that can be written to");
+  }
+  return array;
+}
+
+py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle frequencies,
+                           py::handle positions, py::handle out, const py::object& progress) {
+  const OneAtATime alone(data.busy, "this animator");
+  const std::size_t vertices = data.surface->surface.mesh.vertex_count();
+  const RowsIn<Vec3> directions_in(directions, "directions");
+  const RowsIn<Vec3> positions_in =
+      positions.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(positions, "positions");
+  const Table frequency_table = table_of(frequencies, "frequencies");
+  const RowsIn<float> frequencies_in = frequency_table.is_number
+                                           ? RowsIn<float>()
+                                           : RowsIn<float>(frequency_table.array, "frequencies");
+  py::array_t<Complex> phases = phase_array(out, vertices);
+  const FrameInput input{
+      positions.is_none() ? std::span<const Vec3>(data.surface->surface.mesh.positions)
+                          : positions_in.rows(),
+      directions_in.rows(), frame_frequencies(data, frequency_table, frequencies_in)};
+  Complex* target = phases.mutable_data();
+  Job(progress).run([&](const Progress& reports) {
+    const FrameResult result = data.animator.frame(input, reports);
+    std::copy(result.z.begin(), result.z.end(), target);
+    data.phase_step = result.phase_step;
+    data.unchanged = result.unchanged;
+    data.milliseconds = result.milliseconds;
+    data.frequencies.assign(result.frequencies.begin(), result.frequencies.end());
+  });
+  return phases;
+}
+
+struct FieldAnimatorData {
+  SurfacePointer surface;
+  SmoothFieldAnimator animator;
+  std::atomic<bool> busy{false};
+
+  FieldAnimatorData(SurfacePointer on, const SmoothFieldAnimatorOptions& options)
+      : surface(std::move(on)), animator(surface->surface, options) {}
+};
+
+py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle directions,
+                      py::handle weights) {
+  const OneAtATime alone(data.busy, "this animator");
+  const Table numbers = table_of(vertices, "vertices");
+  const std::vector<Vec3> vectors =
+      vectors_of(table_of(directions, "directions").view, "directions");
+  const Table strengths = table_of(weights, "weights");
+  const std::vector<float> weight = numbers_of(strengths.view, "weights");
+  const auto kind = numbers.array.dtype().kind();
+  if (kind == 'f' && numbers.view.rows() > 0) {
+    throw py::type_error("vertices: expected whole numbers");
+  }
+  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> numbers_64(
+      numbers.array);
+  const std::size_t count = numbers.is_number ? 1 : numbers.view.rows();
+  if (vectors.size() != count || (!strengths.is_number && weight.size() != count)) {
+    throw Error("anchors: vertices, directions and weights must have as many rows");
+  }
+  const auto all = static_cast<std::int64_t>(data.surface->surface.mesh.vertex_count());
+  std::vector<FieldAnchor> anchors;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t vertex = numbers_64.data()[i];
+    if (vertex < 0 || vertex >= all) {
+      throw Error("vertices: " + std::to_string(vertex) + " is none of " + std::to_string(all) +
+                  ", numbered from 0");
+    }
+    anchors.push_back(
+        {static_cast<Index>(vertex), vectors[i], strengths.is_number ? weight.front() : weight[i]});
+  }
+  return owned(without_lock([&] {
+    const std::span<const Vec3> field = data.animator.frame(anchors);
+    return std::vector<Vec3>(field.begin(), field.end());
+  }));
+}
+
+std::unique_ptr<AnimatorData> sibling_of(AnimatorData& data) {
+  const OneAtATime alone(data.busy, "this animator");
+  return std::make_unique<AnimatorData>(data.surface, data.animator.sibling());
+}
+
+void bind_animator(py::module_& module) {
+  py::class_<AnimatorData>(module, "Animator")
+      .def(py::init(&make_animator), py::arg("surface").none(false), py::arg("solver"),
+           py::arg("lambda_"), py::arg("sweeps"), py::arg("cycles"), py::arg("iterations"),
+           py::arg("phase_shift"), py::arg("edge_weights"), py::arg("slack"), py::arg("calm"))
+      .def_property_readonly("surface", [](const AnimatorData& data) { return data.surface; })
+      .def("frame", frame, py::arg("directions"), py::arg("frequencies"), py::arg("positions"),
+           py::arg("out"), py::arg("progress"))
+      .def_property_readonly("phase_step", [](const AnimatorData& data) { return data.phase_step; })
+      .def_property_readonly("unchanged", [](const AnimatorData& data) { return data.unchanged; })
+      .def_property_readonly("milliseconds",
+                             [](const AnimatorData& data) {
+                               py::dict times;
+                               times["frequency"] = data.milliseconds.frequency;
+                               times["couple"] = data.milliseconds.couple;
+                               times["sum"] = data.milliseconds.sum;
+                               times["solve"] = data.milliseconds.solve;
+                               return times;
+                             })
+      .def_property_readonly(
+          "topology_milliseconds",
+          [](const AnimatorData& data) { return data.animator.topology_milliseconds(); })
+      .def("frequencies",
+           [](const AnimatorData& data) {
+             std::vector<float> copy = data.frequencies;
+             return owned(std::move(copy));
+           })
+      .def("energy",
+           [](AnimatorData& data) {
+             const OneAtATime alone(data.busy, "this animator");
+             return without_lock([&] { return data.animator.energy(); });
+           })
+      .def("sibling", sibling_of)
+      .def("restart",
+           [](AnimatorData& data) {
+             const OneAtATime alone(data.busy, "this animator");
+             data.animator.restart();
+           })
+      .def("set_last_phases", [](AnimatorData& data, py::handle z) {
+        const OneAtATime alone(data.busy, "this animator");
+        data.animator.set_last_phases(phases_of(z, "phases"));
+      });
+}
+
+}  // namespace
+
+void bind_animators(py::module_& module) {
+  bind_animator(module);
+  py::class_<FieldAnimatorData>(module, "FieldAnimator")
+      .def(py::init([](const SurfacePointer& surface, int symmetry, float lambda, int sweeps) {
+             return std::make_unique<FieldAnimatorData>(
+                 surface, SmoothFieldAnimatorOptions{symmetry, lambda, sweeps});
+           }),
+           py::arg("surface").none(false), py::arg("symmetry"), py::arg("lambda_"),
+           py::arg("sweeps"))
+      .def_property_readonly("surface", [](const FieldAnimatorData& data) { return data.surface; })
+      .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"));
+}
+
+}  // namespace brindle::python

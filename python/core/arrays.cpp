@@ -1,0 +1,201 @@
+#include "arrays.h"
+
+#include <atomic>
+#include <bit>
+#include <optional>
+
+#include "brindle/error.h"
+
+namespace brindle::python {
+namespace {
+
+std::atomic<std::size_t> conversions{0};
+
+std::optional<NumberType> number_type_of(const py::dtype& type) {
+  const bool native = type.byteorder() != (std::endian::native == std::endian::little ? '>' : '<');
+  const py::ssize_t size = type.itemsize();
+  if (!native) return std::nullopt;
+  if (type.kind() == 'f') {
+    if (size == 4) return NumberType::float32;
+    return size == 8 ? std::optional(NumberType::float64) : std::nullopt;
+  }
+  const bool is_signed = type.kind() == 'i';
+  switch (size) {
+    case 1:
+      return is_signed ? NumberType::int8 : NumberType::uint8;
+    case 2:
+      return is_signed ? NumberType::int16 : NumberType::uint16;
+    case 4:
+      return is_signed ? NumberType::int32 : NumberType::uint32;
+    default:
+      return is_signed ? NumberType::int64 : NumberType::uint64;
+  }
+}
+
+py::dtype dtype_of(NumberType type) {
+  static constexpr const char* kNames[] = {"f4", "f8", "i1", "u1", "i2",
+                                           "u2", "i4", "u4", "i8", "u8"};
+  return py::dtype(kNames[static_cast<std::size_t>(type)]);
+}
+
+// What numpy makes of an object. Whatever numpy cannot read is an argument of the wrong shape.
+py::array array_of(py::handle object, const std::string& what) {
+  if (py::isinstance<py::array>(object)) return py::reinterpret_borrow<py::array>(object);
+  if (object.is_none()) throw py::type_error(what + ": expected numbers, got None");
+  try {
+    return py::module_::import("numpy").attr("asarray")(object);
+  } catch (py::error_already_set& error) {
+    if (error.matches(PyExc_ValueError))
+      throw Error(what + ": no table of numbers: " + error.what());
+    if (error.matches(PyExc_TypeError)) {
+      throw py::type_error(what + ": expected numbers: " + error.what());
+    }
+    throw;
+  }
+}
+
+std::string type_name(const py::dtype& type) {
+  return py::cast<std::string>(type.attr("__str__")());
+}
+
+[[noreturn]] void refuse_type(const std::string& what, const py::dtype& type) {
+  throw py::type_error(what + ": expected real numbers, got " + type_name(type));
+}
+
+template <class Row>
+constexpr int kColumns = sizeof(Row) / sizeof(float);
+
+// Whether the rows can be read where they are.
+template <class Row>
+bool is_packed(const Table& table) {
+  constexpr int kDimensions = kColumns<Row> == 1 ? 1 : 2;
+  return table.view.type() == NumberType::float32 && table.array.ndim() == kDimensions &&
+         static_cast<int>(table.view.columns()) == kColumns<Row> &&
+         (table.array.flags() & py::array::c_style) != 0 &&
+         reinterpret_cast<std::uintptr_t>(table.array.data()) % alignof(float) == 0;
+}
+
+std::vector<Vec3> converted(const ArrayView& view, const std::string& what, Vec3 /*row*/) {
+  return vectors_of(view, what);
+}
+std::vector<float> converted(const ArrayView& view, const std::string& what, float /*row*/) {
+  return numbers_of(view, what);
+}
+
+}  // namespace
+
+std::size_t converted_arrays() { return conversions; }
+
+Table table_of(py::handle object, const std::string& what) {
+  py::array array = array_of(object, what);
+  const char kind = array.dtype().kind();
+  const py::ssize_t dimensions = array.ndim();
+  if (kind != 'f' && kind != 'i' && kind != 'u') {
+    if (array.size() > 0 || kind == 'O') refuse_type(what, array.dtype());
+    array = array.attr("astype")("f8");  // nothing at all is of no type
+  }
+  if (dimensions > 2) {
+    throw Error(what + ": an array of " + std::to_string(dimensions) +
+                " dimensions; it must have one row per entry");
+  }
+  // Half and long double precision, and the byte order of other machines.
+  if (!number_type_of(array.dtype())) {
+    array = array.attr("astype")(kind == 'f' ? py::dtype("f8")
+                                             : array.dtype().attr("newbyteorder")("="));
+  }
+  const auto rows = dimensions > 0 ? array.shape(0) : 1;
+  const auto columns = dimensions > 1 ? array.shape(1) : 1;
+  const ArrayView view(array.data(), *number_type_of(array.dtype()), static_cast<std::size_t>(rows),
+                       static_cast<std::size_t>(columns), dimensions > 0 ? array.strides(0) : 0,
+                       dimensions > 1 ? array.strides(1) : 0);
+  return {std::move(array), view, dimensions == 0};
+}
+
+void check_rows(const Table& table, std::size_t rows, const std::string& what) {
+  if (table.view.rows() == rows && !table.is_number) return;
+  throw Error(what + ": there are " + std::to_string(table.view.rows()) + " for " +
+              std::to_string(rows) + " vertices; give one to each");
+}
+
+template <class Row>
+RowsIn<Row>::RowsIn(py::handle object, const std::string& what) {
+  Table table = table_of(object, what);
+  if (is_packed<Row>(table)) {
+    rows_ = {static_cast<const Row*>(table.array.data()), table.view.rows()};
+  } else {
+    converted_ = converted(table.view, what, Row());
+    rows_ = converted_;
+    ++conversions;
+  }
+  array_ = std::move(table.array);
+}
+template class RowsIn<Vec3>;
+template class RowsIn<float>;
+
+std::vector<Complex> phases_of(py::handle object, const std::string& what) {
+  const py::array array = array_of(object, what);
+  if (array.dtype().kind() != 'c') {
+    throw py::type_error(what + ": expected complex numbers, got " + type_name(array.dtype()));
+  }
+  if (array.ndim() != 1) throw Error(what + ": expected one number per vertex");
+  const py::array_t<Complex, py::array::c_style | py::array::forcecast> numbers(array);
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+DataArray data_array_of(const std::string& name, py::handle object) {
+  const Table table = table_of(object, "array '" + name + "'");
+  if (table.view.columns() == 0) throw Error("array '" + name + "': its rows have no numbers");
+  const py::array packed = py::module_::import("numpy").attr("ascontiguousarray")(table.array);
+  DataArray array{name, table.view.type(), static_cast<int>(table.view.columns()), {}};
+  const auto* bytes = static_cast<const std::byte*>(packed.data());
+  array.bytes.assign(bytes, bytes + packed.nbytes());
+  return array;
+}
+
+std::vector<DataArray> data_arrays_of(const py::dict& arrays) {
+  std::vector<DataArray> result;
+  for (const auto& [name, array] : arrays) {
+    if (!py::isinstance<py::str>(name)) throw py::type_error("names of arrays are strings");
+    result.push_back(data_array_of(py::cast<std::string>(name), array));
+  }
+  return result;
+}
+
+py::array shared(const py::dtype& type, const void* data, const Shape& shape, py::handle owner) {
+  py::array array(type, shape, {}, data, owner);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+py::array shared(std::span<const Vec3> vectors, py::handle owner) {
+  return shared(reinterpret_cast<const float*>(vectors.data()),
+                {static_cast<py::ssize_t>(vectors.size()), 3}, owner);
+}
+
+py::array shared(const DataArray& array, py::handle owner) {
+  const auto rows = static_cast<py::ssize_t>(array.rows());
+  return shared(dtype_of(array.type), array.bytes.data(),
+                array.components == 1 ? Shape{rows} : Shape{rows, array.components}, owner);
+}
+
+py::array array_owning(DataArray&& array) {
+  auto* kept = new DataArray(std::move(array));
+  const py::capsule owner(kept, [](void* made) { delete static_cast<DataArray*>(made); });
+  return shared(*kept, owner);
+}
+
+py::dict dict_owning(std::vector<DataArray>&& arrays) {
+  py::dict result;
+  for (DataArray& array : arrays) {
+    const py::str name(array.name);
+    result[name] = array_owning(std::move(array));
+  }
+  return result;
+}
+
+py::array owned(std::vector<Vec3>&& vectors) {
+  const auto count = static_cast<py::ssize_t>(vectors.size());
+  return owned<float>(std::move(vectors), {count, 3});
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,343 @@
+#include "brindle/curves.h"
+
+#include <algorithm>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/curve_measures.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/geometry/mesh_edges.h"
+#include "brindle/pattern/curve_spacing.h"
+#include "brindle/pattern/point_sampling.h"
+#include "brindle/pattern/sampling.h"
+#include "brindle/pattern/stripe_curves.h"
+#include "brindle/points/point_tree.h"
+#include "brindle/samples.h"
+#include "job.h"
+#include "pattern_data.h"
+
+namespace brindle::python {
+namespace {
+
+struct CurvesData {
+  SurfacePointer surface;
+  StripeCurves curves;
+  std::array<std::size_t, kCurveEndKinds> ends{};  // before any were left out
+  std::size_t short_curves = 0;                    // left out
+  std::size_t jogs = 0;                            // edges that moved curves do not cross straight
+  std::optional<CurveSpacing> spacing;
+};
+using CurvesPointer = std::shared_ptr<CurvesData>;
+
+void check_not_negative(float value, const char* name) {
+  if (value >= 0 && std::isfinite(value)) return;
+  throw Error(std::string(name) + ": " + std::to_string(value) + "; give 0 or a length above");
+}
+
+struct CurveWishes {
+  bool join = false;
+  float offset = 0;
+  float min_length = 0;
+  std::optional<float> simplify, resample;
+  bool measure = false;
+};
+
+// Throws away short curves after all ends were counted.
+void shape_lines(CurvesData& made, const CurveWishes& wishes) {
+  made.ends = made.curves.end_counts();
+  if (wishes.min_length > 0) {
+    const std::size_t all = made.curves.lines.count();
+    made.curves = longer_than(made.curves, wishes.min_length);
+    made.short_curves = all - made.curves.lines.count();
+  }
+  Polylines& lines = made.curves.lines;
+  if (wishes.resample) lines = resampled(lines, *wishes.resample);
+  if (wishes.simplify) lines = simplified(lines, *wishes.simplify);
+}
+
+CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
+  if (stripes.surface->is_points()) throw Error("curves need triangles; points have none");
+  check_not_negative(wishes.min_length, "min_length");
+  if (wishes.simplify) check_not_negative(*wishes.simplify, "simplify");
+  if (!std::isfinite(wishes.offset)) throw Error("offset: give a finite number of periods");
+  return without_lock([&] {
+    auto made = std::make_shared<CurvesData>();
+    made->surface = stripes.surface;
+    const Surface& surface = stripes.surface->surface;
+    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+    WaveSet waves = stripes.pattern.waves;
+    std::vector<Complex> z = stripes.pattern.solution.z;
+    made->jogs = move_peaks(*surface.neighborhood, wishes.offset, waves, z);
+    const WavePattern pattern{surface.mesh, edges, surface.normals,
+                              waves,        z,     stripes.pattern.phase_shift};
+    made->curves = stripe_curves(LiftedWaves(pattern), {.join = wishes.join});
+    if (wishes.measure && PointTree::available()) {
+      made->spacing = measure_curve_spacing(pattern, made->curves);
+    }
+    shape_lines(*made, wishes);
+    return made;
+  });
+}
+
+const CurvesData& curves_of(py::handle self) { return py::cast<const CurvesData&>(self); }
+
+// Pairs of point numbers; closed lines come back to their first point.
+py::array edges_of(const CurvesData& data) {
+  const Polylines& lines = data.curves.lines;
+  std::vector<std::int32_t> edges;
+  edges.reserve(2 * lines.points.size());
+  for (std::size_t line = 0; line < lines.count(); ++line) {
+    const auto begin = static_cast<std::int32_t>(lines.offsets[line]);
+    const auto end = static_cast<std::int32_t>(lines.offsets[line + 1]);
+    for (std::int32_t point = begin; point + 1 < end; ++point) {
+      edges.insert(edges.end(), {point, point + 1});
+    }
+    if (lines.closed[line] != 0 && end - begin > 1) edges.insert(edges.end(), {end - 1, begin});
+  }
+  const auto count = static_cast<py::ssize_t>(edges.size()) / 2;
+  return owned<std::int32_t>(std::move(edges), {count, 2});
+}
+
+py::tuple places_of(const CurvesData& data) {
+  std::vector<std::int32_t> triangles;
+  std::vector<double> weights;
+  for (const TrianglePoint& place : data.curves.lines.places) {
+    triangles.push_back(static_cast<std::int32_t>(place.triangle));
+    weights.insert(weights.end(), place.barycentric.begin(), place.barycentric.end());
+  }
+  const auto count = static_cast<py::ssize_t>(triangles.size());
+  return py::make_tuple(owned(std::move(triangles)), owned<double>(std::move(weights), {count, 3}));
+}
+
+py::array ends_of(const CurvesData& data) {
+  std::vector<std::uint8_t> ends;
+  for (const auto& [first, last] : data.curves.ends) {
+    ends.push_back(static_cast<std::uint8_t>(first));
+    ends.push_back(static_cast<std::uint8_t>(last));
+  }
+  const auto count = static_cast<py::ssize_t>(ends.size()) / 2;
+  return owned<std::uint8_t>(std::move(ends), {count, 2});
+}
+
+py::array lengths_of(const CurvesData& data) {
+  std::vector<double> lengths;
+  for (std::size_t line = 0; line < data.curves.lines.count(); ++line) {
+    lengths.push_back(length_of(data.curves.lines, line));
+  }
+  return owned(std::move(lengths));
+}
+
+py::dict figures_of(const CurvesData& data) {
+  const auto end = [&](CurveEnd kind) { return data.ends[static_cast<std::size_t>(kind)]; };
+  py::dict ends;
+  std::size_t total = 0;
+  for (const std::size_t count : data.ends) total += count;
+  ends["total"] = total;
+  ends["boundary"] = end(CurveEnd::boundary);
+  ends["no_wave"] = end(CurveEnd::no_wave);
+  ends["nonmanifold"] = end(CurveEnd::nonmanifold);
+  ends["branch"] = end(CurveEnd::branch);
+  ends["singularity"] = end(CurveEnd::singularity);
+  py::dict result;
+  result["short_curves_left_out"] = data.short_curves;
+  result["ends"] = ends;
+  result["joined_ends"] = data.curves.joined_ends;
+  result["ends_at_neighbours"] = data.curves.ends_at_neighbors;
+  result["edges_with_jogs"] = data.jogs;
+  if (data.spacing && data.spacing->measured > 0) {
+    py::dict spacing;
+    spacing["measured"] = data.spacing->measured;
+    spacing["mean"] = data.spacing->mean;
+    spacing["deviation"] = data.spacing->deviation;
+    spacing["share_within_10_percent"] = data.spacing->share_within_10_percent;
+    result["spacing"] = spacing;
+  }
+  return result;
+}
+
+py::dict dict_of(const CurveLengths& lengths) {
+  py::dict result;
+  result["closed"] = lengths.closed_length;
+  result["open"] = lengths.open_length;
+  result["shortest"] = lengths.shortest;
+  result["mean"] = lengths.mean;
+  result["longest"] = lengths.longest;
+  return result;
+}
+
+py::dict dict_of(const CurveGaps& gaps) {
+  py::dict result;
+  result["measured"] = gaps.measured;
+  result["least"] = gaps.least;
+  result["mean"] = gaps.mean;
+  result["most"] = gaps.most;
+  result["least_ratio"] = gaps.least_ratio;
+  result["mean_ratio"] = gaps.mean_ratio;
+  result["most_ratio"] = gaps.most_ratio;
+  return result;
+}
+
+py::dict measures_of(const CurvesData& data, const StripesData& stripes, double line_width) {
+  const CurveMeasures measures = without_lock([&] {
+    return measure_curves(data.surface->surface, stripes.pattern, data.curves, line_width);
+  });
+  py::dict result;
+  result["lengths"] = dict_of(measures.lengths);
+  if (measures.gaps) result["gaps"] = dict_of(*measures.gaps);
+  if (measures.coverage) result["coverage"] = *measures.coverage;
+  return result;
+}
+
+py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
+  Mesh mesh = without_lock([&] { return tubes(data.curves.lines, {radius, sides}); });
+  const auto count = static_cast<py::ssize_t>(mesh.triangles.size());
+  return py::make_tuple(owned(std::move(mesh.positions)),
+                        owned<std::int32_t>(std::move(mesh.triangles), {count, 3}));
+}
+
+void bind_curve_properties(py::module_& module) {
+  py::class_<CurvesData, CurvesPointer>(module, "Curves")
+      .def_property_readonly("surface", [](const CurvesData& data) { return data.surface; })
+      .def_property_readonly(
+          "local_points",
+          [](py::handle self) { return shared(curves_of(self).curves.lines.points, self); })
+      .def_property_readonly(
+          "normals",
+          [](py::handle self) { return shared(curves_of(self).curves.lines.normals, self); })
+      .def_property_readonly("offsets",
+                             [](py::handle self) {
+                               const auto& rows = curves_of(self).curves.lines.offsets;
+                               return shared(reinterpret_cast<const std::int32_t*>(rows.data()),
+                                             {static_cast<py::ssize_t>(rows.size())}, self);
+                             })
+      .def_property_readonly("closed",
+                             [](py::handle self) {
+                               const auto& closed = curves_of(self).curves.lines.closed;
+                               return shared(reinterpret_cast<const bool*>(closed.data()),
+                                             {static_cast<py::ssize_t>(closed.size())}, self);
+                             })
+      .def("edges", edges_of)
+      .def("places", places_of)
+      .def("ends", ends_of)
+      .def("lengths", lengths_of)
+      .def("figures", figures_of)
+      .def("measures", measures_of, py::arg("stripes"), py::arg("line_width"))
+      .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))
+      .def("write", [](const CurvesData& data, const std::string& path, const std::string& name,
+                       const py::dict& arrays) {
+        const NamedLines kind{name, data.curves.lines, data_arrays_of(arrays)};
+        without_lock([&] { write_polylines(path, std::span(&kind, 1)); });
+      });
+}
+
+struct SamplesData {
+  SurfacePointer surface;
+  std::vector<Sample> samples;
+  std::size_t doubles = 0;  // left out
+};
+using SamplesPointer = std::shared_ptr<SamplesData>;
+
+void check_same(const StripesData& u, const StripesData& v) {
+  if (u.surface == v.surface) return;
+  throw Error("samples: both patterns must be of one surface");
+}
+
+std::vector<Sample> crossings(const StripesData& u, const StripesData& v) {
+  const Surface& surface = u.surface->surface;
+  const PointWaves waves_u{u.pattern.waves, u.pattern.solution.z};
+  const PointWaves waves_v{v.pattern.waves, v.pattern.solution.z};
+  if (surface.mesh.triangles.empty()) {
+    return point_samples(*surface.neighborhood, surface.normals, waves_u, waves_v);
+  }
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  const auto lifted = [&](const StripesData& data) {
+    return LiftedWaves({surface.mesh, edges, surface.normals, data.pattern.waves,
+                        data.pattern.solution.z, data.pattern.phase_shift});
+  };
+  const LiftedWaves lifted_u = lifted(u), lifted_v = lifted(v);
+  return wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
+                      sampled_waves(lifted_v));
+}
+
+SamplesPointer samples(const StripesData& u, const StripesData& v, float min_distance) {
+  check_same(u, v);
+  check_not_negative(min_distance, "min_distance");
+  if (u.surface->is_points() && min_distance < kDoubleShare) {
+    throw Error("min_distance: on points, samples nearer than 0.25 are merged anyway");
+  }
+  return without_lock([&] {
+    auto made = std::make_shared<SamplesData>();
+    made->surface = u.surface;
+    made->samples = crossings(u, v);
+    made->doubles = drop_doubles(made->samples, min_distance);
+    return made;
+  });
+}
+
+template <class Part>
+py::array vectors_per_sample(const SamplesData& data, const Part& part) {
+  std::vector<Vec3> vectors;
+  for (const Sample& sample : data.samples) vectors.push_back(part(sample));
+  return owned(std::move(vectors));
+}
+
+py::dict sample_columns(const SamplesData& data) {
+  std::vector<float> spacing_u, spacing_v;
+  std::vector<std::int32_t> triangles;
+  for (const Sample& sample : data.samples) {
+    spacing_u.push_back(sample.spacing_u);
+    spacing_v.push_back(sample.spacing_v);
+    triangles.push_back(static_cast<std::int32_t>(sample.triangle));
+  }
+  py::dict columns;
+  columns["points"] = vectors_per_sample(data, [](const Sample& s) { return s.position; });
+  columns["normals"] = vectors_per_sample(data, [](const Sample& s) { return s.normal; });
+  columns["directions_u"] = vectors_per_sample(data, [](const Sample& s) { return s.direction_u; });
+  columns["directions_v"] = vectors_per_sample(data, [](const Sample& s) { return s.direction_v; });
+  columns["barycentric"] = vectors_per_sample(data, [](const Sample& s) { return s.barycentric; });
+  columns["spacing_u"] = owned(std::move(spacing_u));
+  columns["spacing_v"] = owned(std::move(spacing_v));
+  columns["triangles"] = owned(std::move(triangles));
+  return columns;
+}
+
+py::dict spacing_of(const SamplesData& data) {
+  const SampleSpacing spacing = without_lock([&] { return measure_sample_spacing(data.samples); });
+  py::dict result;
+  result["measured"] = spacing.samples;
+  result["mean"] = spacing.mean;
+  result["deviation"] = spacing.deviation;
+  result["isolated_double_share"] = spacing.double_share;
+  return result;
+}
+
+}  // namespace
+
+void bind_curves(py::module_& module) {
+  py::class_<CurveWishes>(module, "CurveWishes")
+      .def(py::init<>())
+      .def_readwrite("join", &CurveWishes::join)
+      .def_readwrite("offset", &CurveWishes::offset)
+      .def_readwrite("min_length", &CurveWishes::min_length)
+      .def_readwrite("simplify", &CurveWishes::simplify)
+      .def_readwrite("resample", &CurveWishes::resample)
+      .def_readwrite("measure", &CurveWishes::measure);
+  bind_curve_properties(module);
+  module.def("curves", curves, py::arg("stripes"), py::arg("wishes"));
+  py::class_<SamplesData, SamplesPointer>(module, "Samples")
+      .def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
+      .def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })
+      .def_property_readonly("doubles", [](const SamplesData& data) { return data.doubles; })
+      .def("columns", sample_columns)
+      .def("spacing", spacing_of)
+      .def("write", [](const SamplesData& data, const std::string& path, const py::dict& arrays) {
+        const std::vector<DataArray> carried = data_arrays_of(arrays);
+        without_lock(
+            [&] { write_samples(path, data.samples, data.surface->surface.mesh.origin, carried); });
+      });
+  module.def("samples", samples, py::arg("u"), py::arg("v"), py::arg("min_distance"));
+}
+
+}  // namespace brindle::python

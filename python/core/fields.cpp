@@ -1,0 +1,182 @@
+#include <numbers>
+#include <tuple>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/array_field.h"
+#include "brindle/base/array_numbers.h"
+#include "brindle/curvature.h"
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/frequency_field.h"
+#include "brindle/smooth_field.h"
+#include "brindle/strokes.h"
+#include "brindle/tensor_field.h"
+#include "brindle/waves/orientation.h"
+#include "job.h"
+#include "surface_data.h"
+
+namespace brindle::python {
+namespace {
+
+CurvatureDirection curvature_direction(const std::string& which) {
+  if (which == "max") return CurvatureDirection::maximum;
+  if (which == "min") return CurvatureDirection::minimum;
+  throw Error("curvature: '" + which + "' is neither 'max' nor 'min'");
+}
+
+TensorAxis tensor_axis(const std::string& axis) {
+  if (axis == "major") return TensorAxis::major;
+  if (axis == "minor") return TensorAxis::minor;
+  if (axis == "max-abs") return TensorAxis::max_abs;
+  throw Error("axis: '" + axis + "' is none of 'major', 'minor', 'max-abs'");
+}
+
+// (points, radius, strength) of each.
+using StrokeTuple = std::tuple<py::object, double, double>;
+
+std::vector<FieldStroke> strokes_of(const std::vector<StrokeTuple>& tuples) {
+  std::vector<FieldStroke> strokes;
+  for (const auto& [points, radius, strength] : tuples) {
+    const std::string what = "strokes[" + std::to_string(strokes.size()) + "].points";
+    const Table table = table_of(points, what);
+    check_columns(table.view, 3, what);
+    const std::vector<double> numbers = doubles_of(table.view);
+    FieldStroke stroke{{}, radius, strength};
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+      stroke.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    }
+    strokes.push_back(std::move(stroke));
+  }
+  return strokes;
+}
+
+py::array smooth_field(const SurfaceData& data, int symmetry, float curvature_anchor,
+                       const std::string& curvature, float feature_anchor, float feature_angle,
+                       float feature_radius, const std::vector<StrokeTuple>& tuples) {
+  SmoothFieldOptions options;
+  options.symmetry = symmetry;
+  options.curvature_anchor = curvature_anchor;
+  options.curvature_direction = curvature_direction(curvature);
+  options.feature_anchor = feature_anchor;
+  options.feature_angle_deg = feature_angle;
+  options.feature_radius = feature_radius;
+  const std::vector<FieldStroke> strokes = strokes_of(tuples);
+  return owned(without_lock([&] {
+    if (!strokes.empty()) options.anchors = stroke_anchors(data.surface, strokes);
+    return smooth_direction_field(data.surface, options);
+  }));
+}
+
+py::tuple anchors_of_strokes(const SurfaceData& data, const std::vector<StrokeTuple>& tuples) {
+  const std::vector<FieldStroke> strokes = strokes_of(tuples);
+  std::vector<std::int32_t> vertices;
+  std::vector<Vec3> directions;
+  std::vector<float> weights;
+  for (const FieldAnchor& anchor :
+       without_lock([&] { return stroke_anchors(data.surface, strokes); })) {
+    vertices.push_back(static_cast<std::int32_t>(anchor.vertex));
+    directions.push_back(anchor.direction);
+    weights.push_back(anchor.weight);
+  }
+  return py::make_tuple(owned(std::move(vertices)), owned(std::move(directions)),
+                        owned(std::move(weights)));
+}
+
+py::list strokes_in(const std::string& path) {
+  py::list result;
+  for (const FieldStroke& stroke : read_strokes(path)) {
+    std::vector<double> numbers;
+    for (const Eigen::Vector3d& point : stroke.points) {
+      numbers.insert(numbers.end(), point.data(), point.data() + 3);
+    }
+    const auto count = static_cast<py::ssize_t>(stroke.points.size());
+    result.append(py::make_tuple(owned<double>(std::move(numbers), {count, 3}), stroke.radius,
+                                 stroke.strength));
+  }
+  return result;
+}
+
+py::array projected_field(const SurfaceData& data, float x, float y, float z) {
+  return owned(projected_direction_field({x, y, z}, data.surface.normals));
+}
+
+py::array raw_curvature_field(const SurfaceData& data, const std::string& which) {
+  const CurvatureDirection direction = curvature_direction(which);
+  const Surface& surface = data.surface;
+  return owned(without_lock([&] {
+    DirectionField directions = curvature_direction_field(
+        principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood),
+        direction);
+    orient_alike(*surface.neighborhood, directions);  // solvers are faster so, as in the tool
+    return directions;
+  }));
+}
+
+py::tuple array_field(const SurfaceData& data, const std::string& name, py::handle vectors) {
+  const DataArray array = data_array_of(name, vectors);
+  return py::make_tuple(owned(direction_field_of(data.surface, array)), nonfinite_rows(array));
+}
+
+py::tuple tensor_field(const SurfaceData& data, const std::string& name, py::handle tensors,
+                       const std::string& axis) {
+  const DataArray array = data_array_of(name, tensors);
+  TensorField field = tensor_field_of(data.surface, array, tensor_axis(axis));
+  return py::make_tuple(owned(std::move(field.directions)), nonfinite_rows(array),
+                        field.near_normal, field.isotropic, field.not_symmetric);
+}
+
+py::array turned_field(const SurfaceData& data, py::handle directions, float degrees) {
+  const RowsIn<Vec3> rows(directions, "directions");
+  if (rows.rows().size() != data.surface.mesh.vertex_count()) {
+    throw Error("directions: there are " + std::to_string(rows.rows().size()) + " for " +
+                std::to_string(data.surface.mesh.vertex_count()) + " vertices; give one to each");
+  }
+  const float radians = degrees * std::numbers::pi_v<float> / 180;
+  return owned(rotated(rows.rows(), data.surface.normals, radians));
+}
+
+py::array frequencies_by_array(const SurfaceData& data, const std::string& name, py::handle array,
+                               float frequency, std::pair<float, float> range, bool inverse) {
+  return owned(frequencies_by(data.surface, data_array_of(name, array), frequency,
+                              {range.first, range.second, inverse}));
+}
+
+float stripes_to_frequency(const SurfaceData& data, float stripes) {
+  return frequency_of_stripes(stripes, bounding_box(data.surface.mesh).diagonal());
+}
+
+}  // namespace
+
+void bind_fields(py::module_& module) {
+  module.def("smooth_field", smooth_field, py::arg("surface"), py::arg("symmetry"),
+             py::arg("curvature_anchor"), py::arg("curvature"), py::arg("feature_anchor"),
+             py::arg("feature_angle"), py::arg("feature_radius"), py::arg("strokes"));
+  module.def("stroke_anchors", anchors_of_strokes, py::arg("surface"), py::arg("strokes"));
+  module.def("read_strokes", strokes_in, py::arg("path"));
+  module.def(
+      "write_strokes",
+      [](const std::string& path, const std::vector<StrokeTuple>& strokes) {
+        write_strokes(path, strokes_of(strokes));
+      },
+      py::arg("path"), py::arg("strokes"));
+  module.def("projected_field", projected_field, py::arg("surface"), py::arg("x"), py::arg("y"),
+             py::arg("z"));
+  module.def("raw_curvature_field", raw_curvature_field, py::arg("surface"), py::arg("which"));
+  module.def("array_field", array_field, py::arg("surface"), py::arg("name"), py::arg("vectors"));
+  module.def(
+      "nonfinite_rows",
+      [](py::handle array) { return nonfinite_rows(data_array_of("array", array)); },
+      py::arg("array"));
+  module.def("tensor_field", tensor_field, py::arg("surface"), py::arg("name"), py::arg("tensors"),
+             py::arg("axis"));
+  module.def("turned_field", turned_field, py::arg("surface"), py::arg("directions"),
+             py::arg("degrees"));
+  module.def("frequencies_by", frequencies_by_array, py::arg("surface"), py::arg("name"),
+             py::arg("array"), py::arg("frequency"), py::arg("range"), py::arg("inverse"));
+  module.def("frequency_of_stripes", stripes_to_frequency, py::arg("surface"), py::arg("stripes"));
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,69 @@
+/// Work for which Python waits: without its lock, with progress, and until Ctrl-C.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+
+#include "brindle/progress.h"
+#include "brindle/threads.h"
+
+namespace brindle::python {
+
+namespace py = pybind11;
+
+/// One call that takes its time. Other threads of Python go on meanwhile; Ctrl-C and what
+/// `callback` raises are raised by `run`, whose objects then are as they were.
+class Job {
+ public:
+  /// `callback(stage, fraction)` may be None; returning False cancels. `threads`: 0 for all.
+  explicit Job(py::object callback = py::none(), int threads = 0);
+
+  /// Calls `work(progress)` without Python's lock. Throws what it throws, or what Python raised.
+  template <class Work>
+  auto run(const Work& work) {
+    try {
+      const py::gil_scoped_release released;
+      const ThreadLimit limit(threads_);
+      return work(Progress(
+          [this](std::string_view stage, double fraction) { return go_on(stage, fraction); }));
+    } catch (const Cancelled&) {
+      raise_pending();
+      throw;
+    }
+  }
+
+ private:
+  bool go_on(std::string_view stage, double fraction);
+  void raise_pending();
+
+  py::object callback_;
+  int threads_;
+  std::chrono::steady_clock::time_point last_look_;
+  std::optional<py::error_already_set> pending_;
+};
+
+/// As `Job::run` for work that reports no progress.
+template <class Work>
+auto without_lock(const Work& work) {
+  const py::gil_scoped_release released;
+  return work();
+}
+
+/// Lets one call at a time use an object. Throws Error for a second one, from another thread or
+/// from a callback of the first.
+class OneAtATime {
+ public:
+  OneAtATime(std::atomic<bool>& busy, const char* what);
+  ~OneAtATime() { busy_ = false; }
+  OneAtATime(const OneAtATime&) = delete;
+  OneAtATime& operator=(const OneAtATime&) = delete;
+
+ private:
+  std::atomic<bool>& busy_;
+};
+
+}  // namespace brindle::python

@@ -1,0 +1,43 @@
+// The C++ side of the Python package: arrays, objects and jobs, without Python's manners. The layer
+// over it, python/brindle, has names, defaults and documentation.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "brindle/progress.h"
+#include "brindle/solver.h"
+#include "brindle/threads.h"
+#include "brindle/version.h"
+#include "pattern_data.h"
+#include "surface_data.h"
+
+namespace brindle::python {
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The C++ side of brindle; use the package brindle.";
+  // Later ones are tried first.
+  const auto& error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
+  py::register_exception<Cancelled>(module, "Cancelled", error);
+  module.def("version", version);
+  module.def("threads", ThreadLimit::current);
+  module.def("has_solver", [](const std::string& name) {
+    const auto solver = parse_solver(name);
+    return solver && is_available(*solver);
+  });
+  module.def("converted_arrays", converted_arrays,
+             "How many arrays were converted to be read where none had to be; for tests.");
+  bind_surfaces(module);
+  bind_fields(module);
+  bind_solving(module);
+  bind_patterns(module);
+  bind_textures(module);
+  bind_curves(module);
+  bind_loops(module);
+  bind_animators(module);
+  bind_texture_animator(module);
+  bind_files(module);
+  bind_pictures(module);
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,419 @@
+#include <algorithm>
+#include <limits>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/boundary_phases.h"
+#include "brindle/carried_phases.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/pipeline/stripes_again.h"
+#include "brindle/quality.h"
+#include "brindle/threads.h"
+#include "job.h"
+#include "pattern_arrays.h"
+#include "pattern_data.h"
+
+namespace brindle::python {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// The phases that a pattern stays near to, and what a report says of them.
+struct Followed {
+  std::vector<Complex> z;
+  tool::FollowedReport report;
+};
+
+bool same_triangles(const Mesh& a, const Mesh& b) {
+  return a.vertex_count() == b.vertex_count() && a.triangles == b.triangles;
+}
+
+Followed follow(const StripesData& last, const SurfaceData& surface, const WaveSet& waves,
+                const std::string& match, float lambda) {
+  const Mesh& mesh = surface.surface.mesh;
+  const LastPattern pattern{last.surface->surface.mesh, last.pattern.waves,
+                            last.pattern.solution.z};
+  const bool by_number = match == "number" || (match.empty() && same_triangles(pattern.mesh, mesh));
+  if (!by_number && !match.empty() && match != "position") {
+    throw Error("match: '" + match + "' is neither 'number' nor 'position'");
+  }
+  Followed followed;
+  followed.z = by_number ? matched_phases(pattern, waves) : carried_phases(pattern, mesh, waves);
+  followed.report.previous = last.surface->name;
+  followed.report.lambda = lambda;
+  followed.report.matched_by = by_number ? "number" : "position";
+  return followed;
+}
+
+void tell_step(const Followed& followed, StripesData& made) {
+  made.followed = followed.report;
+  const PhaseStep step = phase_step(made.pattern.waves, made.pattern.solution.z, followed.z);
+  made.followed->vertices_unmatched = step.unmatched;
+  made.followed->phase_step = step.mean;
+}
+
+// Vertices that were joined with another get its wave, as in files.
+void copy_to_joined(StripesData& made) {
+  const std::vector<Index>& partners = made.surface->partners;
+  WaveSet& waves = made.pattern.waves;
+  FrequencyField& wanted = made.pattern.frequencies_wanted;
+  for (std::size_t v = 0; v < partners.size(); ++v) {
+    waves.directions[v] = waves.directions[partners[v]];
+    waves.frequencies[v] = waves.frequencies[partners[v]];
+    if (!wanted.empty()) wanted[v] = wanted[partners[v]];
+    made.pattern.solution.z[v] = made.pattern.solution.z[partners[v]];
+  }
+}
+
+// Fixes the phases of the first stripe along boundaries, where it is wanted.
+void fix_boundary(const Surface& surface, const WaveSet& waves, const Solving& solving,
+                  StripeOptions& options) {
+  if (!solving.anchor_boundary) return;
+  options.fixed_phases = boundary_phases(surface, waves, *solving.anchor_boundary);
+  if (std::ranges::any_of(options.fixed_phases, [](Complex z) { return z != Complex(0); })) return;
+  throw Error(
+      "anchor_boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "
+      "field");
+}
+
+// As the tool does: windings first, whose waves then meet the boundary.
+StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& options,
+                            const Solving& solving, StripesData& made, const Progress& reports) {
+  if (solving.windings.empty()) {
+    fix_boundary(surface, waves, solving, options);
+    return stripe_pattern(surface, std::move(waves), options, reports);
+  }
+  const StripePattern first = stripe_pattern(surface, std::move(waves), options, reports);
+  WoundPattern wound = wind(surface, first, solving.windings, options, reports);
+  StripePattern pattern = std::move(wound.pattern);
+  wound.pattern = {};
+  made.wound = std::move(wound);
+  if (!solving.anchor_boundary) return pattern;
+  fix_boundary(surface, pattern.waves, solving, options);
+  WaveSet turned = pattern.waves;
+  return stripes_again(surface, std::move(turned), pattern, options, reports);
+}
+
+StripePattern made_pattern(const Surface& surface, WaveSet waves, StripeOptions options,
+                           const Solving& solving, StripesData& made, const Progress& reports) {
+  StripePattern pattern = wound_pattern(surface, std::move(waves), options, solving, made, reports);
+  if (solving.merge_branches) {
+    made.merged = merge_branches(surface, pattern, *solving.merge_branches, options, reports);
+  }
+  return pattern;
+}
+
+StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py::handle count,
+                       py::handle frequency, const FieldOrigin& origin, const Solving& solving,
+                       const StripesPointer& previous, const std::string& match,
+                       const py::object& progress) {
+  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  return Job(progress, solving.threads).run([&](const Progress& reports) {
+    auto made = std::make_shared<StripesData>();
+    StripeOptions options = solving.stripes;
+    std::optional<Followed> followed;
+    if (previous) {
+      followed = follow(*previous, *surface, in.waves, match, options.lambda);
+      options.last_phases = followed->z;
+    }
+    made->pattern =
+        made_pattern(surface->surface, std::move(in.waves), options, solving, *made, reports);
+    made->surface = surface;
+    made->prepared = in.prepared;
+    made->solver = options.solver.solver;
+    made->threads = ThreadLimit::current();
+    if (followed) tell_step(*followed, *made);
+    copy_to_joined(*made);
+    return made;
+  });
+}
+
+// Measured phases that somebody else has: of an animator, of a file.
+StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle phases,
+                                   py::handle directions, py::handle count, py::handle frequency,
+                                   const FieldOrigin& origin, const Solving& solving) {
+  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  std::vector<Complex> z = phases_of(phases, "phases");
+  StripeOptions options = solving.stripes;
+  options.solve = [&](const PhaseGraph& graph, const SolverOptions&, const Progress&,
+                      const SolverData&) {
+    PhaseSolution solution;
+    if (z.size() != graph.node_count()) {
+      throw Error("phases: there are " + std::to_string(z.size()) + " for " +
+                  std::to_string(graph.node_count()) + " vertices; give one to each");
+    }
+    anchor_phases(*std::make_unique<PhaseGraph>(graph), z,
+                  1);  // throws for other than unit numbers
+    solution.energy = energy(graph, z);
+    solution.z = std::move(z);
+    return solution;
+  };
+  return without_lock([&] {
+    auto made = std::make_shared<StripesData>();
+    made->pattern = stripe_pattern(surface->surface, std::move(in.waves), options);
+    made->surface = surface;
+    made->prepared = in.prepared;
+    made->threads = ThreadLimit::current();
+    copy_to_joined(*made);
+    return made;
+  });
+}
+
+py::array corner_phases_array(const StripesData& data) {
+  return array_owning(tool::corner_phases_of(data.pattern, "corner_phase"));
+}
+
+py::dict point_arrays(const StripesData& data) {
+  std::vector<DataArray> arrays;
+  const Mesh& mesh = data.surface->surface.mesh;
+  tool::add_waves(
+      arrays, {data.pattern.waves, data.pattern.frequencies_wanted, data.pattern.solution.z, ""},
+      kNan,
+      data.surface->is_points() ? std::vector<float>()
+                                : tool::branches_at_vertices(mesh, data.pattern.corners));
+  copy_from_partners(arrays, data.surface->partners);
+  arrays.push_back(make_data_array("original_id", 1, data.surface->original_ids));
+  return dict_owning(std::move(arrays));
+}
+
+py::dict cell_arrays(const StripesData& data) {
+  if (data.surface->is_points()) return {};
+  return dict_owning({tool::branches_in_triangles(data.pattern, "branch"),
+                      tool::corner_phases_of(data.pattern, "corner_phase")});
+}
+
+template <class Number, class Value>
+py::array per_triangle(const StripesData& data, const Value& value) {
+  std::vector<Number> values;
+  values.reserve(data.pattern.corners.size());
+  for (const CornerPhases& corners : data.pattern.corners) values.push_back(value(corners));
+  return owned(std::move(values));
+}
+
+py::array branches_of(const StripesData& data) {
+  return per_triangle<std::int8_t>(data, [](const CornerPhases& corners) {
+    const bool ends =
+        corners.kind == TriangleKind::branch || corners.kind == TriangleKind::field_singularity;
+    return static_cast<std::int8_t>(ends ? 1 : 0);
+  });
+}
+
+py::array kinds_of(const StripesData& data) {
+  return per_triangle<std::uint8_t>(
+      data, [](const CornerPhases& corners) { return static_cast<std::uint8_t>(corners.kind); });
+}
+
+py::array branch_indices_of(const StripesData& data) {
+  return per_triangle<std::int8_t>(
+      data, [](const CornerPhases& corners) { return corners.branch_index; });
+}
+
+py::array angle_errors_of(const StripesData& data) {
+  return owned(without_lock([&] {
+    return angle_errors_deg(data.surface->surface.mesh, data.pattern.waves, data.pattern.corners);
+  }));
+}
+
+std::string report_of(const StripesData& data, const std::string& invocation) {
+  tool::Report report =
+      tool::make_report(data.surface->surface, data.prepared, data.pattern, data.solver);
+  report.threads = data.threads;
+  report.followed = data.followed;
+  report.invocation = nlohmann::ordered_json::parse(invocation);
+  return tool::to_json(report).dump();
+}
+
+// Lines about what is probably not meant.
+std::string warnings_of(const StripesData& data, const std::string& source) {
+  return tool::warnings(data.prepared.figures, source) +
+         tool::branch_warning(data.prepared.figures, data.pattern.quality.branches,
+                              data.surface->surface.mesh.triangle_count());
+}
+
+py::object frequency_change_of(const StripesData& data) {
+  if (!data.pattern.frequency_change) return py::none();
+  const FrequencyChange& change = *data.pattern.frequency_change;
+  py::dict result;
+  result["ratio_min"] = change.ratio_min;
+  result["ratio_mean"] = change.ratio_mean;
+  result["ratio_max"] = change.ratio_max;
+  result["share_at_bounds"] = change.share_at_bounds;
+  result["spacing_error_wanted_mean"] = data.pattern.quality.spacing_error_wanted_mean;
+  result["sweeps"] = change.sweeps;
+  result["residual"] = change.residual;
+  if (data.pattern.quality.branches_in_calm) {
+    result["branches_in_calm"] = *data.pattern.quality.branches_in_calm;
+  }
+  return result;
+}
+
+py::object turned_of(const StripesData& data) {
+  if (!data.wound) return py::none();
+  py::dict result;
+  result["energy_before"] = data.wound->energy_before;
+  result["largest_deg"] = data.wound->largest_turn_deg;
+  result["mean_deg"] = data.wound->mean_turn_deg;
+  result["largest_frequency_change"] = data.wound->largest_frequency_change;
+  return result;
+}
+
+py::object merged_of(const StripesData& data) {
+  if (!data.merged) return py::none();
+  py::dict result;
+  result["pairs"] = data.merged->pairs;
+  result["branches_before"] = data.merged->branches_before;
+  result["branches_after"] = data.merged->branches_after;
+  result["energy_before"] = data.merged->energy_before;
+  result["energy_after"] = data.merged->energy_after;
+  return result;
+}
+
+const StripesData& stripes_of(py::handle self) { return py::cast<const StripesData&>(self); }
+
+void bind_stripes(py::module_& module) {
+  py::class_<StripesData, StripesPointer>(module, "Stripes")
+      .def_property_readonly("surface", [](const StripesData& data) { return data.surface; })
+      .def_property_readonly("phases",
+                             [](py::handle self) {
+                               const auto& z = stripes_of(self).pattern.solution.z;
+                               return shared(z.data(), {static_cast<py::ssize_t>(z.size())}, self);
+                             })
+      .def_property_readonly("frequency",
+                             [](py::handle self) {
+                               const auto& f = stripes_of(self).pattern.waves.frequencies;
+                               return shared(f.data(), {static_cast<py::ssize_t>(f.size())}, self);
+                             })
+      .def_property_readonly("frequency_wanted",
+                             [](py::handle self) {
+                               const StripePattern& pattern = stripes_of(self).pattern;
+                               const auto& f = pattern.frequencies_wanted.empty()
+                                                   ? pattern.waves.frequencies
+                                                   : pattern.frequencies_wanted;
+                               return shared(f.data(), {static_cast<py::ssize_t>(f.size())}, self);
+                             })
+      .def("frequency_change", frequency_change_of)
+      .def("turned", turned_of)
+      .def("merged", merged_of)
+      .def_property_readonly(
+          "directions",
+
+          [](py::handle self) { return shared(stripes_of(self).pattern.waves.directions, self); })
+      .def_property_readonly("energies",
+                             [](py::handle self) {
+                               const auto& e =
+                                   stripes_of(self).pattern.solution.energy_per_iteration;
+                               return shared(e.data(), {static_cast<py::ssize_t>(e.size())}, self);
+                             })
+      .def("corner_phases", corner_phases_array)
+      .def("point_arrays", point_arrays)
+      .def("cell_arrays", cell_arrays)
+      .def("branches", branches_of)
+      .def("kinds", kinds_of)
+      .def("branch_indices", branch_indices_of)
+      .def("angle_errors", angle_errors_of)
+      .def("report", report_of, py::arg("invocation"))
+      .def("warnings", warnings_of, py::arg("source"));
+}
+
+}  // namespace
+
+Slack slack_of(py::handle slack, py::handle calm) {
+  Slack result;
+  if (!slack.is_none()) {
+    const Table table = table_of(slack, "slack");
+    std::vector<float> numbers = numbers_of(table.view, "slack");
+    if (table.is_number) {
+      result.everywhere = numbers.front();
+    } else {
+      result.by_vertex = std::move(numbers);
+    }
+  }
+  if (!calm.is_none()) result.calm = numbers_of(table_of(calm, "calm").view, "calm");
+  return result;
+}
+
+void bind_solving(py::module_& module) {
+  py::class_<Solving>(module, "Solving")
+      .def(py::init<>())
+      .def_readwrite("threads", &Solving::threads)
+      .def_readwrite("anchor_boundary", &Solving::anchor_boundary)
+      .def_readwrite("merge_branches", &Solving::merge_branches)
+      .def(
+          "set_slack",
+          [](Solving& s, py::handle slack, py::handle calm) {
+            s.stripes.slack = slack_of(slack, calm);
+          },
+          py::arg("slack"), py::arg("calm"))
+      .def(
+          "add_winding",
+          [](Solving& s, const std::string& loop, int periods) {
+            s.windings.push_back({loop, periods});
+          },
+          py::arg("loop"), py::arg("periods"))
+      .def_property(
+          "solver", [](const Solving& s) { return std::string(name_of(s.stripes.solver.solver)); },
+          [](Solving& s, const std::string& name) {
+            const auto solver = parse_solver(name);
+            if (!solver) {
+              throw Error("solver: '" + name +
+                          "' is none of multilevel, relaxation, averaged, global");
+            }
+            s.stripes.solver.solver = *solver;
+          })
+      .def_property(
+          "phase_shift",
+          [](const Solving& s) { return std::string(name_of(s.stripes.phase_shift)); },
+          [](Solving& s, const std::string& name) {
+            const auto kind = parse_phase_shift_kind(name);
+            if (!kind) {
+              throw Error("phase_shift: '" + name +
+                          "' is none of aligned, common_source, trapezoid");
+            }
+            s.stripes.phase_shift = *kind;
+          })
+      .def_property(
+          "weights",
+          [](const Solving& s) {
+            return s.stripes.weights == EdgeWeights::paper ? "paper" : "cotangent";
+          },
+          [](Solving& s, const std::string& name) {
+            if (name != "paper" && name != "cotangent") {
+              throw Error("weights: '" + name + "' is neither paper nor cotangent");
+            }
+            s.stripes.weights = name == "paper" ? EdgeWeights::paper : EdgeWeights::cotangent;
+          })
+#define BRINDLE_SOLVER_OPTION(name)                                  \
+  def_property(                                                      \
+      #name, [](const Solving& s) { return s.stripes.solver.name; }, \
+      [](Solving& s, decltype(SolverOptions::name) value) { s.stripes.solver.name = value; })
+      .BRINDLE_SOLVER_OPTION(epsilon)
+      .BRINDLE_SOLVER_OPTION(momentum)
+      .BRINDLE_SOLVER_OPTION(seed)
+      .BRINDLE_SOLVER_OPTION(max_iterations)
+      .BRINDLE_SOLVER_OPTION(sweeps)
+      .BRINDLE_SOLVER_OPTION(cycles)
+      .BRINDLE_SOLVER_OPTION(global_iterations)
+#undef BRINDLE_SOLVER_OPTION
+      .def_property(
+          "lambda_", [](const Solving& s) { return s.stripes.lambda; },
+          [](Solving& s, float lambda) { s.stripes.lambda = lambda; });
+  py::class_<FieldOrigin>(module, "FieldOrigin")
+      .def(py::init<>())
+      .def_readwrite("source", &FieldOrigin::source)
+      .def_readwrite("rows_nonfinite", &FieldOrigin::rows_nonfinite)
+      .def_readwrite("tensor", &FieldOrigin::tensor);
+}
+
+void bind_patterns(py::module_& module) {
+  bind_stripes(module);
+  module.def("stripes", stripes, py::arg("surface").none(false), py::arg("directions"),
+             py::arg("stripes"), py::arg("frequency"), py::arg("origin"), py::arg("solving"),
+             py::arg("previous").none(true), py::arg("match"), py::arg("progress"));
+  module.def("stripes_from_phases", stripes_from_phases, py::arg("surface").none(false),
+             py::arg("phases"), py::arg("directions"), py::arg("stripes"), py::arg("frequency"),
+             py::arg("origin"), py::arg("solving"));
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,143 @@
+#include "pictures.h"
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "brindle/line_drawing.h"
+#include "job.h"
+#include "pattern_data.h"
+
+namespace brindle::python {
+namespace {
+
+// As in the drawings of the tool.
+constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
+constexpr float kOutlineTolerance = 0.01f;
+
+UpAxis up_axis(const std::string& name) {
+  if (name == "y") return UpAxis::y;
+  if (name == "z") return UpAxis::z;
+  throw Error("up: '" + name + "' is neither 'y' nor 'z'");
+}
+
+Color color_of(const std::string& text) {
+  const auto color = parse_color(text);
+  if (!color) throw Error("colors: '" + text + "' is no colour; give one like '#1c325a'");
+  return *color;
+}
+
+void set_view(Picture& picture, const std::string& view) {
+  if (view != "stripes" && view != "branches" && view != "angle_error") {
+    throw Error("view: '" + view + "' is none of stripes, branches, angle_error");
+  }
+  picture.view = view;
+}
+
+void set_camera(Picture& picture, float azimuth, float elevation, float zoom,
+                const std::string& up) {
+  if (!(elevation >= -90 && elevation <= 90) || !std::isfinite(azimuth)) {
+    throw Error("camera: give azimuth and elevation in degrees, elevation from -90 to 90");
+  }
+  if (!(zoom >= 0.01f && zoom <= 10000)) throw Error("camera: give a zoom from 0.01 to 10000");
+  picture.options.camera = {azimuth, elevation, zoom, up_axis(up)};
+}
+
+void set_size(Picture& picture, int width, int height) {
+  check_image_size(width, height);
+  picture.options.width = width;
+  picture.options.height = height;
+}
+
+void set_colors(Picture& picture, const std::vector<std::string>& colors) {
+  if (colors.size() < 2 || colors.size() > 3) {
+    throw Error("colors: give those of stripes, surface and, if you like, background");
+  }
+  picture.options.stripe_color = color_of(colors[0]);
+  picture.options.base_color = color_of(colors[1]);
+  if (colors.size() == 3) {
+    picture.options.background_center = picture.options.background_edge = color_of(colors[2]);
+  }
+}
+
+void set_stripe_width(Picture& picture, float width) {
+  if (!(width >= 0 && width <= 1)) throw Error("stripe_width: give a share of the period, 0 to 1");
+  picture.options.stripe_width = width;
+}
+
+// A drawing with hidden lines removed, in a pen per list of lines, given by points and offsets.
+struct PenLines {
+  Polylines lines;
+  std::string name;
+  Color color;
+};
+
+PenLines pen_lines(const std::string& name, const std::string& color, py::handle points,
+                   py::handle offsets, py::handle closed) {
+  PenLines pen{{}, name, color_of(color)};
+  pen.lines.points = vectors_of(table_of(points, "points").view, "points");
+  const std::vector<float> marks = numbers_of(table_of(closed, "closed").view, "closed");
+  const py::array_t<Index, py::array::c_style | py::array::forcecast> rows(
+      py::reinterpret_borrow<py::object>(offsets));
+  pen.lines.offsets.assign(rows.data(), rows.data() + rows.size());
+  for (const float mark : marks) pen.lines.closed.push_back(mark != 0 ? 1 : 0);
+  if (pen.lines.offsets.size() != marks.size() + 1 ||
+      pen.lines.offsets.back() != pen.lines.points.size()) {
+    throw Error("lines: offsets and points do not belong together");
+  }
+  return pen;
+}
+
+void draw_lines(const std::string& path, const SurfaceData& data, const std::vector<PenLines>& pens,
+                const Picture& picture) {
+  const RenderOptions& options = picture.options;
+  const Surface& surface = data.surface;
+  without_lock([&] {
+    const Visibility visibility(surface.mesh, options.camera, options.width, options.height);
+    std::vector<Pen> drawn;
+    for (const PenLines& pen : pens) {
+      drawn.push_back({pen.name, pen.color, 1.0f, visibility.strokes(pen.lines)});
+    }
+    const Polylines bounds =
+        outline(surface.mesh, surface.normals, options.camera, options.width, options.height);
+    drawn.push_back(
+        {"outline", kOutlineColor, 1.4f, visibility.strokes(bounds, kOutlineTolerance)});
+    write_svg(path, options.width, options.height, drawn);
+  });
+}
+
+Ornament ornament(py::handle vertices, py::handle triangles, const std::string& color) {
+  const Table positions = table_of(vertices, "vertices");
+  const Table corners = table_of(triangles, "triangles");
+  Ornament made{make_mesh(positions.view, corners.view), color_of(color)};
+  return made;
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& module) {
+  py::class_<Picture>(module, "Picture")
+      .def(py::init<>())
+      .def("set_camera", set_camera, py::arg("azimuth"), py::arg("elevation"), py::arg("zoom"),
+           py::arg("up"))
+      .def("set_size", set_size, py::arg("width"), py::arg("height"))
+      .def("set_colors", set_colors, py::arg("colors"))
+      .def("set_view", set_view, py::arg("view"))
+      .def("set_stripe_width", set_stripe_width, py::arg("width"))
+      .def_property(
+          "transparent", [](const Picture& picture) { return picture.options.transparent; },
+          [](Picture& picture, bool value) { picture.options.transparent = value; })
+      .def_property(
+          "shading", [](const Picture& picture) { return picture.options.shading; },
+          [](Picture& picture, bool value) { picture.options.shading = value; });
+  py::class_<PenLines>(module, "PenLines")
+      .def(py::init(&pen_lines), py::arg("name"), py::arg("color"), py::arg("points"),
+           py::arg("offsets"), py::arg("closed"));
+  py::class_<Ornament>(module, "Ornament")
+      .def(py::init(&ornament), py::arg("vertices"), py::arg("triangles"), py::arg("color"));
+  module.def("draw_lines", draw_lines, py::arg("path"), py::arg("surface"), py::arg("pens"),
+             py::arg("picture"));
+  bind_renderer(module);
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,30 @@
+/// What a picture shows, and from where.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "brindle/renderer.h"
+
+namespace brindle::python {
+
+namespace py = pybind11;
+
+/// Options of pictures and drawings, as Python sets them.
+struct Picture {
+  RenderOptions options;
+  std::string view = "stripes";  ///< or branches, angle_error
+};
+
+/// A mesh of one colour on the surface: tubes along curves, discs at samples.
+struct Ornament {
+  Mesh mesh;
+  Color color;
+};
+
+/// Defined where there is OpenGL, and where there is none: then the functions throw Error.
+void bind_renderer(py::module_& module);
+
+}  // namespace brindle::python

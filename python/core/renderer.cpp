@@ -1,0 +1,162 @@
+// Pictures, for builds with OpenGL.
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "brindle/geometry/append_mesh.h"
+#include "brindle/geometry/normals.h"
+#include "brindle/quality.h"
+#include "brindle/splats.h"
+#include "job.h"
+#include "pattern_data.h"
+#include "pictures.h"
+
+namespace brindle::python {
+namespace {
+
+constexpr float kLargestAngleErrorDeg =
+    30;  // darkest colour of the angle_error view, as the tool's
+
+py::array array_of(Image&& image) {
+  const py::ssize_t height = image.height, width = image.width;
+  return owned<std::uint8_t>(std::move(image.pixels), {height, width, 4});
+}
+
+Image image_of(py::handle array) {
+  if (!py::isinstance<py::array_t<std::uint8_t>>(array)) {
+    throw py::type_error("image: expected an array of uint8");
+  }
+  const py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast> pixels(
+      py::reinterpret_borrow<py::object>(array));
+  if (pixels.ndim() != 3 || (pixels.shape(2) != 3 && pixels.shape(2) != 4)) {
+    throw Error("image: expected rows of pixels of 3 or 4 channels");
+  }
+  check_image_size(pixels.shape(1), pixels.shape(0));
+  Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)));
+  const auto channels = static_cast<std::size_t>(pixels.shape(2));
+  const std::uint8_t* from = pixels.data();
+  for (Pixel& pixel : image.pixels) {
+    pixel = {from[0], from[1], from[2], channels == 4 ? from[3] : std::uint8_t{255}};
+    from += channels;
+  }
+  return image;
+}
+
+TextureTile tile_of(py::handle tile) {
+  if (!py::isinstance<py::str>(tile)) return image_of(tile);
+  const auto name = py::cast<std::string>(tile);
+  const auto built_in = parse_built_in_tile(name);
+  if (!built_in) {
+    throw Error("tile: '" + name + "' is none of " + std::string(built_in_tile_names()));
+  }
+  return *built_in;
+}
+
+Overlay overlay_of(const std::string& view, const StripesData& data) {
+  const Mesh& mesh = data.surface->surface.mesh;
+  if (view == "branches") return branch_overlay(mesh, data.pattern.corners);
+  if (view == "angle_error") {
+    return error_overlay(angle_errors_deg(mesh, data.pattern.waves, data.pattern.corners),
+                         kLargestAngleErrorDeg);
+  }
+  return {};
+}
+
+RenderOptions options_of(const Picture& picture) {
+  return picture.view == "stripes" ? picture.options : with_faint_stripes(picture.options);
+}
+
+Image picture_of_points(const SurfaceData& data, const StripesData* stripes,
+                        const RenderOptions& options) {
+  const Surface& surface = data.surface;
+  const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
+  SplatDrawing drawing{
+      .positions = surface.mesh.positions, .normals = surface.normals, .radii = radii};
+  if (stripes != nullptr) {
+    drawing.waves = &stripes->pattern.waves;
+    drawing.z = stripes->pattern.solution.z;
+  }
+  return render_splats(drawing, options);
+}
+
+py::array render_stripes(const SurfaceData& surface, const StripesData* stripes,
+                         const Picture& picture) {
+  return array_of(without_lock([&] {
+    const RenderOptions options = options_of(picture);
+    if (surface.is_points()) return picture_of_points(surface, stripes, options);
+    SurfaceDrawing drawing{.mesh = surface.surface.mesh, .normals = surface.surface.normals};
+    if (stripes == nullptr) return render_picture(drawing, options);
+    const Overlay overlay = overlay_of(picture.view, *stripes);
+    drawing.waves = &stripes->pattern.waves;
+    drawing.z = stripes->pattern.solution.z;
+    drawing.triangle_colors = overlay.triangle_colors;
+    drawing.marks = overlay.marks;
+    return render_picture(drawing, options);
+  }));
+}
+
+py::array render_texture(const TextureData& texture, py::handle tile, const Picture& picture) {
+  const TextureTile chosen = tile_of(tile);
+  return array_of(without_lock([&] {
+    SurfaceDrawing drawing{.mesh = texture.surface->surface.mesh,
+                           .normals = texture.surface->surface.normals};
+    drawing.texture_waves = &texture.waves;
+    drawing.texture_tile = &chosen;
+    if (texture.u) {
+      const Overlay overlay = overlay_of(picture.view, *texture.u);
+      drawing.waves = &texture.u->pattern.waves;
+      drawing.z = texture.u->pattern.solution.z;
+      drawing.triangle_colors = overlay.triangle_colors;
+      drawing.marks = overlay.marks;
+      return render_picture(drawing, options_of(picture));
+    }
+    return render_picture(drawing, options_of(picture));
+  }));
+}
+
+py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>& ornaments,
+                           const Picture& picture) {
+  return array_of(without_lock([&] {
+    Mesh mesh = data.surface.mesh;
+    std::vector<Vec3> normals = data.surface.normals;
+    std::vector<TriangleColor> colors(mesh.triangle_count());
+    for (const Ornament& ornament : ornaments) {
+      const std::vector<Vec3> own = vertex_normals(ornament.mesh);
+      append(ornament.mesh, mesh);
+      normals.insert(normals.end(), own.begin(), own.end());
+      colors.resize(mesh.triangle_count(), {ornament.color, 1});
+    }
+    return render_picture({.mesh = mesh, .normals = normals, .triangle_colors = colors},
+                          picture.options);
+  }));
+}
+
+}  // namespace
+
+void bind_renderer(py::module_& module) {
+  module.attr("has_opengl") = true;
+  module.def("render", render_stripes, py::arg("surface"), py::arg("stripes").none(true),
+             py::arg("picture"));
+  module.def("render_texture", render_texture, py::arg("texture"), py::arg("tile"),
+             py::arg("picture"));
+  module.def("render_ornaments", render_ornaments, py::arg("surface"), py::arg("ornaments"),
+             py::arg("picture"));
+  module.def(
+      "write_png",
+      [](const std::string& path, py::handle image) { write_png(path, image_of(image)); },
+      py::arg("path"), py::arg("image"));
+  module.def(
+      "read_png", [](const std::string& path) { return array_of(read_png(path)); },
+      py::arg("path"));
+  module.def(
+      "tile_png",
+      [](py::handle tile, const Picture& picture) {
+        constexpr int kSide = 512;
+        return py::bytes(png_of(tile_picture(tile_of(tile), kSide, picture.options.stripe_color,
+                                             picture.options.base_color)));
+      },
+      py::arg("tile"), py::arg("picture"));
+  module.def("tile_names", [] { return std::string(built_in_tile_names()); });
+}
+
+}  // namespace brindle::python

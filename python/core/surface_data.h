@@ -1,0 +1,48 @@
+/// A surface and what came with it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "brindle/data_arrays.h"
+#include "brindle/mesh.h"
+#include "brindle/points.h"
+#include "brindle/surface.h"
+
+namespace brindle::python {
+
+namespace py = pybind11;
+
+/// Python hands these around; nobody changes one.
+struct SurfaceData {
+  Surface surface;
+  std::string name;          ///< a file, a shape, or "arrays"
+  bool stands_on_z = false;  ///< the z axis points up, as that of built-in shapes
+  MeshRepair repair;
+  std::optional<PointRepair> point_repair;  ///< of points
+  DataArrays arrays;                        ///< a row per vertex, and per triangle
+  std::string left_out;                     ///< lines about what the file has and this has not
+  std::vector<Index> vertex_of_row;         ///< `LoadedMesh::vertex_of_row`
+  /// For every vertex, up to the last that was joined with another, the one that triangles use in
+  /// its place, whose wave it gets; empty if there are none.
+  std::vector<Index> partners;
+  std::vector<std::int64_t> original_ids;  ///< numbers in the file or array; -1 of added vertices
+  std::vector<Index> kept_triangles;       ///< their numbers before repair; empty if all were kept
+  std::size_t vertices_joined = 0;
+  double load_milliseconds = 0;
+  double topology_milliseconds = 0;
+
+  bool is_points() const { return surface.mesh.triangles.empty(); }
+};
+
+using SurfacePointer = std::shared_ptr<SurfaceData>;
+
+void bind_surfaces(py::module_& module);
+void bind_fields(py::module_& module);
+
+}  // namespace brindle::python

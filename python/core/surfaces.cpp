@@ -1,0 +1,499 @@
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <string_view>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/curvature.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/geometry/local_positions.h"
+#include "brindle/geometry/nearest.h"
+#include "brindle/geometry/polygon.h"
+#include "brindle/mesh_data.h"
+#include "brindle/nearby_data.h"
+#include "brindle/shapes.h"
+#include "job.h"
+#include "surface_data.h"
+
+namespace brindle::python {
+namespace {
+
+constexpr std::string_view kShapePrefix = "shape:";
+
+// The first `own` vertices have numbers; those that were added have none.
+void number_vertices(SurfaceData& data, std::size_t own) {
+  data.original_ids.assign(data.surface.mesh.vertex_count(), -1);
+  const auto end = data.original_ids.begin() + static_cast<std::ptrdiff_t>(own);
+  std::iota(data.original_ids.begin(), end, std::int64_t{0});
+}
+
+// Derives all that depends on the mesh.
+SurfacePointer finished(SurfaceData&& data, Mesh&& mesh) {
+  Stopwatch watch;
+  data.surface = make_surface(std::move(mesh));
+  data.topology_milliseconds = watch.lap();
+  if (data.original_ids.empty()) number_vertices(data, data.surface.mesh.vertex_count());
+  return std::make_shared<SurfaceData>(std::move(data));
+}
+
+void check_array_rows(const DataArrays& arrays, const Mesh& mesh) {
+  const auto check = [](const std::vector<DataArray>& list, std::size_t rows, const char* of) {
+    for (const DataArray& array : list) {
+      if (array.rows() == rows) continue;
+      throw Error("array '" + array.name + "': it has " + std::to_string(array.rows()) +
+                  " rows for " + std::to_string(rows) + " " + of);
+    }
+  };
+  check(arrays.points, mesh.vertex_count(), "vertices");
+  check(arrays.cells, mesh.triangle_count(), "triangles");
+}
+
+Table columns_of_three(py::handle object, const char* what) {
+  Table table = table_of(object, what);
+  check_columns(table.view, 3, what);
+  return table;
+}
+
+// A corner that is no vertex becomes one that no mesh has.
+Mesh unchecked_mesh(const ArrayView& positions, const ArrayView& triangles) {
+  std::vector<Eigen::Vector3d> places(positions.rows());
+  for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
+    places[vertex][static_cast<Eigen::Index>(axis)] = static_cast<double>(number);
+  });
+  Mesh mesh;
+  mesh.origin = origin_near(places);
+  mesh.positions = positions_about(mesh.origin, places);
+  mesh.triangles.resize(triangles.rows());
+  for_each_number(triangles, [&](std::size_t triangle, std::size_t corner, auto number) {
+    if constexpr (std::is_integral_v<decltype(number)>) {
+      const bool is_vertex = static_cast<std::uint64_t>(number) < places.size();
+      mesh.triangles[triangle][corner] =
+          is_vertex ? static_cast<Index>(number) : std::numeric_limits<Index>::max();
+    } else {
+      throw Error("triangles: their corners must be whole numbers, not floating-point ones");
+    }
+  });
+  return mesh;
+}
+
+// What `read_mesh` does with a file's mesh.
+void repair_all(Mesh& mesh, SurfaceData& data) {
+  const std::size_t triangles = mesh.triangle_count();
+  std::vector<Index> first = first_at_each_place(mesh.positions);
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& corner : triangle) corner = corner < first.size() ? first[corner] : corner;
+  }
+  std::size_t joined = 0;
+  for (Index v = 0; v < first.size(); ++v) joined += first[v] != v ? 1 : 0;
+  std::vector<Index> kept;
+  data.repair = repair_mesh(mesh, kept);
+  data.repair.vertices_joined = data.vertices_joined = joined;
+  if (joined > 0) data.partners = data.vertex_of_row = std::move(first);
+  if (kept.size() == triangles) return;
+  data.arrays.cells = rows_of(data.arrays.cells, kept);
+  data.kept_triangles = std::move(kept);
+}
+
+SurfacePointer from_arrays(py::handle vertices, py::handle triangles, const py::dict& point_arrays,
+                           const py::dict& cell_arrays, bool repair) {
+  const Table positions = columns_of_three(vertices, "vertices");
+  const Table corners = columns_of_three(triangles, "triangles");
+  SurfaceData data;
+  data.name = "arrays";
+  data.arrays = {data_arrays_of(point_arrays), data_arrays_of(cell_arrays)};
+  Stopwatch watch;
+  Mesh mesh = repair ? unchecked_mesh(positions.view, corners.view)
+                     : make_mesh(positions.view, corners.view);
+  check_array_rows(data.arrays, mesh);
+  return without_lock([&] {
+    if (repair) repair_all(mesh, data);
+    data.load_milliseconds = watch.lap();
+    return finished(std::move(data), std::move(mesh));
+  });
+}
+
+SurfacePointer from_points(LoadedPoints&& loaded, int neighbors, SurfaceData&& data) {
+  data.point_repair = loaded.repair;
+  data.vertices_joined = loaded.repair.repeated;
+  data.partners = data.vertex_of_row = std::move(loaded.first_at_place);
+  data.left_out = std::move(loaded.left_out);
+  if (!loaded.arrays.empty()) data.arrays.points = std::move(loaded.arrays);
+  Stopwatch watch;
+  data.surface = make_point_surface(std::move(loaded.cloud), neighbors);
+  data.topology_milliseconds = watch.lap();
+  number_vertices(data, data.surface.mesh.vertex_count());
+  return std::make_shared<SurfaceData>(std::move(data));
+}
+
+SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neighbors,
+                                 const py::dict& point_arrays) {
+  const Table positions = columns_of_three(points, "points");
+  std::vector<Vec3> directions;
+  if (!normals.is_none()) {
+    const Table table = columns_of_three(normals, "normals");
+    if (table.view.rows() != positions.view.rows()) {
+      throw Error("normals: there are " + std::to_string(table.view.rows()) + " for " +
+                  std::to_string(positions.view.rows()) + " points; give one to each, or none");
+    }
+    directions = vectors_of(table.view, "normals");
+  }
+  SurfaceData data;
+  data.name = "arrays";
+  data.arrays.points = data_arrays_of(point_arrays);
+  const Mesh placed = unchecked_mesh(positions.view, {});
+  check_array_rows(data.arrays, placed);
+  return without_lock([&] {
+    LoadedPoints loaded = make_point_cloud(placed.positions, std::move(directions));
+    loaded.cloud.origin = placed.origin;
+    return from_points(std::move(loaded), neighbors, std::move(data));
+  });
+}
+
+SurfacePointer from_mesh_file(const std::filesystem::path& path, SurfaceData&& data, int times,
+                              const Progress& progress) {
+  Stopwatch watch;
+  LoadedMesh loaded = read_mesh(path, progress);
+  const std::size_t own = loaded.mesh.vertex_count();
+  if (times > 0) subdivide(loaded.mesh, loaded.arrays, times);
+  data.repair = loaded.repair;
+  data.vertices_joined = loaded.repair.vertices_joined;
+  data.arrays = std::move(loaded.arrays);
+  data.left_out = std::move(loaded.left_out);
+  if (!loaded.renumbered) data.partners = loaded.vertex_of_row;
+  data.load_milliseconds = watch.lap();
+  const SurfacePointer made = finished(std::move(data), std::move(loaded.mesh));
+  number_vertices(*made, loaded.renumbered ? 0 : own);
+  if (loaded.renumbered) {
+    for (std::size_t row = loaded.vertex_of_row.size(); row-- > 0;) {
+      made->original_ids[loaded.vertex_of_row[row]] = static_cast<std::int64_t>(row);
+    }
+  }
+  if (times == 0) made->vertex_of_row = std::move(loaded.vertex_of_row);
+  return made;
+}
+
+SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> points,
+                         int neighbors, int times, const py::object& callback) {
+  SurfaceData data;
+  data.name = path.string();
+  return Job(callback).run([&](const Progress& progress) {
+    if (!points.value_or(is_point_file(path))) {
+      return from_mesh_file(path, std::move(data), times, progress);
+    }
+    if (times > 0) throw Error(path.string() + ": points have no triangles to subdivide");
+    Stopwatch watch;
+    LoadedPoints loaded = read_points(path);
+    data.load_milliseconds = watch.lap();
+    return from_points(std::move(loaded), neighbors, std::move(data));
+  });
+}
+
+SurfacePointer from_shape(const std::string& spec, int times) {
+  SurfaceData data;
+  data.name = std::string(kShapePrefix) + spec;
+  data.stands_on_z = true;
+  return without_lock([&] {
+    Stopwatch watch;
+    Mesh mesh = make_shape(spec);
+    const std::size_t own = mesh.vertex_count();
+    if (times > 0) mesh = subdivide(std::move(mesh), times);
+    data.load_milliseconds = watch.lap();
+    const SurfacePointer made = finished(std::move(data), std::move(mesh));
+    number_vertices(*made, own);
+    return made;
+  });
+}
+
+// What stays with a surface whose mesh changes.
+SurfaceData data_along_with(const SurfaceData& from) {
+  SurfaceData data;
+  data.name = from.name;
+  data.stands_on_z = from.stands_on_z;
+  data.arrays = from.arrays;
+  data.vertices_joined = from.vertices_joined;
+  data.partners = from.partners;
+  data.original_ids = from.original_ids;
+  return data;
+}
+
+SurfacePointer subdivided(const SurfaceData& from, int times) {
+  if (from.is_points()) throw Error("points have no triangles to subdivide");
+  SurfaceData data = data_along_with(from);
+  return without_lock([&] {
+    Stopwatch watch;
+    Mesh mesh = from.surface.mesh;
+    subdivide(mesh, data.arrays, times);
+    data.load_milliseconds = watch.lap();
+    data.original_ids.resize(mesh.vertex_count(), -1);
+    return finished(std::move(data), std::move(mesh));
+  });
+}
+
+// The same triangles with vertices elsewhere.
+SurfacePointer moved(const SurfaceData& from, py::handle positions) {
+  const Table table = columns_of_three(positions, "vertices");
+  const Mesh& mesh = from.surface.mesh;
+  check_rows(table, mesh.vertex_count(), "vertices");
+  SurfaceData data = data_along_with(from);
+  return without_lock([&] {
+    Mesh moved_mesh = make_mesh(table.view, {});
+    moved_mesh.triangles = mesh.triangles;
+    return finished(std::move(data), std::move(moved_mesh));
+  });
+}
+
+// Where vertices stand: what the mesh has, or numbers of double precision if its zero is elsewhere.
+py::array placed_points(std::span<const Vec3> points, const Eigen::Vector3d& origin,
+                        py::handle owner) {
+  if (origin.isZero(0)) return shared(points, owner);
+  std::vector<double> numbers;
+  numbers.reserve(3 * points.size());
+  for (const Vec3& point : points) {
+    const Eigen::Vector3d place = placed(point, origin);
+    numbers.insert(numbers.end(), place.data(), place.data() + 3);
+  }
+  return owned<double>(std::move(numbers), {static_cast<py::ssize_t>(points.size()), 3});
+}
+
+const SurfaceData& data_of(py::handle self) { return py::cast<const SurfaceData&>(self); }
+
+// Signed, because differences of unsigned numbers surprise; no mesh has 2^31 vertices here.
+template <class Row>
+py::array indices(const std::vector<Row>& rows, Shape shape, py::handle owner) {
+  return shared(reinterpret_cast<const std::int32_t*>(rows.data()), shape, owner);
+}
+
+py::dict arrays_of(const std::vector<DataArray>& arrays, py::handle owner) {
+  py::dict result;
+  for (const DataArray& array : arrays) result[py::str(array.name)] = shared(array, owner);
+  return result;
+}
+
+py::dict dict_of(const MeshRepair& repair) {
+  py::dict result;
+  result["vertices_not_finite"] = repair.vertices_not_finite;
+  result["vertices_joined"] = repair.vertices_joined;
+  result["vertices_unreferenced"] = repair.vertices_unreferenced;
+  result["triangles_out_of_range"] = repair.triangles_out_of_range;
+  result["triangles_not_finite"] = repair.triangles_not_finite;
+  result["triangles_degenerate"] = repair.triangles_degenerate;
+  result["triangles_duplicate"] = repair.triangles_duplicate;
+  return result;
+}
+
+py::dict dict_of(const PointRepair& repair) {
+  py::dict result;
+  result["not_finite"] = repair.not_finite;
+  result["repeated"] = repair.repeated;
+  result["without_normal"] = repair.without_normal;
+  return result;
+}
+
+std::string description_of_repair(const SurfaceData& data) {
+  return data.point_repair ? describe(*data.point_repair) : describe(data.repair);
+}
+
+py::tuple curvature_of(const SurfaceData& data) {
+  const Surface& surface = data.surface;
+  const auto curvatures = without_lock([&] {
+    return principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
+  });
+  std::vector<float> maximum, minimum;
+  std::vector<Vec3> maximum_directions, minimum_directions;
+  for (const PrincipalCurvature& curvature : curvatures) {
+    maximum.push_back(curvature.maximum);
+    minimum.push_back(curvature.minimum);
+    maximum_directions.push_back(curvature.maximum_direction);
+    minimum_directions.push_back(curvature.minimum_direction);
+  }
+  return py::make_tuple(owned(std::move(maximum)), owned(std::move(minimum)),
+                        owned(std::move(maximum_directions)), owned(std::move(minimum_directions)));
+}
+
+py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_distance) {
+  const Table table = columns_of_three(points, "points");
+  const std::vector<double> numbers = doubles_of(table.view);
+  const std::size_t count = table.view.rows();
+  const Mesh& mesh = data.surface.mesh;
+  if (data.is_points()) throw Error("points have no triangles to be near to");
+  std::vector<std::int32_t> triangles(count, -1);
+  std::vector<double> weights(3 * count, 0),
+      distances(count, std::numeric_limits<double>::infinity());
+  without_lock([&] {
+    const NearestOnMesh places(mesh);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3d point(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+      const auto place = places.nearest(point - mesh.origin, max_distance);
+      if (!place) continue;
+      triangles[i] = static_cast<std::int32_t>(place->triangle);
+      std::copy(place->barycentric.begin(), place->barycentric.end(), &weights[3 * i]);
+      distances[i] = place->distance;
+    }
+  });
+  return py::make_tuple(owned(std::move(triangles)),
+                        owned<double>(std::move(weights), {static_cast<py::ssize_t>(count), 3}),
+                        owned(std::move(distances)));
+}
+
+// An array of one surface at the vertices of another.
+py::array carried(const SurfaceData& from, const std::string& name, py::handle array,
+                  const SurfaceData& to, double max_distance) {
+  const DataArray values = data_array_of(name, array);
+  const bool cells = !from.is_points() && values.rows() == from.surface.mesh.triangle_count() &&
+                     values.rows() != from.surface.mesh.vertex_count();
+  return array_owning(without_lock([&] {
+    const NearbyRows rows = nearby_rows(from.surface.mesh, to.surface.mesh, max_distance);
+    return cells ? carried_from_cells(values, rows) : carried_from_points(values, rows);
+  }));
+}
+
+py::array moved_to_points(const SurfaceData& data, const std::string& name, py::handle cells) {
+  const DataArray values = data_array_of(name, cells);
+  return array_owning(without_lock([&] { return cells_to_points(data.surface.mesh, values); }));
+}
+
+// Polygons of any number of corners, `corners[offsets[i]] .. corners[offsets[i + 1] - 1]`, as
+// triangles; and of which polygon each is.
+py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::handle corners) {
+  const Table positions = columns_of_three(vertices, "vertices");
+  const Mesh placed = unchecked_mesh(positions.view, {});
+  using Numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  const Numbers rows(py::reinterpret_borrow<py::object>(offsets));
+  const Numbers ends(py::reinterpret_borrow<py::object>(corners));
+  std::vector<Index> polygon;
+  std::vector<Triangle> triangles;
+  std::vector<std::int32_t> origins;
+  for (py::ssize_t i = 0; i + 1 < rows.size(); ++i) {
+    if (rows.at(i) < 0 || rows.at(i) > rows.at(i + 1) || rows.at(i + 1) > ends.size()) {
+      throw Error("polygons: the offsets of polygon " + std::to_string(i) + " name no corners");
+    }
+    polygon.clear();
+    for (std::int64_t k = rows.at(i); k < rows.at(i + 1); ++k) {
+      if (ends.at(k) < 0 || ends.at(k) >= static_cast<std::int64_t>(placed.vertex_count())) {
+        throw Error("polygons: polygon " + std::to_string(i) + " has the corner " +
+                    std::to_string(ends.at(k)) + ", but there are " +
+                    std::to_string(placed.vertex_count()) + " vertices, numbered from 0");
+      }
+      polygon.push_back(static_cast<Index>(ends.at(k)));
+    }
+    if (polygon.size() >= 3) triangulate_polygon(placed.positions, polygon, triangles);
+    origins.resize(triangles.size(), static_cast<std::int32_t>(i));
+  }
+  const auto count = static_cast<py::ssize_t>(triangles.size());
+  return py::make_tuple(owned<std::int32_t>(std::move(triangles), {count, 3}),
+                        owned(std::move(origins)));
+}
+
+void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
+  type.def_property_readonly("name", [](const SurfaceData& data) { return data.name; })
+      .def_property_readonly("stands_on_z",
+                             [](const SurfaceData& data) { return data.stands_on_z; })
+      .def_property_readonly("is_points", &SurfaceData::is_points)
+      .def_property_readonly("left_out", [](const SurfaceData& data) { return data.left_out; })
+      .def_property_readonly(
+          "vertex_count", [](const SurfaceData& data) { return data.surface.mesh.vertex_count(); })
+      .def_property_readonly(
+          "triangle_count",
+          [](const SurfaceData& data) { return data.surface.mesh.triangle_count(); })
+      .def_property_readonly(
+          "edge_count",
+          [](const SurfaceData& data) { return data.surface.neighborhood->edge_count(); })
+      .def_property_readonly(
+          "diagonal",
+          [](const SurfaceData& data) { return bounding_box(data.surface.mesh).diagonal(); })
+      .def_property_readonly("origin",
+                             [](const SurfaceData& data) {
+                               const Eigen::Vector3d& origin = data.surface.mesh.origin;
+                               return py::make_tuple(origin.x(), origin.y(), origin.z());
+                             })
+      .def_property_readonly("repair",
+                             [](const SurfaceData& data) {
+                               return data.point_repair ? dict_of(*data.point_repair)
+                                                        : dict_of(data.repair);
+                             })
+      .def_property_readonly("repair_text", description_of_repair);
+}
+
+void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
+  type.def_property_readonly("vertices",
+                             [](py::handle self) {
+                               const Mesh& mesh = data_of(self).surface.mesh;
+                               return placed_points(mesh.positions, mesh.origin, self);
+                             })
+      .def_property_readonly(
+          "local_vertices",
+          [](py::handle self) { return shared(data_of(self).surface.mesh.positions, self); })
+      .def_property_readonly(
+          "normals", [](py::handle self) { return shared(data_of(self).surface.normals, self); })
+      .def_property_readonly(
+          "triangles",
+          [](py::handle self) {
+            const auto& rows = data_of(self).surface.mesh.triangles;
+            return indices(rows, {static_cast<py::ssize_t>(rows.size()), 3}, self);
+          })
+      .def_property_readonly("neighbor_offsets",
+                             [](py::handle self) {
+                               const auto& rows = data_of(self).surface.neighborhood->offsets;
+                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
+                             })
+      .def_property_readonly("neighbors",
+                             [](py::handle self) {
+                               const auto& rows = data_of(self).surface.neighborhood->neighbors;
+                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
+                             })
+      .def_property_readonly("vertex_of_row",
+                             [](py::handle self) {
+                               const auto& rows = data_of(self).vertex_of_row;
+                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
+                             })
+      .def_property_readonly("kept_triangles",
+                             [](py::handle self) {
+                               const auto& rows = data_of(self).kept_triangles;
+                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
+                             })
+      .def_property_readonly(
+          "point_data",
+          [](py::handle self) { return arrays_of(data_of(self).arrays.points, self); })
+      .def_property_readonly(
+          "cell_data", [](py::handle self) { return arrays_of(data_of(self).arrays.cells, self); });
+}
+
+}  // namespace
+
+void bind_surfaces(py::module_& module) {
+  py::class_<SurfaceData, SurfacePointer> type(module, "Surface");
+  bind_properties(type);
+  bind_arrays(type);
+  type.def("subdivided", subdivided, py::arg("times"))
+      .def("moved", moved, py::arg("vertices"))
+      .def("curvature", curvature_of)
+      .def("nearest", nearest_places, py::arg("points"), py::arg("max_distance"))
+      .def("carried", carried, py::arg("name"), py::arg("array"), py::arg("to"),
+           py::arg("max_distance"))
+      .def("moved_to_points", moved_to_points, py::arg("name"), py::arg("cells"));
+  module.def("surface_of_arrays", from_arrays, py::arg("vertices"), py::arg("triangles"),
+             py::arg("point_data"), py::arg("cell_data"), py::arg("repair"));
+  module.def("surface_of_points", from_point_arrays, py::arg("points"),
+             py::arg("normals").none(true), py::arg("neighbors"), py::arg("point_data"));
+  module.def(
+      "read",
+      [](const std::string& path, std::optional<bool> points, int neighbors, int times,
+         const py::object& progress) {
+        return from_file(path, points, neighbors, times, progress);
+      },
+      py::arg("path"), py::arg("points"), py::arg("neighbors"), py::arg("subdivide"),
+      py::arg("progress"));
+  module.def("triangles_of_polygons", triangles_of_polygons, py::arg("vertices"),
+             py::arg("offsets"), py::arg("corners"));
+  module.def("shape", from_shape, py::arg("spec"), py::arg("subdivide"));
+  module.def("shape_names", shape_names);
+  module.def("shape_help", shape_help);
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,128 @@
+#include "brindle/texture_animator.h"
+
+#include <atomic>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "corner_uv.h"
+#include "job.h"
+#include "pattern_data.h"
+
+namespace brindle::python {
+namespace {
+
+constexpr const char* kOrientations[] = {"afresh", "kept", "continued", "shortened"};
+
+// One frame after the other; a second call meanwhile is refused.
+struct TextureAnimatorData {
+  SurfacePointer surface;
+  PhaseShiftKind phase_shift;
+  TextureAnimator animator;
+  py::dict figures;
+  std::atomic<bool> busy{false};
+
+  TextureAnimatorData(SurfacePointer on, const TextureAnimatorOptions& options)
+      : surface(std::move(on)),
+        phase_shift(options.stripes.phase_shift),
+        animator(surface->surface, options) {}
+};
+
+std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer& surface,
+                                                           bool oriented, float lambda, int sweeps,
+                                                           int cycles, py::handle slack,
+                                                           py::handle calm) {
+  TextureAnimatorOptions options;
+  options.oriented = oriented;
+  options.stripes.lambda = lambda;
+  options.stripes.sweeps = sweeps;
+  options.stripes.cycles = cycles;
+  options.stripes.slack = slack_of(slack, calm);
+  return std::make_unique<TextureAnimatorData>(surface, options);
+}
+
+// Frequencies of a number, for all vertices, or of an array.
+class FrequenciesIn {
+ public:
+  FrequenciesIn(py::handle given, std::size_t vertices, const std::string& what) {
+    if (given.is_none()) return;
+    const Table table = table_of(given, what);
+    if (table.is_number) {
+      everywhere_.assign(vertices, numbers_of(table.view, what).front());
+    } else {
+      rows_ = RowsIn<float>(table.array, what);
+    }
+  }
+  std::span<const float> rows() const { return everywhere_.empty() ? rows_.rows() : everywhere_; }
+
+ private:
+  std::vector<float> everywhere_;
+  RowsIn<float> rows_;
+};
+
+py::dict figures_of(const TextureFrameResult& result) {
+  py::dict figures;
+  figures["orientation"] = kOrientations[static_cast<std::size_t>(result.orientation)];
+  figures["phase_step_u"] = result.u.stripes.phase_step;
+  figures["phase_step_v"] = result.v.stripes.phase_step;
+  figures["branches_u"] = result.u.quality.branches;
+  figures["branches_v"] = result.v.quality.branches;
+  figures["turned_edges"] = result.seams.turned;
+  figures["mirrored_edges"] = result.seams.mirrored;
+  figures["unoriented_triangles"] = result.seams.unoriented_triangles;
+  figures["angle_distortion_mean_deg"] = result.quality.angle_mean_deg;
+  figures["area_distortion_mean"] = result.quality.area_mean;
+  return figures;
+}
+
+RowsIn<Vec3> vectors_in(py::handle given, const std::string& what) {
+  return given.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(given, what);
+}
+
+py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::handle frequencies,
+                        py::handle positions, py::handle frequencies_v, py::handle normals) {
+  const OneAtATime alone(data.busy, "this animator");
+  const Mesh& mesh = data.surface->surface.mesh;
+  const RowsIn<Vec3> directions_in(directions, "directions");
+  const RowsIn<Vec3> positions_in = vectors_in(positions, "positions");
+  const RowsIn<Vec3> normals_in = vectors_in(normals, "normals");
+  const FrequenciesIn u(frequencies, mesh.vertex_count(), "frequencies");
+  const FrequenciesIn v(frequencies_v, mesh.vertex_count(), "frequencies_v");
+  TextureFrameInput input;
+  input.u.positions =
+      positions.is_none() ? std::span<const Vec3>(mesh.positions) : positions_in.rows();
+  input.u.directions = directions_in.rows();
+  input.u.frequencies = u.rows();
+  input.frequencies_v = v.rows();
+  input.normals = normals_in.rows();
+  std::vector<float> uv;
+  std::optional<TextureFrameResult> result;
+  without_lock([&] {
+    result.emplace(data.animator.frame(input));
+    uv = corner_coordinates(result->waves, data.phase_shift);
+  });
+  data.figures = figures_of(*result);
+  return owned<float>(std::move(uv), {static_cast<py::ssize_t>(mesh.triangle_count()), 3, 2});
+}
+
+}  // namespace
+
+void bind_texture_animator(py::module_& module) {
+  py::class_<TextureAnimatorData>(module, "TextureAnimator")
+      .def(py::init(&make_texture_animator), py::arg("surface").none(false), py::arg("oriented"),
+           py::arg("lambda_"), py::arg("sweeps"), py::arg("cycles"), py::arg("slack"),
+           py::arg("calm"))
+      .def_property_readonly("surface",
+                             [](const TextureAnimatorData& data) { return data.surface; })
+      .def_property_readonly("figures",
+                             [](const TextureAnimatorData& data) { return data.figures; })
+      .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
+           py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"))
+      .def("restart", [](TextureAnimatorData& data) {
+        const OneAtATime alone(data.busy, "this animator");
+        data.animator.restart();
+      });
+}
+
+}  // namespace brindle::python

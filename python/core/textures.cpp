@@ -1,0 +1,262 @@
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "brindle/texture_coordinates.h"
+#include "brindle/threads.h"
+#include "corner_uv.h"
+#include "job.h"
+#include "pattern_data.h"
+
+namespace brindle::python {
+namespace {
+
+std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, py::handle stripes,
+                                                   py::handle frequency) {
+  const Mesh& mesh = surface.surface.mesh;
+  if (!frequency.is_none()) {
+    const Table table = table_of(frequency, "frequency_v");
+    if (!table.is_number) check_rows(table, mesh.vertex_count(), "frequency_v");
+    const std::vector<float> numbers = numbers_of(table.view, "frequency_v");
+    return table.is_number ? constant_frequency_field(numbers.front(), mesh.vertex_count())
+                           : numbers;
+  }
+  if (stripes.is_none()) return std::nullopt;
+  const Table table = table_of(stripes, "stripes_v");
+  if (!table.is_number) throw Error("stripes_v: expected one number; frequency_v may be an array");
+  const float count = numbers_of(table.view, "stripes_v").front();
+  return constant_frequency_field(frequency_of_stripes(count, bounding_box(mesh).diagonal()),
+                                  mesh.vertex_count());
+}
+
+StripesPointer stripes_data(const SurfacePointer& surface, StripePattern&& pattern,
+                            const tool::PreparationFigures& prepared, Solver solver) {
+  auto made = std::make_shared<StripesData>();
+  made->surface = surface;
+  made->pattern = std::move(pattern);
+  made->prepared = prepared;
+  made->solver = solver;
+  made->threads = ThreadLimit::current();
+  return made;
+}
+
+TexturePointer texture(const SurfacePointer& surface, py::handle directions, py::handle count,
+                       py::handle frequency, py::handle count_v, py::handle frequency_v,
+                       bool oriented, const FieldOrigin& origin, const Solving& solving,
+                       const py::object& progress) {
+  if (surface->is_points()) throw Error("points have no triangles to lay a texture on");
+  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  TextureOptions options{
+      crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField()), oriented,
+      solving.stripes};
+  return Job(progress, solving.threads).run([&](const Progress& reports) {
+    const Solver solver = options.stripes.solver.solver;
+    TexturePattern pattern =
+        texture_pattern(surface->surface, std::move(in.waves), options, reports);
+    auto made = std::make_shared<TextureData>();
+    made->report = tool::to_json(tool::make_report(surface->surface, in.prepared, pattern, solver));
+    made->surface = surface;
+    made->figures = in.prepared.figures;
+    made->branches = pattern.u.quality.branches;
+    made->phase_shift = pattern.phase_shift;
+    made->waves = std::move(pattern.waves);
+    made->u = stripes_data(surface, std::move(pattern.u), in.prepared, solver);
+    made->v = stripes_data(surface, std::move(pattern.v), in.prepared, solver);
+    return made;
+  });
+}
+
+// Rows of the covered surface's arrays, for triangles and barycentres of the texture's.
+DataArrays split_arrays(const SurfaceData& from, const CrossCover& cover,
+                        std::span<const Index> triangle_origins) {
+  std::vector<RowBlend> points;
+  for (Index v = 0; v < from.surface.mesh.vertex_count(); ++v) {
+    points.push_back({{v, v, v}, {1, 0, 0}});
+  }
+  constexpr double kThird = 1.0 / 3;
+  for (const Index t : cover.singular) {
+    points.push_back({from.surface.mesh.triangles[t], {kThird, kThird, kThird}});
+  }
+  return {blended(from.arrays.points, points), rows_of(from.arrays.cells, triangle_origins)};
+}
+
+TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py::handle count,
+                       py::handle frequency, const FieldOrigin& origin, const Solving& solving,
+                       const py::object& progress) {
+  if (surface->is_points()) throw Error("points have no triangles to lay crosses on");
+  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  return Job(progress, solving.threads).run([&](const Progress& reports) {
+    const StripeOptions& options = solving.stripes;
+    CrossPattern cross = cross_pattern(surface->surface, in.waves, options, reports);
+    CrossTexture texture = cross_texture(surface->surface, cross, options.phase_shift);
+    auto made = std::make_shared<TextureData>();
+    made->report = tool::to_json(
+        tool::make_report(surface->surface, in.prepared, texture, options.solver.solver));
+    made->figures = in.prepared.figures;
+    made->branches = cross.quality.branches;
+    made->phase_shift = options.phase_shift;
+    made->waves = std::move(texture.pattern.waves);
+    made->triangle_origins = cross.cover.base;
+    for (const Index t : cross.cover.singular) {
+      made->triangle_origins.insert(made->triangle_origins.end(), 3, t);
+    }
+    made->surface = std::make_shared<SurfaceData>();
+    made->surface->name = surface->name;
+    made->surface->stands_on_z = surface->stands_on_z;
+    made->surface->arrays = split_arrays(*surface, cross.cover, made->triangle_origins);
+    made->surface->surface = std::move(texture.surface);
+    auto cover = std::make_shared<SurfaceData>();
+    cover->name = surface->name;
+    cover->stands_on_z = surface->stands_on_z;
+    cover->surface = std::move(cross.surface);
+    made->cover = stripes_data(cover, std::move(cross.pattern), in.prepared, options.solver.solver);
+    made->singular = std::move(cross.cover.singular);
+    return made;
+  });
+}
+
+py::array corner_uv(const TextureData& data) {
+  std::vector<float> uv =
+      without_lock([&] { return corner_coordinates(data.waves, data.phase_shift); });
+  return owned<float>(std::move(uv), {static_cast<py::ssize_t>(data.waves.triangle_count()), 3, 2});
+}
+
+// A mesh with coordinates as Python holds it.
+struct TexturedData {
+  TexturedMesh textured;
+  std::shared_ptr<SurfaceData> from;
+};
+
+std::shared_ptr<TexturedData> textured_mesh(const TextureData& data) {
+  return without_lock([&] {
+    return std::make_shared<TexturedData>(
+        TexturedData{texture_coordinates(data.surface->surface.mesh, data.waves, data.phase_shift),
+                     data.surface});
+  });
+}
+
+std::shared_ptr<TexturedData> textured_stripes(const StripesData& data) {
+  if (data.surface->is_points()) throw Error("points have no triangles, and so no coordinates");
+  return without_lock([&] {
+    return std::make_shared<TexturedData>(TexturedData{
+        texture_coordinates(data.surface->surface, data.pattern, data.pattern.phase_shift),
+        data.surface});
+  });
+}
+
+const TexturedData& textured_of(py::handle self) { return py::cast<const TexturedData&>(self); }
+
+template <class Row>
+py::array index_rows(const std::vector<Row>& rows, py::ssize_t columns, py::handle owner) {
+  const auto count = static_cast<py::ssize_t>(rows.size());
+  return shared(reinterpret_cast<const std::int32_t*>(rows.data()),
+                columns == 1 ? Shape{count} : Shape{count, columns}, owner);
+}
+
+py::tuple carried_stripes(const TexturedData& data, const StripesData& stripes) {
+  CarriedWaves carried =
+      carried_waves(data.textured, stripes.pattern.waves, stripes.pattern.solution.z);
+  const auto count = static_cast<py::ssize_t>(carried.z.size());
+  return py::make_tuple(owned<Complex>(std::move(carried.z), {count}),
+                        owned(std::move(carried.waves.directions)),
+                        owned(std::move(carried.waves.frequencies)));
+}
+
+py::array carried_numbers(const TexturedData& data, py::handle values, int columns) {
+  const Table table = table_of(values, "values");
+  check_rows(table, data.from->surface.mesh.vertex_count(), "values");
+  std::vector<float> numbers =
+      columns == 3 ? std::vector<float>() : numbers_of(table.view, "values");
+  if (columns == 3) {
+    for (const Vec3& row : vectors_of(table.view, "values")) {
+      numbers.insert(numbers.end(), row.data(), row.data() + 3);
+    }
+  }
+  std::vector<float> carried = carried_values(data.textured, numbers, columns);
+  const auto count = static_cast<py::ssize_t>(carried.size()) / columns;
+  return owned<float>(std::move(carried), columns == 1 ? Shape{count} : Shape{count, columns});
+}
+
+py::tuple carried_data(const TexturedData& data) {
+  DataArrays arrays = carried_arrays(data.textured, data.from->arrays);
+  return py::make_tuple(dict_owning(std::move(arrays.points)),
+                        dict_owning(std::move(arrays.cells)));
+}
+
+void bind_textured(py::module_& module) {
+  py::class_<TexturedData, std::shared_ptr<TexturedData>>(module, "TexturedMesh")
+      .def_property_readonly("origin",
+                             [](const TexturedData& data) {
+                               const Eigen::Vector3d& origin = data.textured.mesh.origin;
+                               return py::make_tuple(origin.x(), origin.y(), origin.z());
+                             })
+      .def_property_readonly(
+          "local_vertices",
+          [](py::handle self) { return shared(textured_of(self).textured.mesh.positions, self); })
+      .def_property_readonly("triangles",
+                             [](py::handle self) {
+                               return index_rows(textured_of(self).textured.mesh.triangles, 3,
+                                                 self);
+                             })
+      .def_property_readonly("uv",
+                             [](py::handle self) {
+                               const auto& uv = textured_of(self).textured.coordinates;
+                               return shared(reinterpret_cast<const float*>(uv.data()),
+                                             {static_cast<py::ssize_t>(uv.size()), 2}, self);
+                             })
+      .def_property_readonly(
+          "vertex_origins",
+          [](py::handle self) { return index_rows(textured_of(self).textured.origins, 3, self); })
+      .def_property_readonly("triangle_origins",
+                             [](py::handle self) {
+                               return index_rows(textured_of(self).textured.triangle_origins, 1,
+                                                 self);
+                             })
+      .def("carried_stripes", carried_stripes, py::arg("stripes"))
+      .def("carried_numbers", carried_numbers, py::arg("values"), py::arg("columns"))
+      .def("carried_data", carried_data);
+}
+
+}  // namespace
+
+void bind_textures(py::module_& module) {
+  bind_textured(module);
+  py::class_<TextureData, TexturePointer>(module, "Texture")
+      .def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
+      .def_property_readonly("u", [](const TextureData& data) { return data.u; })
+      .def_property_readonly("v", [](const TextureData& data) { return data.v; })
+      .def_property_readonly("cover", [](const TextureData& data) { return data.cover; })
+      .def_property_readonly("is_cross", &TextureData::is_cross)
+      .def_property_readonly("triangle_origins",
+                             [](py::handle self) {
+                               return index_rows(
+                                   py::cast<const TextureData&>(self).triangle_origins, 1, self);
+                             })
+      .def_property_readonly("singular",
+                             [](py::handle self) {
+                               return index_rows(py::cast<const TextureData&>(self).singular, 1,
+                                                 self);
+                             })
+      .def("corner_uv", corner_uv)
+      .def("mesh", textured_mesh)
+      .def("warnings",
+           [](const TextureData& data, const std::string& source) {
+             return tool::warnings(data.figures, source) +
+                    tool::branch_warning(data.figures, data.branches,
+                                         data.surface->surface.mesh.triangle_count());
+           })
+      .def("report", [](const TextureData& data, const std::string& invocation) {
+        nlohmann::ordered_json json = nlohmann::ordered_json::parse(invocation);
+        json.update(data.report);
+        return json.dump();
+      });
+  module.def("texture", texture, py::arg("surface").none(false), py::arg("directions"),
+             py::arg("stripes"), py::arg("frequency"), py::arg("stripes_v"), py::arg("frequency_v"),
+             py::arg("oriented"), py::arg("origin"), py::arg("solving"), py::arg("progress"));
+  module.def("crosses", crosses, py::arg("surface").none(false), py::arg("directions"),
+             py::arg("stripes"), py::arg("frequency"), py::arg("origin"), py::arg("solving"),
+             py::arg("progress"));
+  module.def("textured_stripes", textured_stripes, py::arg("stripes"));
+}
+
+}  // namespace brindle::python

@@ -1,0 +1,244 @@
+"""Results are those of the tool, bit for bit: reports, phases, files, pictures."""
+
+import numpy as np
+import pytest
+
+import brindle
+from conftest import MODELS, model, run_tool
+
+SURFACES = ["shape:trefoil", "shape:vessels", "horse.ply", "nefertiti.obj", "spot.obj",
+            "stanford-bunny.obj"]
+# What the two were asked, and how long it took.
+OWN_KEYS = {"command", "input", "options", "milliseconds"}
+
+
+def opened(name):
+    if name.startswith("shape:"):
+        return name, brindle.shape(name.removeprefix("shape:"))
+    return MODELS / name, model(name)
+
+
+def check_report(got, expected):
+    assert list(got) == list(expected)
+    for key in expected.keys() - OWN_KEYS:
+        assert got[key] == expected[key], key
+    assert got["milliseconds"].keys() == expected["milliseconds"].keys() - {"draw"}
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_stripes(name, tool, tmp_path):
+    path, surface = opened(name)
+    expected = tool("stripe", path, "--output", tmp_path / "tool.vtp")
+    p = brindle.stripes(surface, surface.smooth_field(), stripes=40)
+    check_report(p.report, expected)
+    assert np.count_nonzero(p.branches) == p.report["branches"]
+    assert np.count_nonzero(p.singularities) == p.report["field_singularities"]
+    p.write(tmp_path / "python.vtp")
+    assert (tmp_path / "python.vtp").read_bytes() == (tmp_path / "tool.vtp").read_bytes()
+    written = brindle.read(tmp_path / "tool.vtp").point_data["phase"]
+    there = ~np.isnan(written)
+    np.testing.assert_allclose(np.angle(p.phases[there]), written[there], atol=1e-6)
+
+
+OPTIONS = [
+    (["--direction", "0.31,0.9,0.27"], lambda s: {"directions": s.projected_field((0.31, 0.9, 0.27))}),
+    (["--field", "curvature"], lambda s: {"directions": s.curvature_field()}),
+    (["--field", "curvature", "--curvature-direction", "min"],
+     lambda s: {"directions": s.curvature_field("min")}),
+    (["--field", "raw-curvature"], lambda s: {"directions": s.curvature_field("max", raw=True)}),
+    (["--along", "--stripes", "25"], lambda s: {"along": True, "stripes": 25}),
+    (["--rotate", "30"], lambda s: {"directions": s.turned_field(s.smooth_field(), 30)}),
+    (["--frequency", "7.5"], lambda s: {"frequency": 7.5}),
+    (["--feature-anchor", "1"], lambda s: {"directions": s.smooth_field(feature_anchor=1)}),
+    (["--solver", "relaxation", "--seed", "3", "--epsilon", "0.1"],
+     lambda s: {"solver": "relaxation", "seed": 3, "epsilon": 0.1}),
+    (["--solver", "averaged"], lambda s: {"solver": "averaged"}),
+    (["--cycles", "2", "--sweeps", "3"], lambda s: {"cycles": 2, "sweeps": 3}),
+    (["--phase-shift", "trapezoid", "--weights", "cotangent"],
+     lambda s: {"phase_shift": "trapezoid", "weights": "cotangent"}),
+    (["--threads", "1"], lambda s: {"threads": 1}),
+    (["--slack", "0.25"], lambda s: {"slack": 0.25}),
+]
+
+
+@pytest.mark.parametrize("words, arguments", OPTIONS, ids=[" ".join(words) for words, _ in OPTIONS])
+def test_options(words, arguments, tool, tmp_path):
+    surface = brindle.shape("torus", resolution=100)
+    expected = tool("stripe", "shape:torus,resolution=100", "--output", tmp_path / "tool.ply", *words)
+    p = brindle.stripes(surface, **arguments(surface))
+    check_report(p.report, expected)
+    p.write(tmp_path / "python.ply")
+    assert (tmp_path / "python.ply").read_bytes() == (tmp_path / "tool.ply").read_bytes()
+
+
+@pytest.mark.skipif(not brindle.has_solver("global"), reason="this build has no CHOLMOD")
+def test_global_solver(tool):
+    surface = brindle.shape("torus", resolution=60)
+    expected = tool("stripe", "shape:torus,resolution=60", "--solver", "global", "--stripes", "15")
+    check_report(brindle.stripes(surface, solver="global", stripes=15).report, expected)
+
+
+def test_subdivision(tool):
+    expected = tool("stripe", "shape:torus,resolution=30", "--subdivide", "2")
+    check_report(brindle.stripes(brindle.shape("torus", resolution=30, subdivide=2)).report, expected)
+
+
+def test_joined_vertices(tool, tmp_path):
+    """Along a seam, vertices stand at one place twice: triangles use the first, both have its wave."""
+    (tmp_path / "seam.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\nv 2 1 0\n"
+        "f 1 2 3 4\nf 5 7 8 6\n")
+    surface = brindle.read(tmp_path / "seam.obj")
+    p = brindle.stripes(surface, surface.projected_field((1, 0.3, 0)), stripes=2)
+    expected = tool("stripe", tmp_path / "seam.obj", "--direction", "1,0.3,0", "--stripes", "2",
+                    "--output", tmp_path / "tool.vtp")
+    assert expected["vertices_joined"] == 2
+    check_report(p.report, expected)
+    p.write(tmp_path / "python.vtp")
+    assert (tmp_path / "python.vtp").read_bytes() == (tmp_path / "tool.vtp").read_bytes()
+    np.testing.assert_array_equal(p.phases[[1, 2]], p.phases[[4, 5]])
+
+
+def field_file(path):
+    """A mesh with arrays of points and cells: vectors, tensors, numbers."""
+    surface = brindle.shape("torus", resolution=100)
+    x = np.array(surface.vertices, float)
+    velocity = np.stack([-x[:, 1], x[:, 0], 0.3 + x[:, 2]], axis=1) * 5
+    velocity[3] = np.nan
+    stress = np.zeros((len(x), 6))
+    stress[:, 0], stress[:, 1], stress[:, 3] = 1 + x[:, 0], 2, 0.4
+    speed = np.linalg.norm(velocity, axis=1)
+    surface.write(path, point_data={"velocity": velocity, "stress": stress, "speed": speed},
+                  cell_data={"flow": velocity[surface.triangles[:, 0]]})
+    return brindle.read(path)
+
+
+ARRAYS = [
+    (["--field", "array:velocity"], lambda s: {"directions": "velocity"}),
+    (["--field", "array:cells/flow"], lambda s: {"directions": "cells/flow"}),
+    (["--field", "array:stress"], lambda s: {"directions": "stress"}),
+    (["--field", "array:velocity", "--frequency", "array:speed"],
+     lambda s: {"directions": "velocity", "frequency": "speed"}),
+    (["--frequency-by", "array:speed", "--stripes", "15", "--frequency-range", "0.5,1.5,inverse"],
+     lambda s: {"frequency": s.frequencies_by("speed", stripes=15, range=(0.5, 1.5), inverse=True)}),
+]
+
+
+@pytest.mark.parametrize("words, arguments", ARRAYS, ids=[" ".join(words) for words, _ in ARRAYS])
+def test_arrays(words, arguments, tool, tmp_path):
+    surface = field_file(tmp_path / "field.vtp")
+    expected = tool("stripe", tmp_path / "field.vtp", "--output", tmp_path / "tool.vtp", *words)
+    p = brindle.stripes(surface, **arguments(surface))
+    check_report(p.report, expected)
+    p.write(tmp_path / "python.vtp")
+    assert (tmp_path / "python.vtp").read_bytes() == (tmp_path / "tool.vtp").read_bytes()
+
+
+def test_tensors_along_another_axis(tool, tmp_path):
+    surface = field_file(tmp_path / "field.vtp")
+    expected = tool("stripe", tmp_path / "field.vtp", "--field", "array:stress", "--tensor", "minor")
+    p = brindle.stripes(surface, surface.tensor_field("stress", "minor"))
+    for key in ("energy", "branches", "vertices_without_wave"):
+        assert p.report[key] == expected[key]
+
+
+def test_previous(tool, tmp_path):
+    first = tmp_path / "first.vtp"
+    run_tool("stripe", "shape:torus,resolution=100", "--output", first, "--stripes", "20")
+    expected = tool("stripe", "shape:torus,resolution=100", "--stripes", "20.5", "--previous", first)
+    surface = brindle.shape("torus", resolution=100)
+    d = surface.smooth_field()
+    q = brindle.stripes(surface, d, stripes=20)
+    p = brindle.stripes(surface, d, stripes=20.5, previous=q)
+    assert list(p.report) == list(expected)
+    assert p.report["matched_by"] == expected["matched_by"] == "number"
+    assert p.report["lambda"] == expected["lambda"]
+    assert p.report["phase_step"] == pytest.approx(expected["phase_step"], abs=1e-5)
+    other = brindle.shape("torus", resolution=90)
+    assert brindle.stripes(other, stripes=20, previous=q).report["matched_by"] == "position"
+
+
+@pytest.mark.parametrize("oriented", [False, True])
+def test_textures(oriented, tool):
+    surface = brindle.shape("torus", resolution=100)
+    words = ["--oriented"] if oriented else []
+    expected = tool("stripe", "shape:torus,resolution=100", "--texture", "dots", "--stripes", "20",
+                    "--stripes-v", "10", *words)
+    t = brindle.texture(surface, surface.smooth_field(), stripes=20, stripes_v=10, oriented=oriented)
+    check_report(t.report, expected)
+
+
+def test_crosses(tool):
+    expected = tool("stripe", "shape:box", "--cross", "--stripes", "20")
+    c = brindle.crosses(brindle.shape("box"), stripes=20)
+    check_report(c.report, expected)
+    assert len(c.singular) == c.report["field_singularities"]
+
+
+def test_curves(tool, tmp_path):
+    expected = tool("curves", "shape:trefoil", "--stripes", "30", "--join", "--output",
+                    tmp_path / "tool.obj")["u"]
+    surface = brindle.shape("trefoil")
+    curves = brindle.stripes(surface, stripes=30).curves(join=True)
+    assert curves.report.keys() <= expected.keys()
+    for key, value in curves.report.items():
+        assert value == (pytest.approx(expected[key]) if key == "length" else expected[key]), key
+    curves.write(tmp_path / "python.obj")
+    assert (tmp_path / "python.obj").read_bytes() == (tmp_path / "tool.obj").read_bytes()
+
+
+def test_shaped_curves(tool, tmp_path):
+    expected = tool("curves", "shape:trefoil", "--stripes", "30", "--offset", "0.25", "--min-length",
+                    "0.2", "--resample", "0.05", "--simplify", "0.001", "--output", tmp_path / "tool.obj")
+    curves = brindle.stripes(brindle.shape("trefoil"), stripes=30).curves(
+        offset=0.25, min_length=0.2, resample=0.05, simplify=0.001)
+    curves.write(tmp_path / "python.obj")
+    assert curves.report["points"] == expected["u"]["points"]
+    assert (tmp_path / "python.obj").read_bytes() == (tmp_path / "tool.obj").read_bytes()
+
+
+def test_samples(tool):
+    expected = tool("sample", "shape:torus,resolution=100", "--stripes", "20", "--stripes-v", "10")
+    samples = brindle.samples(brindle.shape("torus", resolution=100), stripes=20, stripes_v=10)
+    for key, value in samples.report.items():
+        assert value == expected[key], key
+
+
+def test_points(tool, tmp_path):
+    torus = brindle.shape("torus", resolution=100)
+    rows = np.concatenate([torus.vertices, torus.normals], axis=1)
+    np.savetxt(tmp_path / "points.csv", rows, delimiter=",", fmt="%.9g")
+    expected = tool("stripe", tmp_path / "points.csv", "--output", tmp_path / "tool.ply")
+    surface = brindle.read(tmp_path / "points.csv")
+    p = brindle.stripes(surface, surface.smooth_field(), stripes=40)
+    check_report(p.report, expected)
+    p.write(tmp_path / "python.ply")
+    assert (tmp_path / "python.ply").read_bytes() == (tmp_path / "tool.ply").read_bytes()
+    same = brindle.points(torus.vertices, torus.normals)
+    np.testing.assert_array_equal(brindle.stripes(same, stripes=40).phases, p.phases)
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+@pytest.mark.parametrize("words, options", [
+    ([], {}),
+    (["--camera", "60,-10,1.5", "--up", "y", "--colors", "#ff0000,#00ff00,#0000ff"],
+     {"camera": (60, -10, 1.5), "up": "y", "colors": ("#ff0000", "#00ff00", "#0000ff")}),
+    (["--view", "branches"], {"view": "branches"}),
+    (["--view", "angle_error"], {"view": "angle_error"}),
+    (["--stripe-width", "0.2"], {"stripe_width": 0.2}),
+])
+def test_pictures(words, options, tmp_path):
+    run_tool("stripe", "shape:torus,resolution=100", "--stripes", "20", "--size", "120x90",
+             "--output", tmp_path / "tool.png", *words)
+    surface = brindle.shape("torus", resolution=100)
+    image = brindle.render(surface, brindle.stripes(surface, stripes=20), size=(120, 90), **options)
+    np.testing.assert_array_equal(image, brindle.read_png(tmp_path / "tool.png"))
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_pictures_of_textures(tmp_path):
+    run_tool("stripe", "shape:torus,resolution=100", "--stripes", "20", "--size", "120x90",
+             "--texture", "bricks", "--output", tmp_path / "tool.png")
+    surface = brindle.shape("torus", resolution=100)
+    image = brindle.render(surface, brindle.texture(surface, stripes=20), size=(120, 90), tile="bricks")
+    np.testing.assert_array_equal(image, brindle.read_png(tmp_path / "tool.png"))

@@ -1,0 +1,188 @@
+"""Arrays of any type, order and stride come in; what goes out is safe."""
+
+import gc
+
+import numpy as np
+import pytest
+
+import brindle
+from brindle import _core
+
+REAL = ["f2", "f4", "f8", "g", ">f4", ">f8"]
+WHOLE = ["i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", ">i4", ">u2"]
+
+
+def variants(array):
+    """The same numbers in other orders and strides."""
+    yield "c", np.ascontiguousarray(array)
+    yield "fortran", np.asfortranarray(array)
+    yield "backwards", np.ascontiguousarray(array[::-1])[::-1]
+    wide = np.zeros((2 * len(array), *array.shape[1:]), array.dtype)
+    wide[::2] = array
+    yield "every other row", wide[::2]
+    columns = np.zeros((len(array), 2 * array.shape[1]), array.dtype)
+    columns[:, ::2] = array
+    yield "every other column", columns[:, ::2]
+    bytes_ = np.zeros(array.nbytes + 1, np.uint8)
+    odd = bytes_[1:].view(array.dtype).reshape(array.shape)
+    odd[...] = array
+    yield "at an odd address", odd
+    frozen = array.copy()
+    frozen.flags.writeable = False
+    yield "read-only", frozen
+
+
+@pytest.fixture(scope="module")
+def grid():
+    """8 x 8 vertices at whole numbers below 64, so that every type holds them."""
+    x, y = np.meshgrid(np.arange(8), np.arange(8))
+    vertices = np.stack([x.ravel(), y.ravel(), (x * y % 3).ravel()], axis=1)
+    corner = (8 * np.arange(7)[:, None] + np.arange(7)).ravel()
+    triangles = np.concatenate([np.stack([corner, corner + 1, corner + 9], axis=1),
+                                np.stack([corner, corner + 9, corner + 8], axis=1)])
+    return vertices, triangles
+
+
+def solved(vertices, triangles, field=None):
+    surface = brindle.Surface(vertices, triangles)
+    directions = surface.projected_field((1, 0.5, 0)) if field is None else field
+    return brindle.stripes(surface, directions, frequency=0.25)
+
+
+@pytest.mark.parametrize("real", REAL + WHOLE)
+@pytest.mark.parametrize("whole", ["i1", "u2", "i4", "u4", "i8", "u8", ">i8"])
+def test_types_make_no_difference(grid, real, whole):
+    vertices, triangles = grid
+    expected = solved(vertices.astype("f8"), triangles)
+    got = solved(vertices.astype(real), triangles.astype(whole))
+    np.testing.assert_array_equal(got.phases, expected.phases)
+
+
+def test_orders_and_strides_make_no_difference(grid):
+    vertices, triangles = grid[0].astype("f4"), grid[1].astype("i4")
+    directions = np.tile(np.float32([0.6, 0.8, 0]), (len(vertices), 1))
+    expected = solved(vertices, triangles, directions)
+    for name, other in variants(vertices):
+        np.testing.assert_array_equal(solved(other, triangles, directions).phases, expected.phases, name)
+    for name, other in variants(triangles):
+        np.testing.assert_array_equal(solved(vertices, other, directions).phases, expected.phases, name)
+    for name, other in variants(directions):
+        np.testing.assert_array_equal(solved(vertices, triangles, other).phases, expected.phases, name)
+
+
+def test_lists_and_broadcast_rows(grid):
+    vertices, triangles = grid
+    directions = np.broadcast_to(np.array([1.0, 0, 0]), vertices.shape)
+    expected = solved(vertices, triangles, np.array(directions))
+    got = solved(vertices.tolist(), triangles.tolist(), directions)
+    np.testing.assert_array_equal(got.phases, expected.phases)
+
+
+def test_frequencies_of_any_type(torus):
+    d = torus.smooth_field()
+    expected = brindle.stripes(torus, d, frequency=4.0)
+    for frequency in (4, np.float32(4), np.array(4), np.full(torus.vertex_count, 4, "u1"),
+                      np.full((torus.vertex_count, 1), 4.0), [4] * torus.vertex_count):
+        got = brindle.stripes(torus, d, frequency=frequency)
+        np.testing.assert_array_equal(got.phases, expected.phases)
+
+
+def test_the_input_is_not_kept_and_not_changed(grid):
+    vertices, triangles = grid[0].astype("f4"), grid[1].astype("u4")
+    before = vertices.copy(), triangles.copy()
+    surface = brindle.Surface(vertices, triangles)
+    assert (vertices == before[0]).all() and (triangles == before[1]).all()
+    vertices[:], triangles[:] = 0, 0
+    np.testing.assert_array_equal(surface.vertices, before[0])
+    np.testing.assert_array_equal(surface.triangles, before[1])
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+def test_results_share_memory(torus):
+    p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
+    for owner, names in ((p, ["phases", "frequency", "directions", "corner_phases", "branches"]),
+                         (torus, ["vertices", "triangles", "normals"])):
+        for name in names:
+            first, second = getattr(owner, name), getattr(owner, name)
+            assert address(first) == address(second), name
+            assert first.flags.c_contiguous
+    for array in (p.phases, p.frequency, p.directions, torus.vertices, torus.triangles,
+                  torus.normals, *torus.neighbors):
+        with pytest.raises(ValueError):
+            array.flags.writeable = True
+        with pytest.raises(ValueError):
+            array[0] = 0
+
+
+def test_results_outlive_their_owner():
+    surface = brindle.shape("torus", resolution=30)
+    p = brindle.stripes(surface, surface.smooth_field(), stripes=5)
+    arrays = [p.phases, p.directions, p.frequency, surface.vertices, surface.triangles,
+              p.point_data["phase"], *p.curves(), p.curves().normals]
+    copies = [array.copy() for array in arrays]
+    del p, surface
+    gc.collect()
+    brindle.shape("torus", resolution=30)  # somebody else's memory
+    for array, copy in zip(arrays, copies):
+        np.testing.assert_array_equal(array, copy)
+
+
+def test_fields_are_the_callers_own(torus):
+    d = torus.smooth_field()
+    d *= -1  # may be changed
+    assert d.flags.owndata or d.base is not None
+
+
+def test_shapes_and_types(torus):
+    p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
+    n, m = torus.vertex_count, torus.triangle_count
+    assert p.phases.shape == (n,) and p.phases.dtype == np.complex64
+    assert p.frequency.shape == (n,) and p.frequency.dtype == np.float32
+    assert p.corner_phases.shape == (m, 3) and p.corner_phases.dtype == np.float32
+    assert p.branches.shape == (m,) and p.branches.dtype.kind == "i"
+    points, edges = p.curves()
+    assert points.shape[1:] == (3,) and edges.shape[1:] == (2,)
+    assert edges.min() >= 0 and edges.max() < len(points)
+    t = brindle.texture(torus, torus.smooth_field(), stripes=20, oriented=False)
+    assert t.corner_uv.shape == (m, 3, 2)
+    points, normals = brindle.samples(torus, torus.smooth_field(), stripes=20)
+    assert points.shape == normals.shape and points.shape[1] == 3
+
+
+def test_packed_floats_are_read_where_they_are(torus):
+    d = torus.smooth_field()
+    f = np.full(torus.vertex_count, 4, np.float32)
+    before = _core.converted_arrays()
+    animator = brindle.Animator(torus)
+    animator.frame(d, f, torus.vertices)
+    brindle.stripes(torus, d, frequency=4)
+    assert _core.converted_arrays() == before
+    animator.frame(d.astype("f8"), f, torus.vertices)
+    assert _core.converted_arrays() == before + 1
+    animator.frame(np.asfortranarray(d), f.astype("f8"), torus.vertices)
+    assert _core.converted_arrays() == before + 3
+
+
+def test_nothing_at_all():
+    empty = brindle.Surface(np.empty((0, 3)), np.empty((0, 3), int))
+    assert empty.vertex_count == 0 and empty.vertices.shape == (0, 3)
+    with pytest.raises(brindle.Error):
+        brindle.stripes(empty)
+    assert empty.smooth_field().shape == (0, 3)
+    alone = brindle.Surface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.empty((0, 3), int))
+    assert alone.triangles.shape == (0, 3)
+
+
+def test_large_coordinates_keep_their_shape(square):
+    far = np.array([4e6, 5e6, 100.0])
+    near, there = brindle.Surface(*square), brindle.Surface(square[0] + far, square[1])
+    assert there.vertices.dtype == np.float64
+    np.testing.assert_allclose(there.vertices, square[0] + far, atol=1e-6)
+    p = brindle.stripes(there, there.projected_field((1, 0.2, 0)), stripes=20)
+    q = brindle.stripes(near, near.projected_field((1, 0.2, 0)), stripes=20)
+    assert p.report["branches"] == q.report["branches"] == 0
+    points, _ = p.curves()
+    assert points.dtype == np.float64 and (points.min(axis=0) > far - 1).all()

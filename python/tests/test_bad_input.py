@@ -1,0 +1,250 @@
+"""What is wrong is brindle.Error, or TypeError for wrong types, and says what is wrong."""
+
+import numpy as np
+import pytest
+
+import brindle
+
+V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+F = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def nan_at(array, where):
+    array = np.array(array, float)
+    array[where] = np.nan
+    return array
+
+
+def test_error_is_a_value_error():
+    assert issubclass(brindle.Error, ValueError) and issubclass(brindle.Cancelled, brindle.Error)
+    with pytest.raises(ValueError, match="there is no shape|unknown|nothing"):
+        brindle.shape("nothing")
+
+
+@pytest.mark.parametrize("vertices, triangles, message", [
+    (nan_at(V, (2, 1)), F, "vertex 2"),
+    (V + np.inf, F, "vertex 0"),
+    (V * 1e30, F, "vertex 1"),
+    (V, [[0, 1, 4]], "corner 4"),
+    (V, [[0, 1, -1]], "corner -1"),
+    (V, [[0, 1, 2**40]], str(2**40)),
+    (V, F.astype(float), "whole numbers"),
+    (V[:, :2], F, "3 columns"),
+    (V, [[0, 1]], "3 columns"),
+    (V.ravel(), F, "3 columns"),
+    (V.reshape(2, 2, 3), F, "3 dimensions"),
+    (5, F, "column"),
+    ([[0, 0, 0], [1, 0]], F, "numbers"),
+])
+def test_surfaces(vertices, triangles, message):
+    with pytest.raises(brindle.Error, match=message):
+        brindle.Surface(vertices, triangles)
+
+
+@pytest.mark.parametrize("vertices, triangles", [
+    (None, F), (V, None), ("vertices", F), (V, "faces"), (V.astype(complex), F),
+    (V.astype(bool), F), (V.astype(str), F), (V.astype(object), F), ({}, F), (V, object()),
+    (V, F.astype(bool)), (np.array(["2020-01-01"] * 3, "M8[D]"), F),
+])
+def test_wrong_types(vertices, triangles):
+    with pytest.raises(TypeError):
+        brindle.Surface(vertices, triangles)
+
+
+def test_repair_takes_what_is_damaged():
+    vertices = np.vstack([nan_at(V, (3, 0)), V[:1]])
+    s = brindle.Surface(vertices, [[0, 1, 2], [0, 2, 3], [4, 1, 2], [0, 0, 1], [0, 1, 99]],
+                        repair=True, cell_data={"number": np.arange(5)})
+    assert s.triangle_count == 1 and s.vertex_count == 5
+    assert s.repair["triangles_out_of_range"] == 1 and s.repair["vertices_not_finite"] == 1
+    assert s.repair["triangles_duplicate"] == 1 and s.repair["vertices_joined"] == 1
+    assert list(s.cell_data["number"]) == [0] and "dropped" in s.notes
+
+
+@pytest.mark.parametrize("arguments, message", [
+    ({"directions": np.ones((3, 3))}, "3 for"),
+    ({"directions": np.ones(7)}, "column"),
+    ({"directions": np.full((1, 3), np.nan)}, "for"),
+    ({"frequency": 0}, "above zero"),
+    ({"frequency": -1}, "above zero"),
+    ({"frequency": np.nan}, "finite"),
+    ({"frequency": np.inf}, "finite"),
+    ({"frequency": [1, 2, 3]}, "3 for"),
+    ({"stripes": 0}, "above zero"),
+    ({"stripes": [1, 2]}, "one number"),
+    ({"stripes": 3, "frequency": 3}, "exclude"),
+    ({"solver": "fast"}, "none of multilevel"),
+    ({"phase_shift": "x"}, "none of aligned"),
+    ({"weights": "x"}, "neither"),
+    ({"epsilon": 0.1}, "no effect"),
+    ({"global_iterations": 3}, "no effect"),
+    ({"lambda_": 0.1}, "no effect"),
+    ({"match": "number"}, "no effect"),
+    ({"solver": "relaxation", "sweeps": 3}, "no effect"),
+    ({"solver": "relaxation", "epsilon": -1}, "epsilon"),
+    ({"sweeps": -1}, "below zero"),
+    ({"sweeps": 2**40}, "out of range"),
+    ({"threads": -1}, "threads"),
+    ({"directions": "velocity"}, "no array 'velocity'"),
+    ({"frequency": 1e9}, "fewer stripes"),
+])
+def test_stripes(torus, arguments, message):
+    with pytest.raises(brindle.Error, match=message):
+        brindle.stripes(torus, **{"directions": None, **arguments})
+
+
+@pytest.mark.parametrize("arguments", [
+    {"directions": 5j}, {"directions": {}}, {"directions": "abc".encode()}, {"frequency": "1".encode()},
+    {"frequency": 1j}, {"stripes": "40"}, {"stripes": None, "frequency": True}, {"solver": 3},
+    {"threads": "all"}, {"threads": 1.5}, {"progress": 7}, {"previous": 7}, {"along": 1},
+    {"sweeps": 2.5}, {"nonsense": 1},
+])
+def test_wrong_types_of_stripes(torus, arguments):
+    with pytest.raises(TypeError):
+        brindle.stripes(torus, **arguments)
+
+
+def test_no_wave_at_all(torus):
+    with pytest.raises(brindle.Error, match="no vertex has a wave"):
+        brindle.stripes(torus, np.zeros((torus.vertex_count, 3)))
+    with pytest.raises(brindle.Error, match="no vertex has a wave"):
+        brindle.stripes(torus, torus.normals)
+
+
+def test_fields(torus):
+    for call in (lambda: torus.projected_field((0, 0, 0)), lambda: torus.projected_field((1, 2)),
+                 lambda: torus.curvature_field("most"), lambda: torus.smooth_field(symmetry=0),
+                 lambda: torus.tensor_field(np.ones((torus.vertex_count, 6)), "middle"),
+                 lambda: torus.tensor_field(np.ones((torus.vertex_count, 5))),
+                 lambda: torus.array_field(np.ones((torus.vertex_count, 4))),
+                 lambda: torus.turned_field(np.ones((5, 3))), lambda: torus.array("cells/x"),
+                 lambda: torus.frequencies_by(np.ones(torus.vertex_count), range=(3, 1)),
+                 lambda: torus.subdivided(-1), lambda: torus.moved(np.ones((3, 3)))):
+        with pytest.raises(brindle.Error):
+            call()
+    for call in (lambda: torus.projected_field(3), lambda: torus.projected_field("xyz"),
+                 lambda: torus.curvature_field(1), lambda: torus.smooth_field(symmetry="2"),
+                 lambda: torus.array(3), lambda: torus.subdivided(1.5)):
+        with pytest.raises(TypeError):
+            call()
+
+
+def test_animator(torus):
+    d, n = torus.smooth_field(), torus.vertex_count
+    animator = brindle.Animator(torus)
+    with pytest.raises(brindle.Error):
+        animator.energy
+    expected = brindle.Animator(torus).frame(d, 4)
+    for arguments in ((d[:5], 4), (d, np.ones(3)), (d, 0), (d, np.nan), (2 * d, 4), (d, 4, d[:2]),
+                      (d, 4, nan_at(torus.vertices, 7))):
+        with pytest.raises(brindle.Error):
+            animator.frame(*arguments)
+    for out in (np.empty(n - 1, "c8"), torus.vertices[0], np.empty(n, "c16"), np.empty(2 * n, "c8")[::2]):
+        with pytest.raises((brindle.Error, TypeError)):
+            animator.frame(d, 4, out=out)
+    np.testing.assert_array_equal(animator.frame(d, 4), expected)
+    with pytest.raises(brindle.Error):
+        animator.set_last_phases(np.full(n, 2, "c8"))
+    with pytest.raises(TypeError):
+        animator.set_last_phases(np.zeros(n))
+    with pytest.raises(brindle.Error):
+        brindle.Animator(torus, solver="global")
+    with pytest.raises(brindle.Error):
+        brindle.Animator(torus, lambda_=-1)
+
+
+def test_field_animator(torus):
+    animator = brindle.FieldAnimator(torus)
+    for vertices, directions in (([torus.vertex_count], [[1, 0, 0]]), ([-1], [[1, 0, 0]]),
+                                 ([0, 1], [[1, 0, 0]]), ([0], [[np.nan, 0, 0]])):
+        with pytest.raises(brindle.Error):
+            animator.frame(vertices, directions)
+    with pytest.raises(TypeError):
+        animator.frame([0.5], [[1, 0, 0]])
+
+
+def test_files(tmp_path, torus):
+    for path in ("missing.ply", tmp_path / "missing.vtp", tmp_path):
+        with pytest.raises(brindle.Error):
+            brindle.read(path)
+    damaged = tmp_path / "damaged.ply"
+    damaged.write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")
+    with pytest.raises(brindle.Error, match="damaged.ply"):
+        brindle.read(damaged)
+    with open(damaged) as file:
+        pass
+    for path in (file, None, 3):
+        with pytest.raises(TypeError):
+            brindle.read(path)
+    for path in ("a\0b.ply", ""):
+        with pytest.raises((brindle.Error, TypeError)):
+            brindle.read(path)
+    for path in (tmp_path / "x.xyz", tmp_path / "no" / "x.ply"):
+        with pytest.raises(brindle.Error):
+            torus.write(path)
+    with pytest.raises(brindle.Error, match="rows"):
+        torus.write(tmp_path / "x.ply", point_data={"short": np.ones(3)})
+    with pytest.raises(TypeError):
+        torus.write(tmp_path / "x.ply", point_data={3: np.ones(torus.vertex_count)})
+    assert not (tmp_path / "x.ply").exists()
+
+
+def test_objects_that_are_no_surfaces():
+    for thing in (None, 3, "torus", object(), [1, 2, 3], {}, np.ones((4, 3))):
+        with pytest.raises((TypeError, brindle.Error)):
+            brindle.stripes(thing)
+
+
+def test_curves_and_samples(torus):
+    p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
+    for options in ({"resample": 0}, {"simplify": -1}, {"min_length": -1}, {"offset": np.inf}):
+        with pytest.raises(brindle.Error):
+            p.curves(**options)
+    for options in ({"join": 1}, {"resample": "fine"}):
+        with pytest.raises(TypeError):
+            p.curves(**options)
+    with pytest.raises(brindle.Error):
+        p.curves().tubes(-1)
+    with pytest.raises(brindle.Error):
+        brindle.samples(torus, stripes=20, min_distance=-1)
+    other = brindle.shape("sphere", resolution=20)
+    with pytest.raises(brindle.Error, match="one surface"):
+        brindle.samples_of(p, brindle.stripes(other))
+
+
+def test_phases_of_others(torus):
+    d, n = torus.smooth_field(), torus.vertex_count
+    for phases in (np.ones(3, "c8"), np.full(n, 2, "c8"), np.full(n, np.nan, "c8"), np.ones((n, 2), "c8")):
+        with pytest.raises(brindle.Error):
+            brindle.stripes_from_phases(torus, phases, d, stripes=20)
+    with pytest.raises(TypeError):
+        brindle.stripes_from_phases(torus, np.ones(n), d, stripes=20)
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_pictures(torus, tmp_path):
+    p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
+    for options in ({"size": (0, 5)}, {"size": (10**6, 10**6)}, {"size": 5}, {"camera": (1,)},
+                    {"camera": (0, 100)}, {"up": "x"}, {"colors": ("red", "blue")},
+                    {"colors": ("#fff",)}, {"view": "nothing"}, {"stripe_width": 2},
+                    {"tile": "dots"}, {"tube_radius": 1}):
+        with pytest.raises(brindle.Error):
+            brindle.render(torus, p, **options)
+    for options in ({"size": (10.5, 3)}, {"transparent": "yes"}, {"colors": (1, 2)}):
+        with pytest.raises(TypeError):
+            brindle.render(torus, p, **options)
+    with pytest.raises(TypeError):
+        brindle.render(torus, "stripes")
+    with pytest.raises(brindle.Error, match="not made for"):
+        brindle.render(brindle.shape("sphere"), p)
+    with pytest.raises(brindle.Error):
+        brindle.write_png(tmp_path / "x.png", np.zeros((4, 4), "u1"))
+    with pytest.raises(TypeError):
+        brindle.write_png(tmp_path / "x.png", np.zeros((4, 4, 4)))
+
+
+def test_build_without_pictures_says_so(torus):
+    if brindle.has_opengl:
+        pytest.skip("this build draws pictures")
+    with pytest.raises(brindle.Error, match="BRINDLE_GL"):
+        brindle.render(torus)

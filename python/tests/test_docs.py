@@ -1,0 +1,161 @@
+"""The examples of docs/python.md, and the tour, run as they stand."""
+
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import types
+
+import numpy as np
+import pytest
+
+import brindle
+from conftest import ROOT, run_tool
+
+PAGE = (ROOT / "docs/python.md").read_text()
+BLOCKS = re.findall(r"^```python\n(.*?)^```", PAGE, re.DOTALL | re.MULTILINE)
+TOUR = sorted((ROOT / "python/tour").glob("*.py"))
+
+
+class Polyscope(types.ModuleType):
+    """Takes what Polyscope takes, and looks at it."""
+
+    def __init__(self):
+        super().__init__("polyscope")
+        self.registered = []
+
+    def init(self):
+        pass
+
+    def show(self):
+        assert self.registered == ["torus", "texture", "stripes"]
+
+    def register_surface_mesh(self, name, vertices, faces):
+        assert vertices.shape[1] == faces.shape[1] == 3 and faces.max() < len(vertices)
+        self.registered.append(name)
+
+        def add(quantity, values, defined_on):
+            assert defined_on == "corners" and values.shape == (3 * len(faces), 2)
+            self.registered.append(quantity)
+
+        return types.SimpleNamespace(add_parameterization_quantity=add)
+
+    def register_curve_network(self, name, nodes, edges):
+        assert nodes.shape[1] == 3 and edges.shape[1] == 2 and edges.max() < len(nodes)
+        self.registered.append(name)
+
+
+def blender():
+    """A stand-in for Blender's meshes."""
+
+    class Mesh:
+        def from_pydata(self, vertices, edges, faces):
+            assert len(vertices[0]) == 3 and edges == [] and len(faces[0]) == 3
+            self.corners = 3 * len(faces)
+            self.uv_layers = types.SimpleNamespace(new=lambda name: types.SimpleNamespace(
+                data=types.SimpleNamespace(foreach_set=self.foreach_set)))
+
+        def foreach_set(self, name, values):
+            assert name == "uv" and values.shape == (2 * self.corners,)
+
+    module = types.ModuleType("bpy")
+    new = types.SimpleNamespace
+    module.data = new(meshes=new(new=lambda name: Mesh()), objects=new(new=lambda name, mesh: mesh))
+    module.context = new(collection=new(objects=new(link=lambda thing: None)))
+    return module
+
+
+def run(source, folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    scope = {"__name__": "__main__"}
+    exec(compile(source, "example", "exec"), scope)
+    return scope
+
+
+def needs(source):
+    for package in ("meshio", "matplotlib", "vtk"):
+        if re.search(rf"^import {package}|^from {package}", source, re.MULTILINE):
+            pytest.importorskip(package)
+    if re.search(r"render\(|write_png\(", source) and not brindle.has_opengl:
+        pytest.skip("this build draws no pictures")
+
+
+@pytest.mark.parametrize("source", BLOCKS, ids=[f"block {i}" for i in range(len(BLOCKS))])
+def test_page(source, tmp_path, monkeypatch):
+    needs(source)
+    monkeypatch.setitem(sys.modules, "polyscope", Polyscope())
+    monkeypatch.setitem(sys.modules, "bpy", blender())
+    lines = [line for line in source.splitlines() if line and not line.startswith("import ")]
+    assert len(lines) <= 12, "ten lines or so"
+    run(source, tmp_path, monkeypatch)
+
+
+@pytest.mark.parametrize("script", TOUR, ids=[script.stem for script in TOUR])
+def test_tour(script, tmp_path, monkeypatch):
+    source = script.read_text()
+    needs(source)
+    assert source.count("\n# %%") >= 3, "cells"
+    run(source, tmp_path, monkeypatch)
+    assert any(tmp_path.iterdir()), "it leaves something to look at"
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_picture_of_the_page(tmp_path, monkeypatch):
+    """The page's Python and the page's command draw the same."""
+    run(BLOCKS[0], tmp_path, monkeypatch)
+    made = brindle.read_png(tmp_path / "python.png")
+    command = re.search(r"^brindle (stripe .*python.png)$", PAGE, re.MULTILINE).group(1)
+    run_tool(*shlex.split(command))
+    np.testing.assert_array_equal(made, brindle.read_png(tmp_path / "python.png"))
+
+
+def test_everything_public_is_documented_and_typed():
+    for name in brindle.__all__:
+        thing = getattr(brindle, name)
+        assert name == "has_opengl" or (thing.__doc__ or "").strip(), name
+        if not isinstance(thing, type) or issubclass(thing, Exception):
+            continue
+        for member, value in vars(thing).items():
+            if member.startswith("_"):
+                continue
+            value = getattr(value, "fget", None) or getattr(value, "func", None) or getattr(
+                value, "__func__", value)
+            assert (value.__doc__ or "").strip(), f"{name}.{member}"
+            if callable(value):
+                assert "return" in value.__annotations__, f"{name}.{member}"
+
+
+def test_stubs_name_all_there_is():
+    folder = pathlib.Path(brindle.__file__).parent
+    said = set(re.findall(r"import (\w+) as \1", (folder / "__init__.pyi").read_text()))
+    assert said == set(brindle.__all__) and (folder / "py.typed").exists()
+    stub = (folder / "_core.pyi").read_text()
+    core = sys.modules["brindle._core"]
+    for name, value in vars(core).items():
+        if name.startswith("__"):
+            continue
+        assert re.search(rf"^(def|class) {name}\b|^{name}:", stub, re.MULTILINE), name
+        if isinstance(value, type) and value.__module__ == "brindle._core":
+            body = re.search(rf"^class {name}\b.*?(?=^\S|\Z)", stub, re.DOTALL | re.MULTILINE).group()
+            for member in vars(value):
+                if not member.startswith("_"):
+                    assert re.search(rf"\b{member}\b", body), f"{name}.{member}"
+    compile(re.sub(r"\.\.\.", "...", stub), "_core.pyi", "exec")
+
+
+def test_importing_loads_nothing_heavy():
+    """Neither numpy nor the C++ side; the rest is measured by hand: no test has a time limit."""
+    done = subprocess.run(
+        [sys.executable, "-c", "import sys; before = set(sys.modules); import brindle; "
+         "print(*(set(sys.modules) - before))"], capture_output=True, text=True, check=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    loaded = done.stdout.split()
+    assert "brindle" in loaded and "numpy" not in loaded and "brindle._core" not in loaded
+
+
+def test_version_is_that_of_the_headers():
+    header = (ROOT / "include/brindle/version.h").read_text()
+    assert f'"{brindle.__version__}"' in header

@@ -1,0 +1,209 @@
+"""Objects of pyvista, trimesh, meshio and VTK, by what they look like."""
+
+import types
+
+import numpy as np
+import pytest
+
+import brindle
+
+meshio = pytest.importorskip("meshio")
+
+
+@pytest.fixture
+def data(square):
+    vertices, triangles = square
+    rng = np.random.default_rng(5)
+    return {"points": {"velocity": rng.normal(size=(len(vertices), 3)) + [3, 0, 0],
+                       "speed": 1 + rng.random(len(vertices))},
+            "cells": {"number": np.arange(len(triangles), dtype=float)}}
+
+
+def pyvista_like(square, data, padded=False):
+    vertices, triangles = square
+    mesh = types.SimpleNamespace(points=vertices, point_data=dict(data["points"]),
+                                 cell_data=dict(data["cells"]), n_points=len(vertices))
+    if padded:
+        mesh.faces = np.insert(triangles, 0, 3, axis=1).ravel()
+    else:
+        mesh.regular_faces = triangles
+    return mesh
+
+
+def trimesh_like(square, data):
+    return types.SimpleNamespace(vertices=square[0].astype("f8"), faces=square[1].astype("i8"),
+                                 vertex_attributes=dict(data["points"]),
+                                 face_attributes=dict(data["cells"]))
+
+
+def meshio_of(square, data):
+    vertices, triangles = square
+    return meshio.Mesh(vertices, [("line", [[0, 1]]), ("triangle", triangles)],
+                       point_data=dict(data["points"]),
+                       cell_data={name: [np.zeros(1), array] for name, array in data["cells"].items()})
+
+
+def vtk_of(square, data):
+    vtk = pytest.importorskip("vtk")
+    from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    vertices, triangles = square
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(vertices), deep=1))
+    cells = vtk.vtkCellArray()
+    cells.SetCells(len(triangles), numpy_to_vtkIdTypeArray(
+        np.insert(triangles.astype("i8"), 0, 3, axis=1).ravel(), deep=1))
+    mesh = vtk.vtkPolyData()
+    mesh.SetPoints(points)
+    mesh.SetPolys(cells)
+    for where, arrays in ((mesh.GetPointData(), data["points"]), (mesh.GetCellData(), data["cells"])):
+        for name, array in arrays.items():
+            made = numpy_to_vtk(np.ascontiguousarray(array), deep=1)
+            made.SetName(name)
+            where.AddArray(made)
+    return mesh
+
+
+MAKERS = {"pyvista": pyvista_like, "pyvista, padded": lambda *given: pyvista_like(*given, padded=True),
+          "trimesh": trimesh_like, "meshio": meshio_of, "vtk": vtk_of}
+
+
+@pytest.mark.parametrize("make", MAKERS.values(), ids=MAKERS)
+def test_meshes_are_surfaces(make, square, data):
+    mesh = make(square, data)
+    expected = brindle.stripes(brindle.Surface(*square), data["points"]["velocity"], stripes=10)
+    p = brindle.stripes(mesh, "velocity", stripes=10)
+    np.testing.assert_array_equal(p.phases, expected.phases)
+    np.testing.assert_array_equal(p.surface.triangles, square[1])
+    np.testing.assert_array_equal(p.surface.array("cells/number").shape, (len(square[0]),))
+    by_name = brindle.stripes(mesh, "velocity", frequency="speed")
+    np.testing.assert_array_equal(by_name.frequency, np.float32(data["points"]["speed"]))
+    with pytest.raises(brindle.Error, match="velocity, speed|speed, velocity"):
+        brindle.stripes(mesh, "temperature")
+
+
+def arrays_on(mesh):
+    if hasattr(mesh, "GetPointData"):
+        from vtk.util.numpy_support import vtk_to_numpy
+        return tuple({where.GetArrayName(i): vtk_to_numpy(where.GetArray(i))
+                      for i in range(where.GetNumberOfArrays())}
+                     for where in (mesh.GetPointData(), mesh.GetCellData()))
+    if hasattr(mesh, "point_data"):
+        return mesh.point_data, mesh.cell_data
+    return mesh.vertex_attributes, mesh.face_attributes
+
+
+@pytest.mark.parametrize("make", MAKERS.values(), ids=MAKERS)
+def test_results_are_put_back(make, square, data):
+    mesh = make(square, data)
+    p = brindle.stripes(mesh, "velocity", stripes=10)
+    assert p.put_on(mesh) is mesh
+    points, cells = arrays_on(mesh)
+    np.testing.assert_array_equal(points["phase"], p.point_data["phase"])
+    np.testing.assert_array_equal(points["direction"], p.directions)
+    branch = cells["branch"]
+    branch = branch[1] if isinstance(branch, list) else branch
+    np.testing.assert_array_equal(branch, p.branches)
+    assert "velocity" in points  # what was there stays
+    t = brindle.texture(mesh, "velocity", stripes=10)
+    t.put_on(mesh)
+    uv = arrays_on(mesh)[1]["uv"]
+    uv = uv[1] if isinstance(uv, list) else uv
+    np.testing.assert_array_equal(uv, t.corner_uv.reshape(-1, 6))
+
+
+def test_results_are_not_put_on_other_meshes(square, data):
+    p = brindle.stripes(brindle.shape("torus", resolution=60), stripes=10)
+    with pytest.raises(brindle.Error, match="another"):
+        p.put_on(meshio_of(square, data))
+
+
+def test_polygons_are_cut(square):
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0.0], [3, 0.5, 0]])
+    mixed = types.SimpleNamespace(points=vertices, faces=np.array([4, 0, 1, 2, 3, 4, 1, 4, 5, 2, 3, 4, 6, 5]),
+                                  point_data={}, cell_data={"part": np.array([7.0, 8, 9])})
+    s = brindle.as_surface(mixed)
+    assert s.triangle_count == 5
+    np.testing.assert_array_equal(s.cell_data["part"], [7, 7, 8, 8, 9])
+    p = brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=2)
+    p.put_on(mixed)
+    assert mixed.cell_data["branch"].shape == (3,)
+    assert mixed.cell_data["corner_phase"].shape == (3, 3)
+    blocks = meshio.Mesh(vertices, [("triangle", [[4, 6, 5]]), ("quad", [[0, 1, 2, 3], [1, 4, 5, 2]])],
+                         cell_data={"part": [[9.0], [7.0, 8.0]]})
+    s = brindle.as_surface(blocks)
+    np.testing.assert_array_equal(s.cell_data["part"], [9, 7, 7, 8, 8])
+    brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=2).put_on(blocks)
+    assert [len(block) for block in blocks.cell_data["branch"]] == [1, 2]
+
+
+def test_damaged_polygons():
+    vertices = np.zeros((3, 3))
+    for faces in ([3, 0, 1], [-1, 0], [3, 0, 1, 7]):
+        mesh = types.SimpleNamespace(points=vertices, faces=np.array(faces))
+        with pytest.raises(brindle.Error):
+            brindle.as_surface(mesh)
+    with pytest.raises(brindle.Error, match="tetra"):
+        brindle.as_surface(meshio.Mesh(np.eye(4, 3), [("tetra", [[0, 1, 2, 3]])]))
+    with pytest.raises(brindle.Error):
+        brindle.as_surface(types.SimpleNamespace(vertices=np.zeros((3, 3)), faces=[[0, 1]]))
+
+
+def test_points_of_a_plane(square):
+    mesh = meshio.Mesh(square[0][:, :2], [("triangle", square[1])])
+    np.testing.assert_array_equal(brindle.as_surface(mesh).vertices, square[0])
+
+
+@pytest.mark.parametrize("extension", ["vtu", "ply", "vtk", "obj"])
+def test_through_files_of_meshio(extension, square, data, tmp_path):
+    path = tmp_path / f"mesh.{extension}"
+    mesh = meshio_of(square, data)
+    del mesh.cells[0]
+    for arrays in mesh.cell_data.values():
+        del arrays[0]
+    if extension in ("ply", "obj"):
+        mesh.point_data, mesh.cell_data = {}, {}
+    mesh.write(path)
+    s = brindle.read(path)
+    np.testing.assert_allclose(s.vertices, square[0], atol=1e-6)
+    np.testing.assert_array_equal(s.triangles, square[1])
+    if mesh.point_data:
+        np.testing.assert_array_equal(s.point_data["velocity"], data["points"]["velocity"])
+
+
+def test_meshio_reads_what_brindle_writes(square, tmp_path):
+    """meshio 5 reads no properties of faces: arrays of points alone."""
+    s = brindle.Surface(*square)
+    p = brindle.stripes(s, s.projected_field((1, 0.4, 0)), stripes=10)
+    s.write(tmp_path / "stripes.ply", point_data=p.point_data)
+    mesh = meshio.read(tmp_path / "stripes.ply")
+    np.testing.assert_array_equal(mesh.points, s.vertices)
+    np.testing.assert_array_equal(mesh.cells[0].data, s.triangles)
+    np.testing.assert_array_equal(np.float32(mesh.point_data["phase"]), p.point_data["phase"])
+
+
+def test_vtk_reads_what_brindle_writes(square, tmp_path):
+    vtk = pytest.importorskip("vtk")
+    s = brindle.Surface(*square)
+    p = brindle.stripes(s, s.projected_field((1, 0.4, 0)), stripes=10)
+    p.write(tmp_path / "stripes.vtp")
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(tmp_path / "stripes.vtp"))
+    reader.Update()
+    mesh = reader.GetOutput()
+    points, cells = arrays_on(mesh)
+    np.testing.assert_array_equal(points["phase"], p.point_data["phase"])
+    np.testing.assert_array_equal(cells["corner_phase"], p.corner_phases)
+    again = brindle.as_surface(mesh)
+    np.testing.assert_array_equal(again.triangles, s.triangles)
+
+
+def test_meshio_from_brindle(square):
+    """Results as a mesh of meshio, in its own words."""
+    s = brindle.Surface(*square)
+    p = brindle.stripes(s, s.projected_field((1, 0.4, 0)), stripes=10)
+    points, edges = p.curves()
+    lines = meshio.Mesh(points, [("line", edges)])
+    assert len(lines.cells[0].data) == len(edges)
+    mesh = meshio.Mesh(s.vertices, [("triangle", s.triangles)])
+    p.put_on(mesh)
+    np.testing.assert_array_equal(mesh.cell_data["branch"][0], p.branches)

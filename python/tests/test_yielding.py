@@ -1,0 +1,193 @@
+"""Frequencies that yield, strokes, boundaries, windings, measures, textures from frame to frame."""
+
+import numpy as np
+import pytest
+
+import brindle
+from conftest import run_tool
+
+
+def crossed(surface):
+    """A field whose lines converge: stripes must branch."""
+    return surface.projected_field((0.31, 0.9, 0.27))
+
+
+@pytest.fixture(scope="module")
+def trefoil():
+    return brindle.shape("trefoil")
+
+
+def test_slack_leaves_fewer_branches_within_bounds(trefoil):
+    d = crossed(trefoil)
+    rigid = brindle.stripes(trefoil, d, stripes=40)
+    p = brindle.stripes(trefoil, d, stripes=40, slack=0.25)
+    assert p.report["branches"] < 0.7 * rigid.report["branches"]
+    ratio = p.frequency / p.frequency_wanted
+    assert ratio.min() >= 1 / 1.2501 and ratio.max() <= 1.2501 and ratio.std() > 0
+    np.testing.assert_array_equal(p.frequency_wanted, rigid.frequency)
+    assert p.frequency_change["ratio_max"] == pytest.approx(ratio.max(), abs=1e-3)
+    assert rigid.frequency_change is None
+    np.testing.assert_array_equal(brindle.stripes(trefoil, d, stripes=40, slack=0).phases, rigid.phases)
+
+
+def test_slack_and_calm_per_vertex(trefoil):
+    d, n = crossed(trefoil), trefoil.vertex_count
+    same = brindle.stripes(trefoil, d, slack=np.full(n, 0.25))
+    np.testing.assert_array_equal(same.phases, brindle.stripes(trefoil, d, slack=0.25).phases)
+    calm = (trefoil.vertices[:, 2] > 0).astype("f8")
+    calmed = brindle.stripes(trefoil, d, slack=0.25, calm=calm)
+    assert "branches_in_calm" in calmed.frequency_change
+    for slack, calm in ((-1, None), (np.nan, None), (np.ones(3), None), (None, calm), (0.1, calm[:5]),
+                        (0.1, 2 * np.ones(n))):
+        with pytest.raises(brindle.Error):
+            brindle.stripes(trefoil, d, slack=slack, calm=calm)
+    for slack in ("much", True, 1j):
+        with pytest.raises(TypeError):
+            brindle.stripes(trefoil, d, slack=slack)
+
+
+def test_slack_of_textures_samples_and_frames(trefoil):
+    d = crossed(trefoil)
+    for made in (brindle.texture(trefoil, d, stripes=20, slack=0.25),
+                 brindle.crosses(trefoil, d, stripes=20, slack=0.25)):
+        assert np.isfinite(made.corner_uv).any()
+    assert brindle.samples(trefoil, d, stripes=20, slack=0.25).count > 0
+    animator = brindle.Animator(trefoil, slack=0.25)
+    f = trefoil.frequency_of(40)
+    z = animator.frame(d, f)
+    np.testing.assert_array_equal(z, brindle.stripes(trefoil, d, stripes=40, slack=0.25).phases)
+    assert animator.frequencies.min() >= f / 1.2501
+    assert len(brindle.Animator(trefoil).frequencies) == 0
+
+
+def test_strokes(torus, tmp_path):
+    ring = np.array([[np.cos(a), np.sin(a), 0.0] for a in np.linspace(0, 2 * np.pi, 60)])
+    outer = ring * np.abs(np.linalg.norm(torus.vertices[:, :2], axis=1)).max()
+    stroke = brindle.Stroke(outer, radius=0.2, strength=50)
+    d = torus.smooth_field(strokes=[stroke])
+    near = np.linalg.norm(torus.vertices[:, None] - outer[None], axis=2).min(axis=1) < 0.05
+    along = np.cross([0, 0, 1], torus.vertices[near])
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    assert np.abs((d[near] * along).sum(axis=1)).min() > 0.9
+    brindle.write_strokes(tmp_path / "strokes.json", [stroke])
+    (again,) = brindle.read_strokes(tmp_path / "strokes.json")
+    np.testing.assert_array_equal(again.points, outer)
+    np.testing.assert_array_equal(torus.smooth_field(strokes=again), d)
+    run_tool("stripe", "shape:torus,resolution=100", "--strokes", tmp_path / "strokes.json",
+             "--output", tmp_path / "tool.ply", "--quiet")
+    brindle.stripes(torus, d).write(tmp_path / "python.ply")
+    assert (tmp_path / "tool.ply").read_bytes() == (tmp_path / "python.ply").read_bytes()
+    vertices, directions, weights = torus.stroke_anchors([stroke])
+    assert len(vertices) == len(directions) == len(weights) > 0
+    brindle.FieldAnimator(torus).frame(vertices, directions, weights)
+    for bad in (brindle.Stroke(outer, -1), brindle.Stroke(outer[:1], 1), brindle.Stroke(outer * 50, 0.1),
+                brindle.Stroke(outer * np.nan, 1), brindle.Stroke(outer[:, :2], 1)):
+        with pytest.raises(brindle.Error):
+            torus.smooth_field(strokes=[bad])
+    for bad in ([outer], [brindle.Stroke(outer, "wide")], 5):
+        with pytest.raises(TypeError):
+            torus.smooth_field(strokes=bad)
+
+
+@pytest.fixture(scope="module")
+def sleeve():
+    """An open cylinder."""
+    angles, heights = np.meshgrid(np.linspace(0, 2 * np.pi, 60, endpoint=False), np.linspace(0, 2, 41))
+    vertices = np.stack([np.cos(angles), np.sin(angles), heights], axis=-1).reshape(-1, 3)
+    i = np.arange(40 * 60)
+    right = i - i % 60 + (i + 1) % 60
+    triangles = np.concatenate([np.stack([i, right, right + 60], axis=1),
+                                np.stack([i, right + 60, i + 60], axis=1)])
+    return brindle.Surface(vertices, triangles)
+
+
+def test_windings(sleeve):
+    loops = sleeve.loops()
+    assert [loop.name for loop in loops] == ["boundary-1", "boundary-2"]
+    assert all(loop.boundary and loop.length == pytest.approx(2 * np.pi, rel=0.01) for loop in loops)
+    up = sleeve.projected_field((0, 0, 1))
+    rings = brindle.stripes(sleeve, up, frequency=5, winding=0)
+    spiral = brindle.stripes(sleeve, up, frequency=5, winding=1)
+    left = brindle.stripes(sleeve, up, frequency=5, winding={"boundary-1": -2})
+    assert set(rings.windings().values()) == {0} and set(spiral.windings().values()) == {1}
+    assert set(left.windings().values()) == {-2}
+    assert rings.curves().closed.all() and spiral.curves().count == 1
+    assert 0 < spiral.turned["mean_deg"] < 5 and brindle.stripes(sleeve, up, frequency=5).turned is None
+    with pytest.raises(brindle.Error):
+        brindle.stripes(sleeve, up, frequency=5, winding={"loop-9": 1})
+    with pytest.raises(TypeError):
+        brindle.stripes(sleeve, up, frequency=5, winding=1.5)
+
+
+def test_boundaries(sleeve):
+    up = sleeve.projected_field((0, 0, 1))
+    p = brindle.stripes(sleeve, up, frequency=5, anchor_boundary=0.5)
+    rim = sleeve.vertices[:, 2] == 0
+    np.testing.assert_allclose(np.sin(np.angle(p.phases[rim])), -1, atol=1e-3)
+    with pytest.raises(brindle.Error, match="nowhere"):
+        brindle.stripes(sleeve, sleeve.turned_field(up, 90), frequency=5, anchor_boundary=0)
+
+
+def test_wales(sleeve):
+    round_ = sleeve.turned_field(sleeve.projected_field((0, 0, 1)), 90)
+    directions, frequency = sleeve.waves_round(round_, 30)
+    p = brindle.stripes(sleeve, directions, frequency=frequency)
+    assert p.report["branches"] == 0 and p.curves().count == 30
+    with pytest.raises(brindle.Error):
+        sleeve.waves_round(round_, 0)
+
+
+def test_measures(sleeve):
+    up = sleeve.projected_field((0, 0, 1))
+    curves = brindle.stripes(sleeve, up, frequency=5, winding=0).curves()
+    measures = curves.measures(line_width=0.1)
+    assert measures["lengths"]["longest"] == pytest.approx(2 * np.pi, rel=0.01)
+    assert measures["gaps"]["mean"] == pytest.approx(0.2, rel=0.05)
+    assert measures["coverage"] == pytest.approx(0.5, abs=0.06)
+    assert "coverage" not in curves.measures()
+    with pytest.raises(brindle.Error):
+        curves.measures(line_width=-1)
+
+
+def test_measures_are_the_tools(tool):
+    expected = tool("curves", "shape:trefoil", "--stripes", "30", "--line-width", "0.05")["u"]
+    measures = brindle.stripes(brindle.shape("trefoil"), stripes=30).curves().measures(0.05)
+    for key, value in measures.items():
+        assert value == expected[key], key
+
+
+def test_textures_from_frame_to_frame(torus):
+    animator = brindle.TextureAnimator(torus)
+    d = torus.smooth_field()
+    first = animator.frame(d, 4)
+    assert first.shape == (torus.triangle_count, 3, 2) and animator.figures["orientation"] == "afresh"
+    t = brindle.texture(torus, d, frequency=4)
+    np.testing.assert_array_equal(first[..., 0], t.corner_uv[..., 0])  # V shares U's aggregates
+    kept = first.copy()
+    animator.frame(torus.turned_field(d, 1), 4.05)
+    assert animator.figures["orientation"] in ("kept", "continued")
+    np.testing.assert_array_equal(first, kept)
+    with pytest.raises(brindle.Error):
+        animator.frame(d[:5], 4)
+    with pytest.raises(brindle.Error):
+        brindle.TextureAnimator(brindle.points(torus.vertices, torus.normals))
+    animator.restart()
+    np.testing.assert_array_equal(animator.frame(d, 4), first)
+
+
+def test_merged_branches():
+    trefoil = brindle.shape("trefoil", resolution=30)
+    d = trefoil.projected_field((0.31, 0.9, 0.27))
+    before = brindle.stripes(trefoil, d, stripes=40)
+    assert before.merged is None
+    after = brindle.stripes(trefoil, d, stripes=40, merge_branches=0)
+    said = after.merged
+    assert said["pairs"] > 0 and said["energy_after"] <= said["energy_before"]
+    assert said["branches_before"] == np.count_nonzero(before.branches)
+    assert said["branches_after"] == np.count_nonzero(after.branches)
+    assert said["branches_after"] <= said["branches_before"] - 2 * said["pairs"]
+    for share in (-1, float("nan")):
+        with pytest.raises(brindle.Error):
+            brindle.stripes(trefoil, d, merge_branches=share)
+    with pytest.raises(TypeError):
+        brindle.stripes(trefoil, d, merge_branches="many")
