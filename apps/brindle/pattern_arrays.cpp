@@ -6,14 +6,6 @@
 #include <limits>
 
 namespace brindle::tool {
-namespace {
-
-bool is_end(TriangleKind kind) {
-  return kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
-}
-
-}  // namespace
-
 void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing,
                const std::vector<float>& branches) {
   std::vector<float> phases, sines;
@@ -41,7 +33,7 @@ void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, floa
 std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const CornerPhases> corners) {
   std::vector<float> flags(mesh.vertex_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!is_end(corners[t].kind)) continue;
+    if (!is_branch(corners[t].kind)) continue;
     for (const Index vertex : mesh.triangles[t]) flags[vertex] = 1;
   }
   return flags;
@@ -49,7 +41,8 @@ std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const Corner
 
 DataArray branches_in_triangles(const StripePattern& pattern, const std::string& name) {
   std::vector<std::uint8_t> flags;
-  for (const CornerPhases& corners : pattern.corners) flags.push_back(is_end(corners.kind) ? 1 : 0);
+  for (const CornerPhases& corners : pattern.corners)
+    flags.push_back(is_branch(corners.kind) ? 1 : 0);
   return make_data_array(name, 1, flags);
 }
 

@@ -33,6 +33,11 @@ enum class TriangleKind : std::uint8_t {
   no_wave             ///< a corner has no wave
 };
 
+/// Whether a triangle counts among `PatternQuality::branches`.
+inline bool is_branch(TriangleKind kind) {
+  return kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
+}
+
 /// What `corner_phases` finds for one triangle.
 struct CornerPhases {
   std::array<float, 3> phase{};       ///< lifted phases of the oriented corners, in radians

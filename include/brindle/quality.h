@@ -31,10 +31,6 @@ struct PatternQuality {
 /// How many vertices have the direction zero.
 std::size_t count_without_wave(std::span<const Vec3> directions);
 
-/// The gradient of the linear function with these values at a triangle's corners, in the triangle's
-/// plane; zero if the triangle has no area.
-Vec3 linear_gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value);
-
 /// Angle in degrees, 0 to 180, between the gradient of the lifted corner phases and the mean corner
 /// direction in the triangle's plane, for every triangle; -1 where the triangle is not regular.
 std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,

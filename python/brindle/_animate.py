@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
 from ._arguments import Error, check_slack, flag, number, whole_number, word
-from ._stripes import Stripes
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:

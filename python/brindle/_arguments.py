@@ -142,10 +142,15 @@ def solving(solver: str, phase_shift: str, weights: str, threads: int,
 DEFAULT_STRIPES = 40
 
 
+def one_of_both(name: str, value: Any, other_name: str, other: Any) -> None:
+    """At most one of them is given."""
+    if value is not None and other is not None:
+        raise Error(f"{name} and {other_name} exclude each other: give one of both")
+
+
 def count_and_frequency(stripes: Any, frequency: Any) -> tuple[Any, Any]:
     """One of both; 40 stripes if neither was given."""
-    if stripes is not None and frequency is not None:
-        raise Error("stripes and frequency exclude each other: give one of both")
+    one_of_both("stripes", stripes, "frequency", frequency)
     if stripes is None and frequency is None:
         return DEFAULT_STRIPES, None
     return stripes, frequency

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from . import _core
-from ._arguments import (Error, count_and_frequency, flag, number, path_of, solving, warn,
+from ._arguments import (count_and_frequency, flag, number, one_of_both, path_of, solving, warn,
                          whole_number)
 from ._stripes import Field, Stripes, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -225,8 +225,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     field = Field(surface, directions, False)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     frequency_v = frequencies_of(surface, frequency_v)
-    if stripes_v is not None and frequency_v is not None:
-        raise Error("stripes_v and frequency_v exclude each other: give one of both")
+    one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
     count_v, frequency_v = (count, frequency) if stripes_v is None and frequency_v is None else (
         stripes_v, frequency_v)
 

@@ -8,7 +8,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _core
-from ._arguments import Error, warn
+from ._arguments import Error
 from ._surface import Surface
 
 _CORNERS = {"triangle": 3, "quad": 4, "triangle6": 3, "triangle7": 3, "quad8": 4, "quad9": 4}

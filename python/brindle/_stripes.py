@@ -7,8 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (Error, PatternWarning, count_and_frequency, described, flag, in_pythons_words,
-                         number, path_of, refuse, solving, warn, word)
+from ._arguments import (count_and_frequency, described, flag, number, path_of, refuse, solving, warn, word)
 from ._surface import Progress, Surface, _flat_tensors, as_surface
 
 if TYPE_CHECKING:

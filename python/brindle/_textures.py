@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (count_and_frequency, flag, path_of, refuse, solving, warn, word)
+from ._arguments import count_and_frequency, flag, one_of_both, path_of, solving, warn
 from ._curves import placed
 from ._stripes import Field, Stripes, fitting, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -15,8 +15,6 @@ from ._surface import Progress, Surface, as_surface
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
-
-_SYMMETRIC_TILES = ("checker", "dots", "plus")
 
 
 class TexturedMesh:
@@ -194,8 +192,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
-    if stripes_v is not None and frequency_v is not None:
-        raise _core.Error("stripes_v and frequency_v exclude each other: give one of both")
+    one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
     options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
     field = Field(surface, directions, flag(along, "along"))
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))

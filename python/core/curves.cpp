@@ -9,11 +9,9 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/geometry/mesh_edges.h"
-#include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
-#include "brindle/points/point_tree.h"
 #include "brindle/samples.h"
 #include "job.h"
 #include "pattern_data.h"
@@ -27,7 +25,6 @@ struct CurvesData {
   std::array<std::size_t, kCurveEndKinds> ends{};  // before any were left out
   std::size_t short_curves = 0;                    // left out
   std::size_t jogs = 0;                            // edges that moved curves do not cross straight
-  std::optional<CurveSpacing> spacing;
 };
 using CurvesPointer = std::shared_ptr<CurvesData>;
 
@@ -41,7 +38,6 @@ struct CurveWishes {
   float offset = 0;
   float min_length = 0;
   std::optional<float> simplify, resample;
-  bool measure = false;
 };
 
 // Throws away short curves after all ends were counted.
@@ -73,9 +69,6 @@ CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
     const WavePattern pattern{surface.mesh, edges, surface.normals,
                               waves,        z,     stripes.pattern.phase_shift};
     made->curves = stripe_curves(LiftedWaves(pattern), {.join = wishes.join});
-    if (wishes.measure && PointTree::available()) {
-      made->spacing = measure_curve_spacing(pattern, made->curves);
-    }
     shape_lines(*made, wishes);
     return made;
   });
@@ -146,14 +139,6 @@ py::dict figures_of(const CurvesData& data) {
   result["joined_ends"] = data.curves.joined_ends;
   result["ends_at_neighbours"] = data.curves.ends_at_neighbors;
   result["edges_with_jogs"] = data.jogs;
-  if (data.spacing && data.spacing->measured > 0) {
-    py::dict spacing;
-    spacing["measured"] = data.spacing->measured;
-    spacing["mean"] = data.spacing->mean;
-    spacing["deviation"] = data.spacing->deviation;
-    spacing["share_within_10_percent"] = data.spacing->share_within_10_percent;
-    result["spacing"] = spacing;
-  }
   return result;
 }
 
@@ -322,8 +307,7 @@ void bind_curves(py::module_& module) {
       .def_readwrite("offset", &CurveWishes::offset)
       .def_readwrite("min_length", &CurveWishes::min_length)
       .def_readwrite("simplify", &CurveWishes::simplify)
-      .def_readwrite("resample", &CurveWishes::resample)
-      .def_readwrite("measure", &CurveWishes::measure);
+      .def_readwrite("resample", &CurveWishes::resample);
   bind_curve_properties(module);
   module.def("curves", curves, py::arg("stripes"), py::arg("wishes"));
   py::class_<SamplesData, SamplesPointer>(module, "Samples")

@@ -300,12 +300,6 @@ void bind_stripes(py::module_& module) {
           "directions",
 
           [](py::handle self) { return shared(stripes_of(self).pattern.waves.directions, self); })
-      .def_property_readonly("energies",
-                             [](py::handle self) {
-                               const auto& e =
-                                   stripes_of(self).pattern.solution.energy_per_iteration;
-                               return shared(e.data(), {static_cast<py::ssize_t>(e.size())}, self);
-                             })
       .def("corner_phases", corner_phases_array)
       .def("point_arrays", point_arrays)
       .def("cell_arrays", cell_arrays)

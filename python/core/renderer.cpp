@@ -156,7 +156,6 @@ void bind_renderer(py::module_& module) {
                                              picture.options.base_color)));
       },
       py::arg("tile"), py::arg("picture"));
-  module.def("tile_names", [] { return std::string(built_in_tile_names()); });
 }
 
 }  // namespace brindle::python

@@ -447,11 +447,6 @@ void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
                                const auto& rows = data_of(self).surface.neighborhood->neighbors;
                                return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
                              })
-      .def_property_readonly("vertex_of_row",
-                             [](py::handle self) {
-                               const auto& rows = data_of(self).vertex_of_row;
-                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
-                             })
       .def_property_readonly("kept_triangles",
                              [](py::handle self) {
                                const auto& rows = data_of(self).kept_triangles;

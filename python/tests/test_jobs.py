@@ -1,7 +1,6 @@
 """Long calls: threads, progress, Ctrl-C; frames."""
 
 import os
-import signal
 import subprocess
 import sys
 import textwrap

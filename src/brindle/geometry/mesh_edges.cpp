@@ -50,4 +50,15 @@ MeshEdges mesh_edges(const Mesh& mesh, const Adjacency& neighborhood) {
   return edges;
 }
 
+std::vector<std::array<Index, 2>> triangles_of_edges(const MeshEdges& edges) {
+  std::vector<std::array<Index, 2>> result(edges.count(), {kNoTriangle, kNoTriangle});
+  for (Index t = 0; t < edges.of_triangle.size(); ++t) {
+    for (int m = 0; m < 3; ++m) {
+      const Index rank = edges.ranks[t][m];
+      if (rank < 2) result[edges.of_triangle[t][m]][rank] = t;
+    }
+  }
+  return result;
+}
+
 }  // namespace brindle

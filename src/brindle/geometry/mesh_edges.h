@@ -3,12 +3,16 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "brindle/adjacency.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
+
+/// In place of a triangle that is not there.
+inline constexpr Index kNoTriangle = std::numeric_limits<Index>::max();
 
 /// The edges of a mesh of any topology, each once, however many triangles share it. Edge m of a
 /// triangle runs from corner m to the next one.
@@ -25,5 +29,8 @@ struct MeshEdges {
 /// `neighborhood` is the mesh's own (`vertex_neighborhood`). Edges are in ascending order of their
 /// higher vertex, then of their lower one.
 MeshEdges mesh_edges(const Mesh& mesh, const Adjacency& neighborhood);
+
+/// The first two triangles of every edge; `kNoTriangle` where there is but one.
+std::vector<std::array<Index, 2>> triangles_of_edges(const MeshEdges& edges);
 
 }  // namespace brindle

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
+#include "brindle/base/merged_sets.h"
 #include "brindle/geometry/mesh_edges.h"
 
 namespace brindle {
@@ -14,41 +14,14 @@ namespace {
 
 constexpr Index kNowhere = std::numeric_limits<Index>::max();
 
-class Unions {
- public:
-  explicit Unions(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index find(Index x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  bool join(Index a, Index b) {
-    a = find(a), b = find(b);
-    if (a == b) return false;
-    parent_[std::max(a, b)] = std::min(a, b);
-    return true;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
 class LoopFinder {
  public:
   explicit LoopFinder(const Surface& surface)
       : mesh_(surface.mesh),
         neighborhood_(*surface.neighborhood),
         edges_(mesh_edges(mesh_, neighborhood_)),
-        triangles_of_(edges_.count(), {kNowhere, kNowhere}),
-        component_(mesh_.vertex_count(), kNowhere) {
-    for (Index t = 0; t < mesh_.triangle_count(); ++t) {
-      for (int m = 0; m < 3; ++m) {
-        const Index rank = edges_.ranks[t][m];
-        if (rank < 2) triangles_of_[edges_.of_triangle[t][m]][rank] = t;
-      }
-    }
-  }
+        triangles_of_(triangles_of_edges(edges_)),
+        component_(mesh_.vertex_count(), kNowhere) {}
 
   std::vector<SurfaceLoop> find() {
     find_components();
@@ -198,12 +171,12 @@ class LoopFinder {
       return std::pair(-x.length, x.edge) < std::pair(-y.length, y.edge);
     });
     const auto triangles = static_cast<Index>(mesh_.triangle_count());
-    Unions unions(triangles + boundary_count_);
+    MergedSets sets(triangles + boundary_count_);
     std::vector<Index> left;
     for (const auto& [length, e] : candidates) {
       const auto& sides = triangles_of_[e];
-      const Index other = sides[1] == kNowhere ? triangles + boundary_of_[e] : sides[1];
-      if (!unions.join(sides[0], other)) left.push_back(e);
+      const Index other = sides[1] == kNoTriangle ? triangles + boundary_of_[e] : sides[1];
+      if (!sets.merge(sides[0], other)) left.push_back(e);
     }
     std::reverse(left.begin(), left.end());
     for (const Index e : left) add_handle(e);

@@ -41,7 +41,7 @@ struct Sums {
             angle + o.angle,       spacing + o.spacing};
   }
   void count(TriangleKind kind, const ErrorLanes& errors, std::size_t lane) {
-    branches += kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
+    branches += is_branch(kind);
     field_singularities += kind == TriangleKind::field_singularity;
     const double triangle_area = errors.area[lane];
     if (kind != TriangleKind::regular || triangle_area == 0) return;
@@ -54,15 +54,6 @@ struct Sums {
 };
 
 }  // namespace
-
-Vec3 linear_gradient(const std::array<Vec3, 3>& corner, const std::array<float, 3>& value) {
-  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  const float square = normal.squaredNorm();
-  if (!(square > 0)) return Vec3::Zero();
-  const Vec3 sum = (value[1] - value[0]) * (corner[0] - corner[2]) +
-                   (value[2] - value[0]) * (corner[1] - corner[0]);
-  return normal.cross(sum) / square;
-}
 
 std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
                                     std::span<const CornerPhases> corners) {

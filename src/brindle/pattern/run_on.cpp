@@ -83,16 +83,8 @@ struct RunOn::Step {
   int edge = -1;  // that it leaves over; none if it meets a curve
 };
 
-RunOn::RunOn(const LiftedWaves& waves) : waves_(waves) {
-  const MeshEdges& edges = waves.pattern().edges;
-  triangles_.resize(edges.count());
-  for (std::size_t t = 0; t < edges.of_triangle.size(); ++t) {
-    for (int m = 0; m < 3; ++m) {
-      const Index rank = edges.ranks[t][m];
-      if (rank < 2) triangles_[edges.of_triangle[t][m]][rank] = static_cast<Index>(t);
-    }
-  }
-}
+RunOn::RunOn(const LiftedWaves& waves)
+    : waves_(waves), triangles_(triangles_of_edges(waves.pattern().edges)) {}
 
 RunOn::Step RunOn::next_step(const Walker& walker) const {
   const std::array<Point, 3> corners = corners_of(waves_.pattern().mesh, walker.triangle);

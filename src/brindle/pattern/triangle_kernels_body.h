@@ -201,7 +201,8 @@ BRINDLE_KERNEL RealPlane load_plane(const CornerLanes& corners, std::size_t lane
   return {edge_1, edge_2, cross(edge_1, edge_2)};
 }
 
-/// `linear_gradient`.
+/// The gradient of the linear function with these values at a triangle's corners, in the
+/// triangle's plane; zero if the triangle has no area.
 BRINDLE_KERNEL RealVector gradient_in(const RealPlane& plane,
                                       const float (&phase)[3][kTriangleLanes], std::size_t lane) {
   const Real square = dot(plane.normal, plane.normal);

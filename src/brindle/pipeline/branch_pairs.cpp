@@ -64,16 +64,10 @@ class PairMerger {
         z_(pattern.solution.z),
         edges_(mesh_edges(mesh_, adjacency_)),
         forms_(mesh_, edges_, waves_.directions),
-        triangles_of_(edges_.count(), {kNoNumber, kNoNumber}),
+        triangles_of_(triangles_of_edges(edges_)),
         index_(mesh_.triangle_count()),
         number_(mesh_.vertex_count(), kNoNumber),
         best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()) {
-    for (Index t = 0; t < mesh_.triangle_count(); ++t) {
-      for (int m = 0; m < 3; ++m) {
-        const Index rank = edges_.ranks[t][m];
-        if (rank < 2) triangles_of_[edges_.of_triangle[t][m]][rank] = t;
-      }
-    }
     weigh_edges(options.weights);
     shift_edges();
     changed_.assign(mesh_.vertex_count(), true);
@@ -210,7 +204,7 @@ class PairMerger {
       const Index e = edges_.of_triangle[from][out];
       const auto& sides = triangles_of_[e];
       const Index to = sides[0] == from ? sides[1] : sides[0];
-      if (to == kNoNumber || edges_.triangle_counts[e] != 2) return;
+      if (to == kNoTriangle || edges_.triangle_counts[e] != 2) return;
       const double reached =
           length + static_cast<double>((barycentre(to) - barycentre(from)).norm());
       if (reached > reach || reached >= best_[to]) return;
@@ -415,7 +409,7 @@ class PairMerger {
     std::vector<Index> found;
     for (const Index e : edges) {
       for (const Index t : triangles_of_[e]) {
-        if (t != kNoNumber) found.push_back(t);
+        if (t != kNoTriangle) found.push_back(t);
       }
     }
     std::sort(found.begin(), found.end());

@@ -21,21 +21,12 @@
 namespace brindle {
 namespace {
 
-constexpr Index kNoTriangle = std::numeric_limits<Index>::max();
-
 /// Finds ways across triangles on which a closed form may have its values.
 class CutFinder {
  public:
-  CutFinder(const Surface& surface, const MeshEdges& edges, const TwistedForms& forms,
+  CutFinder(const MeshEdges& edges, const TwistedForms& forms,
             const std::vector<SurfaceLoop>& loops)
-      : edges_(edges), forms_(forms), loops_(loops), triangles_of_(edges.count()) {
-    for (auto& pair : triangles_of_) pair = {kNoTriangle, kNoTriangle};
-    for (Index t = 0; t < surface.mesh.triangle_count(); ++t) {
-      for (int m = 0; m < 3; ++m) {
-        const Index rank = edges.ranks[t][m];
-        if (rank < 2) triangles_of_[edges.of_triangle[t][m]][rank] = t;
-      }
-    }
+      : edges_(edges), forms_(forms), loops_(loops), triangles_of_(triangles_of_edges(edges)) {
     for (Index e = 0; e < edges.count(); ++e) edge_of_[edges.vertices[e]] = e;
     boundary_of_.assign(edges.count(), -1);
     on_handle_.assign(edges.count(), false);
@@ -229,7 +220,7 @@ std::vector<Eigen::Vector3d> harmonic_change(const Surface& surface, const MeshE
                                              const std::vector<MissingPeriods>& missing,
                                              const std::vector<Vec3>& directions) {
   const TwistedForms forms(surface.mesh, edges, directions);
-  CutFinder cuts(surface, edges, forms, loops);
+  CutFinder cuts(edges, forms, loops);
   std::vector<bool> taken(loops.size());
   for (const MissingPeriods& m : missing) taken[m.loop] = true;
   std::vector<double> form(edges.count(), 0);

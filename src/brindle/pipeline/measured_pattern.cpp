@@ -20,7 +20,7 @@ std::size_t count_in_calm(std::span<const Triangle> triangles,
   std::size_t count = 0;
   for (std::size_t t = 0; t < corners.size(); ++t) {
     const TriangleKind kind = corners[t].kind;
-    if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
+    if (!is_branch(kind)) continue;
     const auto& [a, b, c] = triangles[t];
     count += calm[a] + calm[b] + calm[c] >= 1.5f;
   }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <vector>
 
+#include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
 #include "brindle/pipeline/short_seam.h"
 #include "brindle/solver.h"
@@ -98,25 +98,6 @@ void turn(TextureWaves& waves, std::span<const std::uint8_t> turned) {
     }
   });
 }
-
-/// The smallest member of the set that an item belongs to, and sets that grow together.
-class MergedSets {
- public:
-  explicit MergedSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index of(Index item) {
-    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void merge(Index a, Index b) {
-    const Index first = of(a), second = of(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// For every vertex the node that stands for it. A seam costs nothing along the border and around
 /// triangles without orientation: their vertices are one node.

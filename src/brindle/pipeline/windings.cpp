@@ -100,7 +100,6 @@ std::vector<Wanted> wanted_of(const std::vector<SurfaceLoop>& loops,
   return result;
 }
 
-/// What is missing, in each loop's own sense; empty if nothing is.
 /// And the numbers of handles that are not named, which stay as they are.
 void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Winding>& before,
                  std::vector<Wanted>& wanted) {
@@ -110,6 +109,13 @@ void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Windin
   }
 }
 
+void check_oriented(const SurfaceLoop& loop, const LoopWalk& walk) {
+  if (walk.oriented) return;
+  throw Error("windings: the field cannot be oriented along " + loop.name +
+              ", or has no waves there: there is no number to choose");
+}
+
+/// What is missing, in each loop's own sense; empty if nothing is.
 std::vector<MissingPeriods> missing_of(const std::vector<SurfaceLoop>& loops,
                                        const std::vector<LoopWalk>& walks,
                                        const std::vector<Wanted>& wanted) {
@@ -117,10 +123,7 @@ std::vector<MissingPeriods> missing_of(const std::vector<SurfaceLoop>& loops,
   bool any = false;
   for (const Wanted& w : wanted) {
     const LoopWalk& walk = walks[w.loop];
-    if (!walk.oriented) {
-      throw Error("windings: the field cannot be oriented along " + loops[w.loop].name +
-                  ", or has no waves there: there is no number to choose");
-    }
+    check_oriented(loops[w.loop], walk);
     missing.push_back({w.loop, walk.sign * w.periods - walk.periods});
     any = any || missing.back().periods != 0;
   }
@@ -188,9 +191,7 @@ std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
   }
   std::size_t count = 0;
   for (std::size_t t = 0; t < pattern.corners.size(); ++t) {
-    const TriangleKind kind = pattern.corners[t].kind;
-    const bool branch = kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
-    count += branch && reached[surface.mesh.triangles[t][0]];
+    count += is_branch(pattern.corners[t].kind) && reached[surface.mesh.triangles[t][0]];
   }
   return count;
 }
@@ -211,7 +212,7 @@ WaveSet waves_round(const Surface& surface, const DirectionField& reference,
   for (const SurfaceLoop& loop : loops) {
     walks.push_back(walk_round(loop, surface.normals, waves, z, PhaseShiftKind::aligned));
   }
-  if (!walks[number.loop].oriented) missing_of(loops, walks, {number});
+  check_oriented(loops[number.loop], walks[number.loop]);
   const auto change = harmonic_change(surface, mesh_edges(surface.mesh, *surface.neighborhood),
                                       loops, walks, {{number.loop, number.periods}}, reference);
   for (std::size_t v = 0; v < count; ++v) {

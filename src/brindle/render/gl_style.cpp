@@ -100,14 +100,6 @@ std::vector<float> packed_values(const StyledSurface& surface) {
   return packed;
 }
 
-std::vector<Eigen::Vector4f> second_waves_of(const WaveSet& waves) {
-  std::vector<Eigen::Vector4f> packed(waves.directions.size());
-  for (std::size_t v = 0; v < packed.size(); ++v) {
-    packed[v] << waves.directions[v], waves.frequencies[v];
-  }
-  return packed;
-}
-
 bool is_same(const TextureTile& a, const TextureTile& b) {
   const Image* one = std::get_if<Image>(&a);
   const Image* other = std::get_if<Image>(&b);
@@ -167,7 +159,7 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
   }
   values_ = buffer_of(packed_values(surface), "values of styles");
   if (layer_count_ < 2) return;
-  second_waves_ = buffer_of(second_waves_of(*surface.strokes[1].waves), "second waves");
+  second_waves_ = buffer_of(packed_waves(*surface.strokes[1].waves), "second waves");
   second_phases_ = buffer_of(surface.strokes[1].z, "second phases");
 }
 

@@ -48,14 +48,6 @@ void set_camera(const ShaderProgram& program, const Camera& camera, const Eigen:
   program.set("tile", tile);
 }
 
-std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
-  std::vector<Eigen::Vector4f> packed(waves.directions.size());
-  for (std::size_t v = 0; v < packed.size(); ++v) {
-    packed[v] << waves.directions[v], waves.frequencies[v];
-  }
-  return packed;
-}
-
 std::vector<std::uint32_t> packed_colors(std::span<const TriangleColor> colors) {
   const auto byte = [](float value) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
@@ -123,6 +115,14 @@ void check_change(const DrawingChange& change, std::size_t vertices, std::size_t
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves) {
+  std::vector<Eigen::Vector4f> packed(waves.directions.size());
+  for (std::size_t v = 0; v < packed.size(); ++v) {
+    packed[v] << waves.directions[v], waves.frequencies[v];
+  }
+  return packed;
+}
 
 GlSurface::GlSurface() {
   for (GlTexture& texture : textures_) texture = buffer_texture();

@@ -16,6 +16,9 @@
 
 namespace brindle {
 
+/// Direction and frequency of every vertex, as the shaders read them.
+std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves);
+
 /// Needs a current context, as ShaderProgram does.
 class GlSurface {
  public:

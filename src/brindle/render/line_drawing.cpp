@@ -12,15 +12,17 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
+#include "brindle/render/simplified_stroke.h"
 
 namespace brindle {
 namespace {
 
-constexpr int kPerPixel = 2;         // depths along a side of a pixel
-constexpr float kStep = 0.5f;        // pixels between points whose visibility is asked for
-constexpr float kShortest = 1.5f;    // pixels: shorter strokes are noise along silhouettes
-constexpr float kLongestGap = 1.5f;  // pixels: shorter gaps are noise, too
-constexpr float kSteepest = 5e-3f;   // of distances, between neighbouring cells
+constexpr int kPerPixel = 2;              // depths along a side of a pixel
+constexpr float kStep = 0.5f;             // pixels between points whose visibility is asked for
+constexpr float kShortest = 1.5f;         // pixels: shorter strokes are noise along silhouettes
+constexpr float kLongestGap = 1.5f;       // pixels: shorter gaps are noise, too
+constexpr float kSmallestCorner = 0.05f;  // pixels: what is less is left out
+constexpr float kSteepest = 5e-3f;        // of distances, between neighbouring cells
 
 float edge_function(const Eigen::Vector2f& a, const Eigen::Vector2f& b, float x, float y) {
   return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
@@ -30,20 +32,6 @@ float length_of(const Stroke& stroke) {
   float length = 0;
   for (std::size_t i = 1; i < stroke.size(); ++i) length += (stroke[i] - stroke[i - 1]).norm();
   return length;
-}
-
-Stroke without_needless_corners(const Stroke& stroke) {
-  constexpr float kSmallest = 0.05f;
-  Polylines line;
-  for (const auto& p : stroke) {
-    line.points.emplace_back(p.x(), p.y(), 0.0f);
-    line.normals.emplace_back(0.0f, 0.0f, 1.0f);
-  }
-  line.offsets.push_back(static_cast<Index>(stroke.size()));
-  line.closed.push_back(0);
-  Stroke result;
-  for (const Vec3& p : simplified(line, kSmallest).points) result.emplace_back(p.x(), p.y());
-  return result;
 }
 
 /// Two digits behind the point are a hundredth of a pixel.
@@ -239,7 +227,8 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool h
                              std::vector<Stroke>& strokes) const {
   Stroke stroke;
   const auto finish = [&] {
-    if (length_of(stroke) >= kShortest) strokes.push_back(without_needless_corners(stroke));
+    if (length_of(stroke) >= kShortest)
+      strokes.push_back(simplified_stroke(stroke, false, kSmallestCorner));
     stroke.clear();
   };
   float passed = 0;  // pixels since the last point that is drawn

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include <Eigen/Geometry>
+
+#include "brindle/base/merged_sets.h"
 
 namespace brindle {
 namespace {
@@ -33,20 +34,14 @@ bool is_closed(const Mesh& mesh) {
 
 /// A vertex that stands for the connected part, for every vertex.
 std::vector<Index> connected_parts(const Mesh& mesh) {
-  std::vector<Index> parent(mesh.vertex_count());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  MergedSets parts(mesh.vertex_count());
   for (const Triangle& t : mesh.triangles) {
-    for (const int m : {1, 2}) {
-      const Index a = root(t[0]), b = root(t[m]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    parts.merge(t[0], t[1]);
+    parts.merge(t[0], t[2]);
   }
-  for (Index v = 0; v < parent.size(); ++v) parent[v] = root(v);
-  return parent;
+  std::vector<Index> part_of(mesh.vertex_count());
+  for (Index v = 0; v < part_of.size(); ++v) part_of[v] = parts.of(v);
+  return part_of;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Overlay branch_overlay(const Mesh& mesh, std::span<const CornerPhases> corners) 
   overlay.triangle_colors.resize(mesh.triangle_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const TriangleKind kind = corners[t].kind;
-    if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
+    if (!is_branch(kind)) continue;
     const Color color = kind == TriangleKind::branch ? kBranchColor : kSingularityColor;
     overlay.triangle_colors[t] = {color, 0.85f};
     overlay.marks.push_back({centre_of(mesh, mesh.triangles[t]), color});

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "brindle/error.h"
-#include "brindle/polylines.h"
+#include "brindle/render/simplified_stroke.h"
 
 namespace brindle {
 namespace {
@@ -91,19 +91,6 @@ std::vector<std::size_t> next_edges(const ShareGrid& grid) {
   return next;
 }
 
-Stroke simplified_loop(const Stroke& loop, float tolerance) {
-  Polylines line;
-  for (const Vector2f& p : loop) {
-    line.points.emplace_back(p.x(), p.y(), 0.0f);
-    line.normals.emplace_back(0.0f, 0.0f, 1.0f);
-  }
-  line.offsets.push_back(static_cast<Index>(loop.size()));
-  line.closed.push_back(1);
-  Stroke result;
-  for (const Vec3& p : simplified(line, tolerance).points) result.emplace_back(p.x(), p.y());
-  return result;
-}
-
 }  // namespace
 
 std::vector<Stroke> region_outlines(int width, int height, std::span<const float> shares,
@@ -125,7 +112,7 @@ std::vector<Stroke> region_outlines(int width, int height, std::span<const float
       next[edge] = kNoEdge;
       edge = after;
     }
-    loop = simplified_loop(loop, tolerance);
+    loop = simplified_stroke(loop, true, tolerance);
     if (loop.size() > 2) loops.push_back(std::move(loop));
   }
   return loops;

@@ -34,22 +34,16 @@ struct Moments {
   }
 };
 
-struct SquareSum {
-  double sum = 0;
-  SquareSum operator+(const SquareSum& o) const { return {sum + o.sum}; }
-};
-
 float unit_of(std::span<const float> wanted) {
   if (wanted.empty()) return 1;
-  const SquareSum squares =
-      parallel_sum<SquareSum>(wanted.size(), [&](std::size_t begin, std::size_t end) {
-        SquareSum sum;
-        for (std::size_t i = begin; i < end; ++i) {
-          sum.sum += static_cast<double>(wanted[i]) * static_cast<double>(wanted[i]);
-        }
-        return sum;
-      });
-  return static_cast<float>(1 / std::sqrt(squares.sum / static_cast<double>(wanted.size())));
+  const auto squares = parallel_sum<double>(wanted.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      sum += static_cast<double>(wanted[i]) * static_cast<double>(wanted[i]);
+    }
+    return sum;
+  });
+  return static_cast<float>(1 / std::sqrt(squares / static_cast<double>(wanted.size())));
 }
 
 /// Triangles side by side, and which of them count.

@@ -77,11 +77,6 @@ struct ChangeSums {
   }
 };
 
-struct RightSum {
-  double sum = 0;
-  RightSum operator+(const RightSum& o) const { return {sum + o.sum}; }
-};
-
 }  // namespace
 
 void check(const Slack& slack, std::size_t vertices) {
@@ -185,12 +180,11 @@ void YieldingFrequency::State::set_start() {
 /// Until cycles hardly lower the energy.
 void YieldingFrequency::State::relax(const Progress& progress) {
   const std::span<const float> right = multigrid->right();
-  const RightSum constant =
-      parallel_sum<RightSum>(right.size(), [&](std::size_t begin, std::size_t end) {
-        RightSum part;
-        for (std::size_t i = begin; i < end; ++i) part.sum += static_cast<double>(right[i]);
-        return part;
-      });
+  const auto constant = parallel_sum<double>(right.size(), [&](std::size_t begin, std::size_t end) {
+    double part = 0;
+    for (std::size_t i = begin; i < end; ++i) part += static_cast<double>(right[i]);
+    return part;
+  });
   const int most = starts() ? kMostCycles : kMostFrameCycles;
   change = {};
   // A cycle may make little of it and the next one much, above all at the beginning.
@@ -202,7 +196,7 @@ void YieldingFrequency::State::relax(const Progress& progress) {
   for (int cycle = 0; cycle < most; ++cycle) {
     if (starts()) progress.report("frequency", static_cast<double>(cycle) / most);
     const BoundedMultigrid::Measure measure = multigrid->cycle();
-    const double energy = measure.energy + constant.sum;
+    const double energy = measure.energy + constant;
     if (cycle == 0) first_gradient = measure.projected_gradient;
     change.sweeps += 2;
     small_gains = is_small(last - energy, energy) ? small_gains + 1 : 0;
