@@ -18,6 +18,12 @@ const std::vector<std::string> kGlyphOptions = {
     "--glyph",       "--glyph-size", "--size-by",   "--size-range", "--color-by",
     "--color-range", "--colormap",   "--threshold", "--legend",     "--no-legend"};
 
+GlyphChoice parse_glyph(const std::string& option, const std::string& text) {
+  if (const auto shape = parse_glyph_shape(text)) return {*shape, {}};
+  if (lower_extension(text) == ".png") return {GlyphShape::quad, text};
+  wrong_usage(option, "disc, arrow, ellipse, stroke or a picture FILE.png", text);
+}
+
 std::string parse_size_value(const std::string& option, const std::string& text) {
   check_value_name(option, text);
   return text;
@@ -57,9 +63,11 @@ std::vector<float> size_factors(std::span<const Sample> samples, const Mesh& mes
 }  // namespace
 
 void add_glyph_options(CLI::App& app, GlyphOptions& options) {
-  add_named_option(app, "--glyph", options.shape, parse_glyph_shape, "disc|arrow|ellipse|stroke",
-                   "picture: what stands at samples: discs (default), arrows along the field, "
-                   "ellipses whose axes are the spacings, strokes of a brush");
+  add_parsed_option(app, "--glyph", options.glyph, parse_glyph,
+                    "picture: what stands at samples: discs (default), arrows along the field, "
+                    "ellipses whose axes are the spacings, strokes of a brush, or a picture with "
+                    "transparency, which lies flat and may cross the silhouette")
+      ->type_name("disc|arrow|ellipse|stroke|FILE.png");
   add_parsed_option(app, "--glyph-size", options.size, parse_positive_number,
                     "picture: share of the spacing (default 0.8)")
       ->type_name("S");
@@ -92,6 +100,9 @@ void check_glyph_options(const CLI::App& command, const GlyphOptions& options) {
                  "colours follow no value; add --color-by VALUE");
   }
   if (options.style.no_legend) refuse_given(command, {"--legend"}, "--no-legend leaves it out");
+  if (!options.glyph.picture.empty()) {
+    refuse_given(command, {"--color-by"}, "pictures have colours of their own");
+  }
 }
 
 std::vector<UsedFile> glyph_files(const GlyphOptions& options) {
@@ -100,10 +111,25 @@ std::vector<UsedFile> glyph_files(const GlyphOptions& options) {
        {std::pair("--size-by", options.size_by), std::pair("--color-by", options.style.color_by)}) {
     if (const std::string path = value_file(value); !path.empty()) files.push_back({option, path});
   }
+  if (!options.glyph.picture.empty()) files.push_back({"--glyph", options.glyph.picture});
   return files;
 }
 
+std::optional<Image> read_glyph_picture(const GlyphOptions& options) {
+  if (options.glyph.picture.empty()) return std::nullopt;
+  return read_png(options.glyph.picture);
+}
+
 namespace {
+
+/// Makes one of the two sizes smaller.
+void keep_proportions(const Image& tile, std::vector<GlyphSize>& sizes) {
+  const float wide = static_cast<float>(tile.width), high = static_cast<float>(tile.height);
+  for (GlyphSize& size : sizes) {
+    const float pixel = std::min(size.along / wide, size.across / high);
+    size = {pixel * wide, pixel * high};
+  }
+}
 
 void read_values(const GlyphOptions& options, const ValueSource& source, GlyphInput& input) {
   if (!options.size_by.empty()) {
@@ -139,17 +165,22 @@ void write_glyphs(const std::filesystem::path& path, const Surface& surface,
                   std::span<const Sample> samples, const GlyphOptions& options,
                   const GlyphInput& input, const PictureOptions& picture) {
   const Mesh& mesh = surface.mesh;
-  Glyphs glyphs =
-      glyphs_at(samples, options.shape,
-                glyph_sizes(samples, options.size, size_factors(samples, mesh, options, input)));
+  std::vector<GlyphSize> sizes =
+      glyph_sizes(samples, options.size, size_factors(samples, mesh, options, input));
+  if (input.picture) keep_proportions(*input.picture, sizes);
+  Glyphs glyphs = glyphs_at(samples, options.glyph.shape, sizes);
   glyphs.mesh.origin = mesh.origin;
   StyledOptions styled;
   styled.render = render_options(picture);
-  const bool brush = options.shape == GlyphShape::stroke;
+  const bool brush = options.glyph.shape == GlyphShape::stroke;
   StyledSurface figures{.mesh = glyphs.mesh,
                         .normals = glyphs.normals,
                         .color = brush ? styled.render.stripe_color : kGlyphColor,
                         .shading = !brush};
+  if (input.picture) {
+    figures.texture = RegionTexture{.waves = &glyphs.waves, .tiles = {{.tile = *input.picture}}};
+    figures.between = BetweenStrokes::discarded;
+  }
   std::vector<float> places;
   std::vector<Legend> legends;
   if (input.color) {

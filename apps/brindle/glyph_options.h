@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/glyphs.h"
+#include "brindle/image.h"
 #include "picture.h"
 #include "preparation.h"
 #include "style_options.h"
@@ -18,8 +19,14 @@
 
 namespace brindle::tool {
 
-struct GlyphOptions {
+/// What stands at samples: a shape, or a picture on quads.
+struct GlyphChoice {
   GlyphShape shape = GlyphShape::disc;
+  std::string picture;  ///< of quads: a PNG file
+};
+
+struct GlyphOptions {
+  GlyphChoice glyph;
   float size = 0.8f;  ///< share of the spacing
   std::string size_by;
   std::optional<ValueRange> size_range;  ///< shares of `size` at the smallest and largest value
@@ -40,10 +47,14 @@ void check_glyph_options(const CLI::App& command, const GlyphOptions& options);
 /// Files that values are read from.
 std::vector<UsedFile> glyph_files(const GlyphOptions& options);
 
-/// What glyphs follow, one number per vertex of the surface.
+/// What glyphs follow, one number per vertex of the surface, and what lies on quads.
 struct GlyphInput {
   std::optional<VertexValues> size, color;
+  std::optional<Image> picture;  ///< of quads
 };
+
+/// The picture of quads; none of other shapes. Throws what read_png throws.
+std::optional<Image> read_glyph_picture(const GlyphOptions& options);
 
 GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prepared,
                             const SurfaceOptions& surface, const WaveOptions& waves,

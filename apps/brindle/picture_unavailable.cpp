@@ -107,6 +107,8 @@ void check_glyph_options(const CLI::App& /*command*/, const GlyphOptions& /*opti
 
 std::vector<UsedFile> glyph_files(const GlyphOptions& /*options*/) { return {}; }
 
+std::optional<Image> read_glyph_picture(const GlyphOptions& /*options*/) { return std::nullopt; }
+
 GlyphInput read_glyph_input(const GlyphOptions& /*options*/, const Preparation& /*prepared*/,
                             const SurfaceOptions& /*surface*/, const WaveOptions& /*waves*/,
                             const PictureOptions& /*picture*/) {

@@ -323,6 +323,7 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
   check(command, arguments, files);
   if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
   const ThreadLimit threads(arguments.solving.threads);
+  const std::optional<Image> picture = read_glyph_picture(arguments.glyphs);
   const SampleResult result = make_and_write(
       files, arguments.quiet,
       [&](ProgressDisplay& display) {
@@ -330,6 +331,7 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
         if (has_glyphs(command)) {
           made.glyphs = read_glyph_input(arguments.glyphs, made.prepared, arguments.surface,
                                          arguments.waves, *arguments.picture);
+          made.glyphs.picture = picture;
         }
         if (made.samples.empty()) display.note(kNoSamples);
         return made;

@@ -293,8 +293,8 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
   const bool is_free = app.get_option_no_throw("--between") == nullptr;
   add_named_option(app, is_free ? "--between,--between-stripes" : "--between-stripes",
                    options.discard, parse_between, "surface|nothing",
-                   "picture: what is between stripes; with nothing, what lies behind is seen in "
-                   "its own colours");
+                   "picture: what is between stripes or beside the figures of a texture; with "
+                   "nothing, what lies behind is seen in its own colours");
   app.add_option_function<std::vector<std::string>>(
          "--with",
          [&options](const std::vector<std::string>& texts) {
@@ -378,11 +378,13 @@ void check_colors(const CLI::App& command, const StyleOptions& options) {
 
 void check_tiles(const CLI::App& command, const StyleOptions& options, bool texture) {
   if (texture) {
-    refuse_given(
-        command,
-        {"--width-by", "--width-range", "--opacity-by", "--opacity-range", "--pixel-width",
-         "--stroke-spacing", "--tones", "--cross-hatch", "--between-stripes", "--color-on"},
-        "it is for stripes, not for textures");
+    refuse_given(command,
+                 {"--width-by", "--width-range", "--opacity-by", "--opacity-range", "--pixel-width",
+                  "--stroke-spacing", "--tones", "--cross-hatch", "--color-on"},
+                 "it is for stripes, not for textures");
+    if (options.discard) {
+      refuse_given(command, {"--color-by"}, "nothing is seen of the surface beside tiles");
+    }
   } else {
     refuse_given(command,
                  {"--texture-by", "--regions", "--texture-shift", "--texture-flow",

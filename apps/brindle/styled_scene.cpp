@@ -166,6 +166,7 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
     surface.texture = texture_of(*scene.texture, style, render, followed);
     surface.color_places = followed.places;
     surface.shading = !style.flat;
+    if (style.discard) surface.between = BetweenStrokes::discarded;
     return surface;
   }
   surface.strokes.push_back(strokes_of(scene.pattern, style, render, followed));

@@ -9,6 +9,7 @@
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/samples.h"
+#include "brindle/texture_waves.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -16,10 +17,11 @@ enum class GlyphShape {
   disc,     ///< flat, round
   arrow,    ///< along the first direction
   ellipse,  ///< a flattened ellipsoid whose axes are the two directions: a tensor's
-  stroke    ///< a brush's, along the second direction: flat, and not cut off at the silhouette
+  stroke,   ///< a brush's, along the second direction: flat, and not cut off at the silhouette
+  quad      ///< flat, for a picture, whose upper side is towards the second direction
 };
 
-/// Reads the names above. Empty if there is no such shape.
+/// Reads the names above but `quad`, which needs a picture. Empty if there is no such shape.
 std::optional<GlyphShape> parse_glyph_shape(std::string_view name);
 
 /// How large one glyph is, in units of length; nothing is drawn where a number is none or not above
@@ -34,6 +36,7 @@ struct Glyphs {
   Mesh mesh;
   std::vector<Vec3> normals;  ///< one unit normal per vertex
   std::vector<Index> sample_of_vertex;
+  TextureWaves waves;  ///< of quads: one tile of a RegionTexture fills each
 };
 
 /// Sizes that leave gaps between neighbours: `share` of the sample's spacings, times a factor for

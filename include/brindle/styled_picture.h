@@ -44,10 +44,11 @@ struct Strokes {
   float spacing = 0;
 };
 
-/// What is seen between strokes.
+/// What is seen between strokes, and beside the tiles of a texture.
 enum class BetweenStrokes {
   surface,   ///< the surface
-  discarded  ///< what lies behind, in its own colours
+  discarded  ///< what lies behind, in its own colours; tiles are there where they are opaque by
+             ///< half
 };
 
 /// A texture's tile where a value is at least `from`.

@@ -187,15 +187,28 @@ TEST_F(StyleTool, GlyphsFollowValues) {
   for (const char* shape : {"arrow", "ellipse", "stroke"}) {
     EXPECT_NE(glyphs({"--glyph", shape}).pixels, discs.pixels) << shape;
   }
+  ASSERT_EQ(run({"stripe", "shape:sphere,resolution=8", "--transparent", "--size", "64x32", "-o",
+                 "ball.png"})
+                .exit_code,
+            0);
+  EXPECT_NE(glyphs({"--glyph", "ball.png"}).pixels, discs.pixels);
+  EXPECT_NE(glyphs({"--glyph", "ball.png", "--size-by", "height"}).pixels,
+            glyphs({"--glyph", "ball.png"}).pixels);
+  const ToolResult missing =
+      run({"sample", "shape:torus,resolution=24", "-o", "out.png", "--glyph", "none.png"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("none.png"), std::string::npos) << missing.err;
   EXPECT_NE(glyphs({"--size-by", "height", "--size-range", "0.1,1"}).pixels, discs.pixels);
   EXPECT_NE(glyphs({"--color-by", "height", "--no-legend"}).pixels, discs.pixels);
   EXPECT_NE(glyphs({"--glyph-size", "0.4"}).pixels, discs.pixels);
   const Arguments sample = {"sample", "shape:torus,resolution=24", "-o", "out.png"};
-  for (const Arguments& more : std::vector<Arguments>{{"--size-range", "0,1"},
-                                                      {"--colormap", "magma"},
-                                                      {"--glyph", "cube"},
-                                                      {"--size-by", "camera"},
-                                                      {"--glyph-size", "0"}}) {
+  for (const Arguments& more :
+       std::vector<Arguments>{{"--size-range", "0,1"},
+                              {"--colormap", "magma"},
+                              {"--glyph", "cube"},
+                              {"--glyph", "ball.png", "--color-by", "height"},
+                              {"--size-by", "camera"},
+                              {"--glyph-size", "0"}}) {
     Arguments arguments = sample;
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run(arguments).exit_code, 2) << more[0];

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
@@ -29,7 +30,7 @@ BoundingBox box_of(const Glyphs& glyphs, Index sample) {
 }
 
 constexpr GlyphShape kShapes[] = {GlyphShape::disc, GlyphShape::arrow, GlyphShape::ellipse,
-                                  GlyphShape::stroke};
+                                  GlyphShape::stroke, GlyphShape::quad};
 
 TEST(Glyphs, SizesAreProportional) {
   const std::vector<Sample> samples{sample_at({0, 0, 0}, 1, 1), sample_at({5, 0, 0}, 1, 1),
@@ -53,6 +54,29 @@ TEST(Glyphs, EllipsesHaveTheAxesOfTheSpacings) {
   EXPECT_NEAR(extent.x(), 2, 1e-5f);
   EXPECT_NEAR(extent.y(), 0.5f, 1e-5f);
   EXPECT_NEAR(box_of(glyphs, 0).center().x(), 1, 1e-5f);
+}
+
+TEST(Glyphs, OneTileFillsAQuad) {
+  const Sample sample = sample_at({3, -1, 2}, 2, 0.5f);
+  const Glyphs quads =
+      glyphs_at(std::span(&sample, 1), GlyphShape::quad, glyph_sizes(std::span(&sample, 1), 1));
+  ASSERT_EQ(quads.waves.triangle_count(), quads.mesh.triangle_count());
+  const Vec3 across = sample.normal.cross(sample.direction_u);
+  for (std::size_t t = 0; t < quads.mesh.triangle_count(); ++t) {
+    EXPECT_TRUE(is_oriented(quads.waves, t));
+    for (const Vec3& b : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.2f, 0.3f, 0.5f)}) {
+      Vec3 p = Vec3::Zero();
+      for (int m = 0; m < 3; ++m) p += b[m] * quads.mesh.positions[quads.mesh.triangles[t][m]];
+      const TextureFragment f = texture_fragment(quads.waves.u[t], quads.waves.v[t], b);
+      const auto in_tile = [](Complex z) {
+        const float u = texture_coordinate(z);
+        return u < 0 ? u + 1 : u;
+      };
+      EXPECT_NEAR(in_tile(f.u.z), 0.5f + 0.99f * (p - sample.position).dot(sample.direction_u) / 2,
+                  1e-4f);
+      EXPECT_NEAR(in_tile(f.v.z), 0.5f + 0.99f * (p - sample.position).dot(across) / 0.5f, 1e-4f);
+    }
+  }
 }
 
 TEST(Glyphs, ArrowsPointAlongTheFirstDirection) {

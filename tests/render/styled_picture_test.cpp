@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/glyphs.h"
 #include "brindle/shapes.h"
 #include "render/test_drawings.h"
 
@@ -266,6 +267,89 @@ TEST(StyledPicture, TilesFollowRegionsAndAreNotCut) {
   EXPECT_EQ(mixed, 0);
   EXPECT_EQ(red, 4);
   EXPECT_EQ(green, 4);
+}
+
+/// Red above, green below, and transparent but for a frame round the middle.
+Image two_colored_tile() {
+  Image tile;
+  tile.width = tile.height = 64;
+  tile.pixels.resize(64 * 64, {0, 0, 0, 0});
+  for (int y = 16; y < 48; ++y) {
+    for (int x = 16; x < 48; ++x) {
+      tile.pixels[64 * y + x] = y < 32 ? Pixel{255, 0, 0, 255} : Pixel{0, 255, 0, 255};
+    }
+  }
+  return tile;
+}
+
+TEST(StyledPicture, BesideDiscardedTilesIsExactlyWhatLiesBehind) {
+  const Mesh mesh = square(16);
+  Mesh behind = square(16);
+  for (Vec3& p : behind.positions) p.z() -= 0.05f;
+  const TextureWaves waves = grid_waves(mesh, 4);
+  RegionTexture texture{.waves = &waves};
+  texture.tiles = {{two_colored_tile()}};
+  const StyledSurface tiles{
+      .mesh = mesh, .between = BetweenStrokes::discarded, .shading = false, .texture = texture};
+  const StyledSurface ground{.mesh = behind, .color = {0, 0, 1}, .shading = false};
+  const Image alone = draw_styled({ground}, styled_options(256, 256));
+  const Image both = draw_styled({ground, tiles}, styled_options(256, 256));
+  int red = 0, green = 0, blue = 0, mixed = 0, all = 0;
+  for (int y = 64; y < 192; ++y) {
+    for (int x = 64; x < 192; ++x) {
+      const Pixel p = both.at(x, y);
+      ++all;
+      red += p.red > 250 && p.green < 5 && p.blue < 5;
+      green += p.green > 250 && p.red < 5 && p.blue < 5;
+      blue += p == alone.at(x, y);
+      mixed += p.blue > 5 && p.blue < 250;
+    }
+  }
+  // A quarter of every tile is opaque, half of it red.
+  EXPECT_NEAR(static_cast<double>(red) / all, 0.125, 0.03);
+  EXPECT_NEAR(static_cast<double>(green) / all, 0.125, 0.03);
+  EXPECT_NEAR(static_cast<double>(blue) / all, 0.75, 0.06);
+  EXPECT_LT(mixed, all / 12);
+}
+
+TEST(StyledPicture, QuadsShowTheirPictureUprightAndBeyondTheSilhouette) {
+  Sample sample;
+  sample.position = Vec3::Zero();
+  sample.direction_u = Vec3(1, 0, 0);
+  sample.direction_v = Vec3(0, 1, 0);
+  sample.normal = Vec3(0, 0, 1);
+  sample.spacing_u = sample.spacing_v = 2;
+  const Glyphs quads =
+      glyphs_at(std::span(&sample, 1), GlyphShape::quad, glyph_sizes(std::span(&sample, 1), 1));
+  RegionTexture texture{.waves = &quads.waves};
+  texture.tiles = {{two_colored_tile()}};
+  Mesh small = square(1);  // half as wide as the opaque part
+  for (Vec3& p : small.positions) p = 0.5f * (p - Vec3(0.5f, 0.5f, p.z()));
+  const StyledSurface ground{.mesh = small, .color = {0, 0, 1}, .shading = false};
+  const StyledSurface figure{.mesh = quads.mesh,
+                             .normals = quads.normals,
+                             .between = BetweenStrokes::discarded,
+                             .shading = false,
+                             .texture = texture};
+  const Image image = draw_styled({ground, figure}, styled_options(200, 200));
+  const auto is_red = [&](int x, int y) {
+    return image.at(x, y).red > 200 && image.at(x, y).green < 50;
+  };
+  const auto is_green = [&](int x, int y) {
+    return image.at(x, y).green > 200 && image.at(x, y).red < 50;
+  };
+  int first = 200, last = 0;
+  for (int x = 0; x < 200; ++x) {
+    if (is_red(x, 92)) first = std::min(first, x), last = x;
+  }
+  ASSERT_LT(first, last);
+  EXPECT_NEAR(first + last, 199, 3);
+  EXPECT_TRUE(is_green((first + last) / 2, 108));
+  EXPECT_FALSE(is_red(first - 4, 92));
+  // No blue is left: the picture covers the square and reaches beyond it.
+  int blue = 0;
+  for (const Pixel& p : image.pixels) blue += p.blue > 200 && p.red < 50 ? 1 : 0;
+  EXPECT_EQ(blue, 0);
 }
 
 TEST(StyledPicture, AShiftedTextureRepeatsAfterATile) {

@@ -132,8 +132,11 @@ TEST(YieldingFrequency, FollowsFrequenciesThatVary) {
 TEST(YieldingFrequency, StaysWhereThereIsNoCurl) {
   const auto s = wavy_surface("plane,resolution=40", kAxis, 20);
   const Eigen::VectorXd x = relative(yielded(s, 0.5f), s.waves.frequencies);
-  EXPECT_NEAR(x.maxCoeff(), 1, 1e-5);
-  EXPECT_NEAR(x.minCoeff(), 1, 1e-5);
+  // Floats leave a curl of their rounding, which a smooth change answers with as much more as the
+  // Laplacian's condition says: the square of the resolution.
+  const double rounding = 40.0 * 40.0 * std::numeric_limits<float>::epsilon() / 2;
+  EXPECT_NEAR(x.maxCoeff(), 1, rounding);
+  EXPECT_NEAR(x.minCoeff(), 1, rounding);
 }
 
 /// Waves around a point beside a plane: without curl where the frequency falls with the distance.

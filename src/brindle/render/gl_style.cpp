@@ -131,8 +131,9 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
     refuse_style("a surface has up to two patterns of strokes, not " +
                  std::to_string(surface.strokes.size()));
   }
-  if (discards_ && surface.strokes.empty()) {
-    refuse_style("without strokes, nothing is left of it where it is discarded between them");
+  if (discards_ && surface.strokes.empty() && !surface.texture) {
+    refuse_style(
+        "without strokes or tiles, nothing is left of it where it is discarded between them");
   }
   check_style_count(surface.color_places.size(), vertices, "colours");
   check_texture(surface);

@@ -1,7 +1,10 @@
 #include "brindle/glyphs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -14,6 +17,9 @@ namespace brindle {
 namespace {
 
 constexpr float kFullTurn = 2 * std::numbers::pi_v<float>;
+
+/// How much of a tile a quad shows along each side: beyond its border is the opposite one.
+constexpr float kTileShare = 0.99f;
 
 /// Adds one glyph after the other. Coordinates of a glyph: x along the first direction, y across
 /// it, z off the surface.
@@ -37,6 +43,35 @@ class GlyphBuilder {
     return static_cast<Index>(glyphs_.mesh.positions.size() - 1);
   }
   void add_triangle(Index a, Index b, Index c) { glyphs_.mesh.triangles.push_back({a, b, c}); }
+
+  /// A triangle of a quad that a tile fills, whose lower left corner is vertex `corner`.
+  void add_tile_triangle(Index corner, const GlyphSize& size,
+                         const std::array<Index, 3>& vertices) {
+    const auto waves = [&](int axis, float side) {
+      const Vec3 direction = axes_.col(axis);
+      const float frequency = kTileShare / side;
+      CornerWaves corners;
+      for (std::size_t m = 0; m < 3; ++m) {
+        const Vec3 position = glyphs_.mesh.positions[vertices[m]];
+        const float way = (position - glyphs_.mesh.positions[corner]).dot(direction);
+        // The texture coordinate is a quarter more than the phase over 2 pi.
+        const float turns = 0.5f * (1 - kTileShare) + way * frequency - 0.25f;
+        corners[m] = {{position, direction, frequency}, std::polar(1.0f, kFullTurn * turns)};
+      }
+      return corners;
+    };
+    add_triangle(vertices[0], vertices[1], vertices[2]);
+    glyphs_.waves.u.push_back(waves(0, size.along));
+    glyphs_.waves.v.push_back(waves(1, size.across));
+  }
+
+  /// A number from 0 to 1 that looks like chance and is the same for the same numbers.
+  float chance(Index which) const {
+    std::uint32_t x = number_ * 0x9e3779b9u + which * 0x85ebca6bu;
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return static_cast<float>((x ^ (x >> 16)) >> 8) / 16777216.0f;
+  }
 
   Glyphs take() { return std::move(glyphs_); }
 
@@ -133,26 +168,18 @@ void add_ellipse(GlyphBuilder& builder, const GlyphSize& size) {
   }
 }
 
-/// A number from 0 to 1 that looks like chance and is the same for the same numbers.
-float chance(Index sample, Index which) {
-  std::uint32_t x = sample * 0x9e3779b9u + which * 0x85ebca6bu;
-  x = (x ^ (x >> 16)) * 0x7feb352du;
-  x = (x ^ (x >> 15)) * 0x846ca68bu;
-  return static_cast<float>((x ^ (x >> 16)) >> 8) / 16777216.0f;
-}
-
 /// Bristles side by side that begin and end in points.
-void add_stroke(GlyphBuilder& builder, const GlyphSize& size, Index sample) {
+void add_stroke(GlyphBuilder& builder, const GlyphSize& size) {
   constexpr int kBristles = 4, kSteps = 14;
   const float length = 1.5f * size.across, width = 0.36f * size.along;
   const float lift = 0.04f * std::min(size.along, size.across);
   for (int bristle = 0; bristle < kBristles; ++bristle) {
     const auto which = static_cast<Index>(4 * bristle);
-    const float begin = -0.5f + 0.22f * chance(sample, which);
-    const float end = 0.5f - 0.22f * chance(sample, which + 1);
+    const float begin = -0.5f + 0.22f * builder.chance(which);
+    const float end = 0.5f - 0.22f * builder.chance(which + 1);
     const float middle = ((static_cast<float>(bristle) + 0.5f) / kBristles - 0.5f) * width +
-                         0.05f * width * (chance(sample, which + 2) - 0.5f);
-    const float half = (0.36f + 0.28f * chance(sample, which + 3)) * width / kBristles;
+                         0.05f * width * (builder.chance(which + 2) - 0.5f);
+    const float half = (0.36f + 0.28f * builder.chance(which + 3)) * width / kBristles;
     Index last = 0;
     for (int step = 0; step <= kSteps; ++step) {
       const float t = static_cast<float>(step) / kSteps;
@@ -168,6 +195,20 @@ void add_stroke(GlyphBuilder& builder, const GlyphSize& size, Index sample) {
       }
       last = v;
     }
+  }
+}
+
+/// On both sides. Neighbours may overlap: each lies at a height of its own.
+void add_quad(GlyphBuilder& builder, const GlyphSize& size) {
+  const float lift = (0.03f + 0.03f * builder.chance(0)) * std::min(size.along, size.across);
+  for (const float side : {-1.0f, 1.0f}) {
+    const auto corner = [&](float x, float y) {
+      return builder.add({x * size.along, y * size.across, side * lift}, Vec3(0, 0, side));
+    };
+    const Index first = corner(-0.5f, -0.5f);
+    corner(0.5f, -0.5f), corner(0.5f, 0.5f), corner(-0.5f, 0.5f);
+    builder.add_tile_triangle(first, size, {first, first + 1, first + 2});
+    builder.add_tile_triangle(first, size, {first, first + 2, first + 3});
   }
 }
 
@@ -205,8 +246,7 @@ Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const GlyphSize& size = sizes[i];
     if (!(size.along > 0) || !(size.across > 0)) continue;
-    const auto number = static_cast<Index>(i);
-    builder.begin(samples[i], number);
+    builder.begin(samples[i], static_cast<Index>(i));
     switch (shape) {
       case GlyphShape::disc:
         add_disc(builder, size);
@@ -218,7 +258,10 @@ Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
         add_ellipse(builder, size);
         break;
       case GlyphShape::stroke:
-        add_stroke(builder, size, number);
+        add_stroke(builder, size);
+        break;
+      case GlyphShape::quad:
+        add_quad(builder, size);
         break;
     }
   }

@@ -180,6 +180,21 @@ class StyledPrograms {
                            "strokes_visibility.frag"})
         .first->second;
   }
+  const ShaderProgram& beside_tiles(const std::string& features) {
+    return programs_
+        .try_emplace("beside tiles\n" + features, Files{"visible_triangles.vert"},
+                     Files{{"features", features},
+                           "surface_buffers.glsl",
+                           "surface_point.glsl",
+                           "fragment_phase.glsl",
+                           "fragment_turns.glsl",
+                           "style_buffers.glsl",
+                           "texture_fragment.glsl",
+                           "texture_tile.glsl",
+                           "region_texture.glsl",
+                           "texture_visibility.frag"})
+        .first->second;
+  }
   const ShaderProgram& strokes(const std::string& features, bool occlusion) {
     const char* open_share = occlusion_file(occlusion);
     return programs_
@@ -259,6 +274,8 @@ struct StyledRenderer::State {
   void draw_visible(const Camera& camera, const Eigen::Vector4f& transform,
                     const Eigen::Vector2i& largest, const Eigen::Vector2i& size,
                     const StyledOptions& options);
+  void draw_parts(const DrawnSurface& drawn, const Camera& camera, const Eigen::Vector4f& transform,
+                  const Eigen::Vector2i& size, const StyledOptions& options);
   void draw_surfaces(const Camera& camera, const Eigen::Vector4f& transform, const Target& light,
                      const Eigen::Vector2i& size, const StyledOptions& options);
   void draw_surface(const DrawnSurface& drawn, const Camera& camera,
@@ -277,7 +294,6 @@ void StyledRenderer::State::draw_visible(const Camera& camera, const Eigen::Vect
                                          const StyledOptions& options) {
   constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
   constexpr float kFarthest = 1;
-  const int samples = kVisibleSamples * shading_side(options.render);
   fit_target(visible, {GL_R32UI}, true, kVisibleSamples * largest.x(),
              kVisibleSamples * largest.y());
   glClearNamedFramebufferuiv(visible.framebuffer, GL_COLOR, 0, kNothing.data());
@@ -286,20 +302,33 @@ void StyledRenderer::State::draw_visible(const Camera& camera, const Eigen::Vect
   glViewport(0, 0, kVisibleSamples * size.x(), kVisibleSamples * size.y());
   glEnable(GL_DEPTH_TEST);
   for (const DrawnSurface& drawn : surfaces) {
-    const ShaderProgram& program = drawn.style.discards()
-                                       ? programs.between_strokes(drawn.style.features())
-                                       : programs.whole();
-    program.set("first_number", drawn.first_number);
     if (drawn.style.discards()) {
-      program.set("color_map", static_cast<int>(kColorMapUnit));
-      drawn.surface.bind(program, camera, transform);
-      drawn.style.bind(program, samples);
-      program.set("target_size", Eigen::Vector2f((kVisibleSamples * size).cast<float>()));
-      program.set("up", up_seen_by(camera, options.render.camera.up));
+      draw_parts(drawn, camera, transform, size, options);
+      continue;
     }
-    drawn.surface.draw(program, camera, transform);
+    programs.whole().set("first_number", drawn.first_number);
+    drawn.surface.draw(programs.whole(), camera, transform);
   }
   glDisable(GL_DEPTH_TEST);
+}
+
+/// The first pass over a surface that is discarded in parts.
+void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Camera& camera,
+                                       const Eigen::Vector4f& transform,
+                                       const Eigen::Vector2i& size, const StyledOptions& options) {
+  const std::size_t regions = drawn.style.regions();
+  const ShaderProgram& program = regions > 0 ? programs.beside_tiles(drawn.style.features())
+                                             : programs.between_strokes(drawn.style.features());
+  program.set("first_number", drawn.first_number);
+  program.set("color_map", static_cast<int>(kColorMapUnit));
+  drawn.surface.bind(program, camera, transform);
+  drawn.style.bind(program, kVisibleSamples * shading_side(options.render));
+  program.set("target_size", Eigen::Vector2f((kVisibleSamples * size).cast<float>()));
+  program.set("up", up_seen_by(camera, options.render.camera.up));
+  for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
+    if (regions > 0) drawn.style.bind_region(program, region);
+    drawn.surface.draw(program, camera, transform);
+  }
 }
 
 /// What a program of the second pass has to know of the picture.

@@ -4,6 +4,7 @@ uniform vec3 figure_color;
 uniform vec2 texture_shift;
 uniform vec2 region;        // from this value to that
 uniform bool first_region;  // also draws what has no tile
+uniform bool discarded;     // nothing of the surface is seen beside tiles
 
 // A value in the middle of the tile, to first order: tiles are not cut where regions meet.
 float value_of_tile(SurfacePoint p, Footprint f, uint which) {
@@ -36,16 +37,17 @@ bool footprint_at(SurfacePoint p, out Footprint footprint) {
 }
 
 // The tile, shrunk about its middle.
-vec3 with_decal(vec3 surface, Footprint f, float size) {
+vec4 decal_light(Footprint f, float size) {
   vec2 from_middle = f.uv - floor(f.uv) - 0.5;
   vec2 pixel = vec2(length(vec2(f.dx.x, f.dy.x)), length(vec2(f.dx.y, f.dy.y)));
   vec2 inside = clamp((0.5 * size - abs(from_middle)) / max(pixel, 1e-6) + 0.5, 0.0, 1.0);
   Footprint decal = Footprint(from_middle / size + 0.5, f.dx / size, f.dy / size);
-  return mix(surface, with_tile(surface, figure_color, decal), inside.x * inside.y);
+  return inside.x * inside.y * tile_light(figure_color, decal);
 }
 
-// False where another region is.
-bool pattern_at(inout vec3 surface, SurfacePoint p, float tone) {
+// The tile's light as `tile_light` gives it. False where another region is.
+bool tile_at(SurfacePoint p, out vec4 tile) {
+  tile = vec4(0.0);
   Footprint f;
   if (!footprint_at(p, f)) return first_region;
   float value = kRegions ? value_of_tile(p, f, kValueOfRegion) : region.x;
@@ -53,9 +55,17 @@ bool pattern_at(inout vec3 surface, SurfacePoint p, float tone) {
   if (kRegions && (value < region.x || value >= region.y)) return false;
   float size = kTileSizes ? value_of_tile(p, f, kSizeOfTile) : 1.0;
   if (size >= 1.0) {
-    surface = with_tile(surface, figure_color, f);
+    tile = tile_light(figure_color, f);
   } else if (size > 1e-3) {
-    surface = with_decal(surface, f, size);
+    tile = decal_light(f, size);
   }
+  return true;
+}
+
+// False where another region is.
+bool pattern_at(inout vec3 surface, SurfacePoint p, float tone) {
+  vec4 tile;
+  if (!tile_at(p, tile)) return false;
+  surface = !discarded ? with_tile(surface, tile) : tile.a > 0.0 ? tile.rgb / tile.a : vec3(0.0);
   return true;
 }

@@ -18,5 +18,5 @@ vec3 with_pattern(vec3 surface, SurfacePoint p) {
     dx = vec2(kMostTiles, 0.0);
     dy = vec2(0.0, kMostTiles);
   }
-  return with_tile(surface, stripe_color, Footprint(uv, dx, dy));
+  return with_tile(surface, tile_light(stripe_color, Footprint(uv, dx, dy)));
 }

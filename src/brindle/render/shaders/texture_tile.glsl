@@ -48,12 +48,14 @@ vec4 filtered_tile(Footprint f) {
   return sum / samples;
 }
 
-// The surface's colour with the tile over it. U and V are given as phases.
-vec3 with_tile(vec3 surface, vec3 figure_color, Footprint f) {
+// The tile's light multiplied with alpha, and alpha. U and V are given as phases.
+vec4 tile_light(vec3 figure_color, Footprint f) {
   vec4 tile = filtered_tile(f);
-  if (!tile_is_figure) return tile.rgb + (1.0 - tile.a) * surface;
+  if (!tile_is_figure) return tile;
   float texels = max(length(f.dx), length(f.dy)) * float(textureSize(tile_colors, 0).x);
   float coverage = tile.r;
   if (texels < 1.0) coverage = mix(figure_from_distance(f), tile.r, smoothstep(0.5, 1.0, texels));
-  return mix(surface, figure_color, coverage);
+  return coverage * vec4(figure_color, 1.0);
 }
+
+vec3 with_tile(vec3 surface, vec4 tile) { return tile.rgb + (1.0 - tile.a) * surface; }
