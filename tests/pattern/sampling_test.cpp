@@ -254,6 +254,27 @@ TEST(WaveSamples, HigherFrequencyGivesDenserSamples) {
   EXPECT_NEAR(static_cast<double>(right) / static_cast<double>(left), 4, 0.6);
 }
 
+TEST(WaveSamples, NoneInSingularitiesOfTheField) {
+  for (const char* shape : {"sphere,resolution=12", "box,resolution=20"}) {
+    const WavySurface surface = wavy_surface(shape, Vec3(0.31f, 0.9f, 0.27f), 60);
+    const Crossed crossed = solved(surface);
+    const std::vector<Sample> samples = crossed.samples();
+    EXPECT_GT(samples.size(), 500u);
+    std::ptrdiff_t singular = 0;
+    for (const WaveSet* waves : {&crossed.surface.waves, &crossed.v}) {
+      const auto is_singular = [&](const Triangle& t) {
+        const DirectionField& d = waves->directions;
+        return !common_orientation({d[t[0]], d[t[1]], d[t[2]]});
+      };
+      singular += std::ranges::count_if(surface.mesh.triangles, is_singular);
+      EXPECT_TRUE(std::ranges::none_of(samples, [&](const Sample& sample) {
+        return is_singular(surface.mesh.triangles[sample.triangle]);
+      })) << shape;
+    }
+    EXPECT_GT(singular, 0) << shape;
+  }
+}
+
 TEST(WaveSamples, NoneWhereAPatternHasNoWaves) {
   Crossed crossed = grid(Vec3(1, 0.5f, 0), 30, 1);
   for (Vec3& d : crossed.v.directions) d.setZero();
@@ -298,7 +319,7 @@ TEST(SampleSpacing, OfRealModelsHasNoDoubles) {
     EXPECT_LT(drop_doubles(samples), count / 40);
     const SampleSpacing spacing = measure_sample_spacing(samples);
     EXPECT_EQ(spacing.double_share, 0);
-    EXPECT_NEAR(spacing.mean, 0.93, 0.08);
+    EXPECT_NEAR(spacing.mean, 0.93, 0.07);
   }
 }
 #endif

@@ -116,9 +116,9 @@ class Sampler {
 
   void sample(std::size_t t, std::vector<Sample>& samples) {
     const LiftedTriangle lifted_u = u_.lifted(t);
-    if (!has_peaks(lifted_u)) return;
+    if (!has_lines(lifted_u)) return;
     const LiftedTriangle lifted_v = v_.lifted(t);
-    if (!has_peaks(lifted_v)) return;
+    if (!has_lines(lifted_v)) return;
     make_segments(lifted_u, 0, pieces_, segments_u_);
     make_segments(lifted_v, kNudge, pieces_, segments_v_);
     for (const Segment& u : segments_u_) {
@@ -129,11 +129,13 @@ class Sampler {
   }
 
  private:
-  static bool has_peaks(const LiftedTriangle& triangle) {
-    if (triangle.kind == TriangleKind::no_wave) return false;
+  /// A singularity of the field has none: there is no direction that a sample could have.
+  static bool has_lines(const LiftedTriangle& triangle) {
+    if (triangle.kind != TriangleKind::regular && triangle.kind != TriangleKind::branch) {
+      return false;
+    }
     return std::any_of(triangle.edges.begin(), triangle.edges.end(),
-                       [](const EdgeLift& edge) { return edge.peaks != 0; }) ||
-           triangle.kind == TriangleKind::field_singularity;
+                       [](const EdgeLift& edge) { return edge.peaks != 0; });
   }
 
   Sample make(std::size_t t, const Vec3& barycentric) const {
