@@ -18,6 +18,11 @@ namespace {
 Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
                     const Repetitions& repetitions) {
   options.quality = quality;
+  // The first picture of all waits for the driver to compile shaders, which may take so long that
+  // no other run would be left.
+  RenderOptions small = options;
+  small.width = small.height = 16;
+  renderer.draw(small);
   return spread_of(samples_of(repetitions, [&] {
     Stopwatch watch;
     renderer.draw(options);
