@@ -20,6 +20,7 @@
 #include "brindle/branch_pairs.h"
 #include "brindle/carried_phases.h"
 #include "brindle/corner_phases.h"
+#include "brindle/cross_animator.h"
 #include "brindle/cross_cover.h"
 #include "brindle/cross_texture.h"
 #include "brindle/curvature.h"

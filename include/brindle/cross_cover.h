@@ -47,6 +47,11 @@ WaveSet cross_waves(const WaveSet& waves, std::span<const Vec3> normals);
 /// whose two alignments |<d, d'>| have the larger sum. The same from i to j as from j to i.
 Index matching_wave(const WaveSet& crosses, Index i, Index j);
 
+/// Whether `crosses`, other waves of the same vertices, belong together as those of the cover do:
+/// then it is their cover, too, but for the waves.
+bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
+                       const CrossCover& cover);
+
 /// `crosses` has two waves for every vertex of `neighborhood`, as `cross_waves` gives them. Throws
 /// Error if it has not, or for more vertices than half an Index can count.
 CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> triangles,

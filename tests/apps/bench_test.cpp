@@ -44,7 +44,7 @@ TEST_F(BenchTest, MeasuresAllSolversAndFramesOfAMeshAndOfItsFinerCopy) {
     for (const auto& solver : mesh["solvers"]) expect_positive(solver["milliseconds"]["solve"]);
     ASSERT_FALSE(mesh["surroundings"].empty());
     for (const auto& figures : mesh["surroundings"]) {
-      for (const char* what : {"texture", "cross", "smooth_field"}) {
+      for (const char* what : {"texture", "cross_frame", "cross", "smooth_field"}) {
         expect_positive(figures["milliseconds"][what]);
       }
     }

@@ -5,6 +5,7 @@
 
 #include "bench/resident_memory.h"
 #include "brindle/base/parallel.h"
+#include "brindle/cross_animator.h"
 #include "brindle/cross_texture.h"
 #include "brindle/direction_field.h"
 #include "brindle/quality.h"
@@ -151,6 +152,13 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
     progress.report("textures", 0);
     const TextureFrameResult frame = animator.frame({input.frame(++number), {}, {}});
     return frame.milliseconds.orient + frame.milliseconds.measure;
+  }));
+  CrossAnimator crosses(surface);
+  crosses.frame({input.frame(0), {}});
+  figures.cross_frame = spread_of(samples_of(repetitions, [&] {
+    progress.report("crosses", 0);
+    const CrossFrameMilliseconds frame = crosses.frame({input.frame(++number), {}}).milliseconds;
+    return frame.match + frame.orient + frame.measure;
   }));
   figures.cross = spread_of(samples_of(repetitions, [&] {
     progress.report("crosses", 0);

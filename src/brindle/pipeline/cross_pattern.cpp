@@ -3,37 +3,10 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
+#include "brindle/pipeline/cross_parts.h"
 
 namespace brindle {
 namespace {
-
-PatternQuality quality_of(const CrossCover& cover, const StripePattern& pattern) {
-  PatternQuality quality = pattern.quality;
-  const std::size_t pairs = cover.base.size();
-  quality.vertices_without_wave /= 2;  // each vertex is two nodes
-  quality.branches += 2 * cover.singular.size();
-  quality.field_singularities = cover.singular.size();
-  for (std::size_t s = 0; s < pairs; ++s) {
-    quality.field_singularities +=
-        pattern.corners[s].kind == TriangleKind::field_singularity ||
-        pattern.corners[pairs + s].kind == TriangleKind::field_singularity;
-  }
-  return quality;
-}
-
-/// Both waves of a vertex have what the vertex has.
-std::vector<float> by_node(const std::vector<float>& by_vertex) {
-  std::vector<float> nodes;
-  nodes.reserve(2 * by_vertex.size());
-  for (const float number : by_vertex) nodes.insert(nodes.end(), 2, number);
-  return nodes;
-}
-
-StripeOptions options_on_cover(StripeOptions options) {
-  options.slack.by_vertex = by_node(options.slack.by_vertex);
-  options.slack.calm = by_node(options.slack.calm);
-  return options;
-}
 
 /// The triangles that the cover leaves out count twice, as in `branches`.
 void add_singular_in_calm(std::span<const Triangle> triangles, const CrossCover& cover,
@@ -65,11 +38,12 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
   result.surface = cover_surface(result.cover, surface.normals);
   const double matching = watch.lap();
   check(options.slack, surface.mesh.vertex_count());
-  result.pattern =
-      stripe_pattern(result.surface, result.cover.waves, options_on_cover(options), progress);
+  StripeOptions on_cover = options;
+  on_cover.slack = slack_on_cover(options.slack);
+  result.pattern = stripe_pattern(result.surface, result.cover.waves, on_cover, progress);
   result.cover.waves.frequencies = result.pattern.waves.frequencies;
   result.pattern.milliseconds.couple += matching;
-  result.quality = quality_of(result.cover, result.pattern);
+  result.quality = cross_quality(result.cover, result.pattern.quality, result.pattern.corners);
   add_singular_in_calm(surface.mesh.triangles, result.cover, options.slack.calm, result.quality);
   return result;
 }

@@ -81,6 +81,26 @@ Index matching_wave(const WaveSet& crosses, Index i, Index j) {
   return alignment(0, 1) + alignment(1, 0) > alignment(0, 0) + alignment(1, 1) ? 1 : 0;
 }
 
+bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
+                       const CrossCover& cover) {
+  check_crosses(neighborhood, crosses);
+  const std::size_t vertices = neighborhood.node_count();
+  if (cover.neighborhood->node_count() != 2 * vertices) return false;
+  const auto others = parallel_sum<std::size_t>(vertices, [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      const auto row = neighborhood.of(i);
+      const auto matched = cover.neighborhood->of(2 * i);
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        // Either end of an edge says the same.
+        if (row[k] > i) count += matched[k] != 2 * row[k] + matching_wave(crosses, i, row[k]);
+      }
+    }
+    return count;
+  });
+  return others == 0;
+}
+
 CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> triangles,
                        WaveSet crosses) {
   check_crosses(neighborhood, crosses);

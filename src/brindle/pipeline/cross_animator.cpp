@@ -1,0 +1,185 @@
+#include "brindle/cross_animator.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/carried_phases.h"
+#include "brindle/cross_texture.h"
+#include "brindle/error.h"
+#include "brindle/pattern/texture_quality.h"
+#include "brindle/pipeline/cross_parts.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/waves/wave_check.h"
+
+namespace brindle {
+namespace {
+
+/// Calls the direction that is nearest to wave (i, 0) of the last frame so again: a cross may be
+/// given by any of its directions.
+void keep_names(const WaveSet& last, WaveSet& crosses) {
+  parallel_for(crosses.directions.size() / 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Vec3& first = crosses.directions[2 * i];
+      Vec3& second = crosses.directions[2 * i + 1];
+      const Vec3& before = last.directions[2 * i];
+      if (std::abs(before.dot(second)) <= std::abs(before.dot(first))) continue;
+      std::swap(first, second);
+      second = -second;
+    }
+  });
+}
+
+/// Rows of both waves of a vertex have its edges in the same order.
+std::vector<float> weights_on_cover(const Adjacency& neighborhood, std::span<const float> weights) {
+  std::vector<float> result;
+  if (weights.empty()) return result;
+  result.reserve(2 * weights.size());
+  for (Index i = 0; i < neighborhood.node_count(); ++i) {
+    const auto row = weights.subspan(neighborhood.offsets[i],
+                                     neighborhood.offsets[i + 1] - neighborhood.offsets[i]);
+    for (int wave = 0; wave < 2; ++wave) result.insert(result.end(), row.begin(), row.end());
+  }
+  return result;
+}
+
+/// Of waves (i, r). Vertices behind those of the surface have no wave of their own.
+FrequencyField frequencies_of(const CrossCover& cover, std::size_t r, std::size_t vertices) {
+  const FrequencyField& nodes = cover.waves.frequencies;
+  FrequencyField result(vertices, nodes.front());
+  for (std::size_t i = 0; 2 * i < nodes.size(); ++i) result[i] = nodes[2 * i + r];
+  return result;
+}
+
+FrameInput frame_input(const WaveSet& waves) {
+  return {waves.positions, waves.directions, waves.frequencies};
+}
+
+}  // namespace
+
+struct CrossAnimator::State {
+  Surface surface;  ///< at the place of the last frame
+  AnimatorOptions options;
+  AnimatorOptions on_cover = {};
+
+  std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
+  CrossCover cover = {};
+  std::vector<Complex> z = {};  ///< of the last frame
+  CrossParts parts = {};
+
+  WaveSet checked_waves(const CrossFrameInput& input) const;
+  std::span<const Vec3> normals_of(const CrossFrameInput& input) const {
+    return input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals;
+  }
+  StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
+  void measure(CrossFrameResult& result) const;
+};
+
+WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  check(input.waves, vertices);
+  if (!input.normals.empty() && input.normals.size() != vertices) {
+    throw Error("cross animator: there are " + std::to_string(input.normals.size()) +
+                " normals for " + std::to_string(vertices) + " vertices");
+  }
+  const auto& [positions, directions, frequencies] = input.waves;
+  WaveSet waves{{positions.begin(), positions.end()},
+                {directions.begin(), directions.end()},
+                {frequencies.begin(), frequencies.end()}};
+  check_tangent_waves(normals_of(input), waves);
+  return waves;
+}
+
+/// Goes on from the last frame's phases, if there are any.
+StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
+                                                 std::span<const Vec3> normals) const {
+  StripeAnimator result = on_cover.slack.yields()
+                              ? StripeAnimator(cover_surface(made, normals), on_cover)
+                              : StripeAnimator(made.neighborhood, on_cover);
+  if (!z.empty()) {
+    const Mesh last{cover.waves.positions, cover.triangles};
+    result.set_last_phases(matched_phases({last, cover.waves, z}, made.waves));
+  }
+  return result;
+}
+
+void CrossAnimator::State::measure(CrossFrameResult& result) const {
+  const PhaseShiftKind kind = options.phase_shift;
+  const Mesh on_cover_mesh{cover.waves.positions, cover.triangles};
+  const auto corners = corner_phases(cover.triangles, cover.waves, z, kind);
+  result.quality =
+      cross_quality(cover, measure_quality(on_cover_mesh, cover.waves, corners), corners);
+  const auto u = corner_phases(parts.waves.u, kind), v = corner_phases(parts.waves.v, kind);
+  const auto frequencies_u = frequencies_of(cover, 0, parts.mesh.vertex_count());
+  const auto frequencies_v = frequencies_of(cover, 1, parts.mesh.vertex_count());
+  result.texture = measure_texture(parts.mesh, {u, frequencies_u}, {v, frequencies_v});
+}
+
+CrossAnimator::CrossAnimator(const Surface& surface, const AnimatorOptions& options) {
+  check(options);
+  check(options.slack, surface.mesh.vertex_count());
+  if (surface.mesh.triangles.empty()) throw Error("cross fields need triangles; points have none");
+  state_ = std::make_unique<State>(State{surface, options});
+  state_->on_cover = options;
+  state_->on_cover.slack = slack_on_cover(options.slack);
+  state_->on_cover.edge_weights = weights_on_cover(*surface.neighborhood, options.edge_weights);
+}
+
+CrossAnimator::~CrossAnimator() = default;
+CrossAnimator::CrossAnimator(CrossAnimator&&) noexcept = default;
+CrossAnimator& CrossAnimator::operator=(CrossAnimator&&) noexcept = default;
+
+CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progress& progress) {
+  State& s = *state_;
+  const WaveSet waves = s.checked_waves(input);
+  CrossFrameResult result{{}, s.cover, s.parts.mesh, s.parts.waves, {}, {}, {}, {}};
+  Stopwatch watch;
+  WaveSet crosses = cross_waves(waves, s.normals_of(input));
+  if (s.animator) keep_names(s.cover.waves, crosses);
+  const Adjacency& neighborhood = *s.surface.neighborhood;
+  if (s.animator && are_matched_alike(neighborhood, crosses, s.cover)) {
+    result.matching = CrossMatching::kept;
+    result.milliseconds.match = watch.lap();
+    result.stripes = s.animator->frame(frame_input(crosses), progress);
+    s.cover.waves = std::move(crosses);
+  } else {
+    result.matching = s.animator ? CrossMatching::renewed : CrossMatching::afresh;
+    CrossCover cover = cross_cover(neighborhood, s.surface.mesh.triangles, std::move(crosses));
+    StripeAnimator animator = s.animator_of(cover, s.normals_of(input));
+    result.milliseconds.match = watch.lap();
+    result.stripes = animator.frame(frame_input(cover.waves), progress);
+    s.animator = std::move(animator);
+    s.cover = std::move(cover);
+  }
+  const auto& [z, step, unchanged, frequencies, change, times] = result.stripes;
+  if (!frequencies.empty()) {
+    s.cover.waves.frequencies.assign(frequencies.begin(), frequencies.end());
+  }
+  s.z.assign(z.begin(), z.end());
+  s.surface.mesh.positions = waves.positions;
+  if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
+  result.milliseconds.solve = watch.lap();
+
+  s.parts = cross_parts(s.surface.mesh, s.cover, s.z, s.options.phase_shift);
+  result.milliseconds.orient = watch.lap();
+  s.measure(result);
+  result.milliseconds.measure = watch.lap();
+  return result;
+}
+
+double CrossAnimator::energy() const {
+  if (!state_->animator) throw Error("cross animator: there is no frame yet");
+  return state_->animator->energy();
+}
+
+void CrossAnimator::restart() {
+  state_->animator.reset();
+  state_->z.clear();
+}
+
+}  // namespace brindle

@@ -1,0 +1,150 @@
+#include "brindle/pipeline/cross_parts.h"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+#include "brindle/geometry/normals.h"
+
+namespace brindle {
+namespace {
+
+/// Each entry for both waves of a vertex.
+std::vector<float> by_node(const std::vector<float>& by_vertex) {
+  std::vector<float> nodes;
+  nodes.reserve(2 * by_vertex.size());
+  for (const float number : by_vertex) nodes.insert(nodes.end(), 2, number);
+  return nodes;
+}
+
+/// The wave that continues both, which belong together, to a point beside them.
+CornerWave continued(const CornerWave& a, CornerWave b, const Vec3& point, PhaseShiftKind kind) {
+  if (a.wave.direction.dot(b.wave.direction) < 0) b = flipped(b);
+  CornerWave result{{point, Vec3(a.wave.direction + b.wave.direction).normalized(),
+                     (a.wave.frequency + b.wave.frequency) / 2},
+                    0};
+  for (const CornerWave& from : {a, b}) {
+    result.z += from.z * std::polar(1.0f, phase_shift(kind, from.wave, result.wave).radians);
+  }
+  const float length = std::abs(result.z);
+  result.z = length > 0 ? result.z / length : Complex(1);
+  return result;
+}
+
+/// The triangles of a cross texture and the waves at their corners.
+class CrossTriangles {
+ public:
+  CrossTriangles(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
+                 PhaseShiftKind kind)
+      : cover_(cover), z_(z), kind_(kind) {
+    mesh_.positions = mesh.positions;
+    mesh_.origin = mesh.origin;
+    mesh_.positions.reserve(mesh.vertex_count() + cover.singular.size());
+    add_matching(mesh);
+    for (const Index t : cover.singular) split(mesh.triangles[t]);
+  }
+
+  CrossParts take() { return {std::move(mesh_), std::move(waves_)}; }
+
+ private:
+  /// The triangles around which crosses match, with room for the parts of the others.
+  void add_matching(const Mesh& mesh) {
+    const std::size_t count = cover_.base.size();
+    const std::size_t room = count + 3 * cover_.singular.size();
+    mesh_.triangles.reserve(room);
+    waves_.u.reserve(room);
+    waves_.v.reserve(room);
+    mesh_.triangles.resize(count);
+    waves_.u.resize(count);
+    waves_.v.resize(count);
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        mesh_.triangles[s] = mesh.triangles[cover_.base[s]];
+        waves_.u[s] = corner_waves(cover_.u()[s], cover_.waves, z_);
+        waves_.v[s] = corner_waves(cover_.v()[s], cover_.waves, z_);
+      }
+    });
+  }
+
+  void add(const Triangle& triangle, const CornerWaves& u, const CornerWaves& v) {
+    mesh_.triangles.push_back(triangle);
+    waves_.u.push_back(u);
+    waves_.v.push_back(v);
+  }
+
+  void split(const Triangle& triangle) {
+    const auto middle = static_cast<Index>(mesh_.vertex_count());
+    const auto& [a, b, c] = triangle;
+    const Vec3 first = mesh_.positions[a];
+    mesh_.positions.push_back(first +
+                              ((mesh_.positions[b] - first) + (mesh_.positions[c] - first)) / 3);
+    for (int m = 0; m < 3; ++m) add_part(triangle[m], triangle[(m + 1) % 3], middle);
+  }
+
+  void add_part(Index a, Index b, Index middle) {
+    const Index node_a = 2 * a, node_b = 2 * b + matching_wave(cover_.waves, a, b);
+    add({a, b, middle}, part_waves(node_a, node_b, middle),
+        part_waves(other_wave(node_a), other_wave(node_b), middle));
+  }
+
+  CornerWave wave_of(Index node) const { return {cover_.waves.wave(node), z_[node]}; }
+
+  CornerWaves part_waves(Index node_a, Index node_b, Index middle) const {
+    const CornerWave a = wave_of(node_a), b = wave_of(node_b);
+    return {a, b, continued(a, b, mesh_.positions[middle], kind_)};
+  }
+
+  const CrossCover& cover_;
+  std::span<const Complex> z_;
+  PhaseShiftKind kind_;
+  Mesh mesh_;
+  TextureWaves waves_;
+};
+
+/// Turns V round where it runs to the right of U, seen from outside: what a tile's picture shows
+/// must not be mirrored.
+void turn_left(const Mesh& mesh, TextureWaves& waves) {
+  parallel_for(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      Vec3 turn = Vec3::Zero();
+      for (int m = 0; m < 3; ++m) {
+        turn += waves.u[t][m].wave.direction.cross(waves.v[t][m].wave.direction);
+      }
+      if (turn.dot(triangle_normal(mesh, mesh.triangles[t])) < 0) flip(waves.v[t]);
+    }
+  });
+}
+
+}  // namespace
+
+CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
+                       PhaseShiftKind kind) {
+  CrossParts parts = CrossTriangles(mesh, cover, z, kind).take();
+  orient_corners(parts.waves);
+  turn_left(parts.mesh, parts.waves);
+  return parts;
+}
+
+Slack slack_on_cover(Slack slack) {
+  slack.by_vertex = by_node(slack.by_vertex);
+  slack.calm = by_node(slack.calm);
+  return slack;
+}
+
+PatternQuality cross_quality(const CrossCover& cover, PatternQuality on_cover,
+                             std::span<const CornerPhases> corners) {
+  PatternQuality quality = std::move(on_cover);
+  const std::size_t pairs = cover.base.size();
+  quality.vertices_without_wave /= 2;  // each vertex is two nodes
+  quality.branches += 2 * cover.singular.size();
+  quality.field_singularities = cover.singular.size();
+  for (std::size_t s = 0; s < pairs; ++s) {
+    quality.field_singularities += corners[s].kind == TriangleKind::field_singularity ||
+                                   corners[pairs + s].kind == TriangleKind::field_singularity;
+  }
+  return quality;
+}
+
+}  // namespace brindle
