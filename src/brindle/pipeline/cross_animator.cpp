@@ -114,7 +114,19 @@ void CrossAnimator::State::measure(CrossFrameResult& result) const {
   const auto corners = corner_phases(cover.triangles, cover.waves, z, kind);
   result.quality =
       cross_quality(cover, measure_quality(on_cover_mesh, cover.waves, corners), corners);
-  const auto u = corner_phases(parts.waves.u, kind), v = corner_phases(parts.waves.v, kind);
+  // The texture's triangles are those of the cover, whichever way their waves run, and the parts of
+  // the singular ones.
+  const std::size_t pairs = cover.base.size();
+  const auto behind = [&](std::span<const CornerPhases> first,
+                          const std::vector<CornerWaves>& all) {
+    std::vector<CornerPhases> phases(first.begin(), first.end());
+    for (const CornerPhases& part : corner_phases(std::span(all).subspan(pairs), kind)) {
+      phases.push_back(part);
+    }
+    return phases;
+  };
+  const auto u = behind(std::span(corners).first(pairs), parts.waves.u);
+  const auto v = behind(std::span(corners).last(pairs), parts.waves.v);
   const auto frequencies_u = frequencies_of(cover, 0, parts.mesh.vertex_count());
   const auto frequencies_v = frequencies_of(cover, 1, parts.mesh.vertex_count());
   result.texture = measure_texture(parts.mesh, {u, frequencies_u}, {v, frequencies_v});
@@ -165,7 +177,7 @@ CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progre
   if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
   result.milliseconds.solve = watch.lap();
 
-  s.parts = cross_parts(s.surface.mesh, s.cover, s.z, s.options.phase_shift);
+  s.parts = cross_parts(s.surface.mesh, s.cover, s.z, s.options.phase_shift, std::move(s.parts));
   result.milliseconds.orient = watch.lap();
   s.measure(result);
   result.milliseconds.measure = watch.lap();

@@ -37,8 +37,12 @@ CornerWave continued(const CornerWave& a, CornerWave b, const Vec3& point, Phase
 class CrossTriangles {
  public:
   CrossTriangles(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
-                 PhaseShiftKind kind)
-      : cover_(cover), z_(z), kind_(kind) {
+                 PhaseShiftKind kind, CrossParts last)
+      : cover_(cover),
+        z_(z),
+        kind_(kind),
+        mesh_(std::move(last.mesh)),
+        waves_(std::move(last.waves)) {
     mesh_.positions = mesh.positions;
     mesh_.origin = mesh.origin;
     mesh_.positions.reserve(mesh.vertex_count() + cover.singular.size());
@@ -120,8 +124,8 @@ void turn_left(const Mesh& mesh, TextureWaves& waves) {
 }  // namespace
 
 CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
-                       PhaseShiftKind kind) {
-  CrossParts parts = CrossTriangles(mesh, cover, z, kind).take();
+                       PhaseShiftKind kind, CrossParts last) {
+  CrossParts parts = CrossTriangles(mesh, cover, z, kind, std::move(last)).take();
   orient_corners(parts.waves);
   turn_left(parts.mesh, parts.waves);
   return parts;

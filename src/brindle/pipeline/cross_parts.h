@@ -17,9 +17,10 @@ struct CrossParts {
   TextureWaves waves;  ///< U and V at its corners, which run alike where they can, V left of U
 };
 
-/// `z` has a phase for every node of the cover, which is one of `mesh`.
+/// `z` has a phase for every node of the cover, which is one of `mesh`. The memory of `last` is
+/// used again.
 CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
-                       PhaseShiftKind kind);
+                       PhaseShiftKind kind, CrossParts last = {});
 
 /// Both waves of a vertex have the slack that the vertex has.
 Slack slack_on_cover(Slack slack);
