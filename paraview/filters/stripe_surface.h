@@ -9,7 +9,6 @@
 #include <brindle/types.h>
 
 #include "surface_cache.h"
-#include "wave_arrays.h"
 
 namespace brindle::paraview {
 
@@ -18,9 +17,9 @@ struct StripeSurface {
   std::vector<RowBlend> sources;  ///< per point: rows of the input's points; first those themselves
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> cells;             ///< per triangle: the input's cell
-  std::vector<unsigned char> branches;  ///< per triangle: whether a stripe begins or ends there
-  PointWaves waves;
-  std::vector<float> coordinates;  ///< U and V per point (texture_coordinates.h); may be empty
+  std::vector<DataArray> point_arrays;  ///< what `brindle stripe` writes of waves
+  DataArray branches;                   ///< per triangle: whether a stripe begins or ends there
+  std::vector<float> coordinates;       ///< U and V per point (texture_coordinates.h), or none
 };
 
 /// The input's points and triangles, those without area left out.

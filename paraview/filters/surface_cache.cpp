@@ -76,14 +76,6 @@ bool same(const Mesh& a, const Mesh& b) {
 
 }  // namespace
 
-std::array<Index, 3> InputSurface::points_of(std::size_t triangle) const {
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
-  triangles->GetPolys()->GetCellAtId(cell_of_triangle[triangle], count, points);
-  return {static_cast<Index>(points[0]), static_cast<Index>(points[1]),
-          static_cast<Index>(points[2])};
-}
-
 DataArray InputSurface::array(const std::string& name, bool of_points) const {
   vtkDataSetAttributes* attributes =
       of_points ? static_cast<vtkDataSetAttributes*>(triangles->GetPointData())
@@ -93,9 +85,9 @@ DataArray InputSurface::array(const std::string& name, bool of_points) const {
     throw Error("the surface has no array '" + name + "' of numbers per " +
                 (of_points ? "point" : "cell"));
   }
-  const DataArray rows = data_array_of(*found);
-  return of_points ? rows_of(rows, vertex_of_point)
-                   : cells_to_points(surface->mesh, rows_of(rows, cell_of_triangle));
+  DataArray rows = data_array_of(*found);
+  if (!of_points) return cells_to_points(surface->mesh, rows_of(rows, cell_of_triangle));
+  return joined ? rows_of(rows, vertex_of_point) : std::move(rows);
 }
 
 const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm* owner) {
@@ -124,8 +116,11 @@ void SurfaceCache::derive(const Mesh& raw) {
   InputSurface made;
   Mesh mesh = raw;
   made.vertex_of_point = first_at_each_place(mesh.positions);
-  join_vertices(mesh, made.vertex_of_point);
+  made.joined = join_vertices(mesh, made.vertex_of_point) > 0;
   repair_mesh(mesh, made.cell_of_triangle);
+  for (const Index cell : made.cell_of_triangle) {
+    made.points_of_triangle.push_back(raw.triangles[cell]);
+  }
   if (mesh.triangles.empty()) throw Error("the input's surface has no triangle with an area");
   made.surface = std::make_shared<const Surface>(make_surface(std::move(mesh)));
   current_ = std::move(made);

@@ -28,10 +28,9 @@ struct InputSurface {
   std::shared_ptr<const Surface> surface;  ///< vertex i stands where point i of `triangles` does
   /// For every point the vertex that triangles use: of points at one place the first.
   std::vector<Index> vertex_of_point;
-  std::vector<Index> cell_of_triangle;  ///< triangles without area are left out
-
-  /// The points of `triangles` at the corners of a triangle.
-  std::array<Index, 3> points_of(std::size_t triangle) const;
+  std::vector<Index> cell_of_triangle;       ///< triangles without area are left out
+  std::vector<Triangle> points_of_triangle;  ///< at its corners
+  bool joined = false;                       ///< whether any point stands where another one does
 
   /// The array of that name, with a row per vertex: of cells (`of_points` false) the mean around
   /// it. Throws Error for an array that is not there or holds no numbers.

@@ -14,7 +14,7 @@ void carry_to_places(const InputSurface& input, std::span<const TrianglePoint> p
                      vtkPointData& points) {
   std::vector<RowBlend> of_points, of_cells;
   for (const TrianglePoint& place : places) {
-    of_points.push_back({input.points_of(place.triangle), place.barycentric});
+    of_points.push_back({input.points_of_triangle[place.triangle], place.barycentric});
     of_cells.push_back(whole_row(input.cell_of_triangle[place.triangle]));
   }
   carry(*input.triangles->GetPointData(), of_points, points);

@@ -14,11 +14,11 @@
 #include <vtkPolyData.h>
 
 #include "filter_run.h"
-#include "output_geometry.h"
+#include "outputs.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
-#include "wave_arrays.h"
 
+using brindle::make_data_array;
 namespace bp = brindle::paraview;
 
 namespace {
@@ -39,8 +39,8 @@ void add_line_arrays(const brindle::Polylines& lines, vtkCellData& cells) {
   for (std::size_t line = 0; line < lines.count(); ++line) {
     lengths.push_back(static_cast<float>(brindle::length_of(lines, line)));
   }
-  cells.AddArray(bp::vtk_array("closed", lines.closed));
-  cells.AddArray(bp::vtk_array("length", 1, lengths));
+  cells.AddArray(bp::vtk_array(make_data_array("closed", 1, lines.closed)));
+  cells.AddArray(bp::vtk_array(make_data_array("length", 1, lengths)));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   run.progress(0.9, 1).report("arrays", 0);
   output->SetPoints(bp::placed_points(*run.input->triangles, lines.points, lines.origin));
   output->SetLines(line_cells(lines));
-  output->GetPointData()->SetNormals(bp::vtk_array("normal", lines.normals));
+  output->GetPointData()->SetNormals(bp::vtk_array(make_data_array("normal", lines.normals)));
   add_line_arrays(lines, *output->GetCellData());
   bp::carry_to_places(*run.input, lines.places, *output->GetPointData());
   bp::add_figures(pattern.quality, *output->GetFieldData());

@@ -16,10 +16,11 @@
 #include <vtkPolyData.h>
 
 #include "filter_run.h"
-#include "output_geometry.h"
+#include "outputs.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
 
+using brindle::make_data_array;
 using brindle::Sample;
 namespace bp = brindle::paraview;
 
@@ -59,11 +60,15 @@ std::vector<Value> each(const std::vector<Sample>& samples, Member Sample::*memb
 
 void add_sample_arrays(const std::vector<Sample>& samples, vtkPointData& points) {
   using brindle::Vec3;
-  points.SetNormals(bp::vtk_array("normal", each<Vec3>(samples, &Sample::normal)));
-  points.AddArray(bp::vtk_array("direction_u", each<Vec3>(samples, &Sample::direction_u)));
-  points.AddArray(bp::vtk_array("direction_v", each<Vec3>(samples, &Sample::direction_v)));
-  points.AddArray(bp::vtk_array("spacing_u", 1, each<float>(samples, &Sample::spacing_u)));
-  points.AddArray(bp::vtk_array("spacing_v", 1, each<float>(samples, &Sample::spacing_v)));
+  points.SetNormals(bp::vtk_array(make_data_array("normal", each<Vec3>(samples, &Sample::normal))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("direction_u", each<Vec3>(samples, &Sample::direction_u))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("direction_v", each<Vec3>(samples, &Sample::direction_v))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("spacing_u", 1, each<float>(samples, &Sample::spacing_u))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("spacing_v", 1, each<float>(samples, &Sample::spacing_v))));
 }
 
 std::vector<brindle::TrianglePoint> places_of(const std::vector<Sample>& samples) {

@@ -8,10 +8,9 @@
 #include <vtkPolyData.h>
 
 #include "filter_run.h"
-#include "output_geometry.h"
+#include "outputs.h"
 #include "stripe_surface.h"
 #include "vtk_arrays.h"
-#include "wave_arrays.h"
 
 namespace bp = brindle::paraview;
 
@@ -32,10 +31,13 @@ void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
   output->SetPolys(bp::triangle_cells(surface.triangles));
 
   vtkPointData& points = *output->GetPointData();
-  bp::add_waves(surface.waves, points);
-  if (!surface.coordinates.empty()) points.SetTCoords(bp::vtk_array("uv", 2, surface.coordinates));
+  for (const brindle::DataArray& array : surface.point_arrays)
+    points.AddArray(bp::vtk_array(array));
+  if (!surface.coordinates.empty()) {
+    points.SetTCoords(bp::vtk_array(brindle::make_data_array("uv", 2, surface.coordinates)));
+  }
   bp::carry(*from.GetPointData(), surface.sources, points);
-  output->GetCellData()->AddArray(bp::vtk_array("branch", surface.branches));
+  output->GetCellData()->AddArray(bp::vtk_array(surface.branches));
   bp::carry(*from.GetCellData(), bp::whole_rows(surface.cells), *output->GetCellData());
   output->GetFieldData()->PassData(from.GetFieldData());
   bp::add_figures(pattern.quality, *output->GetFieldData());

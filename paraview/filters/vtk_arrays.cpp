@@ -8,10 +8,8 @@
 #include <vtkAbstractArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace brindle::paraview {
 namespace {
@@ -58,15 +56,30 @@ std::string name_of(vtkAbstractArray& array) {
   return array.GetName() == nullptr ? std::string() : std::string(array.GetName());
 }
 
-template <class Array, class Number>
-vtkSmartPointer<vtkDataArray> filled(const std::string& name, int components, const Number* numbers,
-                                     std::size_t count) {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count) / components);
-  if (count > 0) std::memcpy(array->GetPointer(0), numbers, count * sizeof(Number));
-  return array;
+int vtk_type_of(NumberType type) {
+  switch (type) {
+    case NumberType::float32:
+      return VTK_FLOAT;
+    case NumberType::float64:
+      return VTK_DOUBLE;
+    case NumberType::int8:
+      return VTK_SIGNED_CHAR;
+    case NumberType::uint8:
+      return VTK_UNSIGNED_CHAR;
+    case NumberType::int16:
+      return VTK_SHORT;
+    case NumberType::uint16:
+      return VTK_UNSIGNED_SHORT;
+    case NumberType::int32:
+      return VTK_INT;
+    case NumberType::uint32:
+      return VTK_UNSIGNED_INT;
+    case NumberType::int64:
+      return VTK_LONG_LONG;
+    case NumberType::uint64:
+      break;
+  }
+  return VTK_UNSIGNED_LONG_LONG;
 }
 
 bool is_whole(const RowBlend& blend) {
@@ -124,20 +137,16 @@ DataArray data_array_of(vtkDataArray& array) {
   return result;
 }
 
-vtkSmartPointer<vtkDataArray> vtk_array(const std::string& name, int components,
-                                        std::span<const float> numbers) {
-  return filled<vtkFloatArray>(name, components, numbers.data(), numbers.size());
-}
-
-vtkSmartPointer<vtkDataArray> vtk_array(const std::string& name, std::span<const Vec3> vectors) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(float));
-  return filled<vtkFloatArray>(name, 3, reinterpret_cast<const float*>(vectors.data()),
-                               3 * vectors.size());
-}
-
-vtkSmartPointer<vtkDataArray> vtk_array(const std::string& name,
-                                        std::span<const unsigned char> flags) {
-  return filled<vtkUnsignedCharArray>(name, 1, flags.data(), flags.size());
+vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array) {
+  const auto made =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type_of(array.type)));
+  made->SetName(array.name.c_str());
+  made->SetNumberOfComponents(array.components);
+  made->SetNumberOfTuples(static_cast<vtkIdType>(array.rows()));
+  if (!array.bytes.empty()) {
+    std::memcpy(made->GetVoidPointer(0), array.bytes.data(), array.bytes.size());
+  }
+  return made;
 }
 
 void carry(vtkDataSetAttributes& from, std::span<const RowBlend> blends, vtkDataSetAttributes& to) {

@@ -20,12 +20,8 @@ namespace brindle::paraview {
 /// no numbers of a whole number of bytes.
 DataArray data_array_of(vtkDataArray& array);
 
-/// Numbers of `components` a row as an array of floats.
-vtkSmartPointer<vtkDataArray> vtk_array(const std::string& name, int components,
-                                        std::span<const float> numbers);
-vtkSmartPointer<vtkDataArray> vtk_array(const std::string& name, std::span<const Vec3> vectors);
-vtkSmartPointer<vtkDataArray> vtk_array(const std::string& name,
-                                        std::span<const unsigned char> flags);
+/// The same array in VTK's form.
+vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array);
 
 /// Copies all arrays of `from`, text as well, with a row per blend: means of floating-point
 /// numbers, of others the row with the largest weight, of equal ones the first (as `blended`).

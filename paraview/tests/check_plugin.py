@@ -92,7 +92,7 @@ def check_tool(tool, folder):
     stripes.UpdatePipeline()
     ours = servermanager.Fetch(stripes)
     points = servermanager.Fetch(stripes.Input).GetNumberOfPoints()
-    for name in ("phase", "frequency", "direction", "branch", "uv"):
+    for name in ("phase", "sin_phase", "frequency", "direction", "branch", "valid"):
         check(np.array_equal(array(ours, name)[:points], array(theirs, name)[:points], equal_nan=True),
               f"'{name}' is that of brindle stripe")
 

@@ -51,14 +51,6 @@ StripePattern expected(vtkPolyData& data, const Surface& surface, float stripes,
                         options);
 }
 
-void expect_phases(vtkDataSet& output, const StripePattern& pattern) {
-  const std::vector<float> phases = numbers(output, "phase");
-  ASSERT_GE(phases.size(), pattern.solution.z.size());
-  for (std::size_t i = 0; i < pattern.solution.z.size(); ++i) {
-    ASSERT_EQ(phases[i], std::arg(pattern.solution.z[i])) << "at vertex " << i;
-  }
-}
-
 TEST(BrindleStripes, HasTheLibrarysPatternBitForBit) {
   for (const float slack : {0.0f, 0.25f}) {
     const auto data = swirling("torus,resolution=40");
@@ -73,7 +65,7 @@ TEST(BrindleStripes, HasTheLibrarysPatternBitForBit) {
     for (const bool coordinates : {false, true}) {
       filter->SetTextureCoordinates(coordinates);
       filter->Update();
-      expect_phases(*filter->GetOutput(), pattern);
+      expect_phases(*filter->GetOutput(), pattern.solution.z);
     }
     const std::vector<float> frequencies = numbers(*filter->GetOutput(), "frequency");
     EXPECT_TRUE(std::equal(pattern.waves.frequencies.begin(), pattern.waves.frequencies.end(),
@@ -104,8 +96,9 @@ TEST(BrindleStripes, MakesFieldsAsTheLibraryDoes) {
     filter->SetField(field);
     filter->SetAlong(field == kDirection);
     filter->Update();
-    expect_phases(*filter->GetOutput(),
-                  stripe_pattern(surface, fields[static_cast<std::size_t>(field)], frequency));
+    expect_phases(
+        *filter->GetOutput(),
+        stripe_pattern(surface, fields[static_cast<std::size_t>(field)], frequency).solution.z);
   }
 }
 

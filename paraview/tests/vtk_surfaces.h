@@ -1,14 +1,17 @@
 /// Surfaces in VTK's form, and what a filter makes of them.
 #pragma once
 
+#include <cmath>
+#include <complex>
 #include <functional>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <brindle/mesh.h>
 #include <brindle/shapes.h>
 #include <brindle/surface.h>
+#include <brindle/types.h>
 #include <gtest/gtest.h>
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
@@ -115,6 +118,15 @@ inline std::vector<float> numbers(vtkDataSet& data, const char* name) {
     }
   }
   return result;
+}
+
+/// The first points of an output have these phases, bit for bit.
+inline void expect_phases(vtkDataSet& output, std::span<const Complex> z) {
+  const std::vector<float> phases = numbers(output, "phase");
+  ASSERT_GE(phases.size(), z.size());
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    ASSERT_EQ(phases[i], std::arg(z[i])) << "at vertex " << i;
+  }
 }
 
 }  // namespace brindle::paraview

@@ -1,4 +1,4 @@
-/// Points and cells of outputs.
+/// What outputs consist of: points, cells, figures.
 #pragma once
 
 #include <array>
@@ -6,10 +6,12 @@
 #include <vector>
 
 #include <brindle/data_arrays.h>
+#include <brindle/quality.h>
 #include <brindle/types.h>
 #include <vtkSmartPointer.h>
 
 class vtkCellArray;
+class vtkFieldData;
 class vtkPoints;
 class vtkPolyData;
 
@@ -26,5 +28,8 @@ vtkSmartPointer<vtkCellArray> triangle_cells(std::span<const std::array<Index, 3
 
 /// A blend per row.
 std::vector<RowBlend> whole_rows(std::span<const Index> rows);
+
+/// branches, angle_error_mean_deg and spacing_error_mean of a whole pattern.
+void add_figures(const PatternQuality& quality, vtkFieldData& data);
 
 }  // namespace brindle::paraview

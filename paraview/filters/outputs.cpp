@@ -1,6 +1,8 @@
-#include "output_geometry.h"
+#include "outputs.h"
 
 #include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -66,6 +68,15 @@ std::vector<RowBlend> whole_rows(std::span<const Index> rows) {
   blends.reserve(rows.size());
   for (const Index row : rows) blends.push_back(whole_row(row));
   return blends;
+}
+
+void add_figures(const PatternQuality& quality, vtkFieldData& data) {
+  const auto add = [&](const char* name, double value) {
+    data.AddArray(vtk_array(make_data_array(name, 1, std::vector<double>{value})));
+  };
+  add("branches", static_cast<double>(quality.branches));
+  add("angle_error_mean_deg", quality.angle_error_mean_deg);
+  add("spacing_error_mean", quality.spacing_error_mean);
 }
 
 }  // namespace brindle::paraview
