@@ -43,6 +43,19 @@ vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* own
   throw Error("the input has no surface");
 }
 
+/// Throws Error for cells that name points which do not exist: VTK's own filters would look there.
+void check_corners(vtkPolyData& data) {
+  for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
+    if (cells == nullptr || cells->GetNumberOfConnectivityIds() == 0) continue;
+    double range[2];
+    cells->GetConnectivityArray()->GetRange(range);
+    if (range[0] >= 0 && range[1] < static_cast<double>(data.GetNumberOfPoints())) continue;
+    const auto wrong = static_cast<vtkIdType>(range[0] < 0 ? range[0] : range[1]);
+    throw Error("a polygon has the corner " + std::to_string(wrong) + ", but there are " +
+                std::to_string(data.GetNumberOfPoints()) + " points");
+  }
+}
+
 /// Whether every cell is a triangle.
 bool are_triangles(vtkPolyData& data) {
   return data.GetNumberOfCells() == data.GetNumberOfPolys() &&
@@ -52,6 +65,7 @@ bool are_triangles(vtkPolyData& data) {
 vtkSmartPointer<vtkPolyData> triangles_of(vtkDataObject* input, vtkAlgorithm* owner) {
   vtkSmartPointer<vtkPolyData> polygons = polygons_of(input, owner);
   if (polygons->GetNumberOfPoints() == 0 || are_triangles(*polygons)) return polygons;
+  check_corners(*polygons);
   vtkNew<vtkTriangleFilter> cut;
   cut->PassVertsOff();
   cut->PassLinesOff();

@@ -1,6 +1,8 @@
 #include "vtk_arrays.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 #include <optional>
 
@@ -14,72 +16,25 @@
 namespace brindle::paraview {
 namespace {
 
-std::optional<NumberType> signed_type(int bytes) {
-  switch (bytes) {
-    case 1:
-      return NumberType::int8;
-    case 2:
-      return NumberType::int16;
-    case 4:
-      return NumberType::int32;
-    case 8:
-      return NumberType::int64;
-    default:
-      return std::nullopt;
-  }
-}
+/// VTK's types in the order of NumberType.
+constexpr std::array kVtkTypes = {
+    VTK_FLOAT,          VTK_DOUBLE, VTK_SIGNED_CHAR,  VTK_UNSIGNED_CHAR, VTK_SHORT,
+    VTK_UNSIGNED_SHORT, VTK_INT,    VTK_UNSIGNED_INT, VTK_LONG_LONG,     VTK_UNSIGNED_LONG_LONG};
 
+/// VTK has several names for whole numbers of one size.
 std::optional<NumberType> number_type_of(const vtkDataArray& array) {
-  const int bytes = array.GetDataTypeSize();
-  switch (array.GetDataType()) {
-    case VTK_FLOAT:
-      return NumberType::float32;
-    case VTK_DOUBLE:
-      return NumberType::float64;
-    case VTK_UNSIGNED_CHAR:
-      return NumberType::uint8;
-    case VTK_UNSIGNED_SHORT:
-      return NumberType::uint16;
-    case VTK_UNSIGNED_INT:
-      return NumberType::uint32;
-    case VTK_UNSIGNED_LONG:
-    case VTK_UNSIGNED_LONG_LONG:
-      return bytes == 8 ? NumberType::uint64 : NumberType::uint32;
-    case VTK_BIT:
-      return std::nullopt;
-    default:
-      return signed_type(bytes);
-  }
+  const int type = array.GetDataType();
+  if (type == VTK_FLOAT) return NumberType::float32;
+  if (type == VTK_DOUBLE) return NumberType::float64;
+  if (type == VTK_BIT) return std::nullopt;
+  const int exponent = std::countr_zero(static_cast<unsigned>(array.GetDataTypeSize()));
+  const bool is_unsigned = vtkDataArray::GetDataTypeMin(type) == 0;
+  return static_cast<NumberType>(static_cast<int>(NumberType::int8) + 2 * exponent +
+                                 (is_unsigned ? 1 : 0));
 }
 
 std::string name_of(vtkAbstractArray& array) {
   return array.GetName() == nullptr ? std::string() : std::string(array.GetName());
-}
-
-int vtk_type_of(NumberType type) {
-  switch (type) {
-    case NumberType::float32:
-      return VTK_FLOAT;
-    case NumberType::float64:
-      return VTK_DOUBLE;
-    case NumberType::int8:
-      return VTK_SIGNED_CHAR;
-    case NumberType::uint8:
-      return VTK_UNSIGNED_CHAR;
-    case NumberType::int16:
-      return VTK_SHORT;
-    case NumberType::uint16:
-      return VTK_UNSIGNED_SHORT;
-    case NumberType::int32:
-      return VTK_INT;
-    case NumberType::uint32:
-      return VTK_UNSIGNED_INT;
-    case NumberType::int64:
-      return VTK_LONG_LONG;
-    case NumberType::uint64:
-      break;
-  }
-  return VTK_UNSIGNED_LONG_LONG;
 }
 
 bool is_whole(const RowBlend& blend) {
@@ -138,8 +93,8 @@ DataArray data_array_of(vtkDataArray& array) {
 }
 
 vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array) {
-  const auto made =
-      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type_of(array.type)));
+  const auto made = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(kVtkTypes[static_cast<std::size_t>(array.type)]));
   made->SetName(array.name.c_str());
   made->SetNumberOfComponents(array.components);
   made->SetNumberOfTuples(static_cast<vtkIdType>(array.rows()));
@@ -152,12 +107,15 @@ vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array) {
 void carry(vtkDataSetAttributes& from, std::span<const RowBlend> blends, vtkDataSetAttributes& to) {
   vtkNew<vtkIdList> rows;
   rows->SetNumberOfIds(static_cast<vtkIdType>(blends.size()));
+  Index largest = 0;
   for (std::size_t i = 0; i < blends.size(); ++i) {
     rows->SetId(static_cast<vtkIdType>(i), heaviest_row(blends[i]));
+    for (const Index row : blends[i].rows) largest = std::max(largest, row);
   }
   for (int a = 0; a < from.GetNumberOfArrays(); ++a) {
     vtkAbstractArray& array = *from.GetAbstractArray(a);
     if (array.GetName() != nullptr && to.HasArray(array.GetName()) != 0) continue;
+    if (array.GetNumberOfTuples() <= largest) continue;
     const auto carried = vtkSmartPointer<vtkAbstractArray>::Take(array.NewInstance());
     carried->SetName(array.GetName());
     carried->SetNumberOfComponents(array.GetNumberOfComponents());

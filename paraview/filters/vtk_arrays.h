@@ -25,8 +25,8 @@ vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array);
 
 /// Copies all arrays of `from`, text as well, with a row per blend: means of floating-point
 /// numbers, of others the row with the largest weight, of equal ones the first (as `blended`).
-/// What `to` has by the same name stays. Scalars, vectors, normals and tensors that were active
-/// are so in `to`, unless it has some.
+/// What `to` has by the same name stays, and arrays that are too short are left out. Scalars,
+/// vectors, normals and tensors that were active are so in `to`, unless it has some.
 void carry(vtkDataSetAttributes& from, std::span<const RowBlend> blends, vtkDataSetAttributes& to);
 
 /// A blend of one row.

@@ -451,6 +451,8 @@ TEST(BrindleStripes, RefusesSurfacesThatAreNone) {
   auto out_of_range = polygons_of(make_shape("sphere,resolution=12"));
   out_of_range->GetPolys()->InsertNextCell({0, 1, 1000000});
   EXPECT_NE(message(out_of_range).find("1000000"), std::string::npos);
+  out_of_range->GetPolys()->InsertNextCell({0, 1, 2, 3});  // which VTK cuts into triangles
+  EXPECT_NE(message(out_of_range).find("1000000"), std::string::npos);
 
   auto points = polygons_of(make_shape("sphere,resolution=12"));
   points->SetPolys(vtkSmartPointer<vtkCellArray>::New());
@@ -460,6 +462,54 @@ TEST(BrindleStripes, RefusesSurfacesThatAreNone) {
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   flat.triangles = {{0, 1, 2}};
   EXPECT_NE(message(polygons_of(flat)).find("area"), std::string::npos);
+}
+
+// Whatever type numbers have, they are those numbers.
+TEST(BrindleStripes, TakesFieldsOfAnyType) {
+  const auto data = polygons_of(make_shape("sphere,resolution=16"));
+  const vtkIdType rows = data->GetNumberOfPoints();
+  std::vector<float> expected_directions;
+  for (const int type :
+       {VTK_DOUBLE, VTK_FLOAT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_LONG,
+        VTK_LONG_LONG, VTK_ID_TYPE, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_UNSIGNED_INT,
+        VTK_UNSIGNED_LONG, VTK_UNSIGNED_LONG_LONG}) {
+    const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    array->SetName("v");
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(rows);
+    for (vtkIdType i = 0; i < rows; ++i) {
+      array->SetTuple3(i, 1 + double(i % 3), double(i % 5), 2 + double(i % 7));
+    }
+    data->GetPointData()->AddArray(array);
+    vtkNew<vtkBrindleStripes> filter;
+    filter->SetInputData(data);
+    filter->SetField(kArray);
+    choose(*filter, 0, "v");
+    filter->SetTextureCoordinates(false);
+    filter->Update();
+    const std::vector<float> directions = numbers(*filter->GetOutput(), "direction");
+    if (expected_directions.empty()) expected_directions = directions;
+    EXPECT_EQ(directions, expected_directions) << array->GetClassName();
+  }
+}
+
+// As programs leave behind that change points and forget arrays.
+TEST(BrindleStripes, LeavesShortArraysOut) {
+  const auto data = swirling("sphere,resolution=12");
+  data->GetPointData()->AddArray(vectors_by("short", 5, [](vtkIdType) { return Vec3(1, 0, 0); }));
+  vtkNew<vtkIntArray> unnamed;
+  unnamed->SetNumberOfComponents(2);
+  unnamed->SetNumberOfTuples(data->GetNumberOfPoints());
+  unnamed->Fill(3);
+  data->GetPointData()->AddArray(unnamed);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->HasArray("short"), 0);
+  filter->SetField(kArray);
+  choose(*filter, 0, "short");
+  EXPECT_NE(only_error(*filter).find("'short'"), std::string::npos);
 }
 
 TEST(BrindleStripes, HasNothingToSayOfNothing) {
