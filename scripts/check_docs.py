@@ -43,6 +43,7 @@ LARGEST_PICTURE = 300_000  # bytes
 THUMBNAIL = "96x72"
 LEFT_OUT = ("./dev", "cmake", "ctest", "scripts/")
 RUN = ("brindle", "awk", "printf")
+DRAW = ("brindle", "xvfb-run")  # the latter for programs with windows, in blocks that are not run
 MARKS = {"models", "no-run"}
 MISSING_FILE = 1  # what the tool ends with
 OPEN_KEYS = {"options", "limits"}  # of reports: what they hold depends on the command, the driver
@@ -192,7 +193,7 @@ def check_pictures(page, every_page):
 
 def outputs_of(pages):
     return [path for page in pages for command in page.commands()
-            if command.text.startswith("brindle") for path in output_paths(command.text)]
+            if command.text.startswith(DRAW) for path in output_paths(command.text)]
 
 
 def copy_pictures(page, folder):

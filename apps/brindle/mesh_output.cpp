@@ -77,19 +77,10 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
   write_mesh(path, surface.mesh, arrays.points, arrays.cells);
 }
 
-void add_carried_waves(DataArrays& own, const std::filesystem::path& path,
-                       const TexturedMesh& textured, const Mesh& mesh, const StripePattern& pattern,
-                       const std::string& suffix) {
-  const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
-  std::vector<float> flags =
-      carried_values(textured, branches_at_vertices(mesh, pattern.corners), 1);
-  // A barycentre is at a branch if all corners are.
-  for (float& flag : flags) flag = std::floor(flag);
-  std::vector<float> wanted;
-  if (!pattern.frequencies_wanted.empty()) {
-    wanted = carried_values(textured, pattern.frequencies_wanted, 1);
-  }
-  add_waves(own.points, {waves, wanted, z, suffix}, missing_in(path), flags);
+void add_textured_waves(DataArrays& own, const std::filesystem::path& path,
+                        const TexturedMesh& textured, const Mesh& mesh,
+                        const StripePattern& pattern, const std::string& suffix) {
+  add_carried_waves(own.points, textured, mesh, pattern, suffix, missing_in(path));
   std::vector<DataArray> cells;
   add_cells(cells, path, pattern, suffix);
   for (const DataArray& array : cells) {
@@ -126,8 +117,8 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
   DataArrays own{{normals_of(made.surface, textured), coordinates_of(textured)}, {}};
   if (holds_waves(path)) {
     const Mesh& mesh = made.surface.mesh;
-    add_carried_waves(own, path, textured, mesh, made.result.stripes(), "");
-    if (texture != nullptr) add_carried_waves(own, path, textured, mesh, texture->pattern.v, "_v");
+    add_textured_waves(own, path, textured, mesh, made.result.stripes(), "");
+    if (texture != nullptr) add_textured_waves(own, path, textured, mesh, texture->pattern.v, "_v");
   }
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) own.points.push_back(ids_of(textured, made.data.original_ids));

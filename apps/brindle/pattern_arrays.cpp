@@ -30,6 +30,21 @@ void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, floa
   arrays.push_back(make_data_array(written.named("valid"), 1, valid));
 }
 
+void add_carried_waves(std::vector<DataArray>& arrays, const TexturedMesh& textured,
+                       const Mesh& mesh, const StripePattern& pattern, const std::string& suffix,
+                       float missing) {
+  const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
+  std::vector<float> flags =
+      carried_values(textured, branches_at_vertices(mesh, pattern.corners), 1);
+  // A barycentre is at a branch if all corners are.
+  for (float& flag : flags) flag = std::floor(flag);
+  std::vector<float> wanted;
+  if (!pattern.frequencies_wanted.empty()) {
+    wanted = carried_values(textured, pattern.frequencies_wanted, 1);
+  }
+  add_waves(arrays, {waves, wanted, z, suffix}, missing, flags);
+}
+
 std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const CornerPhases> corners) {
   std::vector<float> flags(mesh.vertex_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {

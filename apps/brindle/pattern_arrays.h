@@ -1,5 +1,5 @@
 /// Arrays of what was made, a row per vertex and per triangle, for mesh files. The Python package
-/// compiles this source, too, so that its arrays are those of the files.
+/// and ParaView's plugin compile this source, too, so that their arrays are those of the files.
 #pragma once
 
 #include <span>
@@ -8,6 +8,7 @@
 
 #include "brindle/data_arrays.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/texture_coordinates.h"
 
 namespace brindle::tool {
 
@@ -28,6 +29,11 @@ struct WrittenWaves {
 /// no wave. Points have no `branches`.
 void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing,
                const std::vector<float>& branches);
+
+/// The same of a pattern, carried to the vertices of a mesh with texture coordinates.
+void add_carried_waves(std::vector<DataArray>& arrays, const TexturedMesh& textured,
+                       const Mesh& mesh, const StripePattern& pattern, const std::string& suffix,
+                       float missing);
 
 /// 1 at the corners of triangles where a stripe begins or ends.
 std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const CornerPhases> corners);

@@ -95,13 +95,15 @@ TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& p
 }
 
 TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pattern,
-                                 PhaseShiftKind phase_shift) {
+                                 PhaseShiftKind phase_shift, bool oriented) {
   check_fits(surface, pattern.corners.size(), "pattern");
   const std::vector<Complex> crest(pattern.solution.z.size(), Complex(0, 1));
   TextureWaves waves = texture_waves(surface.mesh.triangles, pattern.waves, pattern.solution.z,
                                      level_waves(pattern.waves), crest);
   orient_corners(waves);
-  orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+  if (!oriented) {
+    orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+  }
   return texture_coordinates(surface.mesh, waves, phase_shift);
 }
 

@@ -1,0 +1,35 @@
+/// What outputs consist of: points, cells, figures.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <brindle/data_arrays.h>
+#include <brindle/quality.h>
+#include <brindle/types.h>
+#include <vtkSmartPointer.h>
+
+class vtkCellArray;
+class vtkFieldData;
+class vtkPoints;
+class vtkPolyData;
+
+namespace brindle::paraview {
+
+/// A point per blend, of the points of `from` and in their type.
+vtkSmartPointer<vtkPoints> blended_points(vtkPolyData& from, std::span<const RowBlend> blends);
+
+/// Points relative to an origin, in the type of the points of `from`.
+vtkSmartPointer<vtkPoints> placed_points(vtkPolyData& from, std::span<const Vec3> points,
+                                         const Eigen::Vector3d& origin);
+
+vtkSmartPointer<vtkCellArray> triangle_cells(std::span<const std::array<Index, 3>> triangles);
+
+/// A blend per row.
+std::vector<RowBlend> whole_rows(std::span<const Index> rows);
+
+/// branches, angle_error_mean_deg and spacing_error_mean of a whole pattern.
+void add_figures(const PatternQuality& quality, vtkFieldData& data);
+
+}  // namespace brindle::paraview

@@ -1,0 +1,59 @@
+/// One pattern after another, of which those over one connectivity may follow each other.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <brindle/phase_graph.h>
+#include <brindle/progress.h>
+#include <brindle/stripe_animator.h>
+#include <brindle/stripe_pattern.h>
+#include <brindle/surface.h>
+
+namespace brindle::paraview {
+
+struct SeriesOptions {
+  float slack = 0;        ///< as Slack has it
+  float lambda = 0.025f;  ///< as AnimatorOptions has it: how near a pattern stays to the last one
+
+  bool operator==(const SeriesOptions&) const = default;
+};
+
+/// Whether vertices and triangles of both surfaces are the same, wherever they stand.
+bool same_connectivity(const Surface& a, const Surface& b);
+
+/// Lays patterns as `stripe_pattern` and StripeAnimator do. A pattern that follows another renews
+/// what depends on the waves; what depends on the connectivity stays.
+class PatternSeries {
+ public:
+  /// The pattern of these waves, valid until the next call. It follows the last one if `follows`
+  /// says so and the surface's connectivity and the options are the same; otherwise it is that of
+  /// `stripe_pattern`, whatever came before. The same waves on the same cells as last time give
+  /// the pattern of last time. Throws what StripeAnimator does, and then forgets the last pattern.
+  const StripePattern& next(std::shared_ptr<const Surface> surface, WaveSet waves,
+                            const SeriesOptions& options, bool follows,
+                            const Progress& progress = {});
+
+  /// How many times a solver was built: for every pattern that does not follow another.
+  int solvers_made() const { return solvers_made_; }
+  /// How many patterns followed the one before.
+  int patterns_followed() const { return patterns_followed_; }
+  /// Milliseconds that the last pattern took to be solved, without measuring it.
+  double solve_milliseconds() const { return solve_milliseconds_; }
+
+ private:
+  bool fits(const Surface& surface, const SeriesOptions& options) const;
+  bool has_pattern_of(const WaveSet& waves) const;
+  void start(const Surface& surface, const SeriesOptions& options);
+  void solve(WaveSet waves, const Progress& progress);
+
+  std::shared_ptr<const Surface> surface_;
+  SeriesOptions options_;
+  std::optional<StripeAnimator> animator_;
+  StripePattern pattern_;
+  int solvers_made_ = 0;
+  int patterns_followed_ = 0;
+  double solve_milliseconds_ = 0;
+};
+
+}  // namespace brindle::paraview

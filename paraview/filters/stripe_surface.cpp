@@ -1,0 +1,108 @@
+#include "stripe_surface.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include <brindle/texture_coordinates.h>
+#include <brindle/texture_pattern.h>
+
+#include "pattern_arrays.h"
+#include "vtk_arrays.h"
+
+namespace brindle::paraview {
+namespace {
+
+constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+constexpr double kThird = 1.0 / 3;
+
+bool is_mean(const std::array<Index, 3>& origins) { return origins[0] != origins[1]; }
+
+/// Gives points of the output to corners of the textured mesh. Points of the input at one place,
+/// with arrays of their own, stay apart though they are one vertex.
+class CornerPoints {
+ public:
+  CornerPoints(const InputSurface& input, const TexturedMesh& textured)
+      : input_(input), textured_(textured) {
+    for (Index p = 0; p < input.vertex_of_point.size(); ++p) {
+      sources.push_back(whole_row(p));
+      vertices.push_back(input.vertex_of_point[p]);
+    }
+  }
+
+  /// The output's point for a vertex of the textured mesh, seen from a triangle of the surface.
+  Index point(Index vertex, std::size_t triangle) {
+    const bool is_own = vertex < input_.vertex_of_point.size();
+    if (is_own && !input_.joined) return vertex;
+    const Triangle& corners = input_.points_of_triangle[triangle];
+    const std::array<Index, 3>& origins = textured_.origins[vertex];
+    if (is_mean(origins)) return added(vertex, {corners, {kThird, kThird, kThird}});
+    const auto source = *std::find_if(corners.begin(), corners.end(), [&](Index p) {
+      return input_.vertex_of_point[p] == origins[0];
+    });
+    return is_own ? source : added(vertex, whole_row(source));
+  }
+
+  std::vector<RowBlend> sources;  ///< per point of the output
+  std::vector<Index> vertices;    ///< per point of the output: its vertex in the textured mesh
+
+ private:
+  Index added(Index vertex, const RowBlend& source) {
+    const std::uint64_t key = std::uint64_t{vertex} << 32 | source.rows[0];
+    const auto [place, is_new] = ids_.try_emplace(key, static_cast<Index>(sources.size()));
+    if (is_new) {
+      sources.push_back(source);
+      vertices.push_back(vertex);
+    }
+    return place->second;
+  }
+
+  const InputSurface& input_;
+  const TexturedMesh& textured_;
+  std::unordered_map<std::uint64_t, Index> ids_;
+};
+
+}  // namespace
+
+StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern) {
+  StripeSurface surface;
+  for (Index p = 0; p < input.vertex_of_point.size(); ++p) surface.sources.push_back(whole_row(p));
+  surface.triangles = input.points_of_triangle;
+  surface.cells = input.cell_of_triangle;
+  surface.branches = tool::branches_in_triangles(pattern, "branch");
+  std::vector<DataArray> arrays;
+  tool::add_waves(arrays, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
+                  kMissing, tool::branches_at_vertices(input.surface->mesh, pattern.corners));
+  surface.point_arrays = rows_of(arrays, input.vertex_of_point);
+  return surface;
+}
+
+StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern) {
+  // All fields that filters make, or take, have signs: those of neighbours agree where they can.
+  const TexturedMesh textured =
+      texture_coordinates(*input.surface, pattern, pattern.phase_shift, true);
+  StripeSurface surface;
+  CornerPoints points(input, textured);
+  for (std::size_t t = 0; t < textured.mesh.triangle_count(); ++t) {
+    const std::size_t base = textured.triangle_origins[t];
+    std::array<Index, 3> corners = textured.mesh.triangles[t];
+    for (Index& corner : corners) corner = points.point(corner, base);
+    surface.triangles.push_back(corners);
+    surface.cells.push_back(input.cell_of_triangle[base]);
+  }
+  surface.sources = std::move(points.sources);
+  surface.branches =
+      rows_of(tool::branches_in_triangles(pattern, "branch"), textured.triangle_origins);
+  for (const Index v : points.vertices) {
+    surface.coordinates.push_back(textured.coordinates[v].x());
+    surface.coordinates.push_back(textured.coordinates[v].y());
+  }
+  std::vector<DataArray> arrays;
+  tool::add_carried_waves(arrays, textured, input.surface->mesh, pattern, "", kMissing);
+  surface.point_arrays = rows_of(arrays, points.vertices);
+  return surface;
+}
+
+}  // namespace brindle::paraview

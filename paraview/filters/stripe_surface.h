@@ -1,0 +1,32 @@
+/// The points and triangles that a pattern's texture coordinates need.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <brindle/data_arrays.h>
+#include <brindle/stripe_pattern.h>
+#include <brindle/types.h>
+
+#include "surface_cache.h"
+
+namespace brindle::paraview {
+
+/// A surface with a pattern, cut where one pair of texture coordinates per point needs it.
+struct StripeSurface {
+  std::vector<RowBlend> sources;  ///< per point: rows of the input's points; first those themselves
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> cells;             ///< per triangle: the input's cell
+  std::vector<DataArray> point_arrays;  ///< what `brindle stripe` writes of waves
+  DataArray branches;                   ///< per triangle: whether a stripe begins or ends there
+  std::vector<float> coordinates;       ///< U and V per point (texture_coordinates.h), or none
+};
+
+/// The input's points and triangles, those without area left out.
+StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern);
+
+/// The same with copies of points along seams, and with triangles in which stripes begin or end
+/// split at their barycentres, so that U, across the stripes, is linear in every triangle.
+StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern);
+
+}  // namespace brindle::paraview

@@ -1,0 +1,33 @@
+/// The middles of stripes as lines.
+#pragma once
+
+#include "BrindleFiltersModule.h"  // export macro
+#include "vtkBrindleFilter.h"
+
+/// One polyline per stripe, with normals and the input's arrays at its points; per line whether it
+/// is closed, and its length.
+class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
+ public:
+  static vtkBrindleCurves* New();
+  vtkTypeMacro(vtkBrindleCurves, vtkBrindleFilter);
+
+  /// Whether curves that end in one branch are joined, and others run on into a neighbour.
+  vtkSetMacro(Join, bool);
+  vtkGetMacro(Join, bool);
+  /// Shorter curves are left out; 0 or above, in units of length.
+  vtkSetMacro(MinimumLength, double);
+  vtkGetMacro(MinimumLength, double);
+
+  vtkBrindleCurves(const vtkBrindleCurves&) = delete;
+  void operator=(const vtkBrindleCurves&) = delete;
+
+ protected:
+  vtkBrindleCurves();
+  ~vtkBrindleCurves() override;
+
+  void Fill(Run& run, vtkPolyData* output) override;
+
+ private:
+  bool Join = false;
+  double MinimumLength = 0;
+};

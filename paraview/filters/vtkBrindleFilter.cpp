@@ -1,0 +1,198 @@
+#include "vtkBrindleFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <brindle/error.h>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkPolyData.h>
+
+#include "filter_run.h"
+#include "pattern_series.h"
+#include "surface_cache.h"
+#include "wave_settings.h"
+
+using brindle::Error;
+namespace bp = brindle::paraview;
+
+namespace {
+
+float number(double value) { return static_cast<float>(value); }
+
+}  // namespace
+
+struct vtkBrindleFilter::State {
+  bp::SurfaceCache surfaces;
+  bp::PatternSeries series;
+  /// Of `made_surface`, with `made_settings`: smooth fields take longer than patterns.
+  brindle::DirectionField made_directions;
+  std::shared_ptr<const brindle::Surface> made_surface;
+  std::pair<int, int> made_settings;
+  std::optional<double> last_time;
+  vtkMTimeType settings_time = 0;  ///< of the filter, in the last run
+
+  const brindle::DirectionField& directions(const std::shared_ptr<const brindle::Surface>& surface,
+                                            const bp::WaveSettings& settings) {
+    const std::pair<int, int> wanted = {static_cast<int>(settings.field),
+                                        static_cast<int>(settings.curvature_direction)};
+    if (made_surface != surface || made_settings != wanted) {
+      made_surface.reset();
+      made_directions = bp::made_directions(*surface, settings);
+      made_settings = wanted;
+      made_surface = surface;
+    }
+    return made_directions;
+  }
+
+  /// The filter's properties. Throws Error for an angle that is not finite; other numbers are
+  /// checked where they are used.
+  static bp::WaveSettings settings_of(const vtkBrindleFilter& filter) {
+    bp::WaveSettings settings;
+    settings.field = static_cast<bp::FieldSource>(filter.Field);
+    settings.curvature_direction =
+        static_cast<brindle::CurvatureDirection>(filter.CurvatureDirection);
+    settings.tensor_axis = static_cast<brindle::TensorAxis>(filter.TensorAxis);
+    for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
+    settings.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
+    if (!std::isfinite(settings.turn_deg)) throw Error("Rotate must be a finite number of degrees");
+    settings.frequency_source = static_cast<bp::FrequencySource>(filter.FrequencySource);
+    settings.stripes = number(filter.Stripes);
+    settings.frequency = number(filter.Frequency);
+    settings.range.lowest = number(filter.FrequencyRange[0]);
+    settings.range.highest = number(filter.FrequencyRange[1]);
+    return settings;
+  }
+};
+
+namespace {
+
+/// The time of the data, if it belongs to a series.
+std::optional<double> time_of(vtkDataObject* data) {
+  vtkInformation* information = data->GetInformation();
+  if (information->Has(vtkDataObject::DATA_TIME_STEP()) == 0) return std::nullopt;
+  return information->Get(vtkDataObject::DATA_TIME_STEP());
+}
+
+/// The array that is chosen for a use, if one is.
+std::optional<brindle::DataArray> chosen_array(vtkAlgorithm& filter, int use,
+                                               const bp::InputSurface& input) {
+  vtkInformation* chosen = filter.GetInputArrayInformation(use);
+  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
+  if (name == nullptr || *name == '\0') return std::nullopt;
+  const bool points =
+      chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  return input.array(name, points);
+}
+
+const brindle::DataArray* pointer_to(const std::optional<brindle::DataArray>& array) {
+  return array ? &*array : nullptr;
+}
+
+}  // namespace
+
+vtkBrindleFilter::vtkBrindleFilter() : Internals(std::make_unique<State>()) {
+  this->SetNumberOfInputPorts(1);
+}
+
+vtkBrindleFilter::~vtkBrindleFilter() = default;
+
+int vtkBrindleFilter::GetSurfacesMade() const { return this->Internals->surfaces.surfaces_made(); }
+int vtkBrindleFilter::GetSolversMade() const { return this->Internals->series.solvers_made(); }
+int vtkBrindleFilter::GetPatternsFollowed() const {
+  return this->Internals->series.patterns_followed();
+}
+double vtkBrindleFilter::GetSolveMilliseconds() const {
+  return this->Internals->series.solve_milliseconds();
+}
+
+int vtkBrindleFilter::FillInputPortInformation(int, vtkInformation* info) {
+  // Whole composite data, not block by block: stripes run on from one block to the next.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+int vtkBrindleFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                  vtkInformationVector* outputs) {
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->Initialize();
+  if (this->Stopped) this->SetAbortExecute(0);  // it was obeyed; nobody else takes it back
+  this->Stopped = false;
+  try {
+    Run run;
+    run.progress = [this](double begin, double end) {
+      return brindle::Progress([this, begin, end](std::string_view, double fraction) {
+        const double done = begin + (end - begin) * std::clamp(fraction, 0.0, 1.0);
+        this->UpdateProgress(std::max(done, this->GetProgress()));
+        return !this->CheckAbort();
+      });
+    };
+    if (this->Prepare(vtkDataObject::GetData(inputs[0]), run)) this->Fill(run, output);
+  } catch (const brindle::Cancelled&) {
+    output->Initialize();
+    this->Stopped = true;
+  } catch (const std::bad_alloc&) {
+    this->Fail(output, "there is not enough memory");
+  } catch (const std::exception& error) {
+    this->Fail(output, error.what());
+  }
+  return 1;
+}
+
+/// False if there is nothing to do.
+bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
+  if (input == nullptr) return false;
+  State& state = *this->Internals;
+  run.progress(0, 0.1).report("surface", 0);
+  run.input = state.surfaces.surface_of(input, this);
+  run.progress(0.1, 0.4).report("field", 0);
+  if (run.input == nullptr) return false;
+
+  const bp::WaveSettings settings = State::settings_of(*this);
+  std::optional<brindle::DataArray> vectors, frequencies;
+  if (settings.field == bp::FieldSource::array) vectors = chosen_array(*this, 0, *run.input);
+  if (settings.needs_frequency_array()) frequencies = chosen_array(*this, 1, *run.input);
+  brindle::DirectionField made;
+  if (settings.is_made()) made = state.directions(run.input->surface, settings);
+  run.waves = bp::make_waves(*run.input->surface, settings, std::move(made), pointer_to(vectors),
+                             pointer_to(frequencies));
+  run.options = {number(this->Slack), number(this->TimeAnchor)};
+  run.series = &state.series;
+
+  // What a step shows must not depend on how settings came about, nor, played from the start, on
+  // what was shown before: only time that goes on is followed.
+  const std::optional<double> time = time_of(input);
+  run.follows = time && state.last_time && *time > *state.last_time && this->TimeAnchor > 0 &&
+                state.settings_time == this->GetMTime();
+  state.last_time = time;
+  state.settings_time = this->GetMTime();
+  return true;
+}
+
+void vtkBrindleFilter::Fail(vtkPolyData* output, const char* message) {
+  output->Initialize();
+  vtkErrorMacro(<< message);
+}
+
+void vtkBrindleFilter::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Field: " << this->Field << '\n'
+     << indent << "Along: " << this->Along << '\n'
+     << indent << "Rotate: " << this->Rotate << '\n'
+     << indent << "FrequencySource: " << this->FrequencySource << '\n'
+     << indent << "Stripes: " << this->Stripes << '\n'
+     << indent << "Frequency: " << this->Frequency << '\n'
+     << indent << "Slack: " << this->Slack << '\n'
+     << indent << "TimeAnchor: " << this->TimeAnchor << '\n'
+     << indent << "SurfacesMade: " << this->GetSurfacesMade() << '\n'
+     << indent << "SolversMade: " << this->GetSolversMade() << '\n'
+     << indent << "PatternsFollowed: " << this->GetPatternsFollowed() << '\n';
+}

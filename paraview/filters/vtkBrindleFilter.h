@@ -1,0 +1,104 @@
+/// What Brindle's filters share: the surface, the waves and the pattern, kept from one run to the
+/// next.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <vtkPolyDataAlgorithm.h>
+
+#include "BrindleFiltersModule.h"  // export macro
+
+/// Takes polygons, or the surface of grids and of blocks, and lays waves over it. Input array 0 is
+/// the field, array 1 the frequency; both may belong to points or cells.
+class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
+ public:
+  vtkTypeMacro(vtkBrindleFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where directions come from, in the order of FieldSource: 0 smooth, 1 curvature, 2 direction,
+  /// 3 array.
+  vtkSetClampMacro(Field, int, 0, 3);
+  vtkGetMacro(Field, int);
+  /// Of a curvature field, 0: of larger, 1: of smaller absolute curvature.
+  vtkSetClampMacro(CurvatureDirection, int, 0, 1);
+  vtkGetMacro(CurvatureDirection, int);
+  /// Of an array of tensors, in the order of TensorAxis: 0 major, 1 minor, 2 largest absolute.
+  vtkSetClampMacro(TensorAxis, int, 0, 2);
+  vtkGetMacro(TensorAxis, int);
+  /// Of a direction field: any vector but zero.
+  vtkSetVector3Macro(Direction, double);
+  vtkGetVector3Macro(Direction, double);
+  /// Whether stripes run along the field, and not across it.
+  vtkSetMacro(Along, bool);
+  vtkGetMacro(Along, bool);
+  /// Degrees by which the field is turned about the normals.
+  vtkSetMacro(Rotate, double);
+  vtkGetMacro(Rotate, double);
+
+  /// Where frequencies come from, in the order of FrequencySource: 0 Stripes, 1 Frequency, 2 an
+  /// array, 3 Stripes times a factor that follows an array.
+  vtkSetClampMacro(FrequencySource, int, 0, 3);
+  vtkGetMacro(FrequencySource, int);
+  /// Stripes along the diagonal of the bounding box; above 0.
+  vtkSetMacro(Stripes, double);
+  vtkGetMacro(Stripes, double);
+  /// Stripes per unit length; above 0.
+  vtkSetMacro(Frequency, double);
+  vtkGetMacro(Frequency, double);
+  /// Factors for the smallest and the largest number of the array.
+  vtkSetVector2Macro(FrequencyRange, double);
+  vtkGetVector2Macro(FrequencyRange, double);
+  /// How far frequencies may yield, so that fewer stripes begin or end; 0 or above.
+  vtkSetMacro(Slack, double);
+  vtkGetMacro(Slack, double);
+  /// How near a pattern stays to that of the time before; 0: each by itself.
+  vtkSetMacro(TimeAnchor, double);
+  vtkGetMacro(TimeAnchor, double);
+
+  /// How many times a surface was derived, a solver was built, and a pattern followed the one of
+  /// the time before.
+  int GetSurfacesMade() const;
+  int GetSolversMade() const;
+  int GetPatternsFollowed() const;
+  /// Milliseconds that the last pattern took to be solved.
+  double GetSolveMilliseconds() const;
+
+  vtkBrindleFilter(const vtkBrindleFilter&) = delete;
+  void operator=(const vtkBrindleFilter&) = delete;
+
+ protected:
+  /// What one run hands to `Fill`, in the library's words.
+  struct Run;
+
+  vtkBrindleFilter();
+  ~vtkBrindleFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+  /// Makes the output of a run. May throw brindle::Error; the output is then emptied.
+  virtual void Fill(Run& run, vtkPolyData* output) = 0;
+
+ private:
+  struct State;
+
+  bool Prepare(vtkDataObject* input, Run& run);
+  void Fail(vtkPolyData* output, const char* message);
+
+  int Field = 0;
+  int CurvatureDirection = 0;
+  int TensorAxis = 0;
+  double Direction[3] = {0, 0, 1};
+  bool Along = false;
+  double Rotate = 0;
+  int FrequencySource = 0;
+  double Stripes = 40;
+  double Frequency = 1;
+  double FrequencyRange[2] = {0.4, 2.5};
+  double Slack = 0;
+  double TimeAnchor = 0.025;
+  bool Stopped = false;  // the last run was told to stop
+  std::unique_ptr<State> Internals;
+};

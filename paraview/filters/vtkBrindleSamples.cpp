@@ -1,0 +1,108 @@
+#include "vtkBrindleSamples.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <brindle/direction_field.h>
+#include <brindle/error.h>
+#include <brindle/samples.h>
+#include <vtkCellArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include "filter_run.h"
+#include "outputs.h"
+#include "surface_places.h"
+#include "vtk_arrays.h"
+
+using brindle::make_data_array;
+using brindle::Sample;
+namespace bp = brindle::paraview;
+
+/// The pattern along the field.
+struct vtkBrindleSamples::Crossing {
+  bp::PatternSeries series;
+};
+
+namespace {
+
+/// The waves turned by a quarter, `factor` times as dense.
+brindle::WaveSet crossing_waves(const brindle::Surface& surface, const brindle::WaveSet& waves,
+                                double factor) {
+  brindle::WaveSet crossing = waves;
+  crossing.directions =
+      brindle::rotated(waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
+  for (float& frequency : crossing.frequencies) frequency *= static_cast<float>(factor);
+  return crossing;
+}
+
+/// One cell per point.
+vtkSmartPointer<vtkCellArray> vertex_cells(std::size_t count) {
+  vtkNew<vtkIdTypeArray> points;
+  points->SetNumberOfValues(static_cast<vtkIdType>(count));
+  for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i) points->SetValue(i, i);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(1, points);
+  return cells;
+}
+
+template <class Value, class Member>
+std::vector<Value> each(const std::vector<Sample>& samples, Member Sample::*member) {
+  std::vector<Value> values;
+  for (const Sample& sample : samples) values.push_back(sample.*member);
+  return values;
+}
+
+void add_sample_arrays(const std::vector<Sample>& samples, vtkPointData& points) {
+  using brindle::Vec3;
+  points.SetNormals(bp::vtk_array(make_data_array("normal", each<Vec3>(samples, &Sample::normal))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("direction_u", each<Vec3>(samples, &Sample::direction_u))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("direction_v", each<Vec3>(samples, &Sample::direction_v))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("spacing_u", 1, each<float>(samples, &Sample::spacing_u))));
+  points.AddArray(
+      bp::vtk_array(make_data_array("spacing_v", 1, each<float>(samples, &Sample::spacing_v))));
+}
+
+std::vector<brindle::TrianglePoint> places_of(const std::vector<Sample>& samples) {
+  std::vector<brindle::TrianglePoint> places;
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3d at = sample.barycentric.cast<double>();
+    places.push_back({sample.triangle, {at.x(), at.y(), at.z()}});
+  }
+  return places;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(vtkBrindleSamples);
+
+vtkBrindleSamples::vtkBrindleSamples() : Second(std::make_unique<Crossing>()) {}
+vtkBrindleSamples::~vtkBrindleSamples() = default;
+
+void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
+  if (!std::isfinite(this->CrossingFactor) || this->CrossingFactor <= 0) {
+    throw brindle::Error("Crossing Factor must be above 0");
+  }
+  const brindle::Surface& surface = *run.input->surface;
+  brindle::WaveSet crossing = crossing_waves(surface, run.waves, this->CrossingFactor);
+  const brindle::StripePattern& u = run.pattern();
+  const brindle::StripePattern& v = this->Second->series.next(
+      run.input->surface, std::move(crossing), run.options, run.follows, run.progress(0.7, 0.8));
+  run.progress(0.8, 0.9).report("samples", 0);
+  const std::vector<Sample> samples = brindle::stripe_samples(surface, u, v);
+
+  run.progress(0.9, 1).report("arrays", 0);
+  output->SetPoints(bp::placed_points(
+      *run.input->triangles, each<brindle::Vec3>(samples, &Sample::position), surface.mesh.origin));
+  output->SetVerts(vertex_cells(samples.size()));
+  add_sample_arrays(samples, *output->GetPointData());
+  bp::carry_to_places(*run.input, places_of(samples), *output->GetPointData());
+}

@@ -1,0 +1,44 @@
+#include "vtkBrindleStripes.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include "filter_run.h"
+#include "outputs.h"
+#include "stripe_surface.h"
+#include "vtk_arrays.h"
+
+namespace bp = brindle::paraview;
+
+vtkStandardNewMacro(vtkBrindleStripes);
+
+vtkBrindleStripes::vtkBrindleStripes() = default;
+vtkBrindleStripes::~vtkBrindleStripes() = default;
+
+void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
+  const brindle::StripePattern& pattern = run.pattern();
+  run.progress(0.8, 0.9).report("texture coordinates", 0);
+  const bp::StripeSurface surface = this->TextureCoordinates
+                                        ? bp::textured_surface(*run.input, pattern)
+                                        : bp::plain_surface(*run.input, pattern);
+  run.progress(0.9, 1).report("arrays", 0);
+  vtkPolyData& from = *run.input->triangles;
+  output->SetPoints(bp::blended_points(from, surface.sources));
+  output->SetPolys(bp::triangle_cells(surface.triangles));
+
+  vtkPointData& points = *output->GetPointData();
+  for (const brindle::DataArray& array : surface.point_arrays)
+    points.AddArray(bp::vtk_array(array));
+  if (!surface.coordinates.empty()) {
+    points.SetTCoords(bp::vtk_array(brindle::make_data_array("uv", 2, surface.coordinates)));
+  }
+  bp::carry(*from.GetPointData(), surface.sources, points);
+  output->GetCellData()->AddArray(bp::vtk_array(surface.branches));
+  bp::carry(*from.GetCellData(), bp::whole_rows(surface.cells), *output->GetCellData());
+  output->GetFieldData()->PassData(from.GetFieldData());
+  bp::add_figures(pattern.quality, *output->GetFieldData());
+}

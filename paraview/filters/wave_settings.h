@@ -1,0 +1,54 @@
+/// What a filter's properties say of waves, and the waves that follow.
+#pragma once
+
+#include <brindle/array_field.h>
+#include <brindle/curvature.h>
+#include <brindle/data_arrays.h>
+#include <brindle/direction_field.h>
+#include <brindle/phase_graph.h>
+#include <brindle/surface.h>
+#include <brindle/tensor_field.h>
+
+namespace brindle::paraview {
+
+/// Where directions come from.
+enum class FieldSource { smooth, curvature, direction, array };
+
+/// Where frequencies come from.
+enum class FrequencySource {
+  along_diagonal,  ///< `stripes` along the diagonal of the bounding box
+  per_length,      ///< `frequency`, stripes per unit length
+  array,           ///< an array of stripes per unit length
+  by_array         ///< `stripes` along the diagonal, times a factor that follows an array
+};
+
+struct WaveSettings {
+  FieldSource field = FieldSource::smooth;
+  CurvatureDirection curvature_direction = CurvatureDirection::maximum;
+  TensorAxis tensor_axis = TensorAxis::major;
+  Vec3 direction = Vec3::UnitZ();  ///< of FieldSource::direction
+  float turn_deg = 0;              ///< about the normals, counter-clockwise seen from their tips
+  FrequencySource frequency_source = FrequencySource::along_diagonal;
+  float stripes = 40;
+  float frequency = 1;
+  FrequencyRange range;
+
+  /// Whether directions follow from the surface and these settings alone.
+  bool is_made() const { return field == FieldSource::smooth || field == FieldSource::curvature; }
+  bool needs_frequency_array() const {
+    return frequency_source == FrequencySource::array ||
+           frequency_source == FrequencySource::by_array;
+  }
+};
+
+/// The directions of FieldSource::smooth and ::curvature, before `turn_deg`.
+DirectionField made_directions(const Surface& surface, const WaveSettings& settings);
+
+/// Waves of all vertices. `made` has what `made_directions` gave where the settings ask for it;
+/// `vectors` (3 numbers a row, 2 in the plane, or a tensor's 6 or 9) and `frequencies` have a row
+/// per vertex and are null where the settings do not ask for them. There is no wave where an array
+/// is not finite. Throws Error for what arrays and numbers cannot be.
+WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
+                   const DataArray* vectors, const DataArray* frequencies);
+
+}  // namespace brindle::paraview

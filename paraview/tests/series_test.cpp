@@ -1,0 +1,179 @@
+#include <brindle/direction_field.h>
+#include <brindle/stripe_animator.h>
+#include <brindle/stripe_pattern.h>
+
+#include "vtkBrindleSamples.h"
+#include "vtkBrindleStripes.h"
+#include "vtk_surfaces.h"
+
+namespace brindle::paraview {
+namespace {
+
+constexpr const char* kShape = "torus,resolution=40";
+
+/// The waves of a step.
+WaveSet waves_at(const Surface& surface, float angle) {
+  std::vector<Vec3> vectors;
+  for (const Vec3& p : surface.mesh.positions) vectors.push_back(swirl(p, angle));
+  const float frequency = frequency_of_stripes(40, bounding_box(surface.mesh).diagonal());
+  return {surface.mesh.positions, tangent_directions(vectors, surface.normals),
+          constant_frequency_field(frequency, surface.mesh.vertex_count())};
+}
+
+class Series : public testing::Test {
+ protected:
+  Series() : surface(make_surface(make_shape(kShape))), data(polygons_of(surface.mesh)) {
+    filter->SetInputData(data);
+    filter->SetField(3);
+    choose(*filter, 0, "v");
+  }
+
+  /// The vectors of an angle, at a time; below 0: at none.
+  void show(double time, float angle) {
+    add_swirl(*data, angle);
+    data->Modified();
+    if (time >= 0) {
+      set_time(*data, time);
+    } else {
+      data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+    }
+    filter->Update();
+  }
+
+  /// What the vectors of an angle give by themselves.
+  void expect_alone(float angle) {
+    expect_phases(*filter->GetOutput(),
+                  stripe_pattern(surface, waves_at(surface, angle)).solution.z);
+  }
+
+  Surface surface;
+  vtkSmartPointer<vtkPolyData> data;
+  vtkNew<vtkBrindleStripes> filter;
+};
+
+TEST_F(Series, FramesFollowAndNothingIsBuiltAgain) {
+  StripeAnimator animator(surface);
+  for (int step = 0; step < 4; ++step) {
+    const float angle = 0.1f * static_cast<float>(step);
+    show(step, angle);
+    const WaveSet waves = waves_at(surface, angle);
+    expect_phases(*filter->GetOutput(),
+                  animator.frame({waves.positions, waves.directions, waves.frequencies}).z);
+    EXPECT_EQ(filter->GetSurfacesMade(), 1);
+    EXPECT_EQ(filter->GetSolversMade(), 1);
+    EXPECT_EQ(filter->GetPatternsFollowed(), step);
+  }
+}
+
+TEST_F(Series, GoingBackStartsAfresh) {
+  for (const int step : {0, 1, 2, 1}) show(step, 0.1f * static_cast<float>(step));
+  expect_alone(0.1f);
+  EXPECT_EQ(filter->GetSurfacesMade(), 1);
+  EXPECT_EQ(filter->GetPatternsFollowed(), 2);
+}
+
+TEST_F(Series, PropertiesAndInputsWithoutTimeStartAfresh) {
+  show(0, 0);
+  filter->SetRotate(10);
+  filter->Update();
+  filter->SetRotate(0);
+  show(1, 0.2f);
+  expect_alone(0.2f);
+  show(-1, 0.3f);
+  expect_alone(0.3f);
+  EXPECT_EQ(filter->GetPatternsFollowed(), 0);
+}
+
+TEST_F(Series, WithoutAnchorEveryStepStandsAlone) {
+  filter->SetTimeAnchor(0);
+  for (const int step : {0, 1, 2}) show(step, 0.1f * static_cast<float>(step));
+  expect_alone(0.2f);
+}
+
+// A change of the output alone neither lays a new pattern nor breaks the series.
+TEST_F(Series, FormsOfTheOutputDoNotMatter) {
+  StripeAnimator animator(surface);
+  for (const int step : {0, 1, 2}) {
+    const float angle = 0.1f * static_cast<float>(step);
+    show(step, angle);
+    filter->SetTextureCoordinates(step % 2 == 0);
+    filter->Update();
+    const WaveSet waves = waves_at(surface, angle);
+    expect_phases(*filter->GetOutput(),
+                  animator.frame({waves.positions, waves.directions, waves.frequencies}).z);
+  }
+  EXPECT_EQ(filter->GetPatternsFollowed(), 2);
+}
+
+TEST_F(Series, MeshesThatAreReadAgainAreTheSameAndMovedOnesKeepTheSolver) {
+  const auto step = [&](double time, float stretch) {
+    Mesh mesh = surface.mesh;
+    for (Vec3& p : mesh.positions) p.z() *= stretch;
+    data->ShallowCopy(polygons_of(mesh));
+    show(time, 0.1f * static_cast<float>(time));
+  };
+  step(0, 1);
+  step(1, 1);
+  EXPECT_EQ(filter->GetSurfacesMade(), 1);
+  step(2, 1.01f);
+  EXPECT_EQ(filter->GetSurfacesMade(), 2) << "normals follow the points";
+  EXPECT_EQ(filter->GetSolversMade(), 1);
+  EXPECT_EQ(filter->GetPatternsFollowed(), 2);
+
+  Mesh other = surface.mesh;
+  other.triangles.pop_back();
+  data->ShallowCopy(polygons_of(other));
+  show(3, 0);
+  EXPECT_EQ(filter->GetSolversMade(), 2) << "other cells are another surface";
+  EXPECT_EQ(filter->GetPatternsFollowed(), 2);
+}
+
+TEST_F(Series, StepsThatFailAreForgotten) {
+  show(0, 0);
+  Errors errors(*filter);
+  data->GetPointData()->RemoveArray("v");
+  set_time(*data, 1);
+  data->Modified();
+  filter->Update();
+  EXPECT_EQ(errors.messages.size(), 1u);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  show(2, 0.1f);
+  EXPECT_EQ(errors.messages.size(), 1u);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+// Both patterns of samples follow: points move a little where the field does.
+TEST(SampleSeries, SamplesMoveLittle) {
+  const Surface surface = make_surface(make_shape(kShape));
+  const auto moved = [&](double anchor) {
+    vtkNew<vtkBrindleSamples> filter;
+    filter->SetField(3);
+    choose(*filter, 0, "v");
+    filter->SetTimeAnchor(anchor);
+    auto producer = polygons_of(surface.mesh);
+    filter->SetInputData(producer);
+    std::vector<Eigen::Vector3d> last;
+    double sum = 0;
+    for (int step = 0; step < 4; ++step) {
+      add_swirl(*producer, 0.01f * static_cast<float>(step));
+      set_time(*producer, step);
+      producer->Modified();
+      filter->Update();
+      std::vector<Eigen::Vector3d> now;
+      for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i) {
+        now.emplace_back(filter->GetOutput()->GetPoint(i));
+      }
+      for (const auto& p : last) {
+        double nearest = 1e9;
+        for (const auto& q : now) nearest = std::min(nearest, (p - q).norm());
+        sum += nearest / static_cast<double>(last.size());
+      }
+      last = now;
+    }
+    return sum;
+  };
+  EXPECT_LT(moved(0.025), 0.7 * moved(0));
+}
+
+}  // namespace
+}  // namespace brindle::paraview
