@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "brindle/progress.h"
-#include "brindle/renderer.h"
 #include "session_options.h"
 #include "stripe_job.h"
 
@@ -39,7 +38,6 @@ struct LiveState {
   std::shared_ptr<const ParsedSession> parsed;
   std::shared_ptr<const StripeJob> job;              ///< surface, pattern or texture, report, data
   std::shared_ptr<const StyleJob> style;             ///< null if the picture has no style
-  std::vector<Mark> marks;                           ///< branches and singularities
   std::shared_ptr<const std::vector<float>> phases;  ///< angles, of a pattern that has followed
   LiveFigures figures;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings

@@ -42,7 +42,9 @@ class FrameMaker {
     frame->revision = request.revision;
     frame->quality = request.quality;
     frame->state = pattern_.state();
-    frame->image = picture_->draw(frame->state, request.quality, progress);
+    frame->image = request.quality == PictureQuality::final
+                       ? picture_->draw(frame->state, request.quality, progress)
+                       : picture_->draft(frame->state, progress);
     frame->camera = picture_->camera(*frame->state);
     frame->draw_milliseconds = watch.lap();
     frame->milliseconds = solve_milliseconds + frame->draw_milliseconds;

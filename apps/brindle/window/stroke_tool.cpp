@@ -60,7 +60,9 @@ void StrokeTool::draw_bar() {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kTools[i].help);
   }
   ImGui::SameLine(0, 1.2f * ImGui::GetFontSize());
-  draw_sliders();
+  if (tool_ != Tool::look) draw_sliders();
+  ImGui::Checkbox("singularities", &show_singularities_);
+  log_.note_widget("show singularities");
 }
 
 void StrokeTool::draw_sliders() {
@@ -84,8 +86,6 @@ void StrokeTool::draw_sliders() {
                                 ImGuiSliderFlags_Logarithmic);
   log_.note_widget("stroke strength");
   ImGui::SameLine();
-  ImGui::Checkbox("singularities", &show_singularities_);
-  log_.note_widget("show singularities");
   if (!changed) return;
   radius_ = radius;
   strength_ = strength;
@@ -97,12 +97,12 @@ void StrokeTool::draw_sliders() {
 }
 
 void StrokeTool::note_frame(const SessionFrame& frame) {
-  if (noted_ == frame.state) return;
-  noted_ = frame.state;
+  if (noted_ == frame.state->job) return;
+  noted_ = frame.state->job;
   const Mesh& mesh = frame.surface().mesh;
   diagonal_ = bounding_box(mesh).diagonal();
   singularities_.clear();
-  const auto& corners = noted_->job->result.stripes().corners;
+  const auto& corners = noted_->result.stripes().corners;
   for (std::size_t t = 0; t < std::min(corners.size(), mesh.triangles.size()); ++t) {
     if (corners[t].kind != TriangleKind::field_singularity) continue;
     const Triangle& triangle = mesh.triangles[t];
@@ -299,13 +299,9 @@ void StrokeTool::draw_strokes(ImDrawList& list, const PicturePlace& place) {
 // Those on the side that is seen; what lies in front of them is not looked for.
 void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place) {
   const Camera& camera = place.frame->camera;
+  const Vec3 viewpoint = viewpoint_of(camera);
   for (const Singularity& singularity : singularities_) {
-    const Vec3 seen =
-        (camera.view_from_world * (singularity.position - camera.origin).homogeneous().eval())
-            .head<3>();
-    const Vec3 normal = camera.view_from_world.topLeftCorner<3, 3>() * singularity.normal;
-    const Vec3 to_viewer = camera.orthographic() ? Vec3(Vec3::UnitZ()) : Vec3(-seen);
-    if (normal.dot(to_viewer) <= 0) continue;
+    if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
     const auto pixel =
         place_in_picture(singularity.position, camera, place.size.width, place.size.height);
     if (!pixel) continue;

@@ -85,7 +85,7 @@ class StrokeTool {
   std::optional<Moving> moving_;
   Eigen::Vector2d last_pixel_{0, 0};
   bool refused_ = false;  // until the button is let go
-  std::shared_ptr<const LiveState> noted_;
+  std::shared_ptr<const StripeJob> noted_;
   std::vector<Singularity> singularities_;
   double diagonal_ = 0;
 };
