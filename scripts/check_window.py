@@ -68,6 +68,7 @@ class Window:
         self.size = SIZE
         self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
                                 XDG_CACHE_HOME=str(folder / "cache"))
+        self.log_path.unlink(missing_ok=True)  # of a window before
         self.errors = open(folder / "errors.txt", "w+")
         self.process = subprocess.Popen(
             [tool, "view", *arguments, "--log", str(self.log_path), "--window", "%dx%d" % SIZE, "--scale", "1"],
@@ -330,6 +331,31 @@ def check_stroke_and_undo(start, folder):
         window.settled(since)
     expect(save_picture(window, folder / "after.png") == before, "undo does not restore the picture")
     expect(save_session(window, folder / "after.json") == session_before, "undo does not restore the session")
+    window.quit()
+
+
+def check_singularity_is_steered(start, folder):
+    window = start("shape:sphere,resolution=50", "--stripes", "20")
+    window.settled()
+    before = save_session(window, folder / "before.json")
+    window.key("g")
+    window.wait_until(lambda: any(name.startswith("singularity ") for name in window.places), "singularity")
+    name = next(name for name in window.places if name.startswith("singularity "))
+    x, y = window.point(name)
+    middle = window.point("picture")
+    to = (round(0.45 * x + 0.55 * middle[0]), round(0.45 * y + 0.55 * middle[1]))
+    since = window.now()
+    window.drag([(x + (to[0] - x) * i // 8, y + (to[1] - y) * i // 8) for i in range(9)])
+    window.settled(since)
+    time.sleep(0.3)
+    window.read()
+    places = [window.point(name) for name in window.places if name.startswith("singularity ")]
+    expect(any(abs(px - to[0]) + abs(py - to[1]) < 30 for px, py in places), f"no singularity at {to}: {places}")
+    expect(all(abs(px - x) + abs(py - y) > 30 for px, py in places), f"one stays at {(x, y)}: {places}")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(save_session(window, folder / "after.json") == before, "one undo does not bring it back")
     window.quit()
 
 

@@ -164,6 +164,27 @@ TEST(LivePattern, StaysNearToTheLastPattern) {
   EXPECT_GT(near, 0);
 }
 
+TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
+  const SessionDocument first = with(torus(), "slack", "0.3");
+  const SessionDocument next = with(first, "stripes", "20.5");
+  LivePattern afresh, pattern;
+  afresh.update(next, Follow::afresh);
+  pattern.update(first, Follow::afresh);
+  pattern.update(next, Follow::loosely);
+  const StripePattern& draft = pattern.state()->job->result.stripes();
+  EXPECT_TRUE(pattern.state()->figures.followed);
+  EXPECT_TRUE(stages(pattern).contains("spacing"));
+  ASSERT_TRUE(draft.frequency_change);
+  for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
+    const float ratio = draft.waves.frequencies[v] / draft.frequencies_wanted[v];
+    EXPECT_TRUE(ratio > 1 / 1.3001f && ratio < 1.3001f);
+  }
+  // At rest it is what the document alone says.
+  pattern.update(next, Follow::last);
+  EXPECT_EQ(pattern.state()->phases, nullptr);
+  EXPECT_EQ(z_of(pattern), z_of(afresh));
+}
+
 TEST(LivePattern, DoesNotDependOnTheNumberOfThreads) {
   const auto solved = [](int threads) {
     const ThreadLimit limit(threads);

@@ -56,6 +56,7 @@ struct SolvedPattern {
   StripeJob job;
   std::shared_ptr<const std::vector<float>> phases;  ///< null if it was made of the document alone
   double phase_step = 0;
+  bool loosely = false;  ///< it followed as no document can have it
 };
 
 /// Says whether a file has become another one.
@@ -178,10 +179,11 @@ std::vector<Complex> turned_phases(const StripePattern& last, std::span<const Ve
 }
 
 /// Stripes that this pattern may follow.
-const StripePattern* followed(const StripeArguments& arguments, const SolvedPattern* last) {
-  if (last == nullptr || last->job.result.texture() != nullptr || !can_follow(arguments)) {
-    return nullptr;
-  }
+const StripePattern* followed(const StripeArguments& arguments, const SolvedPattern* last,
+                              Follow follow) {
+  const bool can = follow == Follow::loosely ? can_follow_loosely(arguments)
+                                             : follow == Follow::last && can_follow(arguments);
+  if (last == nullptr || last->job.result.texture() != nullptr || !can) return nullptr;
   return last->job.surface->mesh.triangles.empty() ? nullptr : &last->job.result.stripes();
 }
 
@@ -197,14 +199,20 @@ PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& 
   return figures;
 }
 
-/// A job of phases that are known.
+/// A job of phases that are known; of frames with slack, with the frequencies that they chose.
 SolvedPattern pattern_of_angles(const StripeArguments& arguments,
                                 const std::shared_ptr<const Preparation>& prepared,
                                 const PreparedWaves& waves,
-                                std::shared_ptr<const std::vector<float>> angles) {
+                                std::shared_ptr<const std::vector<float>> angles,
+                                const FrameResult& frame = {}) {
   Stopwatch watch;
   StripePattern pattern;
   pattern.waves = waves.waves;
+  if (!frame.frequencies.empty()) {
+    pattern.frequencies_wanted = std::exchange(
+        pattern.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
+    pattern.frequency_change = frame.frequency_change;
+  }
   pattern.phase_shift = arguments.solving.stripes.phase_shift;
   pattern.solution.z = phases_of(*angles);
   measure_pattern(prepared->surface, {}, pattern);
@@ -240,13 +248,14 @@ struct Follower {
   StripeAnimator animator;
 };
 
-AnimatorOptions animator_options(const StripeArguments& arguments) {
+AnimatorOptions animator_options(const StripeArguments& arguments, const Preparation& prepared) {
   const StripeOptions& stripes = arguments.solving.stripes;
   AnimatorOptions options;
   options.lambda = stripes.lambda;
   options.sweeps = stripes.solver.sweeps;
   options.cycles = stripes.solver.cycles;
   options.phase_shift = stripes.phase_shift;
+  options.slack = stripe_options(arguments.solving, prepared).slack;
   return options;
 }
 
@@ -368,8 +377,9 @@ class StageUpdate {
     const Stage<SolvedPattern>& stage = stages_.pattern;
     if (!stage.holds(key)) return false;
     const auto& shown = stage.made->phases;
+    if (stage.made->loosely) return follow_ == Follow::loosely;
     if (document_.phases) return shown && *shown == *document_.phases;
-    return !shown || follow_ == Follow::last;
+    return !shown || follow_ != Follow::afresh;
   }
 
   void make_pattern() {
@@ -390,8 +400,8 @@ class StageUpdate {
       return given_pattern(arguments(), stages_.surface.made, *stages_.waves.made,
                            document_.phases);
     }
-    const StripePattern* last = followed(arguments(), stages_.pattern.made.get());
-    if (follow_ == Follow::last && last != nullptr) return next_frame(*last);
+    const StripePattern* last = followed(arguments(), stages_.pattern.made.get(), follow_);
+    if (last != nullptr) return next_frame(*last);
     Preparation prepared = *stages_.surface.made;
     take_waves(*stages_.waves.made, prepared);
     return {make_stripe_job(arguments(), std::move(prepared),
@@ -402,8 +412,9 @@ class StageUpdate {
   StripeAnimator& animator() {
     const std::string key = stages_.surface.key + options_key(document_, SessionStage::phases);
     if (!stages_.follower || stages_.follower->key != key) {
-      stages_.follower = std::make_shared<Follower>(Follower{
-          key, StripeAnimator(stages_.surface.made->surface, animator_options(arguments()))});
+      stages_.follower = std::make_shared<Follower>(
+          Follower{key, StripeAnimator(stages_.surface.made->surface,
+                                       animator_options(arguments(), *stages_.surface.made))});
     }
     return stages_.follower->animator;
   }
@@ -416,9 +427,11 @@ class StageUpdate {
         frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
     SolvedPattern solved =
         pattern_of_angles(arguments(), stages_.surface.made, *stages_.waves.made,
-                          std::make_shared<const std::vector<float>>(angles_of(frame.z)));
+                          std::make_shared<const std::vector<float>>(angles_of(frame.z)), frame);
+    solved.loosely = !frame.frequencies.empty();
     Report& report = solved.job.report;
     report.energy = frames.energy();
+    report.milliseconds.frequency = frame.milliseconds.frequency;
     report.milliseconds.couple = frame.milliseconds.couple;
     report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
     solved.phase_step = frame.phase_step;

@@ -17,6 +17,7 @@ namespace brindle::tool {
 enum class Follow {
   afresh,  ///< of the document alone
   last,    ///< near to the last pattern where the surface is the same
+  loosely  ///< the same where no document could keep the pattern, too: with slack, for drafts
 };
 
 /// What there is to say of a pattern.

@@ -30,7 +30,7 @@ constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
-constexpr std::array<std::pair<const char*, const char*>, 26> kKeys = {{
+constexpr std::array<std::pair<const char*, const char*>, 27> kKeys = {{
     {"drag", "turn"},
     {"Shift + drag, middle drag", "move"},
     {"wheel", "zoom"},
@@ -43,6 +43,7 @@ constexpr std::array<std::pair<const char*, const char*>, 26> kKeys = {{
     {"Ctrl + C, Ctrl + V", "copy and paste the view as JSON"},
     {"B", "stripes, branches, angle errors"},
     {"V C S M E", "look, comb, spline, move and erase strokes"},
+    {"G", "steer singularities"},
     {"F", "the place of distances follows the mouse, or not"},
     {"Enter", "end the spline"},
     {"Delete", "erase the chosen stroke"},
@@ -323,6 +324,8 @@ void Viewer::follow_letter(int key) {
       return tool_.choose(Tool::move);
     case GLFW_KEY_E:
       return tool_.choose(Tool::erase);
+    case GLFW_KEY_G:
+      return tool_.choose(Tool::steer);
     case GLFW_KEY_B:
       return cycle_view();
     case GLFW_KEY_F:
