@@ -66,7 +66,9 @@ class Window:
         self.lines = []
         self.places = {}
         self.size = SIZE
-        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"))
+        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
+                                XDG_CACHE_HOME=str(folder / "cache"))
+        self.log_path.unlink(missing_ok=True)  # of a window before
         self.errors = open(folder / "errors.txt", "w+")
         self.process = subprocess.Popen(
             [tool, "view", *arguments, "--log", str(self.log_path), "--window", "%dx%d" % SIZE, "--scale", "1"],
@@ -183,6 +185,15 @@ class Window:
     def drag_slider(self, name, first, last, steps=8):
         self.drag([self.point(name, first + (last - first) * i / steps) for i in range(steps + 1)])
 
+    def sweep(self, points, button=1, pause=0.012):
+        """Drags as fast as a hand: all of it is one call of xdotool."""
+        words = ["mousemove", "--window", self.id, *points[0], "sleep", 0.1]
+        if button:
+            words += ["mousedown", button, "sleep", 0.05]
+        for point in points[1:]:
+            words += ["mousemove", "--window", self.id, *point, "sleep", pause]
+        self.xdotool(*words, *(["mouseup", button] if button else []))
+
     def key(self, *keys):
         for key in keys:
             self.xdotool("key", "--window", self.id, key)
@@ -206,8 +217,19 @@ class Window:
         self.key("Return")
 
     def quit(self):
-        self.key("ctrl+q")
+        """Without saving, if it asks."""
+        self.xdotool("key", "ctrl+q")  # not to a window, which may be gone before keys are let go
+        self.wait_for_question()
+        if "quit discard" in self.places and self.process.poll() is None:
+            self.click("quit discard")
         expect(self.process.wait(PATIENCE) == 0, "quitting does not end with 0")
+
+    def wait_for_question(self):
+        """Until it asks whether to quit, or has quit."""
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None and "quit discard" not in self.places and time.monotonic() < end:
+            self.read()
+            time.sleep(0.02)
 
     def wait_until_end(self):
         self.process.wait(PATIENCE)
@@ -309,6 +331,31 @@ def check_stroke_and_undo(start, folder):
         window.settled(since)
     expect(save_picture(window, folder / "after.png") == before, "undo does not restore the picture")
     expect(save_session(window, folder / "after.json") == session_before, "undo does not restore the session")
+    window.quit()
+
+
+def check_singularity_is_steered(start, folder):
+    window = start("shape:sphere,resolution=50", "--stripes", "20")
+    window.settled()
+    before = save_session(window, folder / "before.json")
+    window.key("g")
+    window.wait_until(lambda: any(name.startswith("singularity ") for name in window.places), "singularity")
+    name = next(name for name in window.places if name.startswith("singularity "))
+    x, y = window.point(name)
+    middle = window.point("picture")
+    to = (round(0.45 * x + 0.55 * middle[0]), round(0.45 * y + 0.55 * middle[1]))
+    since = window.now()
+    window.drag([(x + (to[0] - x) * i // 8, y + (to[1] - y) * i // 8) for i in range(9)])
+    window.settled(since)
+    time.sleep(0.3)
+    window.read()
+    places = [window.point(name) for name in window.places if name.startswith("singularity ")]
+    expect(any(abs(px - to[0]) + abs(py - to[1]) < 30 for px, py in places), f"no singularity at {to}: {places}")
+    expect(all(abs(px - x) + abs(py - y) > 30 for px, py in places), f"one stays at {(x, y)}: {places}")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(save_session(window, folder / "after.json") == before, "one undo does not bring it back")
     window.quit()
 
 
@@ -437,6 +484,85 @@ def drop(window, path):
     connection.close()
 
 
+def open_gallery(window, item, picture):
+    window.click("menu Gallery")
+    window.click(f"item {item}")
+    since = window.now()
+    window.click(f"item {item} {picture}")
+    return window.settled(since)
+
+
+def options_of(window, path):
+    return json.loads(save_session(window, path))["options"]
+
+
+def check_gallery_needle_is_dragged(start, folder):
+    window = start("shape:torus,resolution=40")
+    window.settled()
+    open_gallery(window, "liver", "near")
+    before = options_of(window, folder / "before.json")
+    since = window.now()
+    x, y = window.point("place 1")
+    window.drag([(x + 12 * i, y - 4 * i) for i in range(8)])
+    window.settled(since)
+    frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]
+    expect(len(frames) > 1 and frames[-1]["followed"], "the hatching does not follow the needle")
+    after = options_of(window, folder / "after.json")
+    place = after["width-by"].removeprefix("distance:")
+    expect(before["width-by"] != after["width-by"] and after["frequency-by"] == f"distance:{place}" and
+           after["with"][1].endswith(f"@{place}"), f"the needle is not moved as a whole: {after}")
+    seen = save_picture(window, folder / "seen.png")
+    subprocess.run([start.tool, "render", "after.json", "--output", "rendered.png"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another needle")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(options_of(window, folder / "undone.json") == before, "one undo does not take the needle back")
+    window.quit()
+
+
+def check_place_follows_mouse(start, folder):
+    window = start("shape:sphere,resolution=40", "--width-by", "distance:1,0,0")
+    window.settled()
+    window.click("place at mouse")
+    since = window.now()
+    x, y = window.point("picture", 0.4)
+    window.sweep([(x + 4 * i, y) for i in range(20)], button=0)
+    window.settled(since)
+    frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]
+    expect(frames and "solve" not in frames[-1]["stages"], "widths do not follow, or all is solved again")
+    time.sleep(0.6)  # a rest ends the motion
+    expect(options_of(window, folder / "moved.json")["width-by"] != "distance:1,0,0", "the place stays")
+    window.key("ctrl+z")
+    expect(options_of(window, folder / "undone.json")["width-by"] == "distance:1,0,0", "no single undo")
+    window.quit()
+
+
+def check_quit_asks_for_what_is_not_saved(start, folder):
+    window = start("shape:torus,resolution=40")
+    window.settled()
+    since = window.now()
+    window.drag([window.point("picture", 0.4), window.point("picture", 0.5)])  # a view alone is nothing to lose
+    window.settled(since)
+    since = window.now()
+    window.drag_slider("option stripes", 0.5, 0.7, 3)
+    window.settled(since)
+    window.xdotool("key", "ctrl+q")
+    window.click("quit cancel")
+    expect(window.process.poll() is None, "it quits though it was told not to")
+    window.xdotool("key", "ctrl+q")
+    window.click("quit save")
+    window.save_as(folder / "kept.json")
+    expect(window.process.wait(PATIENCE) == 0, "it does not quit once all is saved")
+    options = json.loads((folder / "kept.json").read_text())["options"]
+    expect("stripes" in options, "what was saved is not what was shown")
+    window = start("kept.json")
+    window.settled()
+    window.xdotool("key", "ctrl+q")
+    expect(window.process.wait(PATIENCE) == 0, "it asks though nothing has changed")
+
+
 class Starter:
     def __init__(self, tool, display, folder):
         self.tool, self.display, self.folder = tool, display, folder
@@ -486,9 +612,9 @@ def measure(tool, mesh, display, folder):
         window.click("option stripes")
         window.settled(since)
         since, before, start = window.now(), processor_seconds(window.process), time.monotonic()
-        for _ in range(4):
-            window.drag_slider("option stripes", 0.45, 0.75, 40)
-            window.drag_slider("option stripes", 0.75, 0.45, 40)
+        left, right = window.point("option stripes", 0.3), window.point("option stripes", 0.8)
+        there = [(x, left[1]) for x in range(left[0], right[0])]
+        window.sweep(4 * (there + there[::-1]))
         window.read()
         used, took = processor_seconds(window.process) - before, time.monotonic() - start
         frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]

@@ -26,11 +26,12 @@ std::string parse_frequency_value(const std::string& option, const std::string& 
 FrequencyRange parse_frequency_range(const std::string& option, const std::string& text) {
   const char* expected =
       "two factors above zero, the smaller one first, such as 0.4,2.5 or "
-      "0.4,2.5,inverse";
+      "0.4,2.5,inverse or 0.01,1,reciprocal";
   std::vector<std::string> parts = split(text, ',');
   FrequencyRange range;
   range.inverse = parts.size() == 3 && parts.back() == "inverse";
-  if (range.inverse) parts.pop_back();
+  range.reciprocal = parts.size() == 3 && parts.back() == "reciprocal";
+  if (range.inverse || range.reciprocal) parts.pop_back();
   if (parts.size() != 2) wrong_usage(option, expected, text);
   range.lowest = parse_positive_number(option, parts[0]);
   range.highest = parse_positive_number(option, parts[1]);
@@ -57,8 +58,9 @@ void add_array_options(CLI::App& app, ArrayOptions& options) {
       ->type_name("VALUE");
   add_parsed_option(app, "--frequency-range", options.range, parse_frequency_range,
                     "--frequency-by: factors of --stripes where the value is smallest and largest "
-                    "(default 0.4,2.5); inverse: the other way round")
-      ->type_name("A,B[,inverse]");
+                    "(default 0.4,2.5); inverse: the other way round; reciprocal: one over the "
+                    "value, from A to B")
+      ->type_name("A,B[,inverse|reciprocal]");
   app.add_option("--field-mesh", options.mesh,
                  "take arrays from this file, whose mesh or points may be finer or coarser: from "
                  "the nearest place, or triangle")

@@ -79,8 +79,9 @@ void refuse_for_outlines(const CLI::App& /*command*/) {}
 std::vector<UsedFile> style_files(const StyleOptions& /*options*/) { return {}; }
 
 StyleInput read_style_input(const StyleOptions& /*style*/, const Preparation& /*prepared*/,
-                            const SurfaceOptions& /*surface*/, const WaveOptions& /*waves*/,
-                            const PictureOptions& /*picture*/, JobListener& /*listener*/) {
+                            const WaveSet& /*drawn*/, const SurfaceOptions& /*surface*/,
+                            const WaveOptions& /*waves*/, const PictureOptions& /*picture*/,
+                            JobListener& /*listener*/) {
   return {};
 }
 

@@ -86,8 +86,8 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
         prepare(arguments.surface, arguments.waves, display, viewpoint_of(*arguments.picture));
     std::optional<StyleInput> style;
     if (has_style(command, outputs)) {
-      style = read_style_input(arguments.style, prepared, arguments.surface, arguments.waves,
-                               *arguments.picture, display);
+      style = read_style_input(arguments.style, prepared, prepared.waves, arguments.surface,
+                               arguments.waves, *arguments.picture, display);
     }
     StripeJob job =
         make_stripe_job(arguments, std::move(prepared), std::move(tile), display.progress());

@@ -120,12 +120,14 @@ OtherSurfaceChoice parse_other(const std::string& option, const std::string& tex
   std::vector<std::string> parts = split(text, '@');
   OtherSurfaceChoice choice;
   choice.mesh = parts.front();
-  const char* expected = "MESH[@opaque|striped|discarded][@#rrggbb]";
+  const char* expected = "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z]";
   if (choice.mesh.empty()) wrong_usage(option, expected, text);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i] == "striped" || parts[i] == "discarded") {
       choice.striped = true;
       if (parts[i] == "discarded") choice.between = BetweenStrokes::discarded;
+    } else if (parts[i].find(',') != std::string::npos) {
+      choice.moved = parse_place(option, parts[i]);
     } else if (parts[i] != "opaque") {
       choice.color = parse_color(parts[i]);
       if (!choice.color) wrong_usage(option, expected, text);
@@ -304,7 +306,7 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
            }
          },
          "picture: another surface, plain unless it says more: "
-         "MESH[@opaque|striped|discarded][@#rrggbb]; repeatable")
+         "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z], moved by X,Y,Z; repeatable")
       ->type_name("MESH")
       ->expected(1)
       ->take_all()
@@ -421,7 +423,9 @@ void refuse_for_outlines(const CLI::App& command) {
 }
 
 bool StyleOptions::follows_camera() const {
-  return std::ranges::any_of(std::array{width_by, color_by, opacity_by, texture_by, tile_size_by},
+  // Strokes that follow the light find it where they are drawn.
+  const std::string width = by_light() ? "" : width_by;
+  return std::ranges::any_of(std::array{width, color_by, opacity_by, texture_by, tile_size_by},
                              depends_on_camera);
 }
 

@@ -12,12 +12,13 @@
 
 namespace brindle::tool {
 
-/// Another surface of the picture: "MESH[@opaque|striped|discarded][@#rrggbb]".
+/// Another surface of the picture: "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z]".
 struct OtherSurfaceChoice {
   std::string mesh;
   bool striped = false;
   BetweenStrokes between = BetweenStrokes::surface;
   std::optional<Color> color;
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
 };
 
 /// Widths at the smallest value and at the largest.

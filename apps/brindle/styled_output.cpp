@@ -73,7 +73,7 @@ StyledScene scene_of(const Surface& surface, const StripeResult& result, const S
                      const StylePatterns& patterns) {
   const StripePattern& pattern = result.stripes();
   StyledScene scene{
-      surface, {pattern.waves, pattern.solution.z}, std::nullopt, patterns.others, std::nullopt};
+      surface, {pattern.waves, pattern.solution.z}, std::nullopt, *patterns.others, std::nullopt};
   if (patterns.crossing) {
     scene.crossing.emplace(patterns.crossing->waves, patterns.crossing->solution.z);
   }
@@ -85,27 +85,51 @@ StyledScene scene_of(const Surface& surface, const StripeResult& result, const S
 
 }  // namespace
 
-StyleInput read_style_input(const StyleOptions& style, const Preparation& prepared,
-                            const SurfaceOptions& surface, const WaveOptions& waves,
-                            const PictureOptions& picture, JobListener& listener) {
+std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh& mesh,
+                                           const WaveSet& drawn, const WaveOptions& waves,
+                                           const PictureOptions& picture, JobListener& listener) {
   Viewpoint viewpoint = viewpoint_of(picture).value();
-  const Mesh& mesh = prepared.surface.mesh;
   viewpoint.framed = mesh;
-  StyleInput input;
-  input.others = read_others(style, waves, mean_frequency(prepared.waves), viewpoint, listener);
-  viewpoint.framed = framed_mesh(mesh, input.others);
+  return read_others(style, waves, mean_frequency(drawn), viewpoint, listener);
+}
+
+StyleValues read_style_values(const StyleOptions& style, const Preparation& prepared,
+                              std::span<const Preparation> others, const SurfaceOptions& surface,
+                              const WaveOptions& waves, const PictureOptions& picture) {
+  Viewpoint viewpoint = viewpoint_of(picture).value();
+  if (style.follows_camera()) viewpoint.framed = framed_mesh(prepared.surface.mesh, others);
   const ValueSource source{prepared.surface, prepared.arrays,        surface.mesh,
                            waves.arrays,     prepared.vertex_of_row, &viewpoint};
   const auto read = [&](const std::string& option, const std::string& value) {
     return vertex_values(option, value, source);
   };
-  input.values = read_style_values(style, read);
-  if (!style.follows_camera()) return input;
+  StyleValues values = read_style_values(style, read);
+  if (!style.follows_camera()) return values;
   // The legend leaves less room, so that the camera stands farther away.
-  viewpoint.width -=
-      legend_width(follow(style, input.values).legends, viewpoint.width, viewpoint.height);
-  input.values = read_style_values(style, read);
+  viewpoint.width -= legend_width(follow(style, values).legends, viewpoint.width, viewpoint.height);
+  return read_style_values(style, read);
+}
+
+StyleInput read_style_input(const StyleOptions& style, const Preparation& prepared,
+                            const WaveSet& drawn, const SurfaceOptions& surface,
+                            const WaveOptions& waves, const PictureOptions& picture,
+                            JobListener& listener) {
+  StyleInput input;
+  input.others = read_style_others(style, prepared.surface.mesh, drawn, waves, picture, listener);
+  input.values = read_style_values(style, prepared, input.others, surface, waves, picture);
   return input;
+}
+
+std::shared_ptr<const StripePattern> make_crossing(const Surface& surface,
+                                                   const StripeResult& result,
+                                                   const StyleOptions& style,
+                                                   const StripeOptions& solving,
+                                                   const Progress& progress) {
+  if (!style.cross_hatch) return nullptr;
+  StripeOptions options = solving;
+  options.last_phases.clear();
+  return std::make_shared<const StripePattern>(stripe_pattern(
+      surface, waves_across(result.stripes().waves, surface.normals), options, progress));
 }
 
 StylePatterns make_style_patterns(const Surface& surface, const StripeResult& result,
@@ -113,13 +137,9 @@ StylePatterns make_style_patterns(const Surface& surface, const StripeResult& re
                                   const StripeOptions& solving, const Progress& progress) {
   StripeOptions options = solving;
   options.last_phases.clear();
-  StylePatterns patterns;
-  if (style.cross_hatch) {
-    patterns.crossing = stripe_pattern(
-        surface, waves_across(result.stripes().waves, surface.normals), options, progress);
-  }
-  patterns.others = solve_others(style, std::move(input.others), options, progress);
-  return patterns;
+  return {make_crossing(surface, result, style, solving, progress),
+          std::make_shared<const std::vector<OtherSurface>>(
+              solve_others(style, std::move(input.others), options, progress))};
 }
 
 StyledPicture styled_picture(const Surface& surface, const StripeResult& result,

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,16 +21,34 @@ struct StyleInput {
   std::vector<Preparation> others;  ///< without waves unless they are striped
 };
 
-/// Reads values and other surfaces. Throws Error for what is not there or does not fit.
+/// Reads values and other surfaces of a picture whose pattern has the waves `drawn`. Throws Error
+/// for what is not there or does not fit.
 StyleInput read_style_input(const StyleOptions& style, const Preparation& prepared,
-                            const SurfaceOptions& surface, const WaveOptions& waves,
-                            const PictureOptions& picture, JobListener& listener);
+                            const WaveSet& drawn, const SurfaceOptions& surface,
+                            const WaveOptions& waves, const PictureOptions& picture,
+                            JobListener& listener);
+
+/// Its two parts, one after the other, for those who read only one of them again: other surfaces,
+/// then values, which depend on these only if they follow the camera.
+std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh& mesh,
+                                           const WaveSet& drawn, const WaveOptions& waves,
+                                           const PictureOptions& picture, JobListener& listener);
+StyleValues read_style_values(const StyleOptions& style, const Preparation& prepared,
+                              std::span<const Preparation> others, const SurfaceOptions& surface,
+                              const WaveOptions& waves, const PictureOptions& picture);
 
 /// What is drawn beside a pattern.
 struct StylePatterns {
-  std::optional<StripePattern> crossing;  ///< of cross-hatching
-  std::vector<OtherSurface> others;
+  std::shared_ptr<const StripePattern> crossing;  ///< of cross-hatching; else null
+  std::shared_ptr<const std::vector<OtherSurface>> others;
 };
+
+/// Solves for strokes that cross the others; null if the style has none.
+std::shared_ptr<const StripePattern> make_crossing(const Surface& surface,
+                                                   const StripeResult& result,
+                                                   const StyleOptions& style,
+                                                   const StripeOptions& solving,
+                                                   const Progress& progress);
 
 /// Solves what the style needs beside the pattern; takes the other surfaces of `input`.
 StylePatterns make_style_patterns(const Surface& surface, const StripeResult& result,

@@ -29,7 +29,7 @@ Preparation prepare_plain(const SurfaceOptions& options, JobListener& listener) 
 
 Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& waves,
                           float frequency, const Viewpoint& viewpoint, JobListener& listener) {
-  const SurfaceOptions options{.mesh = choice.mesh};
+  const SurfaceOptions options{.mesh = choice.mesh, .moved = choice.moved.cast<float>()};
   refuse_points(options, "stripe --with");
   if (!choice.striped) return prepare_plain(options, listener);
   WaveOptions own = waves;

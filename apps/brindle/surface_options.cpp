@@ -8,6 +8,7 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/geometry/local_positions.h"
+#include "brindle/geometry/translate_mesh.h"
 #include "brindle/mesh_data.h"
 #include "brindle/shapes.h"
 
@@ -112,6 +113,7 @@ LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress)
   } else {
     static_cast<LoadedMesh&>(loaded) = read_mesh(options.mesh, progress);
   }
+  if (!options.moved.isZero(0)) translate(loaded.mesh, options.moved);
   loaded.own_vertices = loaded.mesh.vertex_count();
   if (options.subdivide > 0) subdivide(loaded.mesh, loaded.arrays, options.subdivide);
   return loaded;

@@ -17,6 +17,7 @@ struct SurfaceOptions {
   int subdivide = 0;                  ///< how often every triangle is split in four
   bool points = false;                ///< the vertices alone
   std::optional<int> neighbors = {};  ///< of a point, instead of `kDefaultNeighbors`
+  Vec3 moved = Vec3::Zero();          ///< the mesh, after it was read
 };
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options);

@@ -132,17 +132,18 @@ GalleryFile aneurysm_wall(double detail, std::vector<Vec3>* directions) {
 }
 
 GalleryItem aneurysm_item() {
-  return {
-      "aneurysm",
-      "stress in the wall of an artery with a bulge",
-      make_aneurysm,
-      {{"stress", "stripes along the first principal stress, wider where the second is as large",
-        "stripe {surface=aneurysm.vtp} --field {field=array:stress} --along --stripes 80 "
-        "--frequency-by distance:camera --frequency-range 0.7,1.3,inverse "
-        "--width-by array:ratio --width-range 0.15,0.75 --color-by {values=array:first} "
-        "--color-range 60,220 --threshold 220 --legend 'first principal stress in kPa' "
-        "--colors #1d3b3a,#f2dcc0,#ffffff --up z --camera 200,12",
-        "840x640"}}};
+  return {"aneurysm",
+          "stress in the wall of an artery with a bulge",
+          make_aneurysm,
+          {{"stress",
+            "stripes along the first principal stress, wider where the second is as large",
+            "stripe {surface=aneurysm.vtp} --field {field=array:stress} --along --stripes 80 "
+            "--frequency-by distance:camera --frequency-range 0.7,1.3,inverse "
+            "--width-by array:ratio --width-range 0.15,0.75 --color-by {values=array:first} "
+            "--color-range 60,220 --threshold 220 --legend 'first principal stress in kPa' "
+            "--colors #1d3b3a,#f2dcc0,#ffffff --up z --camera 200,12",
+            "840x640",
+            {"stripes", "frequency-range", "width-range", "color-range", "threshold"}}}};
 }
 
 }  // namespace brindle

@@ -1,4 +1,5 @@
 #include "brindle/geometry/append_mesh.h"
+#include "brindle/geometry/translate_mesh.h"
 #include "gallery/items.h"
 #include "gallery/machine_parts.h"
 
@@ -9,7 +10,7 @@ std::vector<GalleryFile> make_parts(double detail) {
   const auto edge = static_cast<float>(0.021 / detail);
   GalleryFile file{"parts.vtp", flange_mesh(edge), {}, {}};
   Mesh ball = windowed_ball_mesh(edge);
-  for (Vec3& position : ball.positions) position += Vec3(2.1f, 0.15f, 0.45f);
+  translate(ball, {2.1f, 0.15f, 0.45f});
   append(ball, file.mesh);
   return {std::move(file)};
 }
@@ -20,10 +21,12 @@ GalleryItem crosses_item() {
   return {"crosses",
           "a mechanical part and a ball in tiles that look the same turned by 90 degrees",
           make_parts,
-          {{"tiles", "tiles along a cross field that follows edges and curvature",
+          {{"tiles",
+            "tiles along a cross field that follows edges and curvature",
             "stripe {surface=parts.vtp} --cross --field {field=curvature} --texture checker "
             "--stripes 42 --colors #2f5d73,#f3ede0,#ffffff --up z --camera 0,32,0.95",
-            "720x420"}}};
+            "720x420",
+            {"stripes", "texture", "curvature-anchor", "feature-anchor"}}}};
 }
 
 }  // namespace brindle

@@ -10,6 +10,7 @@
 
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/geometry/normals.h"
+#include "brindle/geometry/translate_mesh.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "gallery/hare.h"
 #include "gallery/implicit.h"
@@ -80,7 +81,7 @@ GalleryFile vortex_step(int number, const Mesh& pebble) {
   }
   for (std::size_t k = 0; k < cores.size(); ++k) {
     Mesh ball = make_sphere({.radius = 0.07f, .resolution = 8});
-    for (Vec3& position : ball.positions) position += cores[k].cast<float>();
+    translate(ball, cores[k].cast<float>());
     for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
       flow.add(Vec3::Zero());
       near.push_back(kNone);

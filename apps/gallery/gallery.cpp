@@ -79,6 +79,10 @@ bool has_place(const GalleryPicture& picture, std::string_view role) {
   return picture.line.find("{" + std::string(role) + "=") != std::string::npos;
 }
 
+bool is_stripe_picture(const GalleryPicture& picture) {
+  return picture.line.starts_with("stripe ");
+}
+
 void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files) {
   for (const GalleryFile& file : files) {
     const std::filesystem::path path = std::filesystem::path(folder) / file.name;

@@ -28,6 +28,8 @@ struct GalleryPicture {
   std::string what;  ///< one line
   std::string line;
   std::string size = "900x700";  ///< pixels, width and height
+  /// Options of the line, without dashes, that are worth changing while one looks.
+  std::vector<std::string> live = {};
 };
 
 struct GalleryItem {
@@ -53,6 +55,9 @@ std::vector<std::string> filled_words(const GalleryPicture& picture, const Galle
 
 /// Whether the picture has a place for "surface", "field" or "values".
 bool has_place(const GalleryPicture& picture, std::string_view role);
+
+/// Whether it is one picture of `brindle stripe`, which a session can have.
+bool is_stripe_picture(const GalleryPicture& picture);
 
 /// Writes files into a folder that exists. Throws Error if that fails.
 void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files);

@@ -17,10 +17,12 @@ GalleryItem giant_item() {
   return {"giant",
           "a surface with 800,000 vertices",
           make_giant,
-          {{"stripes", "fine stripes over all of it",
+          {{"stripes",
+            "fine stripes over all of it",
             "stripe {surface=giant.vtp} --field {field=curvature} --along --stripes 150 "
             "--colors #1c325a,#f4efe6,#ffffff --up z --camera 35,10,0.93",
-            "560x620"}}};
+            "560x620",
+            {"stripes", "rotate", "stripe-width"}}}};
 }
 
 }  // namespace brindle

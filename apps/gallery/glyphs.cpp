@@ -59,7 +59,16 @@ GalleryItem glyphs_item() {
         "--color-by array:first --color-range 60,220 "
         "--legend 'first principal stress in kPa' --colors #22252b,#f1ece1,#ffffff --up z "
         "--camera 200,12",
-        "700x540"}}};
+        "700x540"},
+       {"decals",
+        "the arrows as tiles of a texture, which a session can have",
+        "stripe {surface=flow.vtp} --field {field=array:velocity} --oriented --texture arrows "
+        "--stripes 36 --frequency-by {values=array:speed} --frequency-range 0.6,1.7,inverse "
+        "--tile-size-by {values=array:speed} --tile-size-range 0.6,0.95 "
+        "--color-by {values=array:speed} --legend speed --colors #22252b,#f1ece1,#ffffff --up z "
+        "--camera 35,10,0.93",
+        "640x570",
+        {"stripes", "frequency-range", "tile-size-range"}}}};
 }
 
 }  // namespace brindle

@@ -14,16 +14,20 @@ GalleryItem hatching_item() {
   return {"hatching",
           "pen drawings of a figure",
           make_figure,
-          {{"pen", "strokes as thick as it is dark, crossed in the dark, with an outline",
+          {{"pen",
+            "strokes as thick as it is dark, crossed in the dark, with an outline",
             "stripe {surface=hare.vtp} --field {field=curvature} --stripes 125 --width-by light "
             "--tones 0.5,1 --cross-hatch 0.62 --outline solid --line-width 2 "
             "--colors #1b1b1f,#f7f3ea,#f7f3ea --up z --camera 35,10,0.93",
-            "640x700"},
-           {"dashed", "the outline dashed by the pattern, for what matters less",
+            "640x700",
+            {"stripes", "tones", "cross-hatch", "line-width"}},
+           {"dashed",
+            "the outline dashed by the pattern, for what matters less",
             "stripe {surface=hare.vtp} --direction 0.7,0.3,1 --stripes 84 --stripe-width 0 "
             "--outline dashed --line-width 2.4 --flat --colors #1b1b1f,#f7f3ea,#f7f3ea --up z "
             "--camera 35,10,0.93",
-            "640x700"},
+            "640x700",
+            {"stripes", "direction", "line-width"}},
            {"strokes", "strokes of a brush that cross the outline",
             "sample {surface=hare.vtp} --field {field=curvature} --stripes 90 --stripes-v 36 "
             "--glyph stroke --glyph-size 1.15 --colors #22252b,#f4ecdc,#f4ecdc --up z "

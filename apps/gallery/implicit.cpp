@@ -33,6 +33,10 @@ ImplicitFunction limb(const Point& from, const Point& to, double radius_from, do
   return CapsuleDistance({from, to, radius_from, radius_to});
 }
 
+ImplicitFunction ball(const Point& center, double radius) {
+  return limb(center, center, radius, radius);
+}
+
 ImplicitFunction blended(std::vector<ImplicitFunction> parts, double blend) {
   return [parts = std::move(parts), blend](const Point& p) {
     double value = 1e30;

@@ -19,6 +19,8 @@ ImplicitFunction ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d&
 ImplicitFunction limb(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_from,
                       double radius_to);
 
+ImplicitFunction ball(const Eigen::Vector3d& center, double radius);
+
 /// All of them, with blends of about radius `blend` above 0.
 ImplicitFunction blended(std::vector<ImplicitFunction> parts, double blend);
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 
 #include "gallery/items.h"
@@ -7,39 +6,26 @@
 namespace brindle {
 namespace {
 
-constexpr double kNearest = 8;  // mm: from there on strokes get no finer
-
-/// Distances to a needle's tip and the frequencies of strokes that are a tenth of them apart.
-void add_distances(const std::string& name, const Eigen::Vector3d& tip, GalleryFile& file) {
-  std::vector<float> distances, frequencies;
-  for (const Vec3& position : file.mesh.positions) {
-    const double distance = (position.cast<double>() - tip).norm();
-    distances.push_back(static_cast<float>(distance));
-    frequencies.push_back(static_cast<float>(10 / std::max(distance, kNearest)));
-  }
-  file.arrays.points.push_back(make_data_array("distance_" + name, 1, distances));
-  file.arrays.points.push_back(make_data_array("frequency_" + name, 1, frequencies));
-}
-
 std::vector<GalleryFile> make_liver(double detail) {
-  GalleryFile vessels{"vessels.vtp", liver_vessels_mesh(detail), {}, {}};
-  add_distances("far", kTipFar, vessels);
-  add_distances("near", kTipNear, vessels);
-  return {std::move(vessels),
+  return {{"vessels.vtp", liver_vessels_mesh(detail), {}, {}},
           {"tumour.vtp", liver_tumour_mesh(detail), {}, {}},
-          {"needle_far.vtp", needle_mesh(kTipFar, detail), {}, {}},
-          {"needle_near.vtp", needle_mesh(kTipNear, detail), {}, {}}};
+          {"needle.vtp", needle_mesh(detail), {}, {}}};
 }
 
-GalleryPicture needle_picture(const std::string& name, const std::string& what) {
-  return {name, what,
-          "stripe {surface=vessels.vtp} --field curvature --along "
-          "--frequency {field=array:frequency_" +
-              name + "} --width-by {values=array:distance_" + name +
+/// Ten stripes over the distance from the needle's tip, at least 8 mm, per millimetre.
+GalleryPicture needle_picture(const std::string& name, const std::string& what,
+                              const std::string& tip) {
+  return {name,
+          what,
+          "stripe {surface=vessels.vtp} --field {field=curvature} --along --frequency 10 "
+          "--frequency-by {values=distance:" +
+              tip +
+              "} --frequency-range 0.001,0.125,reciprocal --width-by {values=distance:" + tip +
               "} --width-range 0.68,0.3 --no-legend --depth-cue chroma "
-              "--with {file=tumour.vtp}@#e6c9a0 --with {file=needle_" +
-              name + ".vtp}@#ffffff --colors #2a2522,#f4efe6,#ffffff --up z --camera 20,12",
-          "760x620"};
+              "--with {file=tumour.vtp}@#e6c9a0 --with {file=needle.vtp}@#ffffff@" +
+              tip + " --colors #2a2522,#f4efe6,#ffffff --up z --camera 20,12",
+          "760x620",
+          {"frequency", "width-range", "depth-cue"}};
 }
 
 std::vector<GalleryFile> make_nested(double detail) {
@@ -54,20 +40,22 @@ GalleryItem liver_item() {
   return {"liver",
           "vessels hatched by their distance to a needle",
           make_liver,
-          {needle_picture("near", "the needle at the tumour"),
-           needle_picture("far", "the needle further away")}};
+          {needle_picture("near", "the needle at the tumour", "-40,-26,19"),
+           needle_picture("far", "the needle further away", "-8,-66,40")}};
 }
 
 GalleryItem nested_item() {
   return {"nested",
           "a hull of stripes over vessels and a tumour in their own colours",
           make_nested,
-          {{"focus", "thin strokes where one looks inside",
+          {{"focus",
+            "thin strokes where one looks inside",
             "stripe {surface=hull.vtp} --field {field=smooth} --stripes 64 --between nothing "
             "--width-by {values=distance:-42,-60,10} --width-range 0.08,0.62 --no-legend "
             "--with {file=vessels.vtp}@#b5352b --with {file=tumour.vtp}@#d9a441 "
             "--colors #8f5a4a,#8f5a4a,#ffffff --occlusion 0.5 --up z --camera 20,12",
-            "640x470"}}};
+            "640x470",
+            {"stripes", "width-range", "between", "occlusion"}}}};
 }
 
 }  // namespace brindle

@@ -24,8 +24,6 @@ double above_stomach(const Point& p) {
 
 }  // namespace
 
-const Point kTipFar(-8, -66, 40), kTipNear(-40, -26, 19);
-
 ImplicitFunction liver_hull() {
   const ImplicitFunction lobes =
       blended({ellipsoid({-45, 0, 2}, {58, 56, 62}, turned(0, 12, 0)),
@@ -37,12 +35,10 @@ ImplicitFunction liver_hull() {
 }
 
 ImplicitFunction liver_tumour() {
-  return blended({limb(kTumour, kTumour, 12, 12),
-                  limb(kTumour + Point(9, -3, 5), kTumour + Point(9, -3, 5), 8, 8),
-                  limb(kTumour + Point(-6, 6, 8), kTumour + Point(-6, 6, 8), 8.5, 8.5),
-                  limb(kTumour + Point(-4, -8, -6), kTumour + Point(-4, -8, -6), 8, 8),
-                  limb(kTumour + Point(7, 7, -6), kTumour + Point(7, 7, -6), 7, 7)},
-                 1.6);
+  return blended(
+      {ball(kTumour, 12), ball(kTumour + Point(9, -3, 5), 8), ball(kTumour + Point(-6, 6, 8), 8.5),
+       ball(kTumour + Point(-4, -8, -6), 8), ball(kTumour + Point(7, 7, -6), 7)},
+      1.6);
 }
 
 std::vector<Capsule> liver_vessels() {
@@ -75,11 +71,11 @@ Mesh liver_vessels_mesh(double detail) {
   return capsule_surface(liver_vessels(), 0.45, static_cast<float>(1.0 / std::max(detail, 0.5)));
 }
 
-Mesh needle_mesh(const Point& tip, double detail) {
+Mesh needle_mesh(double detail) {
   const Point out = Point(0.45, -0.72, 0.62).normalized();
-  const std::vector<Capsule> parts = {{tip, tip + 9 * out, 0.25, 1.5},
-                                      {tip + 9 * out, tip + 95 * out, 1.5, 1.5},
-                                      {tip + 95 * out, tip + 125 * out, 3.6, 4.2}};
+  const std::vector<Capsule> parts = {{Point::Zero(), 9 * out, 0.25, 1.5},
+                                      {9 * out, 95 * out, 1.5, 1.5},
+                                      {95 * out, 125 * out, 3.6, 4.2}};
   return capsule_surface(parts, 0.2, static_cast<float>(0.6 / std::min(detail, 1.5)));
 }
 

@@ -13,11 +13,8 @@ ImplicitFunction liver_hull();
 ImplicitFunction liver_tumour();
 std::vector<Capsule> liver_vessels();
 
-/// A needle whose tip is there; it comes from the front, above.
-Mesh needle_mesh(const Eigen::Vector3d& tip, double detail);
-
-/// Two places of the tip: before the liver, and at the tumour.
-extern const Eigen::Vector3d kTipFar, kTipNear;
+/// A needle whose tip is at the origin; it comes from the front, above.
+Mesh needle_mesh(double detail);
 
 Mesh liver_hull_mesh(double detail);
 Mesh liver_tumour_mesh(double detail);

@@ -51,9 +51,8 @@ Mesh flange_mesh(float edge_length) {
   }
   ImplicitFunction part = blended(std::move(bodies), kBlend);
   part = without(part, endless_bar(Point::Zero(), Point::UnitZ(), 0.26), 0.015);
-  for (int k = 0; k < 8; ++k) {
-    if (k % 2 == 1) continue;
-    const double angle = k * std::numbers::pi / 4;
+  for (int k = 0; k < 4; ++k) {
+    const double angle = k * std::numbers::pi / 2;
     for (const double turn : {-0.3, 0.3}) {
       const Point place(0.78 * std::cos(angle + turn), 0.78 * std::sin(angle + turn), 0);
       part = without(part, endless_bar(place, Point::UnitZ(), 0.1), 0.015);

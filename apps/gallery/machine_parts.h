@@ -5,7 +5,7 @@
 
 namespace brindle {
 
-/// A flange with a hub: six bolt holes in a disc of radius 1, a bore through the hub, four ribs.
+/// A flange with a hub: eight bolt holes in a disc of radius 1, a bore through the hub, four ribs.
 Mesh flange_mesh(float edge_length);
 
 /// A hollow ball of radius 0.9 with a round window towards each axis.

@@ -11,16 +11,17 @@ namespace {
 
 constexpr double kNanometres = 0.6;  // a unit of the built-in molecule
 
+MoleculeShape molecule_shape() { return {.atoms = 26, .seed = 5}; }
+
 std::vector<GalleryFile> make_charged_molecule(double detail) { return {charged_molecule(detail)}; }
 
 }  // namespace
 
 std::vector<PointCharge> charges_of_molecule() {
-  const MoleculeShape shape{.atoms = 26, .seed = 5};
   std::vector<PointCharge> charges;
   double sum = 0;
   std::uint64_t drawn = 0;
-  for (const Capsule& atom : molecule_atoms(shape)) {
+  for (const Capsule& atom : molecule_atoms(molecule_shape())) {
     // Sides differ, as they do where a molecule binds to others.
     const double side = atom.a.x() + 0.6 * atom.a.z();
     const double of_side = random_number(17, drawn++);
@@ -39,7 +40,7 @@ double potential_at(const Eigen::Vector3d& at, std::span<const PointCharge> char
 }
 
 GalleryFile charged_molecule(double detail) {
-  MoleculeShape shape{.atoms = 26, .seed = 5};
+  MoleculeShape shape = molecule_shape();
   shape.resolution = std::max(2, static_cast<int>(60 * detail));
   GalleryFile file{"molecule.vtp", make_molecule(shape), {}, {}};
   const std::vector<PointCharge> charges = charges_of_molecule();
@@ -53,21 +54,24 @@ GalleryFile charged_molecule(double detail) {
 }
 
 GalleryItem molecule_item() {
-  return {
-      "molecule",
-      "electric potential as signs, and as colours",
-      make_charged_molecule,
-      {{"signs", "plus where the potential is positive, minus where it is negative, dots between",
-        "stripe {surface=molecule.vtp} --field {field=smooth} --stripes 40 --texture minus "
-        "--texture-by {values=array:potential} --regions -0.4,dots@#a9a9a3,0.4,plus@#d9661f "
-        "--colors #2e8b6f,#f6f3ec,#ffffff --occlusion 0.6 --up z --camera -15,18",
-        "540x490"},
-       {"colors", "the potential as colours of the surface",
-        "stripe {surface=molecule.vtp} --field {field=smooth} --stripes 40 --stripe-width 0 "
-        "--color-by {values=array:potential} --color-on surface --color-range -2.5,2.5 "
-        "--colormap coolwarm --legend 'potential in kT/e' --colors #2e8b6f,#f6f3ec,#ffffff "
-        "--occlusion 0.6 --up z --camera -15,18",
-        "600x440"}}};
+  return {"molecule",
+          "electric potential as signs, and as colours",
+          make_charged_molecule,
+          {{"signs",
+            "plus where the potential is positive, minus where it is negative, dots between",
+            "stripe {surface=molecule.vtp} --field {field=smooth} --stripes 40 --texture minus "
+            "--texture-by {values=array:potential} --regions -0.4,dots@#a9a9a3,0.4,plus@#d9661f "
+            "--colors #2e8b6f,#f6f3ec,#ffffff --occlusion 0.6 --up z --camera -15,18",
+            "540x490",
+            {"stripes", "regions", "occlusion"}},
+           {"colors",
+            "the potential as colours of the surface",
+            "stripe {surface=molecule.vtp} --field {field=smooth} --stripes 40 --stripe-width 0 "
+            "--color-by {values=array:potential} --color-on surface --color-range -2.5,2.5 "
+            "--colormap coolwarm --legend 'potential in kT/e' --colors #2e8b6f,#f6f3ec,#ffffff "
+            "--occlusion 0.6 --up z --camera -15,18",
+            "600x440",
+            {"color-range", "colormap", "occlusion"}}}};
 }
 
 }  // namespace brindle

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/geometry/append_mesh.h"
+#include "brindle/geometry/translate_mesh.h"
 #include "brindle/shapes/noise.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "brindle/shapes/random.h"
@@ -78,10 +79,6 @@ class VoxelFaces {
   std::map<Cell, Index> vertices_;
 };
 
-void move(Mesh& mesh, const Vec3& by) {
-  for (Vec3& position : mesh.positions) position += by;
-}
-
 std::vector<GalleryFile> make_rough(double detail) {
   GalleryFile file{"rough.vtp", {}, {}, {}};
   const std::array<Mesh, 4> meshes = {incomplete_mesh(detail), non_manifold_mesh(detail),
@@ -89,7 +86,7 @@ std::vector<GalleryFile> make_rough(double detail) {
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     Mesh mesh = meshes[k];
     const BoundingBox box = bounding_box(mesh);
-    move(mesh, Vec3(2.25f * static_cast<float>(k), 0, 0) - box.center());
+    translate(mesh, Vec3(2.25f * static_cast<float>(k), 0, 0) - box.center());
     append(mesh, file.mesh);
   }
   return {std::move(file)};
@@ -128,14 +125,12 @@ Mesh non_manifold_mesh(double detail) {
 }
 
 Mesh segmented_mesh(double detail) {
-  const auto ball = [](double x, double y, double z, double radius) {
-    return limb({x, y, z}, {x, y, z}, radius, radius);
-  };
-  const ImplicitFunction tumour = blended(
-      {ball(0, 0, 0, 0.5), ball(0.3, 0.42, 0.25, 0.34), ball(-0.3, 0.1, 0.45, 0.32),
-       ball(0.1, -0.45, -0.2, 0.34), ball(-0.1, 0.3, -0.45, 0.28), ball(0.2, -0.75, 0.72, 0.17),
-       ball(-0.3, -0.6, 0.85, 0.09), ball(0.1, 0.85, -0.55, 0.14), ball(0, -0.95, -0.5, 0.12)},
-      0.035);
+  const ImplicitFunction tumour =
+      blended({ball({0, 0, 0}, 0.5), ball({0.3, 0.42, 0.25}, 0.34), ball({-0.3, 0.1, 0.45}, 0.32),
+               ball({0.1, -0.45, -0.2}, 0.34), ball({-0.1, 0.3, -0.45}, 0.28),
+               ball({0.2, -0.75, 0.72}, 0.17), ball({-0.3, -0.6, 0.85}, 0.09),
+               ball({0.1, 0.85, -0.55}, 0.14), ball({0, -0.95, -0.5}, 0.12)},
+              0.035);
   const double voxel = 0.062 / std::sqrt(detail);
   const int reach = static_cast<int>(std::ceil(1.3 / voxel));
   VoxelFaces faces(tumour, voxel);
@@ -159,10 +154,12 @@ GalleryItem rough_item() {
   return {"rough",
           "an incomplete, a non-manifold, an unconnected and a noisy surface",
           make_rough,
-          {{"all", "one pattern over all of them",
+          {{"all",
+            "one pattern over all of them",
             "stripe {surface=rough.vtp} --field {field=smooth} --stripes 130 "
             "--colors #1c325a,#f4efe6,#ffffff --up z --camera 8,14,0.95",
-            "1100x330"}}};
+            "1100x330",
+            {"stripes", "rotate", "curvature-anchor"}}}};
 }
 
 }  // namespace brindle

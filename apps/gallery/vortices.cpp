@@ -26,8 +26,11 @@ GalleryItem vortices_item() {
   return {"vortices",
           "arrows around two vortices that move, dots where little happens",
           make_vortices,
-          {{"still", "one step: arrows near the cores, larger where the flow is faster",
-            "stripe {surface=step_000.vtp} " + style, "760x560"},
+          {{"still",
+            "one step: arrows near the cores, larger where the flow is faster",
+            "stripe {surface=step_000.vtp} " + style,
+            "760x560",
+            {"stripes", "frequency-range", "regions", "texture-shift"}},
            {"flow", "all steps: the cores travel, tiles flow along the field",
             "animate --series {file=step_%03d.vtp} " + style + " --texture-flow 1", "560x420"}}};
 }

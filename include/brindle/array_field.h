@@ -27,12 +27,15 @@ struct FrequencyRange {
   float lowest = 0.4f;   ///< above zero
   float highest = 2.5f;  ///< above `lowest`
   bool inverse = false;  ///< the other way round: `highest` for the smallest number
+  /// Instead of both: one over the number, held between `lowest` and `highest`.
+  bool reciprocal = false;
 };
 
 /// Frequencies, NaN where the array is not finite. The array's numbers, or the lengths of its
 /// vectors, are mapped linearly to multiples of `frequency`: the smallest and the largest at any
 /// vertex with neighbours to the ends of `range`. If all are the same, the factor is the ends'
-/// geometric mean, which is 1 for 0.4 and 2.5. Throws Error, naming the array, for ranges and
+/// geometric mean, which is 1 for 0.4 and 2.5. A reciprocal range says all by itself: numbers that
+/// are not above zero have the factor `highest`. Throws Error, naming the array, for ranges and
 /// frequencies that are not above zero and finite, for an array without a finite number, and unless
 /// there is a row per vertex.
 FrequencyField frequencies_by(const Surface& surface, const DataArray& array, float frequency,

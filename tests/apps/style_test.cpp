@@ -115,6 +115,8 @@ TEST_F(StyleTool, BadValuesAreRefused) {
   refused(2, "--tones", {"--width-by", "light", "--tones", "0.8,0.2"});
   refused(2, "--cross-hatch", {"--width-by", "light", "--cross-hatch", "0"});
   refused(2, "--with", {"--with", "shape:sphere@blue"});
+  refused(2, "--with", {"--with", "shape:sphere@1,2"});
+  refused(2, "--frequency-range", {"--frequency-by", "height", "--frequency-range", "1,2,upwards"});
   refused(2, "--pixel-width", {"--pixel-width", "0"});
   refused(2, "--creases", {"--creases", "180"});
   refused(2, "--occlusion", {"--occlusion", "2"});

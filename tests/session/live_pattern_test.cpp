@@ -82,6 +82,48 @@ TEST(LivePattern, ReadsAndSolvesForAStyleOnce) {
   EXPECT_EQ(pattern.state()->style, nullptr);
 }
 
+TEST(LivePattern, ReadsValuesAloneWhenTheCameraMoves) {
+  SessionDocument document = with(torus(), "color-by", "distance:camera");
+  document.options["with"] = {"shape:box,resolution=6@striped"};
+  LivePattern pattern;
+  pattern.update(document, Follow::afresh);
+  const auto style = pattern.state()->style;
+  SessionDocument moved = document;
+  moved.camera.azimuth_deg = 77;
+  pattern.update(moved, Follow::last);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"style"});
+  EXPECT_EQ(pattern.state()->style->patterns.others, style->patterns.others);
+  EXPECT_NE(pattern.state()->style->input.values.color->values, style->input.values.color->values);
+
+  SessionDocument hatched = with(torus(), "width-by", "light");
+  hatched.options["cross-hatch"] = {"0.5"};
+  pattern.update(hatched, Follow::afresh);
+  const std::uint64_t drawn = pattern.state()->pattern;
+  hatched.camera.azimuth_deg = 77;
+  pattern.update(hatched, Follow::last);
+  EXPECT_TRUE(stages(pattern).empty());
+  EXPECT_EQ(pattern.state()->pattern, drawn);
+}
+
+TEST(LivePattern, KeepsOtherSurfacesWhenValuesOfAPlaceChange) {
+  SessionDocument document = with(torus(), "width-by", "distance:1,0,0");
+  document.options["with"] = {"shape:box,resolution=6@#ffffff"};
+  LivePattern pattern;
+  pattern.update(document, Follow::afresh);
+  const auto others = pattern.state()->style->patterns.others;
+  pattern.update(with(document, "width-by", "distance:0,1,0"), Follow::last);
+  EXPECT_EQ(pattern.state()->style->patterns.others, others);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"style"});
+  document.options["with"] = {"shape:box,resolution=6@#ffffff@0,0,1"};
+  pattern.update(document, Follow::last);
+  ASSERT_NE(pattern.state()->style->patterns.others, others);
+  const Mesh &before = (*others)[0].surface.mesh,
+             &after = (*pattern.state()->style->patterns.others)[0].surface.mesh;
+  for (std::size_t v = 0; v < before.vertex_count(); ++v) {
+    EXPECT_EQ(after.positions[v], before.positions[v] + Vec3(0, 0, 1));
+  }
+}
+
 TEST(LivePattern, FollowsCalmlyAndIsThenGivenByItsAngles) {
   LivePattern pattern;
   pattern.update(torus(), Follow::afresh);
@@ -120,6 +162,27 @@ TEST(LivePattern, StaysNearToTheLastPattern) {
   }
   EXPECT_LT(near, 0.3);
   EXPECT_GT(near, 0);
+}
+
+TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
+  const SessionDocument first = with(torus(), "slack", "0.3");
+  const SessionDocument next = with(first, "stripes", "20.5");
+  LivePattern afresh, pattern;
+  afresh.update(next, Follow::afresh);
+  pattern.update(first, Follow::afresh);
+  pattern.update(next, Follow::loosely);
+  const StripePattern& draft = pattern.state()->job->result.stripes();
+  EXPECT_TRUE(pattern.state()->figures.followed);
+  EXPECT_TRUE(stages(pattern).contains("spacing"));
+  ASSERT_TRUE(draft.frequency_change);
+  for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
+    const float ratio = draft.waves.frequencies[v] / draft.frequencies_wanted[v];
+    EXPECT_TRUE(ratio > 1 / 1.3001f && ratio < 1.3001f);
+  }
+  // At rest it is what the document alone says.
+  pattern.update(next, Follow::last);
+  EXPECT_EQ(pattern.state()->phases, nullptr);
+  EXPECT_EQ(z_of(pattern), z_of(afresh));
 }
 
 TEST(LivePattern, DoesNotDependOnTheNumberOfThreads) {

@@ -124,6 +124,46 @@ TEST(SessionWorker, DrawsEverythingThatStripeDraws) {
   }
 }
 
+TEST(SessionWorker, WhatIsUploadedAgainInPartIsAsIfUploadedAnew) {
+  SessionDocument document = torus();
+  LivePattern pattern;
+  LivePicture picture;
+  const OptionValues plain, branches = {{"view", {"branches"}}},
+                            errors = {{"view", {"angle_error"}}};
+  const OptionValues styled = {{"color-by", {"height"}},
+                               {"with", {"shape:box,resolution=6@striped"}}};
+  OptionValues moved = styled, denser = plain;
+  moved["width-by"] = {"distance:1,0,0"};
+  denser["stripes"] = {"33"};
+  for (const OptionValues& options :
+       {plain, denser, branches, errors, denser, plain, styled, moved, styled, plain}) {
+    document.options = options;
+    pattern.update(document, Follow::last);
+    EXPECT_EQ(picture.draw(pattern.state(), PictureQuality::final).pixels,
+              LivePicture().draw(pattern.state(), PictureQuality::final).pixels)
+        << options_to_json(options).dump();
+  }
+}
+
+TEST(SessionWorker, DraftsHaveTheSizeOfThePictureAndAreNearIt) {
+  LivePattern pattern;
+  LivePicture picture;
+  for (const OptionValues& options :
+       {OptionValues{}, OptionValues{{"color-by", {"height"}}}, OptionValues{{"points", {}}}}) {
+    SessionDocument document = torus("6");
+    document.options.insert(options.begin(), options.end());
+    pattern.update(document, Follow::afresh);
+    const Image draft = picture.draft(pattern.state());
+    const Image final = picture.draw(pattern.state(), PictureQuality::final);
+    ASSERT_EQ(draft.pixels.size(), final.pixels.size());
+    double difference = 0;
+    for (std::size_t i = 0; i < draft.pixels.size(); ++i) {
+      difference += std::abs(draft.pixels[i].green - final.pixels[i].green);
+    }
+    EXPECT_LT(difference / static_cast<double>(draft.pixels.size()), 12);
+  }
+}
+
 TEST(SessionWorker, FramesCanBePicked) {
   SessionWorker worker;
   SessionDocument document = torus();

@@ -124,6 +124,17 @@ TEST(FrequenciesBy, TakesTheLengthsOfVectors) {
   EXPECT_EQ(field[3], 2.5f);
 }
 
+TEST(FrequenciesBy, ReciprocalIsOneOverTheNumberBetweenItsEnds) {
+  FrequencyRange range{0.1f, 0.5f};
+  range.reciprocal = true;
+  const FrequencyField field = frequencies_by(square(), numbers({4, 1, 100, -3, 0}), 10, range);
+  EXPECT_FLOAT_EQ(field[0], 2.5f);
+  EXPECT_FLOAT_EQ(field[1], 5);
+  EXPECT_FLOAT_EQ(field[2], 1);
+  EXPECT_FLOAT_EQ(field[3], 5);
+  EXPECT_FLOAT_EQ(field[4], 5);
+}
+
 TEST(FrequenciesBy, WhatIsTheSameEverywhereIsInTheMiddle) {
   for (const bool inverse : {false, true}) {
     EXPECT_FLOAT_EQ(

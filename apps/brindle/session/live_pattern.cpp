@@ -56,13 +56,7 @@ struct SolvedPattern {
   StripeJob job;
   std::shared_ptr<const std::vector<float>> phases;  ///< null if it was made of the document alone
   double phase_step = 0;
-  std::vector<Mark> marks = {};
-};
-
-/// What a style follows, and the scene that is drawn.
-struct SolvedStyle {
-  std::shared_ptr<const SolvedPattern> pattern;  ///< that the scene refers to
-  StyleJob job;
+  bool loosely = false;  ///< it followed as no document can have it
 };
 
 /// Says whether a file has become another one.
@@ -96,6 +90,11 @@ std::string surface_key(const SessionDocument& document) {
          options_key(document, SessionStage::surface);
 }
 
+std::string view_key(const SessionDocument& document) {
+  return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
+         std::to_string(document.size.height);
+}
+
 /// Values that follow the camera are other ones when it moves: the camera, where there are any.
 std::string camera_key(const SessionDocument& document, SessionStage stage) {
   const bool by_camera = std::ranges::any_of(document.options, [&](const auto& entry) {
@@ -103,9 +102,7 @@ std::string camera_key(const SessionDocument& document, SessionStage stage) {
     return option != nullptr && option->stage == stage &&
            std::ranges::any_of(entry.second, depends_on_camera);
   });
-  if (!by_camera) return "";
-  return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
-         std::to_string(document.size.height);
+  return by_camera ? view_key(document) : "";
 }
 
 std::string field_key(const SessionDocument& document) {
@@ -122,36 +119,40 @@ std::string waves_key(const SessionDocument& document) {
          camera_key(document, SessionStage::waves) + '\n';
 }
 
-/// What values and other surfaces of a picture are read by. Values that follow the camera are other
-/// ones when it moves; surfaces with stripes of their own have them by the document's waves.
-std::string input_key(const SessionDocument& document, const std::string& waves) {
-  constexpr std::array kReading = {"width-by", "color-by",   "opacity-by",  "texture-by",
-                                   "with",     "field-mesh", "max-distance"};
-  constexpr std::array kMargin = {"legend", "no-legend", "color-range", "width-range"};
+/// Those of the document's options that are named.
+OptionValues named_options(const SessionDocument& document, std::span<const char* const> names) {
   OptionValues options;
-  bool by_camera = false, striped = false;
-  for (const char* name : kReading) {
+  for (const char* name : names) {
     const auto found = document.options.find(name);
-    if (found == document.options.end()) continue;
-    options[name] = found->second;
-    for (const std::string& value : found->second) {
-      by_camera |= depends_on_camera(value);
-      striped |= value.find("@striped") != std::string::npos ||
-                 value.find("@discarded") != std::string::npos;
-    }
+    if (found != document.options.end()) options.insert(*found);
   }
-  std::string key = key_of(options);
-  if (striped) key += waves;
-  if (by_camera) {
-    OptionValues margin;
-    for (const char* name : kMargin) {
-      const auto found = document.options.find(name);
-      if (found != document.options.end()) margin[name] = found->second;
-    }
-    key += key_of(margin) + view_text(document.camera) + std::to_string(document.size.width) + 'x' +
-           std::to_string(document.size.height);
-  }
-  return key;
+  return options;
+}
+
+/// What other surfaces of a picture are read by. Those with stripes of their own have them by the
+/// document's waves.
+std::string others_key(const SessionDocument& document, const std::string& waves) {
+  constexpr std::array kReading = {"with"};
+  const OptionValues options = named_options(document, kReading);
+  const auto found = options.find("with");
+  const bool striped =
+      found != options.end() && std::ranges::any_of(found->second, [](const std::string& value) {
+        return value.find("@striped") != std::string::npos ||
+               value.find("@discarded") != std::string::npos;
+      });
+  return key_of(options) + (striped ? waves : "");
+}
+
+/// What values of a picture are read by. Those that follow the camera are other ones when it moves,
+/// and where it stands depends on all that is seen.
+std::string values_key(const SessionDocument& document, const StyleOptions& style,
+                       const std::string& others) {
+  constexpr std::array kReading = {"width-by",     "color-by",   "opacity-by",  "texture-by",
+                                   "tile-size-by", "field-mesh", "max-distance"};
+  constexpr std::array kMargin = {"legend", "no-legend", "color-range", "width-range"};
+  std::string key = key_of(named_options(document, kReading));
+  if (!style.follows_camera()) return key;
+  return key + key_of(named_options(document, kMargin)) + others + view_key(document);
 }
 
 std::vector<float> angles_of(std::span<const Complex> z) {
@@ -178,10 +179,11 @@ std::vector<Complex> turned_phases(const StripePattern& last, std::span<const Ve
 }
 
 /// Stripes that this pattern may follow.
-const StripePattern* followed(const StripeArguments& arguments, const SolvedPattern* last) {
-  if (last == nullptr || last->job.result.texture() != nullptr || !can_follow(arguments)) {
-    return nullptr;
-  }
+const StripePattern* followed(const StripeArguments& arguments, const SolvedPattern* last,
+                              Follow follow) {
+  const bool can = follow == Follow::loosely ? can_follow_loosely(arguments)
+                                             : follow == Follow::last && can_follow(arguments);
+  if (last == nullptr || last->job.result.texture() != nullptr || !can) return nullptr;
   return last->job.surface->mesh.triangles.empty() ? nullptr : &last->job.result.stripes();
 }
 
@@ -197,14 +199,20 @@ PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& 
   return figures;
 }
 
-/// A job of phases that are known.
+/// A job of phases that are known; of frames with slack, with the frequencies that they chose.
 SolvedPattern pattern_of_angles(const StripeArguments& arguments,
                                 const std::shared_ptr<const Preparation>& prepared,
                                 const PreparedWaves& waves,
-                                std::shared_ptr<const std::vector<float>> angles) {
+                                std::shared_ptr<const std::vector<float>> angles,
+                                const FrameResult& frame = {}) {
   Stopwatch watch;
   StripePattern pattern;
   pattern.waves = waves.waves;
+  if (!frame.frequencies.empty()) {
+    pattern.frequencies_wanted = std::exchange(
+        pattern.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
+    pattern.frequency_change = frame.frequency_change;
+  }
   pattern.phase_shift = arguments.solving.stripes.phase_shift;
   pattern.solution.z = phases_of(*angles);
   measure_pattern(prepared->surface, {}, pattern);
@@ -240,13 +248,14 @@ struct Follower {
   StripeAnimator animator;
 };
 
-AnimatorOptions animator_options(const StripeArguments& arguments) {
+AnimatorOptions animator_options(const StripeArguments& arguments, const Preparation& prepared) {
   const StripeOptions& stripes = arguments.solving.stripes;
   AnimatorOptions options;
   options.lambda = stripes.lambda;
   options.sweeps = stripes.solver.sweeps;
   options.cycles = stripes.solver.cycles;
   options.phase_shift = stripes.phase_shift;
+  options.slack = stripe_options(arguments.solving, prepared).slack;
   return options;
 }
 
@@ -267,12 +276,6 @@ LiveFigures figures_of(const SolvedPattern& pattern) {
   return figures;
 }
 
-std::vector<Mark> marks_of(const StripeJob& job) {
-  const StripePattern& pattern = job.result.stripes();
-  if (pattern.corners.size() != job.surface->mesh.triangle_count()) return {};
-  return branch_overlay(job.surface->mesh, pattern.corners).marks;
-}
-
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
 void add_times(const Report& report, StageTimes& times) {
@@ -283,16 +286,25 @@ void add_times(const Report& report, StageTimes& times) {
   times.emplace_back("measure", no_less(ms.pattern));
 }
 
+/// What a style needs beside the pattern.
+struct StyleStages {
+  Stage<std::vector<Preparation>> read;    ///< other surfaces
+  Stage<std::vector<OtherSurface>> drawn;  ///< the same with their patterns
+  Stage<StyleValues> values;
+  Stage<StripePattern> crossing;
+  std::shared_ptr<const StyleJob> job;
+};
+
 struct LiveStages {
   Stage<Preparation> surface;
   Stage<BaseField> field;
   Stage<PreparedWaves> waves;
   Stage<SolvedPattern> pattern;
-  Stage<StyleInput> input;
-  Stage<SolvedStyle> style;
+  StyleStages style;
   std::string looks;  ///< all options of the style
   std::shared_ptr<Follower> follower;
-  std::uint64_t changes = 0;  ///< of what is drawn
+  std::uint64_t patterns = 0;  ///< that were made
+  std::uint64_t changes = 0;   ///< of what is drawn
 };
 
 /// Brings stages to a document.
@@ -331,6 +343,7 @@ class StageUpdate {
     times_.emplace_back("neighbourhood", made->topology_milliseconds);
     LiveStages anew;
     anew.surface = {key, std::move(made), listener_.take()};
+    anew.patterns = stages_.patterns;
     anew.changes = stages_.changes;
     stages_ = std::move(anew);
   }
@@ -364,8 +377,9 @@ class StageUpdate {
     const Stage<SolvedPattern>& stage = stages_.pattern;
     if (!stage.holds(key)) return false;
     const auto& shown = stage.made->phases;
+    if (stage.made->loosely) return follow_ == Follow::loosely;
     if (document_.phases) return shown && *shown == *document_.phases;
-    return !shown || follow_ == Follow::last;
+    return !shown || follow_ != Follow::afresh;
   }
 
   void make_pattern() {
@@ -373,11 +387,11 @@ class StageUpdate {
     const std::string key = stages_.waves.key + options_key(document_, SessionStage::phases);
     if (has_pattern(key)) return;
     auto made = std::make_shared<SolvedPattern>(solved());
-    made->marks = marks_of(made->job);
     const Report& report = made->job.report;
     add_times(report, times_);
     listener_.note(branch_warning(report.waves, report.quality.branches, report.triangles));
     stage = {key, std::move(made), listener_.take()};
+    ++stages_.patterns;
     ++stages_.changes;
   }
 
@@ -386,8 +400,8 @@ class StageUpdate {
       return given_pattern(arguments(), stages_.surface.made, *stages_.waves.made,
                            document_.phases);
     }
-    const StripePattern* last = followed(arguments(), stages_.pattern.made.get());
-    if (follow_ == Follow::last && last != nullptr) return next_frame(*last);
+    const StripePattern* last = followed(arguments(), stages_.pattern.made.get(), follow_);
+    if (last != nullptr) return next_frame(*last);
     Preparation prepared = *stages_.surface.made;
     take_waves(*stages_.waves.made, prepared);
     return {make_stripe_job(arguments(), std::move(prepared),
@@ -398,8 +412,9 @@ class StageUpdate {
   StripeAnimator& animator() {
     const std::string key = stages_.surface.key + options_key(document_, SessionStage::phases);
     if (!stages_.follower || stages_.follower->key != key) {
-      stages_.follower = std::make_shared<Follower>(Follower{
-          key, StripeAnimator(stages_.surface.made->surface, animator_options(arguments()))});
+      stages_.follower = std::make_shared<Follower>(
+          Follower{key, StripeAnimator(stages_.surface.made->surface,
+                                       animator_options(arguments(), *stages_.surface.made))});
     }
     return stages_.follower->animator;
   }
@@ -412,53 +427,84 @@ class StageUpdate {
         frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
     SolvedPattern solved =
         pattern_of_angles(arguments(), stages_.surface.made, *stages_.waves.made,
-                          std::make_shared<const std::vector<float>>(angles_of(frame.z)));
+                          std::make_shared<const std::vector<float>>(angles_of(frame.z)), frame);
+    solved.loosely = !frame.frequencies.empty();
     Report& report = solved.job.report;
     report.energy = frames.energy();
+    report.milliseconds.frequency = frame.milliseconds.frequency;
     report.milliseconds.couple = frame.milliseconds.couple;
     report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
     solved.phase_step = frame.phase_step;
     return solved;
   }
 
-  bool has_style() const { return is_styled(parsed_->command()); }
-
   void make_style() {
     const std::string looks = options_key(document_, SessionStage::style);
     if (stages_.looks != looks) ++stages_.changes;
     stages_.looks = looks;
-    if (!has_style()) {
-      stages_.input = {};
+    if (!is_styled(parsed_->command())) {
       stages_.style = {};
       return;
     }
-    make_style_input();
-    Stage<SolvedStyle>& stage = stages_.style;
-    const std::string key =
-        stages_.input.key + (document_.options.contains("cross-hatch") ? "crossed" : "");
-    if (stage.holds(key) && stage.made->pattern == stages_.pattern.made) return;
+    StyleStages& style = stages_.style;
     Stopwatch watch;
-    StyleInput input = *stages_.input.made;
-    const StripeJob& job = stages_.pattern.made->job;
-    StylePatterns patterns = make_style_patterns(*job.surface, job.result, arguments().style, input,
-                                                 arguments().solving.stripes, progress_);
-    auto made = std::make_shared<const SolvedStyle>(
-        SolvedStyle{stages_.pattern.made, {std::move(input), std::move(patterns)}});
+    const bool others = make_others();
+    const bool values = make_values();
+    const bool crossing = make_crossing_strokes();
+    if (!others && !values && !crossing) return;
+    style.job = std::make_shared<const StyleJob>(
+        StyleJob{{*style.values.made, {}}, {style.crossing.made, style.drawn.made}});
     times_.emplace_back("style", watch.lap());
-    stage = {key, std::move(made), listener_.take()};
     ++stages_.changes;
   }
 
-  void make_style_input() {
-    Stage<StyleInput>& stage = stages_.input;
-    const std::string key = stages_.surface.key + input_key(document_, stages_.waves.key);
-    if (stage.holds(key)) return;
-    Preparation prepared = *stages_.surface.made;
-    take_waves(*stages_.waves.made, prepared);
-    auto made = std::make_shared<const StyleInput>(
-        read_style_input(arguments().style, prepared, arguments().surface, arguments().waves,
-                         *arguments().picture, listener_));
-    stage = {key, std::move(made), listener_.take()};
+  // Returns whether there are other ones now, as all that follow.
+  bool make_others() {
+    StyleStages& style = stages_.style;
+    const std::string key = stages_.surface.key + others_key(document_, stages_.waves.key);
+    const std::string solving = key + options_key(document_, SessionStage::phases);
+    const Preparation& prepared = *stages_.surface.made;
+    if (!style.read.holds(key)) {
+      style.read = {key,
+                    std::make_shared<const std::vector<Preparation>>(read_style_others(
+                        arguments().style, prepared.surface.mesh, stages_.waves.made->waves,
+                        arguments().waves, *arguments().picture, listener_)),
+                    listener_.take()};
+    }
+    if (style.drawn.holds(solving)) return false;
+    StripeOptions options = arguments().solving.stripes;
+    options.last_phases.clear();
+    style.drawn = {solving,
+                   std::make_shared<const std::vector<OtherSurface>>(
+                       solve_others(arguments().style, *style.read.made, options, progress_)),
+                   listener_.take()};
+    return true;
+  }
+
+  bool make_values() {
+    StyleStages& style = stages_.style;
+    const std::string key =
+        stages_.surface.key + values_key(document_, arguments().style, style.read.key);
+    if (style.values.holds(key)) return false;
+    style.values = {key,
+                    std::make_shared<const StyleValues>(read_style_values(
+                        arguments().style, *stages_.surface.made, *style.read.made,
+                        arguments().surface, arguments().waves, *arguments().picture)),
+                    listener_.take()};
+    return true;
+  }
+
+  bool make_crossing_strokes() {
+    Stage<StripePattern>& crossing = stages_.style.crossing;
+    const bool wanted = arguments().style.cross_hatch.has_value();
+    const std::string key = wanted ? std::to_string(stages_.patterns) : "";
+    if (crossing.key == key && (crossing.made != nullptr) == wanted) return false;
+    const StripeJob& job = stages_.pattern.made->job;
+    crossing = {key,
+                make_crossing(*job.surface, job.result, arguments().style,
+                              arguments().solving.stripes, progress_),
+                listener_.take()};
+    return true;
   }
 
   std::shared_ptr<const LiveState> state() {
@@ -467,13 +513,15 @@ class StageUpdate {
     result.document = document_;
     result.parsed = parsed_;
     result.job = {pattern, &pattern->job};
-    if (const auto& style = stages_.style.made) result.style = {style, &style->job};
-    result.marks = pattern->marks;
+    result.style = stages_.style.job;
     result.phases = pattern->phases;
     result.figures = figures_of(*pattern);
     result.figures.milliseconds = std::move(times_);
-    for (const auto* notes : {&stages_.surface.notes, &stages_.waves.notes, &stages_.pattern.notes,
-                              &stages_.input.notes, &stages_.style.notes}) {
+    const StyleStages& style = stages_.style;
+    for (const std::vector<std::string>* notes :
+         std::initializer_list<const std::vector<std::string>*>{
+             &stages_.surface.notes, &stages_.waves.notes, &stages_.pattern.notes,
+             &style.read.notes, &style.drawn.notes, &style.values.notes, &style.crossing.notes}) {
       result.notes.insert(result.notes.end(), notes->begin(), notes->end());
     }
     result.pattern = stages_.changes;

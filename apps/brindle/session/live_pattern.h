@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "brindle/progress.h"
-#include "brindle/renderer.h"
 #include "session_options.h"
 #include "stripe_job.h"
 
@@ -18,6 +17,7 @@ namespace brindle::tool {
 enum class Follow {
   afresh,  ///< of the document alone
   last,    ///< near to the last pattern where the surface is the same
+  loosely  ///< the same where no document could keep the pattern, too: with slack, for drafts
 };
 
 /// What there is to say of a pattern.
@@ -39,7 +39,6 @@ struct LiveState {
   std::shared_ptr<const ParsedSession> parsed;
   std::shared_ptr<const StripeJob> job;              ///< surface, pattern or texture, report, data
   std::shared_ptr<const StyleJob> style;             ///< null if the picture has no style
-  std::vector<Mark> marks;                           ///< branches and singularities
   std::shared_ptr<const std::vector<float>> phases;  ///< angles, of a pattern that has followed
   LiveFigures figures;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings

@@ -1,11 +1,18 @@
 #include "live_picture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
 #include "brindle/headless_context.h"
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"
+#include "draft_size.h"
 #include "picture_options.h"
 
 namespace brindle::tool {
@@ -36,92 +43,183 @@ struct LivePicture::Drawing {
   std::optional<StyledRenderer> styled;
   std::optional<SplatRenderer> splats;
   std::uint64_t uploaded = kNothing;            ///< `LiveState::pattern`
-  std::shared_ptr<const LiveState> kept;        ///< what `picture` refers to
+  std::shared_ptr<const LiveState> kept;        ///< what was uploaded, and `picture` refers to
   std::optional<StyledPicture> styled_picture;  ///< that was uploaded
+  std::vector<Vec3> framed;                     ///< by the camera
+  DraftSize draft_size;
 
+  Image draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
+             const Progress& progress, bool draft);
   void upload(const LiveState& state);
-  void upload_plain(const LiveState& state);
-  Image draw(const LiveState& state, PictureQuality quality);
-  Image draw_styled(const LiveState& state, PictureQuality quality);
+  void upload_plain(const LiveState& state, const LiveState* last);
+  void upload_styled(const LiveState& state, const LiveState* last);
+  Image draw_plain(const LiveState& state, PictureQuality quality, bool draft);
+  Image draw_styled(const LiveState& state, PictureQuality quality, bool draft);
 };
 
-void LivePicture::Drawing::upload_plain(const LiveState& state) {
+namespace {
+
+bool same_mesh(const LiveState& a, const LiveState& b) {
+  const Mesh &one = a.job->surface->mesh, &other = b.job->surface->mesh;
+  return one.origin == other.origin && one.triangles == other.triangles &&
+         one.positions == other.positions;
+}
+
+/// Whether another picture of plain stripes needs new waves alone.
+bool needs_waves_alone(const LiveState& state, const LiveState* last, const Overlay& overlay) {
+  if (last == nullptr || last->style || is_of_points(state) || is_of_points(*last)) return false;
+  if (state.job->result.texture() || last->job->result.texture()) return false;
+  // Colours that are not there any more would stay.
+  const bool had_colors = picture_of(*last).view != View::stripes;
+  return overlay.triangle_colors.empty() != had_colors && same_mesh(state, *last);
+}
+
+/// Whether all surfaces but the first are drawn as they were.
+bool same_others(const LiveState& a, const LiveState& b) {
+  const RenderOptions &one = picture_of(a).render, &other = picture_of(b).render;
+  return a.style->patterns.others == b.style->patterns.others &&
+         a.parsed->arguments().style.flat == b.parsed->arguments().style.flat &&
+         one.stripe_color == other.stripe_color && one.stripe_width == other.stripe_width;
+}
+
+/// Whether strokes are measured in pixels, which a smaller picture has less of.
+bool has_pixel_measures(std::span<const StyledSurface> surfaces) {
+  return std::ranges::any_of(surfaces, [](const StyledSurface& surface) {
+    return std::ranges::any_of(surface.strokes, [](const Strokes& strokes) {
+      return strokes.unit == WidthUnit::pixels || strokes.spacing > 0;
+    });
+  });
+}
+
+RenderOptions reduced(RenderOptions render, float reduction) {
+  render.width = reduced_side(render.width, reduction);
+  render.height = reduced_side(render.height, reduction);
+  render.mark_radius /= reduction;
+  return render;
+}
+
+/// A picture that was drawn smaller, in the size of the options.
+Image in_full_size(Image image, const RenderOptions& render) {
+  if (image.width == render.width && image.height == render.height) return image;
+  return enlarged(image, render.width, render.height);
+}
+
+}  // namespace
+
+void LivePicture::Drawing::upload_plain(const LiveState& state, const LiveState* last) {
   const Surface& surface = *state.job->surface;
   const StripePattern& pattern = state.job->result.stripes();
   if (is_of_points(state)) {
     const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
     if (!splats) splats.emplace();
+    framed = drawn_points(surface);
     return splats->upload(splat_drawing_of(surface, pattern, radii));
   }
   const Overlay overlay =
       overlay_of(picture_of(state).view, surface.mesh, pattern.waves, pattern.corners);
+  if (needs_waves_alone(state, last, overlay)) {
+    return plain->update({.waves = &pattern.waves,
+                          .z = pattern.solution.z,
+                          .triangle_colors = overlay.triangle_colors,
+                          .marks = overlay.marks});
+  }
   if (!plain) plain.emplace();
+  framed = points_of_triangles(surface.mesh);
   plain->upload(drawing_of(surface, state.job->result, overlay));
+}
+
+void LivePicture::Drawing::upload_styled(const LiveState& state, const LiveState* last) {
+  StyledPicture picture =
+      tool::styled_picture(*state.job->surface, state.job->result, state.style->patterns,
+                           state.parsed->arguments().style, state.style->input, picture_of(state));
+  if (last != nullptr && last->style && same_others(state, *last) && same_mesh(state, *last)) {
+    styled->update(0, picture.surfaces.front());
+  } else {
+    if (!styled) styled.emplace();
+    styled->upload(picture.surfaces);
+    framed = framed_points(picture.surfaces);
+  }
+  styled_picture.emplace(std::move(picture));
 }
 
 void LivePicture::Drawing::upload(const LiveState& state) {
   if (uploaded == state.pattern) return;
+  const LiveState* last = uploaded == kNothing ? nullptr : kept.get();
   uploaded = kNothing;
   styled_picture.reset();
-  if (state.style) {
-    const StyleOptions& style = state.parsed->arguments().style;
-    StyledPicture picture =
-        tool::styled_picture(*state.job->surface, state.job->result, state.style->patterns, style,
-                             state.style->input, picture_of(state));
-    if (!styled) styled.emplace();
-    styled->upload(picture.surfaces);
-    styled_picture.emplace(std::move(picture));
-  } else {
-    upload_plain(state);
-  }
+  state.style ? upload_styled(state, last) : upload_plain(state, last);
   uploaded = state.pattern;
 }
 
-Image LivePicture::Drawing::draw_styled(const LiveState& state, PictureQuality quality) {
+Image LivePicture::Drawing::draw_styled(const LiveState& state, PictureQuality quality,
+                                        bool draft) {
+  const float reduction = draft ? draft_size.reduction() : 1;
   const StyleOptions& style = state.parsed->arguments().style;
-  styled_picture->options = styled_options(style, picture_of(state), styled_picture->followed);
-  styled_picture->options.render.quality = quality;
-  Image image = styled->draw(styled_picture->options);
+  StyledOptions& options = styled_picture->options;
+  options = styled_options(style, picture_of(state), styled_picture->followed);
+  options.render.quality = quality;
+  options.framed = framed;
+  StyledOptions smaller = options;
+  // What hollows look like is worth waiting for.
+  if (draft) smaller.occlusion = 0;
+  if (!has_pixel_measures(styled_picture->surfaces)) {
+    smaller.render = reduced(options.render, reduction);
+    smaller.right_margin =
+        static_cast<int>(std::lround(static_cast<float>(options.right_margin) / reduction));
+  }
+  Image image = in_full_size(styled->draw(smaller), options.render);
   draw_on_top(image, *styled_picture, style);
   return image;
 }
 
-Image LivePicture::Drawing::draw(const LiveState& state, PictureQuality quality) {
-  if (state.style) return draw_styled(state, quality);
+Image LivePicture::Drawing::draw_plain(const LiveState& state, PictureQuality quality, bool draft) {
+  const float reduction = draft ? draft_size.reduction() : 1;
   RenderOptions render = render_options(picture_of(state));
   render.quality = quality;
-  return is_of_points(state) ? splats->draw(render) : plain->draw(render);
+  const RenderOptions smaller = reduced(render, reduction);
+  return in_full_size(is_of_points(state) ? splats->draw(smaller) : plain->draw(smaller), render);
 }
 
-LivePicture::LivePicture() : drawing_(std::make_unique<Drawing>()) {}
-LivePicture::~LivePicture() = default;
-
-Image LivePicture::draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
-                        const Progress& progress) {
-  Drawing& d = *drawing_;
+Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state,
+                                 PictureQuality quality, const Progress& progress, bool draft) {
   progress.report("drawing", 0);
-  d.context.make_current();
-  d.upload(*state);
-  d.kept = state;
+  context.make_current();
+  upload(*state);
+  kept = state;
   progress.report("drawing", 0.2);
-  Image image = d.draw(*state, quality);
-  d.context.check_errors("drawing the picture");
+  Stopwatch watch;
+  Image image =
+      state->style ? draw_styled(*state, quality, draft) : draw_plain(*state, quality, draft);
+  context.check_errors("drawing the picture");
+  if (draft) draft_size.note(watch.lap());
   progress.report("drawing", 1);
   return image;
 }
 
-Camera LivePicture::camera(const LiveState& state) const {
-  const RenderOptions render = render_options(picture_of(state));
-  if (state.style && drawing_->styled_picture) {
-    StyledOptions options = drawing_->styled_picture->options;
-    return styled_camera(drawing_->styled_picture->surfaces, options);
+LivePicture::LivePicture() : drawing_(std::make_unique<Drawing>()) {}
+LivePicture::~LivePicture() {
+  // What is given back is of this context, whichever was used last.
+  try {
+    drawing_->context.make_current();
+  } catch (const Error&) {
   }
-  const Surface& surface = *state.job->surface;
-  const std::vector<Vec3> points =
-      is_of_points(state) ? drawn_points(surface) : points_of_triangles(surface.mesh);
-  return framed_camera(points, render.camera, render.width, render.height);
 }
 
-const std::string& LivePicture::renderer() const { return drawing_->context.renderer(); }
+Image LivePicture::draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
+                        const Progress& progress) {
+  return drawing_->draw(state, quality, progress, false);
+}
+
+Image LivePicture::draft(const std::shared_ptr<const LiveState>& state, const Progress& progress) {
+  return drawing_->draw(state, PictureQuality::interactive, progress, true);
+}
+
+Camera LivePicture::camera(const LiveState& state) const {
+  if (state.style && drawing_->styled_picture) {
+    return styled_camera(drawing_->styled_picture->surfaces, drawing_->styled_picture->options);
+  }
+  const RenderOptions render = render_options(picture_of(state));
+  return framed_camera(drawing_->framed, render.camera, render.width, render.height);
+}
 
 }  // namespace brindle::tool

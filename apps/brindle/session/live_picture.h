@@ -20,12 +20,13 @@ class LivePicture {
   Image draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
              const Progress& progress = {});
 
+  /// The same at interactive quality, in so much detail as there is time for while something moves
+  /// (`DraftSize`).
+  Image draft(const std::shared_ptr<const LiveState>& state, const Progress& progress = {});
+
   /// How the picture that was drawn of the state was taken: for picking and for what a window draws
   /// on top. Coordinates are those of the surface's mesh.
   Camera camera(const LiveState& state) const;
-
-  /// Which driver draws.
-  const std::string& renderer() const;
 
  private:
   struct Drawing;

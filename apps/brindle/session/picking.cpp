@@ -79,11 +79,7 @@ PickedPoint picked(const Hit& hit, const Mesh& mesh, const Camera& camera) {
   }
   const Vec3& a = mesh.positions[t[0]];
   Vec3 normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).stableNormalized();
-  const Eigen::Matrix3f axes = camera.view_from_world.topLeftCorner<3, 3>();
-  const Vec3 seen = axes * (position.cast<float>() - camera.origin) +
-                    camera.view_from_world.topRightCorner<3, 1>();
-  const Vec3 towards = camera.orthographic() ? Vec3(0, 0, 1) : Vec3(-seen);
-  if ((axes * normal).dot(towards) < 0) normal = -normal;
+  if (normal.dot(viewpoint_of(camera) - position.cast<float>()) < 0) normal = -normal;
   return {hit.triangle, position.cast<float>(), normal, position + mesh.origin,
           static_cast<float>(hit.depth)};
 }

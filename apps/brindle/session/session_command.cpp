@@ -8,7 +8,6 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/files/input_file.h"
-#include "brindle/image.h"
 #include "json_reader.h"
 
 namespace brindle::tool {
@@ -43,13 +42,6 @@ constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCom
     "redo",
     "keep_phases"};
 
-/// Phases travel in a document: there they have their form.
-Json phases_to_json(const std::shared_ptr<const std::vector<float>>& phases) {
-  SessionDocument document;
-  document.phases = phases;
-  return document_to_json(document).at("phases");
-}
-
 /// Adds what a command holds to its object.
 struct CommandWriter {
   Json& json;
@@ -74,13 +66,10 @@ struct CommandWriter {
   }
   void operator()(const commands::EraseStroke& c) const { json["index"] = c.index; }
   void operator()(const commands::SetStrokes& c) const {
-    json["strokes"] = Json::array();
-    for (const FieldStroke& stroke : c.strokes) json["strokes"].push_back(stroke_to_json(stroke));
+    json["strokes"] = strokes_to_json(c.strokes);
   }
   void operator()(const commands::SetCamera& c) const { json["camera"] = camera_to_json(c.camera); }
-  void operator()(const commands::SetSize& c) const {
-    json["size"] = {c.size.width, c.size.height};
-  }
+  void operator()(const commands::SetSize& c) const { json["size"] = size_to_json(c.size); }
   void operator()(const commands::StoreView& c) const { json["key"] = c.key; }
   void operator()(const commands::RecallView& c) const { json["key"] = c.key; }
   void operator()(const commands::SetFrequencyByZoom& c) const {
@@ -90,7 +79,7 @@ struct CommandWriter {
     json["document"] = document_to_json(c.document);
   }
   void operator()(const commands::KeepPhases& c) const {
-    json["phases"] = c.phases ? phases_to_json(c.phases) : Json();
+    json["phases"] = c.phases ? phases_to_json(*c.phases) : Json();
   }
   void operator()(const commands::BeginDrag&) const {}
   void operator()(const commands::EndDrag&) const {}
@@ -123,27 +112,6 @@ std::size_t index_from(const JsonReader& reader) {
   return static_cast<std::size_t>(reader.whole("index", 0, kMostStrokes));
 }
 
-commands::SetStrokes set_strokes_from(const JsonReader& reader) {
-  reader.allow({"command", "strokes"});
-  commands::SetStrokes command;
-  for (const nlohmann::json& stroke : reader.list("strokes")) {
-    const std::string place = "strokes[" + std::to_string(command.strokes.size()) + "]";
-    command.strokes.push_back(stroke_from_json(stroke, place));
-  }
-  return command;
-}
-
-commands::SetSize set_size_from(const JsonReader& reader) {
-  reader.allow({"command", "size"});
-  const std::vector<double> sides = reader.numbers("size", 2);
-  for (const double side : sides) {
-    if (side >= 1 && side <= kMaxImageSide && side == static_cast<int>(side)) continue;
-    reader.fail("size",
-                "must be two whole numbers of pixels from 1 to " + std::to_string(kMaxImageSide));
-  }
-  return {{static_cast<int>(sides[0]), static_cast<int>(sides[1])}};
-}
-
 int key_from(const JsonReader& reader) {
   reader.allow({"command", "key"});
   return reader.whole("key", 1, kStoredViews);
@@ -152,9 +120,7 @@ int key_from(const JsonReader& reader) {
 commands::KeepPhases keep_phases_from(const JsonReader& reader) {
   reader.allow({"command", "phases"});
   if (reader.at("phases").is_null()) return {};
-  nlohmann::json document = document_to_json({});
-  document["phases"] = reader.at("phases");
-  return {document_from_json(document).phases};
+  return {phases_in(reader)};
 }
 
 /// Commands that hold nothing.
@@ -187,12 +153,18 @@ constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders 
       r.allow({"command", "index"});
       return commands::EraseStroke{index_from(r)};
     },
-    [](const JsonReader& r) -> SessionCommand { return set_strokes_from(r); },
+    [](const JsonReader& r) -> SessionCommand {
+      r.allow({"command", "strokes"});
+      return commands::SetStrokes{strokes_in(r)};
+    },
     [](const JsonReader& r) -> SessionCommand {
       r.allow({"command", "camera"});
       return commands::SetCamera{camera_from_json(r.at("camera"))};
     },
-    [](const JsonReader& r) -> SessionCommand { return set_size_from(r); },
+    [](const JsonReader& r) -> SessionCommand {
+      r.allow({"command", "size"});
+      return commands::SetSize{size_in(r)};
+    },
     [](const JsonReader& r) -> SessionCommand { return commands::StoreView{key_from(r)}; },
     [](const JsonReader& r) -> SessionCommand { return commands::RecallView{key_from(r)}; },
     [](const JsonReader& r) -> SessionCommand {

@@ -24,36 +24,6 @@ nlohmann::ordered_json to_json(const Vec3& v) {
   return {short_number(v.x()), short_number(v.y()), short_number(v.z())};
 }
 
-std::string encoded(const std::vector<float>& angles) {
-  std::ostringstream text;
-  Base64Writer base64(text);
-  base64.put(angles.data(), angles.size() * sizeof(float));
-  base64.finish();
-  return text.str();
-}
-
-std::shared_ptr<const std::vector<float>> decoded(const JsonReader& reader, const char* key) {
-  const std::optional<std::string> bytes = base64_decoded(reader.text(key));
-  if (!bytes || bytes->size() % sizeof(float) != 0) {
-    reader.fail(key,
-                "must be 32-bit numbers in base64; leave it out to have the phases solved for");
-  }
-  std::vector<float> angles(bytes->size() / sizeof(float));
-  std::memcpy(angles.data(), bytes->data(), bytes->size());
-  return std::make_shared<const std::vector<float>>(std::move(angles));
-}
-
-PictureSize size_from(const JsonReader& reader) {
-  const std::vector<double> sides = reader.numbers("size", 2);
-  for (const double side : sides) {
-    if (!(side >= 1 && side <= kMaxImageSide && side == std::floor(side))) {
-      reader.fail("size",
-                  "must be two whole numbers of pixels from 1 to " + std::to_string(kMaxImageSide));
-    }
-  }
-  return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
-}
-
 void read_views(const JsonReader& reader, SessionDocument& document) {
   const nlohmann::json& views = reader.at("views");
   const JsonReader by_key(views, "views");
@@ -90,6 +60,11 @@ bool SessionDocument::operator==(const SessionDocument& other) const {
   return same_phases && mesh == other.mesh && options == other.options &&
          strokes == other.strokes && camera == other.camera && size == other.size &&
          views == other.views && frequency_by_zoom == other.frequency_by_zoom;
+}
+
+bool same_work(const SessionDocument& a, const SessionDocument& b) {
+  return a.options == b.options && a.strokes == b.strokes && a.views == b.views &&
+         a.frequency_by_zoom == b.frequency_by_zoom;
 }
 
 float frequency_factor(const SessionDocument& document) {
@@ -174,6 +149,52 @@ FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& plac
   return stroke;
 }
 
+nlohmann::ordered_json size_to_json(PictureSize size) { return {size.width, size.height}; }
+
+PictureSize size_in(const JsonReader& reader) {
+  const std::vector<double> sides = reader.numbers("size", 2);
+  for (const double side : sides) {
+    if (!(side >= 1 && side <= kMaxImageSide && side == std::floor(side))) {
+      reader.fail("size",
+                  "must be two whole numbers of pixels from 1 to " + std::to_string(kMaxImageSide));
+    }
+  }
+  return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
+}
+
+nlohmann::ordered_json strokes_to_json(const std::vector<FieldStroke>& strokes) {
+  auto json = nlohmann::ordered_json::array();
+  for (const FieldStroke& stroke : strokes) json.push_back(stroke_to_json(stroke));
+  return json;
+}
+
+std::vector<FieldStroke> strokes_in(const JsonReader& reader) {
+  std::vector<FieldStroke> strokes;
+  for (const nlohmann::json& stroke : reader.list("strokes")) {
+    strokes.push_back(stroke_from_json(stroke, "strokes[" + std::to_string(strokes.size()) + "]"));
+  }
+  return strokes;
+}
+
+nlohmann::ordered_json phases_to_json(const std::vector<float>& angles) {
+  std::ostringstream text;
+  Base64Writer base64(text);
+  base64.put(angles.data(), angles.size() * sizeof(float));
+  base64.finish();
+  return text.str();
+}
+
+std::shared_ptr<const std::vector<float>> phases_in(const JsonReader& reader) {
+  const std::optional<std::string> bytes = base64_decoded(reader.text("phases"));
+  if (!bytes || bytes->size() % sizeof(float) != 0) {
+    reader.fail("phases",
+                "must be 32-bit numbers in base64; leave it out to have the phases solved for");
+  }
+  std::vector<float> angles(bytes->size() / sizeof(float));
+  std::memcpy(angles.data(), bytes->data(), bytes->size());
+  return std::make_shared<const std::vector<float>>(std::move(angles));
+}
+
 nlohmann::ordered_json options_to_json(const OptionValues& options) {
   auto json = nlohmann::ordered_json::object();
   for (const auto& [name, values] : options) {
@@ -209,19 +230,14 @@ nlohmann::ordered_json document_to_json(const SessionDocument& document) {
   nlohmann::ordered_json json = {{"brindle_session", kFormat}, {"mesh", document.mesh}};
   json["options"] = options_to_json(document.options);
   json["camera"] = camera_to_json(document.camera);
-  json["size"] = {document.size.width, document.size.height};
+  json["size"] = size_to_json(document.size);
   if (document.frequency_by_zoom != 0) {
     json["frequency_by_zoom"] = short_number(document.frequency_by_zoom);
   }
   nlohmann::ordered_json views = views_to_json(document);
   if (!views.empty()) json["views"] = std::move(views);
-  if (!document.strokes.empty()) {
-    json["strokes"] = nlohmann::ordered_json::array();
-    for (const FieldStroke& stroke : document.strokes) {
-      json["strokes"].push_back(stroke_to_json(stroke));
-    }
-  }
-  if (document.phases) json["phases"] = encoded(*document.phases);
+  if (!document.strokes.empty()) json["strokes"] = strokes_to_json(document.strokes);
+  if (document.phases) json["phases"] = phases_to_json(*document.phases);
   return json;
 }
 
@@ -234,18 +250,13 @@ SessionDocument document_from_json(const nlohmann::json& json) {
   document.mesh = reader.text("mesh");
   if (reader.has("options")) document.options = options_from_json(reader.at("options"), "options");
   if (reader.has("camera")) document.camera = camera_from_json(reader.at("camera"));
-  if (reader.has("size")) document.size = size_from(reader);
+  if (reader.has("size")) document.size = size_in(reader);
   if (reader.has("frequency_by_zoom")) {
     document.frequency_by_zoom = reader.number("frequency_by_zoom", 0, 1);
   }
   if (reader.has("views")) read_views(reader, document);
-  if (reader.has("strokes")) {
-    for (const nlohmann::json& stroke : reader.list("strokes")) {
-      const std::string place = "strokes[" + std::to_string(document.strokes.size()) + "]";
-      document.strokes.push_back(stroke_from_json(stroke, place));
-    }
-  }
-  if (reader.has("phases")) document.phases = decoded(reader, "phases");
+  if (reader.has("strokes")) document.strokes = strokes_in(reader);
+  if (reader.has("phases")) document.phases = phases_in(reader);
   check_document(document);
   return document;
 }

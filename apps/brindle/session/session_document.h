@@ -17,6 +17,8 @@
 
 namespace brindle::tool {
 
+class JsonReader;
+
 /// Values of options by their long names without the dashes, as text: one value, none for flags,
 /// several for options that may be repeated.
 using OptionValues = std::map<std::string, std::vector<std::string>>;
@@ -50,6 +52,9 @@ struct SessionDocument {
   bool operator==(const SessionDocument& other) const;
 };
 
+/// Whether both have the same options, strokes and stored views: what a user would miss.
+bool same_work(const SessionDocument& a, const SessionDocument& b);
+
 /// Frequencies are multiplied by this.
 float frequency_factor(const SessionDocument& document);
 
@@ -68,6 +73,14 @@ CameraView camera_from_json(const nlohmann::json& json, const std::string& place
 
 nlohmann::ordered_json stroke_to_json(const FieldStroke& stroke);
 FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& place);
+
+/// What documents and commands have alike, under the keys "size", "strokes" and "phases".
+nlohmann::ordered_json size_to_json(PictureSize size);
+PictureSize size_in(const JsonReader& reader);
+nlohmann::ordered_json strokes_to_json(const std::vector<FieldStroke>& strokes);
+std::vector<FieldStroke> strokes_in(const JsonReader& reader);
+nlohmann::ordered_json phases_to_json(const std::vector<float>& angles);
+std::shared_ptr<const std::vector<float>> phases_in(const JsonReader& reader);
 
 /// Options as an object: flags are true, options with several values are lists.
 nlohmann::ordered_json options_to_json(const OptionValues& options);

@@ -1,11 +1,8 @@
 #include "session_export.h"
 
-#include <numbers>
-#include <utility>
-
-#include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "styled_scene.h"
 
 namespace brindle::tool {
 namespace {
@@ -47,10 +44,8 @@ void export_samples(const LiveState& state, const std::filesystem::path& path,
   const StripePattern& u = state.job->result.stripes();
   std::optional<StripePattern> across;
   if (state.job->result.texture() == nullptr) {
-    WaveSet waves = u.waves;
-    waves.directions = rotated(waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
-    across = stripe_pattern(surface, std::move(waves), state.parsed->arguments().solving.stripes,
-                            listener.progress());
+    across = stripe_pattern(surface, waves_across(u.waves, surface.normals),
+                            state.parsed->arguments().solving.stripes, listener.progress());
   }
   listener.stage("samples");
   const StripePattern& v = across ? *across : state.job->result.texture()->pattern.v;

@@ -238,13 +238,16 @@ void check_option_name(const std::string& name) {
 }
 
 bool can_follow(const StripeArguments& arguments) {
+  return can_follow_loosely(arguments) && arguments.solving.slack.slack == 0;
+}
+
+bool can_follow_loosely(const StripeArguments& arguments) {
   const StripeOptions& stripes = arguments.solving.stripes;
   const MakingOptions& making = arguments.making;
   const bool given = making.anchor_boundary || !making.windings.empty() || making.merge_branches;
   return !has_tiles(arguments) && !given && arguments.previous.empty() &&
          !arguments.surface.points && arguments.device == DeviceKind::cpu &&
-         arguments.solving.slack.slack == 0 && stripes.solver.solver == Solver::multilevel &&
-         stripes.weights == EdgeWeights::paper &&
+         stripes.solver.solver == Solver::multilevel && stripes.weights == EdgeWeights::paper &&
          stripes.phase_shift != PhaseShiftKind::common_source;
 }
 

@@ -47,6 +47,9 @@ void check_option_name(const std::string& name);
 /// multilevel solver, without slack, without given phases and in the paper's weights.
 bool can_follow(const StripeArguments& arguments);
 
+/// The same with slack: while something moves.
+bool can_follow_loosely(const StripeArguments& arguments);
+
 /// A document read as a command line of `brindle stripe`.
 class ParsedSession {
  public:

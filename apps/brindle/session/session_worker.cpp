@@ -35,14 +35,17 @@ class FrameMaker {
  public:
   std::shared_ptr<SessionFrame> frame(const SessionRequest& request, const Progress& progress) {
     Stopwatch watch;
-    pattern_.update(request.document, request.follow, progress);
+    const bool draft = request.quality != PictureQuality::final;
+    const bool loosely = draft && request.follow == Follow::last;
+    pattern_.update(request.document, loosely ? Follow::loosely : request.follow, progress);
     const double solve_milliseconds = watch.lap();
     if (!picture_) picture_.emplace();
     auto frame = std::make_shared<SessionFrame>();
     frame->revision = request.revision;
     frame->quality = request.quality;
     frame->state = pattern_.state();
-    frame->image = picture_->draw(frame->state, request.quality, progress);
+    frame->image = draft ? picture_->draft(frame->state, progress)
+                         : picture_->draw(frame->state, request.quality, progress);
     frame->camera = picture_->camera(*frame->state);
     frame->draw_milliseconds = watch.lap();
     frame->milliseconds = solve_milliseconds + frame->draw_milliseconds;

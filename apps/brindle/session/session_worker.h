@@ -17,8 +17,8 @@ namespace brindle::tool {
 struct SessionRequest {
   SessionDocument document;
   std::uint64_t revision = 0;
-  PictureQuality quality = PictureQuality::final;
-  Follow follow = Follow::afresh;  ///< `Session::follows`
+  PictureQuality quality = PictureQuality::final;  ///< else a draft
+  Follow follow = Follow::afresh;                  ///< `Session::follows`
 };
 
 /// What was solved and drawn of a request. Never changes.
@@ -28,7 +28,7 @@ struct SessionFrame {
   PictureQuality quality = PictureQuality::final;
   Image image;
   Camera camera;                           ///< with which it was drawn: for `pick`
-  std::shared_ptr<const LiveState> state;  ///< document, figures, notes, marks, phases
+  std::shared_ptr<const LiveState> state;  ///< document, figures, notes, phases
   double draw_milliseconds = 0;
   double milliseconds = 0;  ///< all together
 

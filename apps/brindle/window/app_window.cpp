@@ -223,8 +223,6 @@ bool AppWindow::wait(double seconds) {
   return desktop_->has_input;
 }
 
-void AppWindow::wake() { glfwPostEmptyEvent(); }
-
 void AppWindow::begin_frame() {
   follow_display_scale();
   ImGui_ImplOpenGL3_NewFrame();

@@ -41,11 +41,8 @@ class AppWindow {
   void keep_open();
   void ask_to_close();
 
-  /// Waits for input, for `wake`, or this long, whichever comes first. True if there was any.
+  /// Waits for input or this long, whichever comes first. True if there was any.
   bool wait(double seconds);
-
-  /// Ends the wait of the window's thread. The only call that any thread may make.
-  static void wake();
 
   /// Starts a frame of Dear ImGui. The text and widgets that follow belong to it.
   void begin_frame();

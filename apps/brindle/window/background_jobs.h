@@ -17,7 +17,8 @@ class BackgroundJobs {
 
   /// `job` gives the message for when it is done; what it throws is the message if it fails. It
   /// must not touch what the window's thread changes.
-  void start(std::function<std::string()> job);
+  /// `then` is called by `update` once it is done without failing.
+  void start(std::function<std::string()> job, std::function<void()> then = {});
 
   /// Leaves the messages of those that have ended. Returns whether there were any.
   bool update();
@@ -25,8 +26,13 @@ class BackgroundJobs {
   bool busy() const { return !running_.empty(); }
 
  private:
+  struct Job {
+    std::future<std::string> message;
+    std::function<void()> then;
+  };
+
   LiveSession& live_;
-  std::vector<std::future<std::string>> running_;
+  std::vector<Job> running_;
 };
 
 }  // namespace brindle::tool

@@ -52,15 +52,22 @@ CameraView moved(const CameraView& view, const Camera& camera, const Vec3& cente
   return result;
 }
 
-Vec3 middle_of(const Camera& camera, const Vec3& near) {
+Vec3 place_under(const Camera& camera, PictureSize size, const Eigen::Vector2d& pixel,
+                 const Vec3& near) {
   const Eigen::Vector4f seen = camera.view_from_world * (near - camera.origin).homogeneous().eval();
-  // The optical axis runs through the middle of clip space, which may lie beside the viewer's.
-  Vec3 middle(0, 0, seen.z());
   const Eigen::Matrix4f& clip = camera.clip_from_view;
-  middle.x() = -(clip(0, 2) * seen.z() + clip(0, 3)) / clip(0, 0);
-  middle.y() = -(clip(1, 2) * seen.z() + clip(1, 3)) / clip(1, 1);
-  const Eigen::Vector4f world = camera.view_from_world.inverse() * middle.homogeneous().eval();
+  // Clip space's x and y of the pixel, times w.
+  const float w = clip.row(3).dot(seen);
+  const float x = w * static_cast<float>(2 * pixel.x() / size.width - 1);
+  const float y = w * static_cast<float>(1 - 2 * pixel.y() / size.height);
+  const Vec3 there((x - clip(0, 2) * seen.z() - clip(0, 3)) / clip(0, 0),
+                   (y - clip(1, 2) * seen.z() - clip(1, 3)) / clip(1, 1), seen.z());
+  const Eigen::Vector4f world = camera.view_from_world.inverse() * there.homogeneous().eval();
   return world.head<3>() + camera.origin;
+}
+
+Vec3 middle_of(const Camera& camera, const Vec3& near) {
+  return place_under(camera, {2, 2}, {1, 1}, near);
 }
 
 CameraView freed(const CameraView& view) {

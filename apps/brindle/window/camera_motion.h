@@ -21,6 +21,10 @@ CameraView moved(const CameraView& view, const Camera& camera, const Vec3& cente
 /// The point in the middle of the picture that is as far from the viewer as `near`.
 Vec3 middle_of(const Camera& camera, const Vec3& near);
 
+/// The point under a pixel of a picture of this size that is as far from the viewer as `near`.
+Vec3 place_under(const Camera& camera, PictureSize size, const Eigen::Vector2d& pixel,
+                 const Vec3& near);
+
 /// With a rotation of its own, which starts where the view is.
 CameraView freed(const CameraView& view);
 

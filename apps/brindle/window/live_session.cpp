@@ -8,6 +8,7 @@ namespace brindle::tool {
 namespace {
 
 constexpr auto kRest = std::chrono::milliseconds(300);
+constexpr auto kMovingRest = std::chrono::milliseconds(400);
 
 // Revisions of variants, which are none of the session's.
 constexpr std::uint64_t kVariantBit = std::uint64_t{1} << 63;
@@ -20,7 +21,10 @@ const char* kind_name(MessageKind kind) {
 
 LiveSession::LiveSession(SessionDocument document, WindowLog& log,
                          const std::filesystem::path& commands)
-    : session_(std::move(document)), log_(log), size_(session_.document().size) {
+    : session_(std::move(document)),
+      saved_(session_.document()),
+      log_(log),
+      size_(session_.document().size) {
   if (commands.empty()) return;
   commands_.open(commands);
   if (!commands_) {
@@ -56,6 +60,15 @@ void LiveSession::end_drag() {
   if (!session_.dragging()) return;
   apply(commands::EndDrag{});
   if (at_rest()) keep_phases();
+}
+
+bool LiveSession::apply_moving(const SessionCommand& command) {
+  last_moving_ = Clock::now();
+  return apply_dragged(command);
+}
+
+void LiveSession::end_drag_at_rest(bool pressed) {
+  if (!pressed && Clock::now() - last_moving_ >= kMovingRest) end_drag();
 }
 
 void LiveSession::add_message(MessageKind kind, const std::string& text) {

@@ -34,6 +34,18 @@ class LiveSession {
   /// step.
   bool apply_dragged(const SessionCommand& command);
   void end_drag();
+
+  /// The same of what moves while no button is pressed, such as the wheel: a drag that ends by
+  /// itself, once `end_drag_at_rest` finds that nothing has moved for a while.
+  bool apply_moving(const SessionCommand& command);
+  /// To be called once a frame. `pressed`: a button is, so that nothing ends.
+  void end_drag_at_rest(bool pressed);
+
+  /// Whether there is something to lose: options, strokes or stored views that differ from those
+  /// that were there at first, opened or saved last.
+  bool has_unsaved_work() const { return !same_work(session_.document(), saved_); }
+  void note_saved() { saved_ = session_.document(); }
+
   bool undo() { return apply(commands::Undo{}); }
   bool redo() { return apply(commands::Redo{}); }
   void add_message(MessageKind kind, const std::string& text);
@@ -83,6 +95,7 @@ class LiveSession {
   void log_messages();
 
   Session session_;
+  SessionDocument saved_;
   WindowLog& log_;
   std::ofstream commands_;
   PictureSize size_;
@@ -93,6 +106,7 @@ class LiveSession {
   PictureSize asked_size_{0, 0};
   PictureQuality asked_quality_ = PictureQuality::final;
   Clock::time_point last_change_;
+  Clock::time_point last_moving_;  // by `apply_moving`
   std::vector<FrameTaker> at_rest_takers_;
   std::optional<Variant> variant_;
   std::uint64_t variants_ = 0;

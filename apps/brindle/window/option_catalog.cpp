@@ -5,6 +5,9 @@
 #include <map>
 #include <string_view>
 
+#include "brindle/renderer.h"
+#include "option_values.h"
+
 namespace brindle::tool {
 namespace {
 
@@ -35,7 +38,7 @@ const std::vector<GroupNames> kGroups = {
     {"Surface", {"subdivide", "points", "neighbors"}},
     {"Solver",
      {"solver", "phase-shift", "weights", "sweeps", "cycles", "epsilon", "momentum", "seed",
-      "global-iterations", "threads", "device", "previous", "lambda", "match"}},
+      "global-iterations", "device", "previous", "lambda", "match"}},
 };
 constexpr const char* kMore = "More";
 
@@ -68,19 +71,8 @@ const std::map<std::string, SliderRange> kRanges = {
     {"momentum", {0, 1}},
     {"seed", {0, 100, false, true}},
     {"global-iterations", {1, 100, false, true}},
-    {"threads", {0, 16, false, true}},
     {"lambda", {0.001f, 10, true}},
 };
-
-std::vector<std::string> parts_of(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 // A value to be written as it stands; what stands for something is in capitals or "array:NAME".
 bool is_name(const std::string& part) {
@@ -110,11 +102,10 @@ std::string standard_in(const std::string& help) {
 std::vector<std::string> names_of(const SessionOption& option) {
   if (!option.choices.empty()) return option.choices;
   if (option.name == "texture") {
-    return {"stripes", "checker", "dots",  "arrows",   "bricks",
-            "hatch",   "plus",    "minus", "plusminus"};
+    return split(std::string(built_in_tile_names()), '|');
   }
   std::vector<std::string> names;
-  for (const std::string& part : parts_of(option.type_name, '|')) {
+  for (const std::string& part : split(option.type_name, '|')) {
     if (is_name(part)) names.push_back(part);
   }
   if (option.type_name.find("VALUE") != std::string::npos) {
@@ -126,6 +117,9 @@ std::vector<std::string> names_of(const SessionOption& option) {
 WidgetKind kind_of(const SessionOption& option) {
   if (option.flag) return WidgetKind::flag;
   if (kRanges.contains(option.name)) return WidgetKind::number;
+  if (option.type_name.starts_with("A,B") || option.type_name == "DARK,LIGHT") {
+    return WidgetKind::numbers;
+  }
   return option.choices.empty() ? WidgetKind::text : WidgetKind::choice;
 }
 

@@ -8,7 +8,7 @@
 
 namespace brindle::tool {
 
-enum class WidgetKind { flag, choice, number, text };
+enum class WidgetKind { flag, choice, number, numbers, text };
 
 /// How far a slider reaches; what is typed may go beyond.
 struct SliderRange {

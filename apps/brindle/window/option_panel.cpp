@@ -28,6 +28,15 @@ std::optional<float> number_in(const std::string& text) {
   return value;
 }
 
+/// "0.1,0.9": both; also of "0.4,2.5,inverse". Empty for anything else.
+std::vector<float> numbers_in(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() < 2) return {};
+  const auto first = number_in(parts[0]), second = number_in(parts[1]);
+  if (!first || !second) return {};
+  return {*first, *second};
+}
+
 std::string text_of_number(float value, bool whole) {
   return whole ? std::to_string(std::lround(value)) : formatted("%.4g", static_cast<double>(value));
 }
@@ -77,6 +86,17 @@ void OptionPanel::note_surface() {
 void OptionPanel::draw() {
   note_surface();
   for (const OptionGroup& group : groups_) draw_group(group);
+}
+
+void OptionPanel::draw_option(const std::string& name) {
+  note_surface();
+  for (const OptionGroup& group : groups_) {
+    const auto option = std::ranges::find(group.options, name, &CatalogOption::name);
+    if (option == group.options.end()) continue;
+    ImGui::PushID(name.c_str());
+    draw_option(*option);
+    ImGui::PopID();
+  }
 }
 
 void OptionPanel::draw_group(const OptionGroup& group) {
@@ -149,6 +169,8 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
       if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
       return draw_number(option, value.value_or(range_of(option).lowest), value.has_value());
     }
+    case WidgetKind::numbers:
+      return draw_numbers(option);
     case WidgetKind::text:
       return draw_text(option, 0, -FLT_MIN);
   }
@@ -173,6 +195,12 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
   if (option.name.starts_with("frequency") && diagonal_ > 0) {
     range.lowest = static_cast<float>(2 / diagonal_);
     range.highest = static_cast<float>(400 / diagonal_);
+  }
+  const auto& options = live_.document().options;
+  if (const auto colors = options.find("color-range");
+      option.name == "threshold" && colors != options.end()) {
+    const auto ends = numbers_in(colors->second.front());
+    if (ends.size() == 2) range = {.lowest = ends[0], .highest = ends[1]};
   }
   return range;
 }
@@ -239,6 +267,26 @@ void OptionPanel::draw_number(const CatalogOption& option, float value, bool kno
   if (!given) ImGui::PopStyleColor();
   const std::string text = text_of_number(value, range.whole);
   if (changed && text != before) set(option, {text});
+}
+
+// Two numbers, and what may be written behind them.
+void OptionPanel::draw_numbers(const CatalogOption& option) {
+  const std::string text = text_of(option);
+  std::vector<float> ends = numbers_in(text);
+  if (ends.size() != 2) return draw_text(option, 0, -FLT_MIN);
+  const bool given = live_.document().options.contains(option.name);
+  if (!given) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  }
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const float speed = std::max(0.002f * std::max(std::abs(ends[0]), std::abs(ends[1])), 1e-5f);
+  const bool changed = ImGui::DragFloat2("##numbers", ends.data(), speed, 0, 0, "%.4g");
+  if (!given) ImGui::PopStyleColor();
+  std::string value =
+      formatted("%.4g,%.4g", static_cast<double>(ends[0]), static_cast<double>(ends[1]));
+  const std::vector<std::string> parts = split(text, ',');
+  for (std::size_t i = 2; i < parts.size(); ++i) value += "," + parts[i];
+  if (changed && value != text) set(option, {value});
 }
 
 // Value number `index` of an option: a field to type into, names and files to choose.

@@ -21,6 +21,9 @@ class OptionPanel {
   /// All groups, into the current window of Dear ImGui.
   void draw();
 
+  /// One option beside its name, or nothing if there is none of that name.
+  void draw_option(const std::string& name);
+
  private:
   void note_surface();
   void draw_group(const OptionGroup& group);
@@ -31,6 +34,7 @@ class OptionPanel {
   void draw_flag(const CatalogOption& option);
   void draw_choice(const CatalogOption& option);
   void draw_number(const CatalogOption& option, float value, bool known);
+  void draw_numbers(const CatalogOption& option);
   void draw_text(const CatalogOption& option, std::size_t index, float width);
   void draw_texts(const CatalogOption& option);
   void draw_names(const CatalogOption& option, std::size_t index);

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "session/session_worker.h"
+#include "window_log.h"
 
 namespace brindle::tool {
 
@@ -16,6 +17,11 @@ struct PicturePlace {
 
   Eigen::Vector2d pixel(const ImVec2& at) const {
     return {(at.x - corner.x) * pixels_per_unit, (at.y - corner.y) * pixels_per_unit};
+  }
+  /// What the log says of something round there.
+  static WidgetPlace around(const ImVec2& middle, float radius) {
+    const auto side = static_cast<int>(2 * radius);
+    return {static_cast<int>(middle.x - radius), static_cast<int>(middle.y - radius), side, side};
   }
   ImVec2 unit(const Eigen::Vector2d& at) const {
     return {corner.x + static_cast<float>(at.x()) / pixels_per_unit,

@@ -7,12 +7,6 @@
 #include <imgui.h>
 
 namespace brindle::tool {
-namespace {
-
-constexpr double kWheelRest = 0.4;  // seconds
-
-}  // namespace
-
 // Only when there is a new one; the texture is made anew when the size changes.
 void PictureView::upload() {
   if (uploaded_ == live_.frame()) return;
@@ -63,9 +57,10 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   ImGui::GetWindowDrawList()->PushClipRect(corner, end, true);
   show(place);
   tool_.draw_over(*ImGui::GetWindowDrawList(), place, hovered);
+  places_.draw_over(*ImGui::GetWindowDrawList(), place);
   ImGui::GetWindowDrawList()->PopClipRect();
   follow_mouse(place, trail);
-  if (hovered) follow_wheel(place);
+  if (hovered) follow_wheel();
 }
 
 void PictureView::show(const PicturePlace& place) {
@@ -83,8 +78,10 @@ void PictureView::follow_mouse(const PicturePlace& place,
                                const std::vector<Eigen::Vector2f>& trail) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool draws = tool_.tool() != Tool::look;
-  if (draws) follow_tool(place, trail);
-  if (ImGui::IsItemActive() && !drawing_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+  const bool moves_place = places_.follow_mouse(place);
+  if (draws && !moves_place) follow_tool(place, trail);
+  if (ImGui::IsItemActive() && !drawing_ && !moves_place &&
+      (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
     look(io.MouseDelta, ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift, place);
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -128,18 +125,10 @@ std::optional<Vec3> PictureView::middle() const {
   return middle_of(live_.frame()->camera, bounding_box(live_.frame()->surface().mesh).center());
 }
 
-void PictureView::follow_wheel(const PicturePlace&) {
+void PictureView::follow_wheel() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0 || io.KeyCtrl) return;
-  live_.apply_dragged(commands::SetCamera{zoomed(live_.document().camera, io.MouseWheel)});
-  last_wheel_ = ImGui::GetTime();
-}
-
-void PictureView::update() {
-  const bool turning = last_wheel_ >= 0 && ImGui::GetTime() - last_wheel_ < kWheelRest;
-  if (turning || ImGui::IsAnyMouseDown()) return;
-  last_wheel_ = -1;
-  live_.end_drag();
+  live_.apply_moving(commands::SetCamera{zoomed(live_.document().camera, io.MouseWheel)});
 }
 
 void PictureView::centre_at(const PicturePlace& place) {

@@ -5,15 +5,17 @@
 
 #include "brindle/gl/gl_name.h"
 #include "camera_motion.h"
+#include "place_handles.h"
 #include "stroke_tool.h"
 
 namespace brindle::tool {
 
-/// Shows the session's newest frame. The mouse turns, moves and zooms it, or draws strokes.
+/// Shows the session's newest frame. The mouse turns, moves and zooms it, draws strokes or moves
+/// places.
 class PictureView {
  public:
-  PictureView(LiveSession& live, StrokeTool& tool, WindowLog& log)
-      : live_(live), tool_(tool), log_(log) {}
+  PictureView(LiveSession& live, StrokeTool& tool, PlaceHandles& places, WindowLog& log)
+      : live_(live), tool_(tool), places_(places), log_(log) {}
 
   /// Fills the rest of Dear ImGui's current window, and asks for pictures of that size. `trail`:
   /// where the mouse has been since the last call with its left button down.
@@ -23,27 +25,24 @@ class PictureView {
   /// first frame.
   std::optional<Vec3> middle() const;
 
-  /// Ends what the wheel has begun, once it rests.
-  void update();
-
  private:
   void upload();
   void show(const PicturePlace& place);
   void follow_mouse(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
   void follow_tool(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
-  void follow_wheel(const PicturePlace& place);
+  void follow_wheel();
   void look(const ImVec2& motion, bool moves, const PicturePlace& place);
   void centre_at(const PicturePlace& place);
 
   LiveSession& live_;
   StrokeTool& tool_;
+  PlaceHandles& places_;
   WindowLog& log_;
   std::shared_ptr<const SessionFrame> uploaded_;
   GlTexture texture_;
   int width_ = 0;  // of the texture
   int height_ = 0;
-  bool drawing_ = false;    // with the tool
-  double last_wheel_ = -1;  // seconds of Dear ImGui; below zero: at rest
+  bool drawing_ = false;  // with the tool
 };
 
 }  // namespace brindle::tool

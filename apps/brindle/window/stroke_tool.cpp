@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 #include <imgui.h>
+
+#include "brindle/direction_field.h"
 
 namespace brindle::tool {
 namespace {
@@ -25,12 +28,20 @@ constexpr std::array<ToolName, kToolCount> kTools = {
      {"Comb", "draw on the surface; stripes cross what you draw, or run along it with 'along' (C)"},
      {"Spline", "click points; Enter or a double click ends it (S)"},
      {"Move", "drag strokes; the sliders change the one that is chosen (M)"},
-     {"Erase", "click strokes, or drag over them (E)"}}};
+     {"Erase", "click strokes, or drag over them (E)"},
+     {"Steer",
+      "drag singularities; dropped onto one of the other colour, both are gone. Strokes hold them "
+      "where they are (G)"}}};
 
 constexpr ImU32 kStrokeColor = IM_COL32(255, 176, 32, 255);
 constexpr ImU32 kChosenColor = IM_COL32(255, 235, 120, 255);
 constexpr ImU32 kRim = IM_COL32(20, 20, 24, 200);
-constexpr ImU32 kSingularityColor = IM_COL32(245, 90, 60, 255);
+// Lines turn with who walks round the first, and against who walks round the second.
+constexpr ImU32 kPositiveColor = IM_COL32(245, 120, 40, 255);
+constexpr ImU32 kNegativeColor = IM_COL32(60, 140, 250, 255);
+constexpr double kNearSingularity = 14;  // units of Dear ImGui
+constexpr double kSteeringReach = 0.25;  // of the tool's radius
+constexpr double kSteeringStrength = 4;  // times the tool's
 
 void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 color, float width) {
   const int count = static_cast<int>(points.size());
@@ -60,7 +71,9 @@ void StrokeTool::draw_bar() {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kTools[i].help);
   }
   ImGui::SameLine(0, 1.2f * ImGui::GetFontSize());
-  draw_sliders();
+  if (tool_ != Tool::look) draw_sliders();
+  ImGui::Checkbox("singularities", &show_singularities_);
+  log_.note_widget("show singularities");
 }
 
 void StrokeTool::draw_sliders() {
@@ -84,8 +97,6 @@ void StrokeTool::draw_sliders() {
                                 ImGuiSliderFlags_Logarithmic);
   log_.note_widget("stroke strength");
   ImGui::SameLine();
-  ImGui::Checkbox("singularities", &show_singularities_);
-  log_.note_widget("show singularities");
   if (!changed) return;
   radius_ = radius;
   strength_ = strength;
@@ -97,20 +108,12 @@ void StrokeTool::draw_sliders() {
 }
 
 void StrokeTool::note_frame(const SessionFrame& frame) {
-  if (noted_ == frame.state) return;
-  noted_ = frame.state;
+  if (noted_ == frame.state->job) return;
+  noted_ = frame.state->job;
   const Mesh& mesh = frame.surface().mesh;
   diagonal_ = bounding_box(mesh).diagonal();
-  singularities_.clear();
-  const auto& corners = noted_->job->result.stripes().corners;
-  for (std::size_t t = 0; t < std::min(corners.size(), mesh.triangles.size()); ++t) {
-    if (corners[t].kind != TriangleKind::field_singularity) continue;
-    const Triangle& triangle = mesh.triangles[t];
-    const Vec3& a = mesh.positions[triangle[0]];
-    const Vec3& b = mesh.positions[triangle[1]];
-    const Vec3& c = mesh.positions[triangle[2]];
-    singularities_.push_back({(a + b + c) / 3, (b - a).cross(c - a)});
-  }
+  const StripePattern& stripes = noted_->result.stripes();
+  singularities_ = field_singularities(frame.surface(), stripes.corners, stripes.waves.directions);
 }
 
 std::optional<PickedPoint> StrokeTool::pick_at(const PicturePlace& place,
@@ -171,6 +174,8 @@ void StrokeTool::press(const PicturePlace& place, const Eigen::Vector2d& pixel) 
       return;
     case Tool::erase:
       return erase_at(place, pixel);
+    case Tool::steer:
+      return begin_steering(place, pixel);
   }
 }
 
@@ -183,12 +188,14 @@ void StrokeTool::drag(const PicturePlace& place, const std::vector<Eigen::Vector
   }
   if (longer && comb_.size() > 1) set_points(comb_);
   if (tool_ == Tool::move) move_chosen(place, pixels.back());
+  if (tool_ == Tool::steer) steer(place, pixels.back());
 }
 
 void StrokeTool::release() {
   if (tool_ == Tool::comb) drawn_.reset();
   comb_.clear();
   moving_.reset();
+  steering_.reset();
   refused_ = false;
 }
 
@@ -263,6 +270,65 @@ void StrokeTool::erase_at(const PicturePlace& place, const Eigen::Vector2d& pixe
   }
 }
 
+// The nearest one on the side that is seen.
+const FieldSingularity* StrokeTool::singularity_at(const PicturePlace& place,
+                                                   const Eigen::Vector2d& pixel) const {
+  const FieldSingularity* nearest = nullptr;
+  double least = kNearSingularity * place.pixels_per_unit;
+  const Vec3 viewpoint = viewpoint_of(place.frame->camera);
+  for (const FieldSingularity& singularity : singularities_) {
+    if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
+    const auto at = place_in_picture(singularity.position, place.frame->camera, place.size.width,
+                                     place.size.height);
+    if (!at || (*at - pixel).norm() > least) continue;
+    least = (*at - pixel).norm();
+    nearest = &singularity;
+  }
+  return nearest;
+}
+
+void StrokeTool::begin_steering(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  const FieldSingularity* singularity = singularity_at(place, pixel);
+  const WaveOptions& waves = place.frame->state->parsed->arguments().waves;
+  if (singularity == nullptr) return;
+  if (!is_smooth(waves) || waves.cross) {
+    return live_.add_message(MessageKind::error,
+                             "singularities are moved by strokes, which --field smooth and "
+                             "--field curvature follow, and no cross field");
+  }
+  // Strokes are along the field, waves are turned from it.
+  const float turn_deg = waves.rotate_deg + (waves.along ? 90.0f : 0.0f);
+  const Surface& surface = place.frame->surface();
+  steering_ = Steering{*singularity, place.frame->state,
+                       rotated(noted_->result.stripes().waves.directions, surface.normals,
+                               -turn_deg * std::numbers::pi_v<float> / 180),
+                       live_.document().strokes};
+}
+
+void StrokeTool::steer(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  if (!steering_ || pixel == last_pixel_) return;
+  last_pixel_ = pixel;
+  const Surface& surface = *steering_->state->job->surface;
+  const auto hit = pick_at(place, pixel);
+  if (!hit || hit->triangle >= surface.mesh.triangle_count()) return;
+  // Those that were there when the drag began: what it meets is gone in the meantime.
+  std::size_t to = hit->triangle;
+  const StripePattern& before = steering_->state->job->result.stripes();
+  for (const FieldSingularity& other :
+       field_singularities(surface, before.corners, before.waves.directions)) {
+    const auto at =
+        place_in_picture(other.position, place.frame->camera, place.size.width, place.size.height);
+    const bool meets = at && (*at - pixel).norm() < kNearSingularity * place.pixels_per_unit;
+    if (meets && other.sign == -steering_->singularity.sign) to = other.triangle;
+  }
+  const double reach = kSteeringReach * radius_ / 100 * diagonal_;
+  std::vector<FieldStroke> strokes =
+      strokes_that_move(steering_->singularity, to, surface, steering_->directions, reach,
+                        kSteeringStrength * static_cast<double>(strength_));
+  strokes.insert(strokes.begin(), steering_->strokes.begin(), steering_->strokes.end());
+  refused_ = !live_.apply_dragged(commands::SetStrokes{std::move(strokes)});
+}
+
 bool StrokeTool::erase_chosen() {
   if (!chosen_ || *chosen_ >= live_.document().strokes.size()) return false;
   return live_.apply(commands::EraseStroke{*std::exchange(chosen_, std::nullopt)});
@@ -270,7 +336,7 @@ bool StrokeTool::erase_chosen() {
 
 void StrokeTool::draw_over(ImDrawList& list, const PicturePlace& place, bool hovered) {
   note_frame(*place.frame);
-  if (show_singularities_) draw_singularities(list, place);
+  if (show_singularities_ || tool_ == Tool::steer) draw_singularities(list, place);
   if (tool_ == Tool::look) return;
   draw_strokes(list, place);
   if (hovered) draw_cursor(list, place);
@@ -299,18 +365,17 @@ void StrokeTool::draw_strokes(ImDrawList& list, const PicturePlace& place) {
 // Those on the side that is seen; what lies in front of them is not looked for.
 void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place) {
   const Camera& camera = place.frame->camera;
-  for (const Singularity& singularity : singularities_) {
-    const Vec3 seen =
-        (camera.view_from_world * (singularity.position - camera.origin).homogeneous().eval())
-            .head<3>();
-    const Vec3 normal = camera.view_from_world.topLeftCorner<3, 3>() * singularity.normal;
-    const Vec3 to_viewer = camera.orthographic() ? Vec3(Vec3::UnitZ()) : Vec3(-seen);
-    if (normal.dot(to_viewer) <= 0) continue;
+  const Vec3 viewpoint = viewpoint_of(camera);
+  for (const FieldSingularity& singularity : singularities_) {
+    if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
     const auto pixel =
         place_in_picture(singularity.position, camera, place.size.width, place.size.height);
     if (!pixel) continue;
     list.AddCircle(place.unit(*pixel), 6, kRim, 0, 4);
-    list.AddCircle(place.unit(*pixel), 6, kSingularityColor, 0, 2);
+    list.AddCircle(place.unit(*pixel), 6, singularity.sign > 0 ? kPositiveColor : kNegativeColor, 0,
+                   2.5f);
+    log_.note_place("singularity " + std::to_string(&singularity - singularities_.data()),
+                    PicturePlace::around(place.unit(*pixel), 6));
   }
 }
 

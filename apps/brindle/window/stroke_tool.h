@@ -8,12 +8,13 @@
 #include "live_session.h"
 #include "picture_place.h"
 #include "session/picking.h"
+#include "session/singularities.h"
 #include "stroke_curve.h"
 
 namespace brindle::tool {
 
-enum class Tool { look, comb, spline, move, erase };
-inline constexpr int kToolCount = 5;
+enum class Tool { look, comb, spline, move, erase, steer };
+inline constexpr int kToolCount = 6;
 
 /// What the mouse does on the picture besides looking around. Every stroke is drawn, moved or
 /// erased by commands of the session, so that the field follows while the mouse moves and all is
@@ -44,9 +45,12 @@ class StrokeTool {
   void draw_over(ImDrawList& list, const PicturePlace& place, bool hovered);
 
  private:
-  struct Singularity {
-    Vec3 position;
-    Vec3 normal;
+  /// A singularity that is dragged, with what there was before.
+  struct Steering {
+    FieldSingularity singularity;
+    std::shared_ptr<const LiveState> state;
+    DirectionField directions;  ///< of the field itself
+    std::vector<FieldStroke> strokes;
   };
   struct Moving {
     Points points;
@@ -63,6 +67,10 @@ class StrokeTool {
   void add_control(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void move_chosen(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void erase_at(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  const FieldSingularity* singularity_at(const PicturePlace& place,
+                                         const Eigen::Vector2d& pixel) const;
+  void begin_steering(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void steer(const PicturePlace& place, const Eigen::Vector2d& pixel);
   Points on_surface(const PicturePlace& place, const Points& points,
                     const Eigen::Vector2d& shift) const;
   void draw_sliders();
@@ -83,10 +91,11 @@ class StrokeTool {
   std::optional<std::size_t> drawn_;   // the stroke that they are
   std::optional<std::size_t> chosen_;  // the stroke that is moved
   std::optional<Moving> moving_;
+  std::optional<Steering> steering_;
   Eigen::Vector2d last_pixel_{0, 0};
   bool refused_ = false;  // until the button is let go
-  std::shared_ptr<const LiveState> noted_;
-  std::vector<Singularity> singularities_;
+  std::shared_ptr<const StripeJob> noted_;
+  std::vector<FieldSingularity> singularities_;
   double diagonal_ = 0;
 };
 

@@ -54,7 +54,9 @@ Viewer::Viewer(SessionDocument document, std::filesystem::path session_file,
       figure_panel_(live_, log_),
       shapes_(live_, log_),
       tool_(live_, log_),
-      picture_(live_, tool_, log_),
+      places_(live_, log_),
+      picture_(live_, tool_, places_, log_),
+      gallery_(live_, jobs_, option_panel_, log_),
       session_file_(std::move(session_file)) {
   settings_.dark = window_.dark();
   log_.write("start", {{"window", window_.renderer()}, {"scale", window_.scale()}});
@@ -66,7 +68,7 @@ void Viewer::run() {
   if (!options_.output.empty()) {
     live_.when_at_rest([this](const auto&) { window_picture_ = options_.output; });
   }
-  while (!window_.closing()) {
+  while (!is_to_close()) {
     if (turn()) draw();
     if (!live_.first_failure().empty()) throw Error(live_.first_failure());
   }
@@ -77,11 +79,22 @@ void Viewer::run() {
       {{"busy", live_.worker().busy()}, {"drawn", drawn_}, {"thread_seconds", thread_seconds()}});
 }
 
+// What would be lost is asked about first.
+bool Viewer::is_to_close() {
+  if (!window_.closing()) return false;
+  if (may_quit_ || !options_.output.empty() || !live_.has_unsaved_work()) return true;
+  window_.keep_open();
+  asks_to_quit_ = true;
+  frames_to_draw_ = kFramesAfterInput;
+  return false;
+}
+
 // Waits for something to happen. Returns whether the window is to be drawn.
 bool Viewer::turn() {
   const bool input = window_.wait(wait_seconds());
   bool changed = live_.update();
   changed |= jobs_.update();
+  if (gallery_.update()) frames_to_draw_ = std::max(frames_to_draw_, 1);
   take_dropped();
   if (recording_ && live_.frame()) recording_->show(live_.frame());
   if (recording_ && recording_->failed()) stop_recording();
@@ -112,7 +125,8 @@ void Viewer::draw() {
   shapes_.draw();
   draw_keys();
   browser_.draw(log_);
-  picture_.update();
+  draw_quit_question();
+  live_.end_drag_at_rest(ImGui::IsAnyMouseDown());
   Image copy;
   window_.end_frame(window_picture_.empty() ? nullptr : &copy);
   if (copy.width > 0) write_window_picture(std::move(copy));
@@ -161,6 +175,7 @@ void Viewer::draw_options(float height) {
                                       {std::max(14 * text, viewport->WorkSize.x / 2), height});
   ImGui::Begin("options", nullptr, kPanel);
   options_width_ = ImGui::GetWindowWidth();
+  gallery_.draw_panel();
   draw_camera();
   option_panel_.draw();
   ImGui::End();
@@ -189,10 +204,51 @@ void Viewer::draw_picture(float left, float right, float height) {
   const float gap = ImGui::GetStyle().FramePadding.y;
   ImGui::SetCursorPos({2 * gap, gap});
   tool_.draw_bar();
+  draw_place_box();
   ImGui::SetCursorPos({0, ImGui::GetFrameHeight() + 2 * gap});
   picture_.draw(window_.pixels_per_unit(), window_.take_trail());
   draw_message();
   ImGui::End();
+}
+
+void Viewer::draw_place_box() {
+  if (places_.empty()) return places_.set_follows(false);
+  ImGui::SameLine();
+  bool follows = places_.follows();
+  if (ImGui::Checkbox("place at mouse", &follows)) places_.set_follows(follows);
+  log_.note_widget("place at mouse");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip(
+        "the place that values are distances from follows the mouse over the surface (F);\n"
+        "without, drag its handle");
+  }
+}
+
+void Viewer::draw_quit_question() {
+  if (asks_to_quit_) ImGui::OpenPopup("Quit");
+  asks_to_quit_ = false;
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (!ImGui::BeginPopupModal("Quit", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  ImGui::TextUnformatted("The session has changes that are not saved.");
+  ImGui::Dummy({0, 0.3f * ImGui::GetFontSize()});
+  const auto button = [this](const char* label, const char* name) {
+    const bool pressed = ImGui::Button(label);
+    log_.note_widget(std::string("quit ") + name);
+    ImGui::SameLine();
+    if (pressed) ImGui::CloseCurrentPopup();
+    return pressed;
+  };
+  if (button("Save and quit", "save")) {
+    session_file_.empty() ? ask_save_session(true) : save_session(session_file_, true);
+  }
+  if (button("Quit without saving", "discard")) {
+    may_quit_ = true;
+    window_.ask_to_close();
+  }
+  if (button("Cancel", "cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
 }
 
 void Viewer::draw_camera() {

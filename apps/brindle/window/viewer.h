@@ -11,6 +11,7 @@
 #include "background_jobs.h"
 #include "figure_panel.h"
 #include "file_browser.h"
+#include "gallery_menu.h"
 #include "live_session.h"
 #include "option_panel.h"
 #include "picture_view.h"
@@ -52,6 +53,7 @@ class Viewer {
   void open(const std::string& name);
 
  private:
+  bool is_to_close();
   bool turn();
   double shortest_pause() const;
   double wait_seconds() const;
@@ -59,12 +61,14 @@ class Viewer {
   void write_window_picture(Image picture);
   void draw_panels();
   void draw_options(float height);
+  void draw_place_box();
   void draw_camera();
   void draw_figures(float height);
   void draw_picture(float left, float right, float height);
   void draw_status();
   void draw_message();
   void draw_keys();
+  void draw_quit_question();
 
   void draw_menus();
   void draw_file_menu();
@@ -76,6 +80,7 @@ class Viewer {
   void draw_view_menu();
   void draw_side_items();
   void draw_stored_views();
+  void draw_gallery_menu() { gallery_.draw_menu(); }
   void draw_help_menu();
   bool item(const char* label, const char* keys, bool chosen = false, bool enabled = true);
 
@@ -86,8 +91,8 @@ class Viewer {
   void take_dropped();
 
   void ask_open();
-  void ask_save_session();
-  void save_session(const std::filesystem::path& path);
+  void ask_save_session(bool then_quit = false);
+  void save_session(const std::filesystem::path& path, bool then_quit = false);
   void ask_save_picture(bool transparent);
   void ask_save_window();
   using Export = void (*)(const LiveState&, const std::filesystem::path&, JobListener&);
@@ -115,13 +120,17 @@ class Viewer {
   FigurePanel figure_panel_;
   ShapeDialog shapes_;
   StrokeTool tool_;
+  PlaceHandles places_;
   PictureView picture_;
+  GalleryMenu gallery_;
   std::unique_ptr<Recording> recording_;
   std::filesystem::path session_file_;
   std::filesystem::path window_picture_;   // to be written after the next frame
   std::optional<SessionMessage> message_;  // that is shown over the picture
   double message_since_ = 0;
   bool show_keys_ = false;
+  bool asks_to_quit_ = false;
+  bool may_quit_ = false;  // with what is not saved
   int frames_to_draw_ = 3;
   double last_drawn_ = 0;
   std::size_t drawn_ = 0;

@@ -56,6 +56,7 @@ void Viewer::open(const std::string& name) {
       return open_strokes(name);
     } else if (live_.apply(commands::Load{read_session(name)})) {
       session_file_ = name;
+      live_.note_saved();
       remember(settings_, name);
     }
     remember_settings();
@@ -85,20 +86,24 @@ void Viewer::ask_open() {
                 .done = [this](const fs::path& path) { open(path.string()); }});
 }
 
-void Viewer::ask_save_session() {
-  browser_.ask({.title = "Save the session",
-                .extensions = {".json"},
-                .save = true,
-                .name = stem() + ".json",
-                .done = [this](const fs::path& path) { save_session(path); }});
+void Viewer::ask_save_session(bool then_quit) {
+  browser_.ask(
+      {.title = "Save the session",
+       .extensions = {".json"},
+       .save = true,
+       .name = stem() + ".json",
+       .done = [this, then_quit](const fs::path& path) { save_session(path, then_quit); }});
 }
 
 // What is saved is what is shown when all is drawn.
-void Viewer::save_session(const fs::path& path) {
-  live_.when_at_rest([this, path](const auto&) {
+void Viewer::save_session(const fs::path& path, bool then_quit) {
+  live_.end_drag();
+  live_.when_at_rest([this, path, then_quit](const auto&) {
     try {
       write_session(path, live_.document_as_shown());
       session_file_ = path;
+      live_.note_saved();
+      if (then_quit) window_.ask_to_close();
       remember(settings_, path.string());
       live_.add_message(MessageKind::note, "wrote " + path.string());
       remember_settings();

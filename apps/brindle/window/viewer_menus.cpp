@@ -30,7 +30,7 @@ constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
-constexpr std::array<std::pair<const char*, const char*>, 25> kKeys = {{
+constexpr std::array<std::pair<const char*, const char*>, 27> kKeys = {{
     {"drag", "turn"},
     {"Shift + drag, middle drag", "move"},
     {"wheel", "zoom"},
@@ -43,6 +43,8 @@ constexpr std::array<std::pair<const char*, const char*>, 25> kKeys = {{
     {"Ctrl + C, Ctrl + V", "copy and paste the view as JSON"},
     {"B", "stripes, branches, angle errors"},
     {"V C S M E", "look, comb, spline, move and erase strokes"},
+    {"G", "steer singularities"},
+    {"F", "the place of distances follows the mouse, or not"},
     {"Enter", "end the spline"},
     {"Delete", "erase the chosen stroke"},
     {"Ctrl + Z", "undo"},
@@ -78,6 +80,7 @@ void Viewer::draw_menus() {
   menu("File", &Viewer::draw_file_menu);
   menu("Edit", &Viewer::draw_edit_menu);
   menu("View", &Viewer::draw_view_menu);
+  menu("Gallery", &Viewer::draw_gallery_menu);
   menu("Help", &Viewer::draw_help_menu);
   ImGui::EndMainMenuBar();
 }
@@ -238,7 +241,8 @@ void Viewer::draw_keys() {
 }
 
 void Viewer::follow_keys() {
-  const bool typing = ImGui::GetIO().WantTextInput || browser_.is_open();
+  const bool typing =
+      ImGui::GetIO().WantTextInput || browser_.is_open() || ImGui::IsPopupOpen("Quit");
   for (const PressedKey& key : window_.take_keys()) {
     if (typing) continue;
     key.control ? follow_control_key(key) : follow_plain_key(key);
@@ -320,8 +324,12 @@ void Viewer::follow_letter(int key) {
       return tool_.choose(Tool::move);
     case GLFW_KEY_E:
       return tool_.choose(Tool::erase);
+    case GLFW_KEY_G:
+      return tool_.choose(Tool::steer);
     case GLFW_KEY_B:
       return cycle_view();
+    case GLFW_KEY_F:
+      return places_.set_follows(!places_.follows());
     case GLFW_KEY_R:
       return toggle_recording();
     case GLFW_KEY_L:

@@ -44,6 +44,10 @@ void WindowLog::note_widget(const std::string& name) {
   if (is_open() && ImGui::IsItemVisible()) shown_[name] = last_place();
 }
 
+void WindowLog::note_place(const std::string& name, const WidgetPlace& place) {
+  if (is_open()) shown_[name] = place;
+}
+
 void WindowLog::end_frame() {
   if (!is_open()) return;
   auto changed = nlohmann::ordered_json::object();

@@ -36,6 +36,9 @@ class WindowLog {
   /// Notes where the last widget of Dear ImGui is.
   void note_widget(const std::string& name);
 
+  /// The same of something that is drawn there.
+  void note_place(const std::string& name, const WidgetPlace& place);
+
   /// Writes which widgets have appeared, moved or gone since the last frame, if any.
   void end_frame();
 

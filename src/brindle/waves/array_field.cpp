@@ -62,6 +62,11 @@ void check_range(float frequency, const FrequencyRange& range) {
       std::to_string(range.highest));
 }
 
+double reciprocal_factor(const FrequencyRange& range, double number) {
+  const double lowest = range.lowest, highest = range.highest;
+  return number * highest > 1 ? std::max(1 / number, lowest) : highest;
+}
+
 }  // namespace
 
 std::size_t nonfinite_rows(const DataArray& array) {
@@ -110,6 +115,10 @@ FrequencyField frequencies_by(const Surface& surface, const DataArray& array, fl
   FrequencyField frequencies(numbers.size(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t v = 0; v < numbers.size(); ++v) {
     if (!std::isfinite(numbers[v])) continue;
+    if (range.reciprocal) {
+      frequencies[v] = static_cast<float>(frequency * reciprocal_factor(range, numbers[v]));
+      continue;
+    }
     // Vertices without neighbours may be outside; they carry no wave.
     const double share = std::clamp(share_of(extent, numbers[v]), 0.0, 1.0);
     const double factor =

@@ -1,0 +1,272 @@
+#include "singularities.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kLeastEdges = 3;
+constexpr float kSpacing = 0.5f;      // of strokes, in reaches
+constexpr float kHalfLength = 0.35f;  // of a stroke, in spacings
+constexpr float kRadius = 0.6f;       // likewise
+constexpr std::size_t kMostAttractors = 96;
+
+Vec3 barycentre(const Mesh& mesh, std::size_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
+}
+
+/// Perpendicular to the triangle, as its corners are listed.
+Vec3 listed_normal(const Mesh& mesh, std::size_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3& a = mesh.positions[t[0]];
+  return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+}
+
+/// Whether its corners are listed the other way round than the vertices' normals say.
+bool is_inside_out(const Surface& surface, std::size_t triangle) {
+  const Triangle& t = surface.mesh.triangles[triangle];
+  const Vec3 outwards = surface.normals[t[0]] + surface.normals[t[1]] + surface.normals[t[2]];
+  return listed_normal(surface.mesh, triangle).dot(outwards) < 0;
+}
+
+/// The angle from one vector to another about `normal`.
+float angle_between(const Vec3& from, const Vec3& to, const Vec3& normal) {
+  return std::atan2(normal.dot(from.cross(to)), from.dot(to));
+}
+
+/// By how much lines turn round a triangle, in half turns.
+int half_turns(const Vec3& normal, const std::array<Vec3, 3>& directions) {
+  const Vec3 n = normal.stableNormalized();
+  const auto flat = [&](int m) -> Vec3 { return directions[m % 3] - directions[m % 3].dot(n) * n; };
+  float sum = 0;
+  for (int m = 0; m < 3; ++m) sum += std::remainder(angle_between(flat(m), flat(m + 1), n), kPi);
+  return static_cast<int>(std::lround(sum / kPi));
+}
+
+using EdgeKey = std::uint64_t;
+
+EdgeKey edge_key(Index a, Index b) { return EdgeKey{std::min(a, b)} << 32 | std::max(a, b); }
+
+/// Edges that a walk from triangle to triangle crosses, as the triangle that is left lists them.
+using CrossedEdges = std::vector<std::pair<Index, Index>>;
+
+/// The shortest walk, by barycentres, over triangles that are not much farther away than both ends
+/// are apart; empty if there is none.
+class TriangleWalk {
+ public:
+  TriangleWalk(const Mesh& mesh, std::size_t from, std::size_t to, float margin) : mesh_(mesh) {
+    const Vec3 begin = barycentre(mesh, from), end = barycentre(mesh, to);
+    const float farthest = 1.5f * (end - begin).norm() + margin;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if ((barycentre(mesh, t) - begin).norm() > farthest) continue;
+      for (int m = 0; m < 3; ++m) {
+        const Triangle& triangle = mesh.triangles[t];
+        sides_[edge_key(triangle[m], triangle[(m + 1) % 3])].push_back(t);
+      }
+    }
+    search(from, to);
+  }
+
+  std::vector<std::size_t> triangles;  ///< first to last
+  CrossedEdges crossed;
+
+ private:
+  struct Reached {
+    float distance = std::numeric_limits<float>::infinity();
+    std::size_t before = 0;
+    std::pair<Index, Index> edge;
+  };
+
+  void search(std::size_t from, std::size_t to) {
+    std::unordered_map<std::size_t, Reached> reached;
+    using Entry = std::pair<float, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+    reached[from].distance = 0;
+    next.emplace(0.0f, from);
+    while (!next.empty() && next.top().second != to) {
+      const auto [distance, t] = next.top();
+      next.pop();
+      if (distance > reached[t].distance) continue;
+      const Triangle& triangle = mesh_.triangles[t];
+      for (int m = 0; m < 3; ++m) {
+        const std::pair<Index, Index> edge(triangle[m], triangle[(m + 1) % 3]);
+        for (const std::size_t other : sides_[edge_key(edge.first, edge.second)]) {
+          const float farther = distance + (barycentre(mesh_, other) - barycentre(mesh_, t)).norm();
+          Reached& there = reached[other];
+          if (!(farther < there.distance)) continue;
+          there = {farther, t, edge};
+          next.emplace(farther, other);
+        }
+      }
+    }
+    if (next.empty()) return;
+    for (std::size_t t = to; t != from; t = reached[t].before) {
+      triangles.push_back(t);
+      crossed.push_back(reached[t].edge);
+    }
+    triangles.push_back(from);
+    std::ranges::reverse(triangles);
+    std::ranges::reverse(crossed);
+  }
+
+  const Mesh& mesh_;
+  std::unordered_map<EdgeKey, std::vector<std::size_t>> sides_;
+};
+
+/// Vertices near a walk, in the order of their distance from it along edges.
+std::vector<Index> vertices_near(const Surface& surface, const TriangleWalk& walk, float reach) {
+  std::unordered_map<Index, float> distance;
+  using Entry = std::pair<float, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+  for (const std::size_t t : walk.triangles) {
+    for (const Index v : surface.mesh.triangles[t]) {
+      if (distance.emplace(v, 0.0f).second) next.emplace(0.0f, v);
+    }
+  }
+  std::vector<Index> vertices;
+  while (!next.empty()) {
+    const auto [way, v] = next.top();
+    next.pop();
+    if (way > distance[v]) continue;
+    vertices.push_back(v);
+    for (const Index w : surface.neighborhood->of(v)) {
+      const float farther = way + (surface.mesh.positions[w] - surface.mesh.positions[v]).norm();
+      const auto [found, added] = distance.emplace(w, farther);
+      if (farther > reach || (!added && farther >= found->second)) continue;
+      found->second = farther;
+      next.emplace(farther, w);
+    }
+  }
+  return vertices;
+}
+
+/// By how much lines have to turn at some vertices for the field to be smoothest with half turns
+/// more or less across the walk.
+class LineTurns {
+ public:
+  LineTurns(const Surface& surface, std::span<const Vec3> directions, const TriangleWalk& walk,
+            int sign)
+      : surface_(surface), directions_(directions) {
+    for (std::size_t k = 0; k < walk.crossed.size(); ++k) {
+      const auto [from, to] = walk.crossed[k];
+      const int outside = is_inside_out(surface, walk.triangles[k]) ? -1 : 1;
+      jumps_[{from, to}] -= sign * outside;
+      jumps_[{to, from}] += sign * outside;
+    }
+  }
+
+  /// One per vertex of `vertices`; all others stay as they are.
+  Eigen::VectorXd solve(const std::vector<Index>& vertices) const {
+    std::unordered_map<Index, int> number;
+    for (const Index v : vertices) number.emplace(v, static_cast<int>(number.size()));
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertices.size()));
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const int row = static_cast<int>(i);
+      double degree = 1e-9;  // where nothing is held
+      for (const Index w : surface_.neighborhood->of(vertices[i])) {
+        degree += 1;
+        wanted[row] += turn(vertices[i], w);
+        if (const auto other = number.find(w); other != number.end()) {
+          entries.emplace_back(row, other->second, -1.0);
+        }
+      }
+      entries.emplace_back(row, row, degree);
+    }
+    Eigen::SparseMatrix<double> matrix(wanted.size(), wanted.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(wanted);
+  }
+
+ private:
+  /// From a vertex to its neighbour.
+  double turn(Index from, Index to) const {
+    const Vec3 &n = surface_.normals[from], &m = surface_.normals[to];
+    const Vec3 carried = Eigen::Quaternionf::FromTwoVectors(n, m) * directions_[from];
+    const float shortest = std::remainder(angle_between(carried, directions_[to], m), kPi);
+    const auto jump = jumps_.find({from, to});
+    return static_cast<double>(
+        shortest + (jump == jumps_.end() ? 0.0f : kPi * static_cast<float>(jump->second)));
+  }
+
+  const Surface& surface_;
+  std::span<const Vec3> directions_;
+  std::map<std::pair<Index, Index>, int> jumps_;  ///< half turns
+};
+
+/// A short line through a vertex.
+FieldStroke stroke_at(const Surface& surface, Index vertex, const Vec3& direction, float spacing,
+                      double strength) {
+  const Vec3& p = surface.mesh.positions[vertex];
+  const Vec3 half = kHalfLength * spacing * direction;
+  FieldStroke stroke{{}, static_cast<double>(kRadius * spacing), strength};
+  for (const Vec3& point : {Vec3(p - half), p, Vec3(p + half)}) {
+    stroke.points.push_back(point.cast<double>() + surface.mesh.origin);
+  }
+  return stroke;
+}
+
+}  // namespace
+
+std::vector<FieldSingularity> field_singularities(const Surface& surface,
+                                                  std::span<const CornerPhases> corners,
+                                                  std::span<const Vec3> directions) {
+  std::vector<FieldSingularity> result;
+  const Mesh& mesh = surface.mesh;
+  for (std::size_t t = 0; t < std::min(corners.size(), mesh.triangles.size()); ++t) {
+    if (corners[t].kind != TriangleKind::field_singularity) continue;
+    const Triangle& triangle = mesh.triangles[t];
+    const Vec3 normal = listed_normal(mesh, t);
+    // Seen from the other side, both walk and turn are the other way round.
+    const int sign = half_turns(
+        normal, {directions[triangle[0]], directions[triangle[1]], directions[triangle[2]]});
+    result.push_back(
+        {t, barycentre(mesh, t), is_inside_out(surface, t) ? Vec3(-normal) : normal, sign});
+  }
+  return result;
+}
+
+std::vector<FieldStroke> strokes_that_move(const FieldSingularity& singularity, std::size_t to,
+                                           const Surface& surface, std::span<const Vec3> directions,
+                                           double reach, double strength) {
+  const Mesh& mesh = surface.mesh;
+  const float edge = std::sqrt(singularity.normal.norm());
+  const float radius = std::max(static_cast<float>(reach), kLeastEdges * edge);
+  const TriangleWalk walk(mesh, singularity.triangle, to, 4 * radius);
+  if (walk.triangles.empty()) return {};
+  const std::vector<Index> vertices = vertices_near(surface, walk, radius);
+  const Eigen::VectorXd turns =
+      LineTurns(surface, directions, walk, singularity.sign).solve(vertices);
+  const float spacing = kSpacing * radius;
+  std::vector<FieldStroke> strokes;
+  std::vector<Vec3> used = {barycentre(mesh, to)};
+  for (std::size_t i = 0; i < vertices.size() && strokes.size() < kMostAttractors; ++i) {
+    const Index v = vertices[i];
+    const Vec3& p = mesh.positions[v];
+    const bool is_near =
+        std::ranges::any_of(used, [&](const Vec3& q) { return (p - q).norm() < spacing; });
+    if (is_near || directions[v].isZero(0)) continue;
+    used.push_back(p);
+    const auto turn = static_cast<float>(turns[static_cast<Eigen::Index>(i)]);
+    strokes.push_back(stroke_at(surface, v,
+                                Eigen::AngleAxisf(turn, surface.normals[v]) * directions[v],
+                                spacing, strength));
+  }
+  return strokes;
+}
+
+}  // namespace brindle::tool
