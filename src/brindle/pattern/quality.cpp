@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/pattern/quality_sums.h"
 #include "brindle/pattern/triangle_kernels.h"
 
 namespace brindle {
@@ -31,27 +32,18 @@ void measure(const Mesh& mesh, const WaveSet& waves, std::span<const CornerPhase
 
 float degrees(float radians) { return radians * 180 / std::numbers::pi_v<float>; }
 
-struct Sums {
-  std::size_t branches = 0, field_singularities = 0;
-  double area = 0, over_5deg = 0, angle = 0, spacing = 0;  ///< of regular triangles
-
-  Sums operator+(const Sums& o) const {
-    return {branches + o.branches, field_singularities + o.field_singularities,
-            area + o.area,         over_5deg + o.over_5deg,
-            angle + o.angle,       spacing + o.spacing};
-  }
-  void count(TriangleKind kind, const ErrorLanes& errors, std::size_t lane) {
-    branches += is_branch(kind);
-    field_singularities += kind == TriangleKind::field_singularity;
-    const double triangle_area = errors.area[lane];
-    if (kind != TriangleKind::regular || triangle_area == 0) return;
-    const float angle_deg = degrees(errors.angle[lane]);
-    area += triangle_area;
-    if (angle_deg > 5) over_5deg += triangle_area;
-    angle += triangle_area * static_cast<double>(angle_deg);
-    spacing += triangle_area * static_cast<double>(errors.spacing[lane]);
-  }
-};
+void add_triangle(QualitySums& sums, TriangleKind kind, const ErrorLanes& errors,
+                  std::size_t lane) {
+  sums.branches += is_branch(kind);
+  sums.field_singularities += kind == TriangleKind::field_singularity;
+  const double triangle_area = errors.area[lane];
+  if (kind != TriangleKind::regular || triangle_area == 0) return;
+  const float angle_deg = degrees(errors.angle[lane]);
+  sums.area += triangle_area;
+  if (angle_deg > 5) sums.over_5deg += triangle_area;
+  sums.angle += triangle_area * static_cast<double>(angle_deg);
+  sums.spacing += triangle_area * static_cast<double>(errors.spacing[lane]);
+}
 
 }  // namespace
 
@@ -77,19 +69,24 @@ std::size_t count_without_wave(std::span<const Vec3> directions) {
   });
 }
 
-PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
-                               std::span<const CornerPhases> corners) {
-  const Sums sums =
-      parallel_sum<Sums>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
-        Sums sum;
+QualitySums quality_sums(const Mesh& mesh, const WaveSet& waves,
+                         std::span<const CornerPhases> corners) {
+  QualitySums sums =
+      parallel_sum<QualitySums>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+        QualitySums sum;
         ErrorLanes errors;
         for (std::size_t t = begin; t < end; ++t) {
           const std::size_t lane = (t - begin) % kTriangleLanes;
           if (lane == 0) measure(mesh, waves, corners, t, errors);
-          sum.count(corners[t].kind, errors, lane);
+          add_triangle(sum, corners[t].kind, errors, lane);
         }
         return sum;
       });
+  sums.without_wave = count_without_wave(waves.directions);
+  return sums;
+}
+
+PatternQuality quality_of(const QualitySums& sums) {
   const auto mean = [&](double sum) { return sums.area == 0 ? 0 : sum / sums.area; };
   PatternQuality quality;
   quality.branches = sums.branches;
@@ -97,8 +94,13 @@ PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
   quality.angle_error_mean_deg = mean(sums.angle);
   quality.angle_error_share_over_5deg = mean(sums.over_5deg);
   quality.spacing_error_mean = mean(sums.spacing);
-  quality.vertices_without_wave = count_without_wave(waves.directions);
+  quality.vertices_without_wave = sums.without_wave;
   return quality;
+}
+
+PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
+                               std::span<const CornerPhases> corners) {
+  return quality_of(quality_sums(mesh, waves, corners));
 }
 
 }  // namespace brindle

@@ -26,7 +26,8 @@ void arrange_members(Aggregation& aggregation, const Aggregates& aggregates,
 
 }  // namespace
 
-SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency) {
+SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency,
+                           const Coloring& coloring) {
   std::vector<Index> block_ends;
   Index begin = 0;
   for (const Index end : std::span(aggregates.block_begin).subspan(1)) {
@@ -35,7 +36,7 @@ SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjace
     begin = end;
     if (end == aggregates.count()) break;
   }
-  return sliced_layout(adjacency, greedy_coloring(adjacency), {}, block_ends);
+  return sliced_layout(adjacency, coloring, {}, block_ends);
 }
 
 Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,

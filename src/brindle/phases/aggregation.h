@@ -19,9 +19,10 @@ struct Aggregation {
   SourceRounds sources;             ///< which entries add to which coarse entry
 };
 
-/// The layout of the coarser level: its blocks hold the aggregates of a few whole blocks of the
-/// finer one.
-SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency);
+/// The layout of the coarser level in these colours: its blocks hold the aggregates of a few whole
+/// blocks of the finer one.
+SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency,
+                           const Coloring& coloring);
 
 /// Arranges aggregates for the kernels; `adjacency` is its coarse adjacency and `coarse` the
 /// layout of that.

@@ -7,12 +7,6 @@
 #include "brindle/phases/one_at_a_time.h"
 
 namespace brindle {
-namespace {
-
-constexpr Index kUncolored = ~Index{0};
-
-}  // namespace
-
 Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed) {
   const std::size_t nodes = adjacency.node_count();
   std::vector<Index> color(nodes, kUncolored);
@@ -43,24 +37,31 @@ Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed) {
   return {std::move(color), round};
 }
 
-Coloring greedy_coloring(const Adjacency& adjacency) {
-  const std::size_t nodes = adjacency.node_count();
-  Coloring coloring{std::vector<Index>(nodes, kUncolored), 0};
-  std::vector<Index> taken_by;  // the last node that saw a neighbour of this colour
-  for (Index node = 0; node < nodes; ++node) {
-    for (const Index neighbor : adjacency.of(node)) {
-      const Index color = coloring.color[neighbor];
-      if (color != kUncolored) taken_by[color] = node;
-    }
-    Index color = 0;
-    while (color < coloring.color_count && taken_by[color] == node) ++color;
-    if (color == coloring.color_count) {
-      ++coloring.color_count;
-      taken_by.push_back(kUncolored);
-    }
-    coloring.color[node] = color;
+GreedyColorer::GreedyColorer(const Adjacency& adjacency)
+    : adjacency_(adjacency), coloring_{std::vector<Index>(adjacency.node_count(), kUncolored), 0} {}
+
+void GreedyColorer::color(Index node) {
+  ++step_;
+  for (const Index neighbor : adjacency_.of(node)) {
+    const Index color = coloring_.color[neighbor];
+    if (color != kUncolored) taken_in_[color] = step_;
   }
-  return coloring;
+  Index color = 0;
+  while (color < coloring_.color_count && taken_in_[color] == step_) ++color;
+  set(node, color);
+}
+
+void GreedyColorer::set(Index node, Index color) {
+  coloring_.color[node] = color;
+  if (color == kUncolored || color < coloring_.color_count) return;
+  coloring_.color_count = color + 1;
+  taken_in_.resize(coloring_.color_count);
+}
+
+Coloring greedy_coloring(const Adjacency& adjacency) {
+  GreedyColorer colorer(adjacency);
+  for (Index node = 0; node < adjacency.node_count(); ++node) colorer.color(node);
+  return colorer.take();
 }
 
 }  // namespace brindle

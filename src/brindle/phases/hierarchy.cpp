@@ -14,16 +14,6 @@
 namespace brindle {
 namespace {
 
-Level make_level(LevelTopology topology) {
-  const SlicedLayout& layout = *topology.layout;
-  SlicedCouplings couplings(layout);
-  std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
-  std::vector<Complex> z(layout.slot_count() + 1, kPeak);
-  std::vector<std::uint8_t> receives(layout.slot_count());
-  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z),
-          std::move(receives)};
-}
-
 /// The gauge of the m-th of all members, its reflecting couplings included: the phase that the
 /// earlier members of its aggregate, each in its own gauge, draw it to. The stronger of the two
 /// sums decides whether it takes Z or conj(Z).
@@ -207,6 +197,16 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
 
 }  // namespace
 
+Level make_level(LevelTopology topology) {
+  const SlicedLayout& layout = *topology.layout;
+  SlicedCouplings couplings(layout);
+  std::vector<Complex> gauge(layout.slot_count(), with_conjugate_bit(1, false));
+  std::vector<Complex> z(layout.slot_count() + 1, kPeak);
+  std::vector<std::uint8_t> receives(layout.slot_count());
+  return {std::move(topology), std::move(couplings), std::move(gauge), std::move(z),
+          std::move(receives)};
+}
+
 void SumScratch::reserve(std::span<const Level> levels) {
   for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
     const SlicedLayout& coarse = levels[l + 1].layout();
@@ -262,8 +262,9 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
     const Aggregates aggregates = grow_aggregates(fine.layout(), fine.couplings);
     if (aggregates.count() == 0) break;
     const Adjacency adjacency = coarse_adjacency(fine.layout(), aggregates);
-    Level coarse =
-        make_level({std::make_shared<SlicedLayout>(coarse_layout(aggregates, adjacency)), nullptr});
+    Level coarse = make_level({std::make_shared<SlicedLayout>(coarse_layout(
+                                   aggregates, adjacency, greedy_coloring(adjacency))),
+                               nullptr});
     fine.topology.aggregation = std::make_shared<Aggregation>(
         arrange(fine.layout(), aggregates, adjacency, coarse.layout()));
     hierarchy.levels.push_back(std::move(coarse));
@@ -353,16 +354,21 @@ void renew_gauges(Level& level) {
       1);
 }
 
-void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
+namespace {
+
+/// Renews so many blocks of `coarse`: `block_of(n)` is the n-th of them.
+template <class BlockOf>
+void sum_blocks(const Level& fine, Level& coarse, SumScratch& scratch, std::size_t count,
+                const BlockOf& block_of) {
   const bool anchored = !fine.couplings.anchor.empty();
   coarse.couplings.anchor.resize(anchored ? coarse.layout().slot_count() : 0);
   scratch.reserve_threads();
   parallel_for(
-      coarse.layout().block_count(),
+      count,
       [&](std::size_t begin, std::size_t end) {
         SumScratch::OfThread& own = scratch.threads.at(thread_number());
-        for (std::size_t b = begin; b < end; ++b) {
-          const auto block = static_cast<Index>(b);
+        for (std::size_t n = begin; n < end; ++n) {
+          const Index block = block_of(n);
           sum_block(fine, coarse, block, own);
           const SliceRange slices = coarse.layout().block(block);
           for (Index slice = slices.begin; anchored && slice < slices.end; ++slice) {
@@ -373,13 +379,28 @@ void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
       1);
 }
 
+}  // namespace
+
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch) {
+  sum_blocks(fine, coarse, scratch, coarse.layout().block_count(),
+             [](std::size_t n) { return static_cast<Index>(n); });
+}
+
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch,
+                std::span<const Index> blocks) {
+  sum_blocks(fine, coarse, scratch, blocks.size(), [&](std::size_t n) { return blocks[n]; });
+}
+
+void reset_gauges(Hierarchy& hierarchy) {
+  if (!hierarchy.corrected) return;
+  // Those of references are not renewed: they have to be 1 again.
+  auto& gauge = hierarchy.levels[0].gauge;
+  std::fill(gauge.begin(), gauge.end(), with_conjugate_bit(1, false));
+  hierarchy.corrected = false;
+}
+
 void renew(Hierarchy& hierarchy) {
-  if (hierarchy.corrected) {
-    // Those of references are not renewed: they have to be 1 again.
-    auto& gauge = hierarchy.levels[0].gauge;
-    std::fill(gauge.begin(), gauge.end(), with_conjugate_bit(1, false));
-    hierarchy.corrected = false;
-  }
+  reset_gauges(hierarchy);
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     renew_gauges(hierarchy.levels[l]);
     renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);

@@ -32,6 +32,9 @@ struct Level {
   const Aggregation& aggregation() const { return *topology.aggregation; }
 };
 
+/// A level of this topology with couplings, gauges and phases that are not yet set.
+Level make_level(LevelTopology topology);
+
 /// What sums are computed in, for every thread its own.
 struct SumScratch {
   struct OfThread {
@@ -87,6 +90,13 @@ void renew_gauges(Level& level);
 
 /// Renews the couplings and anchors of `coarse` as exact sums of those of `fine`.
 void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch);
+
+/// The same of these blocks of `coarse` alone.
+void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch,
+                std::span<const Index> blocks);
+
+/// Undoes what cycles have done to the finest level's gauges.
+void reset_gauges(Hierarchy& hierarchy);
 
 /// Renews the gauges and sums of all levels from the couplings of the finest.
 void renew(Hierarchy& hierarchy);

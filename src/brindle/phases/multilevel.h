@@ -20,10 +20,23 @@ struct LevelSweeps {
 /// no finer level can mend: sweeps grow in number and reach as levels shrink.
 LevelSweeps sweeps_on_level(Index slot_count, int sweeps);
 
+/// The sweeps of a descent on one level.
+void sweep_level(Level& level, int sweeps);
+
+/// Makes gauges of the phases that a level has: of the finest of all its phases, of others 1.
+void set_turns(Level& level, bool is_finest);
+
+/// From this phase on the coarsest level down to the finest, as `descend` does.
+void descend_from(Hierarchy& hierarchy, Complex start, int sweeps);
+
 /// From the coarsest level down: prolong the phases, then `sweeps` coloured sweeps, more on small
 /// levels. Phases end in `hierarchy.levels[0].z`. No random start and nothing to tune; each sweep
 /// can only lower the energy.
 void descend(Hierarchy& hierarchy, int sweeps);
+
+/// One cycle of `run_cycles`. `has_finest` tells whether the first level is the finest, as it is
+/// unless finer ones are elsewhere.
+void correct(Hierarchy& hierarchy, int sweeps, bool has_finest = true);
 
 /// So many further descents, each from the phases that the finest level has: they become its
 /// gauges, so that a coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is

@@ -52,15 +52,6 @@ void assign_block(SlicedLayout& layout, const Coloring& coloring, std::span<cons
   }
 }
 
-std::vector<Index> equal_blocks(std::size_t nodes) {
-  std::vector<Index> ends;
-  for (std::size_t end = kBlock; end < nodes; end += kBlock) {
-    ends.push_back(static_cast<Index>(end));
-  }
-  ends.push_back(static_cast<Index>(nodes));
-  return ends;
-}
-
 void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
                   std::span<const Index> order, std::span<const Index> block_ends) {
   std::vector<Index> nodes(order.begin(), order.end());
@@ -120,6 +111,15 @@ void fill_columns(SlicedLayout& layout, const Adjacency& adjacency) {
 }
 
 }  // namespace
+
+std::vector<Index> equal_blocks(std::size_t nodes) {
+  std::vector<Index> ends;
+  for (std::size_t end = kBlock; end < nodes; end += kBlock) {
+    ends.push_back(static_cast<Index>(end));
+  }
+  ends.push_back(static_cast<Index>(nodes));
+  return ends;
+}
 
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
                            std::span<const Index> order, std::span<const Index> block_ends) {
@@ -219,51 +219,51 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
            float over_relaxation) {
   for (Index color = 0; color < layout.color_count(); ++color) {
-    const auto ranges = layout.ranges_of(color);
-    parallel_for(
-        ranges.size(),
-        [&](std::size_t begin, std::size_t end) {
-          for (const SliceRange& range : ranges.subspan(begin, end - begin)) {
-            kernels::sweep_slices(layout, couplings, z.data(), over_relaxation, range);
-          }
-        },
-        kRangeGrain);
+    sweep_color(layout, couplings, z, over_relaxation, color);
   }
+}
+
+void sweep_color(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
+                 float over_relaxation, Index color) {
+  const auto ranges = layout.ranges_of(color);
+  parallel_for(
+      ranges.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (const SliceRange& range : ranges.subspan(begin, end - begin)) {
+          kernels::sweep_slices(layout, couplings, z.data(), over_relaxation, range);
+        }
+      },
+      kRangeGrain);
 }
 
 namespace {
 
-struct EnergySums {
-  double energy = 0, weight = 0;
-  EnergySums operator+(const EnergySums& other) const {
-    return {energy + other.energy, weight + other.weight};
-  }
-  void add(std::complex<double> z_i, std::complex<double> coupling, std::complex<double> z_j) {
-    const double w = std::sqrt(std::norm(coupling));
-    weight += w;
-    energy += 0.5 * (w - (std::conj(z_i) * coupling * z_j).real());
-  }
-};
+void add_edge(EnergySums& sums, std::complex<double> z_i, std::complex<double> coupling,
+              std::complex<double> z_j) {
+  const double w = std::sqrt(std::norm(coupling));
+  sums.weight += w;
+  sums.energy += 0.5 * (w - (std::conj(z_i) * coupling * z_j).real());
+}
 
 EnergySums energy_of_slice(const SlicedLayout& layout, const SlicedCouplings& couplings,
                            std::span<const Complex> z, Index slice) {
   EnergySums sums;
   for (std::size_t entry = std::size_t{layout.column_begin[slice]} * kLanes;
        entry < std::size_t{layout.column_begin[slice + 1]} * kLanes; ++entry) {
-    sums.add(z[slice * kLanes + entry % kLanes], couplings.direct_at(entry),
+    add_edge(sums, z[slice * kLanes + entry % kLanes], couplings.direct_at(entry),
              z[layout.neighbor[entry]]);
   }
   for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
-    sums.add(z[slice * kLanes + entry % kLanes], b, std::conj(z[layout.neighbor[entry]]));
+    add_edge(sums, z[slice * kLanes + entry % kLanes], b, std::conj(z[layout.neighbor[entry]]));
   }
   return sums;
 }
 
 }  // namespace
 
-double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
-              std::span<const Complex> z) {
-  const auto sums = parallel_sum<EnergySums>(
+EnergySums energy_sums(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                       std::span<const Complex> z) {
+  return parallel_sum<EnergySums>(
       layout.slice_count(),
       [&](std::size_t begin, std::size_t end) {
         EnergySums part;
@@ -273,6 +273,11 @@ double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
         return part;
       },
       kSliceGrain);
+}
+
+double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
+              std::span<const Complex> z) {
+  const EnergySums sums = energy_sums(layout, couplings, z);
   return relative_energy(sums.energy, sums.weight);
 }
 

@@ -67,6 +67,9 @@ SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
                            std::span<const Index> order = {},
                            std::span<const Index> block_ends = {});
 
+/// Where the blocks of so many nodes end if nobody says otherwise.
+std::vector<Index> equal_blocks(std::size_t nodes);
+
 /// A reflecting coupling B of one entry.
 struct ReflectingCoupling {
   Index entry;
@@ -127,6 +130,22 @@ void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
 /// length 1. Each update can only lower the energy.
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
            float over_relaxation = 1);
+
+/// The part of a sweep that updates the slots of one colour.
+void sweep_color(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
+                 float over_relaxation, Index color);
+
+/// What energies are told from: sums over directed edges.
+struct EnergySums {
+  double energy = 0, weight = 0;
+  EnergySums operator+(const EnergySums& other) const {
+    return {energy + other.energy, weight + other.weight};
+  }
+};
+
+/// Over the edges to all slots.
+EnergySums energy_sums(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                       std::span<const Complex> z);
 
 /// The energy of phases by slot, as `energy` of phase_graph.h defines it.
 double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,

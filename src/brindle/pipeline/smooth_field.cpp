@@ -10,6 +10,7 @@
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
+#include "brindle/pipeline/curvature_anchors.h"
 #include "brindle/pipeline/field_anchors.h"
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
@@ -18,33 +19,13 @@
 namespace brindle {
 namespace {
 
-/// How far the principal curvatures of each vertex differ, over the largest difference that nine
-/// vertices in ten stay below: noise and creases must not drown the rest.
-std::vector<float> anisotropy(std::span<const PrincipalCurvature> curvatures) {
-  std::vector<float> difference(curvatures.size());
-  for (std::size_t i = 0; i < difference.size(); ++i) {
-    difference[i] = std::abs(curvatures[i].maximum - curvatures[i].minimum);
-  }
-  std::vector<float> sorted = difference;
-  const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
-  std::nth_element(sorted.begin(), tenth, sorted.end());
-  const float scale = *tenth > 0 ? 1 / *tenth : 0;
-  for (float& d : difference) d = std::min(1.0f, d * scale);
-  return difference;
-}
-
-void add_curvature_anchors(PhaseGraph& graph, const Surface& surface,
-                           const SmoothFieldOptions& options) {
+void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldOptions& options) {
   const auto curvatures =
       principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
-  const DirectionField directions =
-      curvature_direction_field(curvatures, options.curvature_direction);
-  const std::vector<float> trust = anisotropy(curvatures);
-  for (Index i = 0; i < graph.node_count(); ++i) {
-    const auto degree = static_cast<float>(graph.adjacency->of(i).size());
-    graph.anchor[i] += options.curvature_anchor * trust[i] * degree *
-                       representation(directions[i], surface.normals[i], options.symmetry);
-  }
+  std::vector<float> sorted = curvature_differences(curvatures);
+  const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
+  std::nth_element(sorted.begin(), tenth, sorted.end());
+  add_curvature_anchors(graph, surface.normals, curvatures, *tenth, options);
 }
 
 /// At every vertex the mean of its features as lines (N = 2): a crease that the triangles follow in
@@ -94,6 +75,8 @@ void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
   }
 }
 
+}  // namespace
+
 void check(const SmoothFieldOptions& options) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw Error(std::string("smooth field: ") + message);
@@ -108,8 +91,6 @@ void check(const SmoothFieldOptions& options) {
           "edges have no sign; feature anchors need an even symmetry");
 }
 
-}  // namespace
-
 DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options) {
   check(options);
   check_positions(surface.mesh.positions);
@@ -118,7 +99,7 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   if (options.curvature_anchor > 0 || options.feature_anchor > 0 || !options.anchors.empty()) {
     graph.anchor.resize(graph.node_count());
   }
-  if (options.curvature_anchor > 0) add_curvature_anchors(graph, surface, options);
+  if (options.curvature_anchor > 0) add_curvature(graph, surface, options);
   if (options.feature_anchor > 0) add_feature_anchors(graph, surface, options);
   add_anchors(graph, surface, options.anchors, options.symmetry);
   SolverOptions solver;

@@ -5,13 +5,12 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
-#include "brindle/pattern/triangle_kernels.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/last_phases.h"
 #include "brindle/pipeline/yielding_frames.h"
 #include "brindle/solver.h"
 #include "brindle/waves/wave_check.h"
@@ -45,53 +44,6 @@ struct StripeAnimator::State {
   /// Whether the next frame is a descent, not the paper's iterations.
   bool descends() const { return options.solver == FrameSolver::multilevel || !has_last(); }
 };
-
-namespace {
-
-/// T_i = lambda deg_i z_i of the last frame.
-void set_anchors(std::span<const float> degree, std::span<const Complex> last_z, float lambda,
-                 std::vector<Complex>& anchor) {
-  anchor.resize(degree.size());
-  parallel_for(degree.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      anchor[slot] = lambda * degree[slot] * last_z[slot];
-    }
-  });
-}
-
-/// The mean over slots with a wave and a last phase of |arg(z conj(last_z))|.
-double mean_step(std::span<const Complex> z, std::span<const Complex> last_z,
-                 std::span<const float> degree) {
-  struct Sum {
-    double angle = 0, count = 0;
-    Sum operator+(const Sum& other) const { return {angle + other.angle, count + other.count}; }
-  };
-  static_assert(kLanes == kTriangleLanes);
-  const auto slice_sum = [&](std::size_t first) {
-    Sum part;
-    alignas(64) float distances[kLanes];
-    triangle_kernels::phase_distances(z.data() + first, last_z.data() + first, distances);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (degree[first + lane] <= 0 || last_z[first + lane] == Complex(0)) continue;
-      part.angle += static_cast<double>(distances[lane]);
-      part.count += 1;
-    }
-    return part;
-  };
-  const Sum sum = parallel_sum<Sum>(
-      degree.size() / kLanes,
-      [&](std::size_t begin, std::size_t end) {
-        Sum part;
-        for (std::size_t slice = begin; slice < end; ++slice) {
-          part = part + slice_sum(slice * kLanes);
-        }
-        return part;
-      },
-      kSliceGrain);
-  return sum.count > 0 ? sum.angle / sum.count : 0;
-}
-
-}  // namespace
 
 void check(const AnimatorOptions& options) {
   const auto require = [](bool holds, const char* message) {
@@ -167,7 +119,7 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
     take_back();
     throw;
   }
-  if (s.has_last()) result.phase_step = mean_step(s.finest().z, s.last_z, s.degree);
+  if (s.has_last()) result.phase_step = phase_steps(s.finest().z, s.last_z, s.degree).mean();
   keep();
   s.yielding.keep(input);
   result.z = s.z_by_vertex;

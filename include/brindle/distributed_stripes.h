@@ -1,0 +1,74 @@
+/// Stripes over a surface that many processes hold together. Needs a build with BRINDLE_MPI.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/corner_phases.h"
+#include "brindle/distributed_surface.h"
+#include "brindle/export.h"
+#include "brindle/progress.h"
+#include "brindle/quality.h"
+#include "brindle/stripe_animator.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// Those of a StripeAnimator but edge weights and slack, which are refused.
+struct DistributedOptions : AnimatorOptions {
+  /// Levels with fewer nodes on all ranks together are solved by rank 0 alone.
+  std::size_t gather_below = 16384;
+};
+
+/// What the measured triangles of all ranks say of a pattern.
+struct DistributedMeasures {
+  std::vector<CornerPhases> corners;  ///< of the piece's triangles; of its ghosts no_wave
+  PatternQuality quality;             ///< of the whole surface, on every rank
+};
+
+/// A StripeAnimator over all ranks. With one rank its phases, energies and measures are those of a
+/// StripeAnimator, bit for bit; with more, the same bits in every run with the same pieces. All
+/// members are collective.
+class DistributedStripeAnimator {
+ public:
+  /// Throws Error for options out of range, edge weights and slack.
+  explicit DistributedStripeAnimator(const DistributedSurface& surface,
+                                     const DistributedOptions& options = {});
+  ~DistributedStripeAnimator();
+  DistributedStripeAnimator(DistributedStripeAnimator&&) noexcept;
+  DistributedStripeAnimator& operator=(DistributedStripeAnimator&&) noexcept;
+
+  /// As StripeAnimator::frame. The input has one entry per vertex of the piece; what counts of a
+  /// vertex is what its owner says. Where `progress` cancels one rank, all are cancelled.
+  FrameResult frame(const FrameInput& input, const Progress& progress = {});
+
+  /// The energy of the last frame's phases, over all ranks. Throws Error before the first frame.
+  double energy() const;
+
+  /// Corner phases and quality of the last frame. Throws Error before the first frame.
+  DistributedMeasures measure() const;
+
+  /// Forgets the last frame's phases.
+  void restart();
+
+  /// Milliseconds of the first frame that later ones do not need.
+  double topology_milliseconds() const;
+
+  /// How many levels all ranks have parts of; coarser ones are on rank 0. 0 before the first frame.
+  std::size_t distributed_levels() const;
+
+  /// Ghosts of the finest level on this rank: a sweep brings 8 bytes for each.
+  std::size_t ghost_count() const;
+
+ private:
+  struct State;
+  FrameMilliseconds solve_next(const Progress& progress);
+  void couple_next();
+  void iterate();
+  void keep();
+  void take_back();
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace brindle

@@ -1,0 +1,99 @@
+/// A surface that many processes hold together, each a piece of it (docs/distributed.md). Needs a
+/// build with BRINDLE_MPI.
+///
+/// A process is a rank of an MPI communicator. What is said to be collective must be called by all
+/// ranks of it, in the same order. An Error that one rank has is thrown by all, so that none waits
+/// for it; MPI is called from the thread that calls.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+// C alone, without the C++ that MPI once had.
+#ifndef OMPI_SKIP_MPICXX
+#define OMPI_SKIP_MPICXX 1
+#endif
+#ifndef MPICH_SKIP_MPICXX
+#define MPICH_SKIP_MPICXX 1
+#endif
+#include <mpi.h>
+
+#include "brindle/direction_field.h"
+#include "brindle/export.h"
+#include "brindle/mesh.h"
+#include "brindle/smooth_field.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+struct RankSurface;
+
+/// One rank's piece. It may be empty, of any topology, and in parts.
+struct SurfacePiece {
+  Mesh mesh;  ///< `origin` must be the same on all ranks
+  /// One per vertex: vertices of several ranks are the same exactly if their numbers are. Any
+  /// numbers will do, each once in a piece.
+  std::vector<std::uint64_t> vertex_ids;
+  /// One per triangle: 1 if it is another rank's and only here to be seen, as visualisation
+  /// programs have layers of ghosts; empty: none. Every triangle is one rank's alone.
+  std::vector<std::uint8_t> ghost_triangles;
+};
+
+/// What a rank has sent to others, and how long it has waited for them.
+struct Traffic {
+  std::uint64_t bytes = 0;  ///< messages to single ranks; few more are for sums over all
+  std::uint64_t messages = 0;
+  double waiting_milliseconds = 0;
+
+  Traffic since(const Traffic& before) const {
+    return {bytes - before.bytes, messages - before.messages,
+            waiting_milliseconds - before.waiting_milliseconds};
+  }
+};
+
+/// Who owns which vertex, and what ranks need of each other, once per connectivity. A vertex is
+/// owned by the lowest rank that has it in a triangle of its own. Copies share all this.
+class DistributedSurface {
+ public:
+  /// Collective. Finds what lies around the piece's vertices on other ranks: ghosts that were given
+  /// are not needed, and not used. Throws Error for pieces that do not fit together: numbers that
+  /// are missing or double, triangles and positions as `make_surface` refuses them.
+  DistributedSurface(SurfacePiece piece, MPI_Comm communicator);
+
+  /// Unit normals of the piece's vertices, or zero, as `make_surface` has them of the whole.
+  std::span<const Vec3> normals() const;
+
+  /// Which of the piece's vertices this rank owns.
+  std::span<const std::uint8_t> is_own() const;
+
+  /// Of the whole surface, on every rank.
+  std::size_t vertex_count() const;
+  std::size_t triangle_count() const;
+  std::size_t edge_count() const;
+  double diagonal() const;  ///< of the box around all vertices that triangles use
+
+  /// What this rank has sent in all that was done with this surface.
+  const Traffic& traffic() const;
+
+  /// For the library itself.
+  const RankSurface& rank_surface() const { return *surface_; }
+  std::shared_ptr<const RankSurface> shared() const { return surface_; }
+
+ private:
+  std::shared_ptr<const RankSurface> surface_;
+};
+
+/// Collective. Does on all ranks what `smooth_direction_field` does, with the symmetry, the
+/// curvature, sweeps and cycles of the options; one direction per vertex of the piece. Directions
+/// run like their neighbours within a rank. Throws Error for options out of range, and for feature
+/// anchors and anchors of vertices, which need the whole surface.
+DirectionField smooth_direction_field(const DistributedSurface& surface,
+                                      const SmoothFieldOptions& options = {});
+
+/// Collective. The principal curvature directions of the piece's vertices.
+DirectionField curvature_direction_field(const DistributedSurface& surface,
+                                         CurvatureDirection direction);
+
+}  // namespace brindle

@@ -1,0 +1,145 @@
+#include "brindle/distributed/communicator.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
+#include "brindle/progress.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kTag = 1;
+
+/// MPI counts in ints.
+constexpr std::size_t kLongestMessage = std::size_t{1} << 30;
+
+enum class Outcome : std::uint8_t { done, cancelled, failed };
+
+struct Failure {
+  Outcome outcome = Outcome::done;
+  std::string message;
+};
+
+Failure outcome_of(const std::function<void()>& work) {
+  try {
+    work();
+    return {};
+  } catch (const Cancelled& cancelled) {
+    return {Outcome::cancelled, cancelled.what()};
+  } catch (const std::bad_alloc&) {
+    return {Outcome::failed, "not enough memory"};
+  } catch (const std::exception& error) {
+    return {Outcome::failed, error.what()};
+  }
+}
+
+/// Calls `visit(first, count)` for the messages that so many bytes go in.
+template <class Visit>
+void for_each_message(std::size_t bytes, const Visit& visit) {
+  for (std::size_t first = 0; first < bytes; first += kLongestMessage) {
+    visit(first, static_cast<int>(std::min(kLongestMessage, bytes - first)));
+  }
+}
+
+}  // namespace
+
+Communicator::Communicator(MPI_Comm comm) {
+  MPI_Comm_dup(comm, &comm_);
+  MPI_Comm_rank(comm_, &rank_);
+  MPI_Comm_size(comm_, &size_);
+}
+
+Communicator::~Communicator() {
+  int finalized = 0;
+  MPI_Finalized(&finalized);
+  if (finalized == 0) MPI_Comm_free(&comm_);
+}
+
+void Communicator::all_gather(const void* value, void* values, std::size_t bytes) {
+  if (size_ == 1) {
+    std::memcpy(values, value, bytes);
+    return;
+  }
+  Stopwatch watch;
+  const int count = static_cast<int>(bytes);
+  MPI_Allgather(value, count, MPI_BYTE, values, count, MPI_BYTE, comm_);
+  traffic_.waiting_milliseconds += watch.lap();
+}
+
+std::vector<std::uint64_t> Communicator::swap_counts(const std::vector<std::uint64_t>& counts) {
+  std::vector<std::uint64_t> theirs(counts.size());
+  MPI_Alltoall(counts.data(), 1, MPI_UINT64_T, theirs.data(), 1, MPI_UINT64_T, comm_);
+  return theirs;
+}
+
+void Communicator::together(const std::function<void()>& work) {
+  if (size_ == 1) return work();
+  const Failure failure = outcome_of(work);
+  const std::vector<Outcome> outcomes = all(failure.outcome);
+  const auto first = std::ranges::find_if(outcomes, [](Outcome o) { return o != Outcome::done; });
+  if (first == outcomes.end()) return;
+  const auto failed = static_cast<int>(first - outcomes.begin());
+  std::string message = failure.message;
+  std::uint64_t length = message.size();
+  MPI_Bcast(&length, 1, MPI_UINT64_T, failed, comm_);
+  message.resize(length);
+  MPI_Bcast(message.data(), static_cast<int>(length), MPI_CHAR, failed, comm_);
+  if (*first == Outcome::cancelled) throw Cancelled(message);
+  throw Error("rank " + std::to_string(failed) + ": " + message);
+}
+
+std::vector<std::vector<std::byte>> Communicator::gather(std::span<const std::byte> bytes) {
+  const std::vector<std::uint64_t> sizes = all<std::uint64_t>(bytes.size());
+  std::vector<std::vector<std::byte>> lists;
+  std::vector<Incoming> incoming;
+  if (rank_ == 0) {
+    for (const std::uint64_t size : sizes) lists.emplace_back(size);
+    for (int r = 0; r < size_; ++r) incoming.push_back({r, lists[static_cast<std::size_t>(r)]});
+  }
+  const Outgoing outgoing{0, bytes};
+  transfer({&outgoing, 1}, incoming);
+  return lists;
+}
+
+void Communicator::transfer(std::span<const Outgoing> outgoing,
+                            std::span<const Incoming> incoming) {
+  start(outgoing, incoming);
+  finish();
+}
+
+void Communicator::start(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) {
+  for (const Incoming& in : incoming) {
+    if (in.rank == rank_) continue;
+    for_each_message(in.bytes.size(), [&](std::size_t first, int count) {
+      MPI_Irecv(in.bytes.data() + first, count, MPI_BYTE, in.rank, kTag, comm_,
+                &requests_.emplace_back());
+    });
+  }
+  for (const Outgoing& out : outgoing) {
+    if (out.rank == rank_) {
+      const auto own = std::ranges::find(incoming, rank_, &Incoming::rank);
+      std::ranges::copy(out.bytes, own->bytes.begin());
+      continue;
+    }
+    for_each_message(out.bytes.size(), [&](std::size_t first, int count) {
+      MPI_Isend(out.bytes.data() + first, count, MPI_BYTE, out.rank, kTag, comm_,
+                &requests_.emplace_back());
+      ++traffic_.messages;
+    });
+    traffic_.bytes += out.bytes.size();
+  }
+}
+
+void Communicator::finish() {
+  if (requests_.empty()) return;
+  Stopwatch watch;
+  MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  requests_.clear();
+  traffic_.waiting_milliseconds += watch.lap();
+}
+
+}  // namespace brindle

@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/distributed/rank_hierarchy.h"
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed_stripes.h"
+#include "brindle/error.h"
+#include "brindle/pattern/quality_sums.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/last_phases.h"
+#include "brindle/solver.h"
+#include "brindle/waves/wave_check.h"
+
+namespace brindle {
+namespace {
+
+/// A wave as owners tell others of it.
+struct ToldWave {
+  Vec3 position;
+  Vec3 direction;
+  float frequency = 1;
+};
+
+void check_distributed(const DistributedOptions& options) {
+  check(options);
+  if (options.phase_shift == PhaseShiftKind::common_source) {
+    throw Error("animator options: the phase shift must be aligned or trapezoid");
+  }
+  if (!options.edge_weights.empty()) {
+    throw Error("animator options: edge weights are not for distributed surfaces");
+  }
+  if (options.slack.yields()) {
+    throw Error("animator options: slack is not for distributed surfaces");
+  }
+}
+
+}  // namespace
+
+struct DistributedStripeAnimator::State {
+  std::shared_ptr<const RankSurface> surface;
+  DistributedOptions options;
+  double topology_milliseconds = 0;
+
+  std::optional<RankHierarchy> hierarchy;  ///< empty before the first frame
+  bool has_frame = false;
+  bool has_last = false;       ///< whether the next frame follows one; a rank may have no vertices
+  std::vector<ToldWave> told;  ///< by vertex; of own ones and ghosts
+  WaveSet input;               ///< the same as arrays
+  std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
+  std::vector<float> degree;
+  std::vector<Complex> last_z;  ///< by slot
+  std::vector<Complex> z_by_node;
+  std::vector<Complex> z_by_vertex;  ///< `z_by_node`, and those of the rest
+  std::vector<Complex> z_of_piece;
+  Momentum momentum;
+
+  Communicator& ranks() const { return *surface->ranks; }
+  Level& finest() { return hierarchy->finest(); }
+  std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
+  bool descends() const { return options.solver == FrameSolver::multilevel || !has_last; }
+
+  void take_input(const FrameInput& frame);
+  void start();
+  FrameResult unchanged_frame() const {
+    FrameResult result;
+    result.z = z_of_piece;
+    result.unchanged = true;
+    return result;
+  }
+};
+
+/// Own waves from the input, ghosts' from their owners.
+void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
+  told.resize(surface->vertex_count());
+  for (std::size_t p = 0; p < frame.positions.size(); ++p) {
+    const Index v = surface->vertex_of_piece[p];
+    if (v < surface->graph.own) {
+      told[v] = {frame.positions[p], frame.directions[p], frame.frequencies[p]};
+    }
+  }
+  exchange(ranks(), surface->graph.halo, std::span(told));
+  input.positions.resize(told.size());
+  input.directions.resize(told.size());
+  input.frequencies.resize(told.size());
+  for (std::size_t v = 0; v < told.size(); ++v) {
+    input.positions[v] = told[v].position;
+    input.directions[v] = told[v].direction;
+    input.frequencies[v] = told[v].frequency;
+  }
+}
+
+/// The finest level, and what frames write to.
+void DistributedStripeAnimator::State::start() {
+  if (hierarchy) return;
+  Stopwatch watch;
+  hierarchy.emplace(ranks(), surface->graph, options.gather_below);
+  const SlicedLayout& layout = finest().layout();
+  waves.reserve(layout.slot_count());
+  if (options.cycles > 0) cancellable_waves.reserve(layout.slot_count());
+  if (options.solver == FrameSolver::relaxation) momentum.m.resize(layout.slot_count());
+  degree.resize(layout.slot_count());
+  topology_milliseconds = watch.lap();
+}
+
+DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& surface,
+                                                     const DistributedOptions& options)
+    : state_(std::make_unique<State>()) {
+  state_->surface = surface.shared();
+  state_->ranks().together([&] { check_distributed(options); });
+  state_->options = options;
+  state_->momentum.strength = SolverOptions().momentum;
+}
+
+DistributedStripeAnimator::~DistributedStripeAnimator() = default;
+DistributedStripeAnimator::DistributedStripeAnimator(DistributedStripeAnimator&&) noexcept =
+    default;
+DistributedStripeAnimator& DistributedStripeAnimator::operator=(
+    DistributedStripeAnimator&&) noexcept = default;
+
+FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Progress& progress) {
+  State& s = *state_;
+  s.ranks().together([&] {
+    check(input, s.surface->vertex_of_piece.size());
+    check_waves(input.positions, input.directions, input.frequencies);
+  });
+  Stopwatch watch;
+  s.take_input(input);
+  const double exchange_milliseconds = watch.lap();
+  s.start();
+  watch.lap();
+  const bool loaded_new = load_waves(s.finest().layout(), s.input.positions, s.input.directions,
+                                     s.input.frequencies, s.next_waves(), s.waves, s.last_z);
+  // To a rank without vertices nothing changes.
+  const bool changed = s.ranks().any(loaded_new && s.surface->graph.own > 0);
+  if (s.has_last && !changed) return s.unchanged_frame();
+  const double load_milliseconds = watch.lap();
+  FrameResult result;
+  try {
+    result.milliseconds = solve_next(progress);
+  } catch (...) {
+    take_back();
+    throw;
+  }
+  watch.lap();
+  if (s.has_last) {
+    result.phase_step = s.ranks().sum(phase_steps(s.finest().z, s.last_z, s.degree)).mean();
+  }
+  keep();
+  result.z = s.z_of_piece;
+  result.milliseconds.couple += exchange_milliseconds + load_milliseconds;
+  result.milliseconds.solve += watch.lap();
+  return result;
+}
+
+/// From the next waves to phases of the finest level.
+FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress) {
+  State& s = *state_;
+  FrameMilliseconds milliseconds;
+  Stopwatch watch;
+  couple_next();
+  milliseconds.couple = watch.lap();
+  const bool builds = !s.hierarchy->is_coarsened();
+  if (builds) {
+    s.hierarchy->coarsen(progress);
+    s.topology_milliseconds += watch.lap();
+  }
+  if (s.descends() && !builds) s.hierarchy->renew();
+  milliseconds.sum = watch.lap();
+  if (s.descends()) {
+    s.hierarchy->descend(s.options.sweeps);
+    s.hierarchy->run_cycles(s.options.sweeps, s.options.cycles, progress);
+  } else {
+    iterate();
+  }
+  milliseconds.solve = watch.lap();
+  return milliseconds;
+}
+
+void DistributedStripeAnimator::couple_next() {
+  State& s = *state_;
+  Level& finest = s.finest();
+  couple(finest.layout(), s.next_waves(), s.options.phase_shift, {}, finest.couplings, s.degree);
+  const bool anchored =
+      s.has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
+  if (anchored) {
+    set_anchors(s.degree, s.last_z, s.options.lambda, finest.couplings.anchor);
+  } else {
+    finest.couplings.anchor.clear();
+  }
+}
+
+/// The paper's iterations from the last phases.
+void DistributedStripeAnimator::iterate() {
+  State& s = *state_;
+  std::ranges::copy(s.last_z, s.finest().z.begin());
+  for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
+    s.hierarchy->relax(s.momentum);
+  }
+}
+
+/// Makes the frame just solved the last one.
+void DistributedStripeAnimator::keep() {
+  State& s = *state_;
+  const SlicedLayout& layout = s.finest().layout();
+  s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
+  to_nodes(layout, s.last_z, s.z_by_node);
+  s.z_by_vertex.resize(s.surface->vertex_count());
+  std::ranges::copy(s.z_by_node, s.z_by_vertex.begin());
+  exchange(s.ranks(), s.surface->rest, std::span(s.z_by_vertex));
+  s.z_of_piece = s.surface->to_piece(std::span<const Complex>(s.z_by_vertex));
+  if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
+  s.has_frame = s.has_last = true;
+}
+
+/// Makes everything as it was before a frame that has not come to its end.
+void DistributedStripeAnimator::take_back() {
+  State& s = *state_;
+  if (s.has_frame) {
+    Level& finest = s.finest();
+    turn_phases(s.waves, s.next_waves(), s.last_z);
+    couple(finest.layout(), s.waves, s.options.phase_shift, {}, finest.couplings, s.degree);
+    to_slots(finest.layout(), s.z_by_node, finest.z);
+  } else {
+    // Aggregates follow the couplings of the first frame that comes to its end.
+    s.hierarchy.reset();
+    s.waves.clear();
+  }
+}
+
+double DistributedStripeAnimator::energy() const {
+  if (!state_->has_frame) throw Error("animator: there is no energy before the first frame");
+  return state_->hierarchy->energy();
+}
+
+DistributedMeasures DistributedStripeAnimator::measure() const {
+  const State& s = *state_;
+  if (!s.has_frame) throw Error("animator: there is nothing to measure before the first frame");
+  const RankSurface& surface = *s.surface;
+  WaveSet waves{surface.mesh.positions, {}, {}};
+  const auto& layout = s.hierarchy->finest().layout();
+  std::vector<ToldWave> told(surface.vertex_count());
+  for (Index node = 0; node < surface.graph.node_count(); ++node) {
+    const SlicedWave& wave = s.waves[layout.slot_of[node]];
+    told[node] = {Vec3(wave.position), Vec3(wave.direction), s.told[node].frequency};
+  }
+  exchange(s.ranks(), surface.rest, std::span(told));
+  for (std::size_t v = 0; v < told.size(); ++v) {
+    waves.positions[v] = told[v].position;
+    waves.directions.push_back(told[v].direction);
+    waves.frequencies.push_back(told[v].frequency);
+  }
+  DistributedMeasures measures;
+  const std::vector<CornerPhases> corners =
+      corner_phases(surface.mesh.triangles, waves, s.z_by_vertex, s.options.phase_shift);
+  Mesh mesh{waves.positions, surface.mesh.triangles};
+  QualitySums sums = quality_sums(mesh, waves, corners);
+  sums.without_wave =
+      count_without_wave(std::span<const Vec3>(waves.directions).first(surface.graph.own));
+  measures.quality = quality_of(s.ranks().sum(sums));
+  measures.quality.spacing_error_wanted_mean = measures.quality.spacing_error_mean;
+  measures.corners.resize(surface.piece_triangles);
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    measures.corners[surface.triangle_of_piece[t]] = corners[t];
+  }
+  return measures;
+}
+
+void DistributedStripeAnimator::restart() {
+  state_->last_z.clear();
+  state_->has_last = false;
+  std::ranges::fill(state_->momentum.m, Complex(0));
+}
+
+double DistributedStripeAnimator::topology_milliseconds() const {
+  return state_->topology_milliseconds;
+}
+
+std::size_t DistributedStripeAnimator::distributed_levels() const {
+  return state_->has_frame ? state_->hierarchy->distributed_levels() : 0;
+}
+
+std::size_t DistributedStripeAnimator::ghost_count() const {
+  return state_->surface->graph.ghost_count();
+}
+
+}  // namespace brindle

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "brindle/curvature.h"
+#include "brindle/distributed/rank_hierarchy.h"
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed_surface.h"
+#include "brindle/error.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/pipeline/curvature_anchors.h"
+#include "brindle/waves/direction_graph.h"
+#include "brindle/waves/orientation.h"
+
+namespace brindle {
+namespace {
+
+/// Where fields are gathered: as stripes are by default.
+constexpr std::size_t kGatherFieldsBelow = 16384;
+
+void check_distributed_field(const SmoothFieldOptions& options) {
+  check(options);
+  if (options.feature_anchor == 0 && options.anchors.empty()) return;
+  throw Error("smooth field: feature anchors and anchors of vertices need the whole surface");
+}
+
+/// Of own vertices; ghosts' entries mean nothing.
+std::vector<PrincipalCurvature> own_curvatures(const RankSurface& surface) {
+  const std::size_t nodes = surface.graph.node_count();
+  return principal_curvatures(std::span(surface.mesh.positions).first(nodes),
+                              std::span(surface.normals).first(nodes), *surface.graph.adjacency);
+}
+
+/// The k-th smallest of all ranks' numbers, none of which is negative: their bits are ordered as
+/// they are.
+float kth_smallest(Communicator& ranks, std::span<const float> numbers, std::size_t k) {
+  std::uint32_t low = 0, high = std::bit_cast<std::uint32_t>(INFINITY);
+  while (low < high) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    const auto bound = std::bit_cast<float>(middle);
+    const auto below = static_cast<std::size_t>(
+        std::ranges::count_if(numbers, [&](float number) { return number <= bound; }));
+    (ranks.sum(below) > k ? high : low) = ranks.sum(below) > k ? middle : middle + 1;
+  }
+  return std::bit_cast<float>(low);
+}
+
+void add_curvature(const RankSurface& surface, const SmoothFieldOptions& options,
+                   PhaseGraph& graph) {
+  auto curvatures = own_curvatures(surface);
+  curvatures.resize(surface.graph.own);
+  const std::vector<float> difference = curvature_differences(curvatures);
+  const float scale = kth_smallest(*surface.ranks, difference, surface.vertices * 9 / 10);
+  graph.anchor.resize(graph.node_count());
+  add_curvature_anchors(graph, surface.normals, curvatures, scale, options);
+}
+
+/// Signs own directions like their neighbours, gives ghosts and the rest those of their owners.
+DirectionField of_piece(const RankSurface& surface, DirectionField directions) {
+  orient_alike(*surface.graph.adjacency, directions);
+  directions.resize(surface.vertex_count());
+  surface.exchange_all(std::span(directions));
+  return surface.to_piece(std::span<const Vec3>(directions));
+}
+
+}  // namespace
+
+DirectionField smooth_direction_field(const DistributedSurface& distributed,
+                                      const SmoothFieldOptions& options) {
+  const RankSurface& surface = distributed.rank_surface();
+  Communicator& ranks = *surface.ranks;
+  ranks.together([&] { check_distributed_field(options); });
+  if (surface.vertices == 0) return {};
+  const auto normals = std::span(surface.normals).first(surface.graph.node_count());
+  PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
+  if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
+  RankHierarchy hierarchy(ranks, surface.graph, kGatherFieldsBelow);
+  load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
+  hierarchy.coarsen();
+  hierarchy.descend(options.sweeps);
+  hierarchy.run_cycles(options.sweeps, options.cycles, {});
+  const std::vector<Complex> z = to_nodes(hierarchy.finest().layout(), hierarchy.finest().z);
+  return of_piece(surface, directions_of(z, normals, options.symmetry));
+}
+
+DirectionField curvature_direction_field(const DistributedSurface& distributed,
+                                         CurvatureDirection direction) {
+  const RankSurface& surface = distributed.rank_surface();
+  return of_piece(surface, curvature_direction_field(own_curvatures(surface), direction));
+}
+
+}  // namespace brindle

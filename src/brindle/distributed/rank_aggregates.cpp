@@ -1,0 +1,100 @@
+#include "brindle/distributed/rank_aggregates.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace brindle {
+namespace {
+
+bool has_coupling(const Level& level, Index slot) {
+  std::size_t entry = level.layout().first_entry(slot);
+  for (Index k = 0; k < level.layout().width(slot); ++k, entry += kLanes) {
+    if (level.couplings.direct_at(entry) != Complex(0)) return true;
+    if (level.couplings.reflecting_at(level.layout(), slot / kLanes, entry) != Complex(0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The aggregates of these nodes, ascending, each once; those in none are passed over.
+std::vector<Index> aggregates_of(std::span<const Index> aggregate_of_node) {
+  std::vector<Index> result(aggregate_of_node.begin(), aggregate_of_node.end());
+  std::ranges::sort(result);
+  result.erase(std::ranges::unique(result).begin(), result.end());
+  if (!result.empty() && result.back() == kNone) result.pop_back();
+  return result;
+}
+
+/// Appends aggregates of ghosts, which `of_ghost` numbers from the own ones on, for each ghost.
+void append_ghosts(const RankGraph& graph, const SlicedLayout& layout,
+                   std::span<const Index> of_ghost, Index count, Aggregates& aggregates) {
+  const Index own = aggregates.count();
+  std::vector<std::vector<Index>> members(count);
+  for (Index g = 0; g < of_ghost.size(); ++g) {
+    if (of_ghost[g] == kNone) continue;
+    const Index slot = layout.slot_of[graph.own + g];
+    aggregates.aggregate[slot] = of_ghost[g];
+    members[of_ghost[g] - own].push_back(slot);
+  }
+  for (const std::vector<Index>& slots : members) {
+    aggregates.member.insert(aggregates.member.end(), slots.begin(), slots.end());
+    aggregates.begin.push_back(static_cast<Index>(aggregates.member.size()));
+  }
+  aggregates.block_begin.back() = aggregates.count();
+}
+
+}  // namespace
+
+Aggregates own_aggregates(const Communicator& ranks, const RankGraph& graph, const Level& level) {
+  Aggregates aggregates = grow_aggregates(level.layout(), level.couplings);
+  if (ranks.size() == 1) return aggregates;
+  for (Index node = 0; node < graph.own; ++node) {
+    const Index slot = level.layout().slot_of[node];
+    if (aggregates.aggregate[slot] != kNone || !has_coupling(level, slot)) continue;
+    aggregates.aggregate[slot] = aggregates.count();
+    aggregates.member.push_back(slot);
+    aggregates.begin.push_back(static_cast<Index>(aggregates.member.size()));
+  }
+  aggregates.block_begin.back() = aggregates.count();
+  return aggregates;
+}
+
+RankAggregates with_ghosts(Communicator& ranks, const RankGraph& graph, const Level& level,
+                           Aggregates own) {
+  const SlicedLayout& layout = level.layout();
+  std::vector<Index> aggregate(graph.node_count());
+  for (Index node = 0; node < graph.own; ++node) {
+    aggregate[node] = own.aggregate[layout.slot_of[node]];
+  }
+  exchange(ranks, graph.halo, std::span(aggregate));
+
+  RankAggregates result;
+  result.coarse.own = own.count();
+  Index first = own.count();
+  std::vector<Index> of_ghost(graph.ghost_count(), kNone);
+  for (const HaloNeighbor& neighbor : graph.halo) {
+    HaloNeighbor coarse{neighbor.rank, {}, first, 0};
+    for (const Index node : neighbor.sent) coarse.sent.push_back(aggregate[node]);
+    coarse.sent = aggregates_of(coarse.sent);
+    const auto theirs = std::span(aggregate).subspan(neighbor.first, neighbor.count);
+    const std::vector<Index> ghosts = aggregates_of(theirs);
+    for (Index n = 0; n < neighbor.count; ++n) {
+      if (theirs[n] == kNone) continue;
+      const auto place = std::ranges::lower_bound(ghosts, theirs[n]);
+      of_ghost[neighbor.first - graph.own + n] = first + static_cast<Index>(place - ghosts.begin());
+    }
+    coarse.count = static_cast<Index>(ghosts.size());
+    first += coarse.count;
+    result.coarse.halo.push_back(std::move(coarse));
+  }
+  const Index ghosts = first - own.count();
+  result.aggregates = std::move(own);
+  append_ghosts(graph, layout, of_ghost, ghosts, result.aggregates);
+  result.coarse.adjacency =
+      std::make_shared<const Adjacency>(coarse_adjacency(layout, result.aggregates));
+  return result;
+}
+
+}  // namespace brindle

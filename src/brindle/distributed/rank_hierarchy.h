@@ -1,0 +1,84 @@
+/// The multilevel solver over ranks: each has its part of the finer levels, rank 0 the coarser ones
+/// (docs/distributed.md).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "brindle/distributed/gathered_levels.h"
+#include "brindle/distributed/rank_aggregates.h"
+#include "brindle/distributed/rank_graph.h"
+#include "brindle/phases/hierarchy.h"
+#include "brindle/progress.h"
+
+namespace brindle {
+
+/// With one rank, all that this does is what a Hierarchy and the functions of phases/multilevel.h
+/// do, bit by bit. All functions but `finest` must be called by all ranks, and `ranks` must live as
+/// long.
+class RankHierarchy {
+ public:
+  /// The finest level alone. Levels that have fewer nodes than `gather_below` on all ranks together
+  /// are gathered on rank 0.
+  RankHierarchy(Communicator& ranks, RankGraph graph, std::size_t gather_below);
+
+  /// Its couplings are for the caller to set, for own slots; `z` has ghosts' phases, too. `coarsen`
+  /// moves it.
+  Level& finest() { return hierarchy_.levels[0]; }
+  const Level& finest() const { return hierarchy_.levels[0]; }
+  const RankGraph& graph() const { return parts_[0].graph; }
+  bool is_coarsened() const { return is_coarsened_; }
+
+  /// As the functions of the same names in phases/hierarchy.h and phases/multilevel.h. `progress`
+  /// cancels all ranks if it does one.
+  void coarsen(const Progress& progress = {});
+  void renew();
+  void descend(int sweeps);
+  void run_cycles(int sweeps, int cycles, const Progress& progress);
+
+  /// One iteration of the paper's relaxation over all colours of the finest level.
+  void relax(Momentum& momentum);
+
+  /// Sets the ghosts' phases on the finest level to those that their owners have.
+  void exchange_phases();
+
+  /// Of the finest level's phases, over all ranks.
+  double energy() const;
+
+  /// How many levels the ranks have parts of; those that are gathered do not count.
+  std::size_t distributed_levels() const { return parts_.size() - (gathered_ ? 1 : 0); }
+
+ private:
+  /// What a level has beside a Level.
+  struct Part {
+    RankGraph graph;
+    Index color_count = 0;
+    SlotHalo halo;
+    Index slots_of_all = 0;            ///< of own nodes, on all ranks
+    std::vector<Index> inner, border;  ///< blocks of the coarser level whose sums need no gauges
+                                       ///< of ghosts, and those that do
+    std::size_t nodes_of_all = 0;
+  };
+
+  void add_level(RankGraph graph, Level level, const Coloring& coloring);
+  bool is_small(std::size_t level) const;
+  void gather(const Progress& progress);
+  bool add_coarser();
+  void set_blocks(Part& part, const Level& fine, const Level& coarse) const;
+  void renew_sums_to(std::size_t coarse);
+  template <class Update>
+  void for_each_color(std::size_t level, std::span<Complex> z, const Update& update);
+  void sweep_level(std::size_t level, int sweeps);
+  void descend_from(Complex start, int sweeps);
+  void correct(int sweeps);
+
+  Communicator& ranks_;
+  std::size_t gather_below_;
+  Hierarchy hierarchy_;
+  std::vector<Part> parts_;                 ///< beside the levels
+  std::optional<GatheredLevels> gathered_;  ///< the last level and all coarser ones
+  bool is_coarsened_ = false;
+};
+
+}  // namespace brindle

@@ -1,0 +1,34 @@
+/// What quality is told from, for whoever measures a surface in parts.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "brindle/quality.h"
+
+namespace brindle {
+
+/// Sums over the triangles and vertices of a part.
+struct QualitySums {
+  std::size_t branches = 0, field_singularities = 0, without_wave = 0;
+  double area = 0, over_5deg = 0, angle = 0, spacing = 0;  ///< of regular triangles
+
+  QualitySums operator+(const QualitySums& o) const {
+    return {branches + o.branches,
+            field_singularities + o.field_singularities,
+            without_wave + o.without_wave,
+            area + o.area,
+            over_5deg + o.over_5deg,
+            angle + o.angle,
+            spacing + o.spacing};
+  }
+};
+
+/// `waves` has one entry per vertex, `corners` one per triangle.
+QualitySums quality_sums(const Mesh& mesh, const WaveSet& waves,
+                         std::span<const CornerPhases> corners);
+
+/// The figures of the sums over all parts.
+PatternQuality quality_of(const QualitySums& sums);
+
+}  // namespace brindle

@@ -1,0 +1,375 @@
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "brindle/distributed_stripes.h"
+#include "brindle/error.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/threads.h"
+#include "ranks.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::Cut;
+using testing_support::frame_of;
+using testing_support::kAxis;
+using testing_support::kCuts;
+using testing_support::Parts;
+using testing_support::rank;
+using testing_support::rank_count;
+using testing_support::same_bits;
+using testing_support::wavy_surface;
+using testing_support::WavySurface;
+
+/// Three sheets that meet in an edge, twice, apart from each other, and a vertex alone.
+Mesh torn_mesh() {
+  Mesh mesh;
+  for (int part = 0; part < 2; ++part) {
+    for (int sheet = 0; sheet < 3; ++sheet) {
+      const auto angle = static_cast<float>(2.1 * sheet);
+      const auto first = static_cast<Index>(mesh.positions.size());
+      constexpr Index kSide = 24;
+      for (Index i = 0; i < kSide; ++i) {
+        for (Index j = 0; j < kSide; ++j) {
+          const float out = static_cast<float>(i) / (kSide - 1);
+          mesh.positions.emplace_back(out * std::cos(angle) + 3 * static_cast<float>(part),
+                                      out * std::sin(angle), static_cast<float>(j) / (kSide - 1));
+        }
+      }
+      for (Index i = 0; i + 1 < kSide; ++i) {
+        for (Index j = 0; j + 1 < kSide; ++j) {
+          const Index a = first + i * kSide + j, b = a + kSide;
+          mesh.triangles.push_back({a, b, a + 1});
+          mesh.triangles.push_back({b, b + 1, a + 1});
+        }
+      }
+    }
+  }
+  join_vertices(mesh);
+  return mesh;
+}
+
+/// Directions of another frame: turned about the normals.
+WaveSet turned(const WavySurface& whole, float radians) {
+  WaveSet waves = whole.waves;
+  waves.directions = rotated(waves.directions, whole.normals, radians);
+  return waves;
+}
+
+/// Expects that what ranks say of their pattern is what the library says of the same phases.
+void expect_true_figures(const Parts& parts, const DistributedSurface& surface,
+                         const DistributedStripeAnimator& animator, std::span<const Complex> z,
+                         const WaveSet& waves) {
+  const std::vector<Complex> all = parts.gathered(z, surface.is_own());
+  const double measured = energy(build_phase_graph(parts.whole.neighborhood, waves), all);
+  EXPECT_NEAR(animator.energy(), measured, 1e-5 * measured + 1e-9);
+  const auto corners =
+      corner_phases(parts.whole.mesh.triangles, waves, all, PhaseShiftKind::aligned);
+  const PatternQuality expected = measure_quality(parts.whole.mesh, waves, corners);
+  const DistributedMeasures measures = animator.measure();
+  EXPECT_EQ(measures.quality.branches, expected.branches);
+  EXPECT_EQ(measures.quality.field_singularities, expected.field_singularities);
+  EXPECT_EQ(measures.quality.vertices_without_wave, expected.vertices_without_wave);
+  EXPECT_NEAR(measures.quality.angle_error_mean_deg, expected.angle_error_mean_deg, 1e-5);
+  EXPECT_NEAR(measures.quality.spacing_error_mean, expected.spacing_error_mean, 1e-6);
+  EXPECT_EQ(measures.corners.size(), parts.piece.mesh.triangle_count());
+  // All ranks that have a vertex have its owner's phase.
+  for (std::size_t v = 0; v < parts.ids.size(); ++v) ASSERT_EQ(z[v], all[parts.ids[v]]);
+}
+
+TEST(DistributedAnimator, OfOneRankHasTheBitsOfTheLibrary) {
+  if (rank_count() > 1) GTEST_SKIP() << "of one rank";
+  for (const int cycles : {0, 2}) {
+    for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+      const Parts parts(wavy_surface("molecule", kAxis, 40));
+      DistributedOptions options;
+      options.cycles = cycles;
+      options.solver = solver;
+      StripeAnimator expected(parts.whole.neighborhood, options);
+      DistributedStripeAnimator animator(parts.surface(), options);
+      for (const float angle : {0.0f, 0.1f, 0.2f, 3.0f}) {
+        const WaveSet waves = turned(parts.whole, angle);
+        const FrameResult one = expected.frame(frame_of(waves));
+        const FrameResult same = animator.frame(frame_of(waves));
+        EXPECT_TRUE(same_bits(one.z, same.z));
+        EXPECT_EQ(one.phase_step, same.phase_step);
+        EXPECT_EQ(expected.energy(), animator.energy());
+      }
+    }
+  }
+}
+
+TEST(DistributedAnimator, OfOneRankMeasuresWhatThePatternSays) {
+  if (rank_count() > 1) GTEST_SKIP() << "of one rank";
+  const Parts parts(wavy_surface("vessels", kAxis, 40));
+  DistributedStripeAnimator animator(parts.surface());
+  const FrameResult frame = animator.frame(frame_of(parts.whole.waves));
+  const StripePattern pattern = stripe_pattern(make_surface(parts.whole.mesh), parts.whole.waves);
+  EXPECT_TRUE(same_bits(frame.z, std::span<const Complex>(pattern.solution.z)));
+  EXPECT_EQ(animator.energy(), pattern.solution.energy);
+  const DistributedMeasures measures = animator.measure();
+  EXPECT_EQ(measures.quality.branches, pattern.quality.branches);
+  EXPECT_EQ(measures.quality.angle_error_mean_deg, pattern.quality.angle_error_mean_deg);
+  EXPECT_EQ(measures.quality.spacing_error_wanted_mean, pattern.quality.spacing_error_wanted_mean);
+  ASSERT_EQ(measures.corners.size(), pattern.corners.size());
+  for (std::size_t t = 0; t < pattern.corners.size(); ++t) {
+    ASSERT_EQ(measures.corners[t].phase, pattern.corners[t].phase);
+  }
+}
+
+TEST(DistributedAnimator, SaysOfItsPhasesWhatTheLibrarySaysHoweverASurfaceIsCut) {
+  for (const Cut& cut : kCuts) {
+    for (const std::size_t gather_below : {std::size_t{0}, std::size_t{16384}}) {
+      SCOPED_TRACE(std::string(cut.name) + ", gathered below " + std::to_string(gather_below));
+      const WavySurface whole = wavy_surface("trefoil,resolution=48", kAxis, 30);
+      const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
+      const DistributedSurface surface = parts.surface();
+      DistributedOptions options;
+      options.gather_below = gather_below;
+      DistributedStripeAnimator animator(surface, options);
+      for (const float angle : {0.0f, 0.05f}) {
+        const WaveSet waves = turned(whole, angle), own = parts.of_piece(waves);
+        const FrameResult frame = animator.frame(frame_of(own));
+        expect_true_figures(parts, surface, animator, frame.z, waves);
+      }
+      const StripePattern alone = stripe_pattern(make_surface(whole.mesh), turned(whole, 0.05f));
+      EXPECT_LT(animator.energy(), 1.15 * alone.solution.energy);
+    }
+  }
+}
+
+TEST(DistributedAnimator, WorksOnSurfacesThatAreTorn) {
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const WavySurface whole = wavy_surface(torn_mesh(), kAxis, 15);
+    const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
+    const DistributedSurface surface = parts.surface();
+    DistributedOptions options;
+    options.gather_below = 0;
+    options.cycles = 1;
+    DistributedStripeAnimator animator(surface, options);
+    const WaveSet own = parts.of_piece(whole.waves);
+    const FrameResult frame = animator.frame(frame_of(own));
+    expect_true_figures(parts, surface, animator, frame.z, whole.waves);
+    StripeOptions stripes;
+    stripes.solver.cycles = 1;
+    const StripePattern alone = stripe_pattern(make_surface(whole.mesh), whole.waves, stripes);
+    EXPECT_LT(animator.energy(), 1.15 * alone.solution.energy);
+  }
+}
+
+/// The same surface with vertices and triangles in another order.
+WavySurface shuffled(const WavySurface& whole, float stripes, std::uint32_t seed) {
+  std::vector<Index> to(whole.mesh.vertex_count());
+  std::iota(to.begin(), to.end(), Index{0});
+  std::mt19937 random(seed);
+  std::ranges::shuffle(to, random);
+  Mesh mesh = whole.mesh;
+  for (std::size_t v = 0; v < to.size(); ++v) mesh.positions[to[v]] = whole.mesh.positions[v];
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& v : triangle) v = to[v];
+  }
+  std::ranges::shuffle(mesh.triangles, random);
+  return wavy_surface(std::move(mesh), kAxis, stripes);
+}
+
+struct Sums {
+  double energy = 0, branches = 0;
+};
+
+/// Of rank 0's library with the vertices in several orders, on average.
+void add_orders(const WavySurface& whole, float stripes, Sums& sums) {
+  constexpr std::uint32_t kOrders = 4;
+  Sums more;
+  for (std::uint32_t seed = 0; rank() == 0 && seed < kOrders; ++seed) {
+    const WavySurface other = shuffled(whole, stripes, seed);
+    const StripePattern pattern = stripe_pattern(make_surface(other.mesh), other.waves);
+    more.energy += pattern.solution.energy / kOrders;
+    more.branches += static_cast<double>(pattern.quality.branches) / kOrders;
+  }
+  MPI_Bcast(&more, 2, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  sums.energy += more.energy;
+  sums.branches += more.branches;
+}
+
+/// Another order of vertices leads to other aggregates, and to another of many patterns that are as
+/// good; so does a partition. Over several shapes that evens out.
+TEST(DistributedAnimator, HasPatternsAsGoodAsThoseOfOneRank) {
+  constexpr float kStripes = 100;
+  Sums one, many;
+  for (const char* shape : {"torus", "trefoil", "vessels", "molecule", "box"}) {
+    const WavySurface whole = wavy_surface(shape, kAxis, kStripes);
+    add_orders(whole, kStripes, one);
+    const Parts parts(whole);
+    const WaveSet own = parts.of_piece(whole.waves);
+    const std::size_t bounds[] = {0, 4000, 16384};
+    for (const std::size_t gather_below : bounds) {
+      DistributedOptions options;
+      options.gather_below = gather_below;
+      DistributedStripeAnimator animator(parts.surface(), options);
+      animator.frame(frame_of(own));
+      many.energy += animator.energy() / std::size(bounds);
+      many.branches += static_cast<double>(animator.measure().quality.branches) / std::size(bounds);
+    }
+  }
+  if (rank() == 0) {
+    std::printf("energy %.4f, branches %.4f of one rank's\n", many.energy / one.energy,
+                many.branches / one.branches);
+  }
+  EXPECT_LT(many.energy, 1.01 * one.energy);
+  EXPECT_LT(many.branches, 1.03 * one.branches);
+}
+
+TEST(DistributedAnimator, HasTheSameBitsInEveryRun) {
+  const Parts parts(wavy_surface("molecule", kAxis, 60));
+  const WaveSet own = parts.of_piece(parts.whole.waves);
+  const WaveSet next = parts.of_piece(turned(parts.whole, 0.1f));
+  std::vector<Complex> first;
+  double first_energy = 0;
+  for (int run = 0; run < 3; ++run) {
+    const ThreadLimit threads(1 + run);
+    DistributedOptions options;
+    options.gather_below = 2000;
+    options.cycles = 1;
+    DistributedStripeAnimator animator(parts.surface(), options);
+    animator.frame(frame_of(own));
+    const FrameResult frame = animator.frame(frame_of(next));
+    if (run == 0) {
+      first.assign(frame.z.begin(), frame.z.end());
+      first_energy = animator.energy();
+    }
+    EXPECT_TRUE(same_bits(std::span<const Complex>(first), frame.z));
+    EXPECT_EQ(first_energy, animator.energy());
+  }
+}
+
+TEST(DistributedAnimator, FollowsTheLastFrameAsOneRankDoes) {
+  const Parts parts(wavy_surface("torus", kAxis, 40));
+  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+    DistributedOptions options;
+    options.solver = solver;
+    StripeAnimator one(parts.whole.neighborhood, options);
+    DistributedStripeAnimator many(parts.surface(), options);
+    double steps_of_one = 0, steps_of_many = 0;
+    for (int n = 0; n < 6; ++n) {
+      const WaveSet waves = turned(parts.whole, 0.03f * static_cast<float>(n));
+      const WaveSet own = parts.of_piece(waves);
+      steps_of_one += one.frame(frame_of(waves)).phase_step;
+      steps_of_many += many.frame(frame_of(own)).phase_step;
+    }
+    EXPECT_NEAR(steps_of_many, steps_of_one, 0.1 * steps_of_one);
+    EXPECT_NEAR(many.energy(), one.energy(), 0.1 * one.energy());
+  }
+}
+
+TEST(DistributedAnimator, KeepsPhasesOfInputThatDoesNotChange) {
+  const Parts parts(wavy_surface("sphere,resolution=30", kAxis, 20));
+  const WaveSet own = parts.of_piece(parts.whole.waves);
+  DistributedStripeAnimator animator(parts.surface());
+  EXPECT_FALSE(animator.frame(frame_of(own)).unchanged);
+  EXPECT_TRUE(animator.frame(frame_of(own)).unchanged);
+  // One rank alone has another input.
+  WaveSet other = own;
+  if (rank() == rank_count() - 1) other.frequencies.assign(other.frequencies.size(), 7);
+  EXPECT_FALSE(animator.frame(frame_of(other)).unchanged);
+  animator.restart();
+  EXPECT_FALSE(animator.frame(frame_of(other)).unchanged);
+}
+
+TEST(DistributedAnimator, RefusesOnAllRanksWhatOneRankGetsWrong) {
+  const Parts parts(wavy_surface("sphere,resolution=30", kAxis, 20));
+  WaveSet own = parts.of_piece(parts.whole.waves);
+  DistributedStripeAnimator animator(parts.surface());
+  const FrameResult before = animator.frame(frame_of(own));
+  const std::vector<Complex> z(before.z.begin(), before.z.end());
+  const std::vector<Vec3> directions = own.directions;
+  const int wrong = rank_count() - 1;
+  if (rank() == wrong) own.directions[0] = {3, 0, 0};
+  try {
+    animator.frame(frame_of(own));
+    FAIL() << "a direction that is no unit vector was accepted";
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("vertex 0"), std::string::npos) << message;
+    if (rank_count() > 1) {
+      EXPECT_EQ(message.find("rank " + std::to_string(wrong)), 0u) << message;
+    }
+  }
+  own.directions = directions;
+  const FrameResult after = animator.frame(frame_of(own));
+  EXPECT_TRUE(after.unchanged);
+  EXPECT_TRUE(same_bits(std::span<const Complex>(z), after.z));
+}
+
+TEST(DistributedAnimator, IsCancelledOnAllRanksByOne) {
+  const Parts parts(wavy_surface("sphere,resolution=60", kAxis, 20));
+  const WaveSet own = parts.of_piece(parts.whole.waves);
+  const WaveSet next = parts.of_piece(turned(parts.whole, 0.5f));
+  DistributedOptions options;
+  options.cycles = 3;
+  options.gather_below = 500;
+  DistributedStripeAnimator animator(parts.surface(), options),
+      undisturbed(parts.surface(), options);
+  const Progress stop([](std::string_view stage, double fraction) {
+    return rank() != rank_count() - 1 || stage != "cycles" || fraction < 0.5;
+  });
+  const Progress stop_at_once([](std::string_view, double) { return rank() != rank_count() - 1; });
+  EXPECT_THROW(animator.frame(frame_of(own), stop_at_once), Cancelled);
+  EXPECT_THROW(animator.energy(), Error);
+  animator.frame(frame_of(own));
+  undisturbed.frame(frame_of(own));
+  EXPECT_THROW(animator.frame(frame_of(next), stop), Cancelled);
+  EXPECT_EQ(animator.energy(), undisturbed.energy());
+  const FrameResult again = animator.frame(frame_of(next));
+  EXPECT_TRUE(same_bits(again.z, undisturbed.frame(frame_of(next)).z));
+}
+
+TEST(DistributedAnimator, RefusesOptionsThatItDoesNotHave) {
+  const Parts parts(wavy_surface("sphere,resolution=20", kAxis, 20));
+  const DistributedSurface surface = parts.surface();
+  DistributedOptions options;
+  options.slack = 0.1f;
+  EXPECT_THROW(DistributedStripeAnimator(surface, options), Error);
+  options = {};
+  options.edge_weights = {1};
+  EXPECT_THROW(DistributedStripeAnimator(surface, options), Error);
+  options = {};
+  options.phase_shift = PhaseShiftKind::common_source;
+  EXPECT_THROW(DistributedStripeAnimator(surface, options), Error);
+  options = {};
+  options.lambda = -1;
+  EXPECT_THROW(DistributedStripeAnimator(surface, options), Error);
+}
+
+/// A frame's sweeps over the finest level send 8 bytes for every ghost, and nothing else is sent of
+/// it but waves (28 bytes), gauges and last phases.
+TEST(DistributedAnimator, SendsNoMoreThanItsHaloNeeds) {
+  if (rank_count() == 1) GTEST_SKIP() << "of several ranks";
+  const Parts parts(wavy_surface("torus", kAxis, 40));
+  const DistributedSurface surface = parts.surface();
+  const auto bytes_of_frame = [&](int sweeps) {
+    DistributedOptions options;
+    options.sweeps = sweeps;
+    options.gather_below = 49000;  // the finest level alone is distributed
+    DistributedStripeAnimator animator(surface, options);
+    animator.frame(frame_of(parts.of_piece(parts.whole.waves)));
+    EXPECT_EQ(animator.distributed_levels(), 1u);
+    const WaveSet next = parts.of_piece(turned(parts.whole, 0.1f));
+    const Traffic before = surface.traffic();
+    animator.frame(frame_of(next));
+    std::uint64_t bytes = surface.traffic().since(before).bytes, all = 0,
+                  ghosts = animator.ghost_count(), all_ghosts = 0;
+    MPI_Allreduce(&bytes, &all, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Allreduce(&ghosts, &all_ghosts, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+    return std::pair(all, all_ghosts);
+  };
+  const auto [two, ghosts] = bytes_of_frame(2);
+  const auto [five, same] = bytes_of_frame(5);
+  EXPECT_EQ(five - two, 3 * 8 * ghosts);
+}
+
+}  // namespace
+}  // namespace brindle

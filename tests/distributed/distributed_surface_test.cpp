@@ -1,0 +1,166 @@
+#include "brindle/distributed_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/smooth_field.h"
+#include "brindle/surface.h"
+#include "ranks.h"
+
+namespace brindle {
+namespace {
+
+using testing_support::Cut;
+using testing_support::kAxis;
+using testing_support::kCuts;
+using testing_support::Parts;
+using testing_support::rank;
+using testing_support::rank_count;
+using testing_support::same_bits;
+using testing_support::wavy_surface;
+
+TEST(DistributedSurface, IsThatOfTheWholeHoweverItIsCut) {
+  const auto whole = wavy_surface("box,resolution=20", kAxis, 20);
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
+    const DistributedSurface surface = parts.surface();
+    EXPECT_EQ(surface.vertex_count(), whole.mesh.vertex_count());
+    EXPECT_EQ(surface.triangle_count(), whole.mesh.triangle_count());
+    EXPECT_EQ(surface.edge_count(), whole.neighborhood->edge_count());
+    EXPECT_FLOAT_EQ(static_cast<float>(surface.diagonal()), bounding_box(whole.mesh).diagonal());
+    // Every vertex has one owner, and all who have it know its normal.
+    std::vector<int> own(whole.mesh.vertex_count()), owners(own.size());
+    for (std::size_t v = 0; v < parts.ids.size(); ++v) own[parts.ids[v]] = surface.is_own()[v];
+    MPI_Allreduce(own.data(), owners.data(), static_cast<int>(own.size()), MPI_INT, MPI_SUM,
+                  MPI_COMM_WORLD);
+    EXPECT_EQ(owners, std::vector<int>(own.size(), 1));
+    ASSERT_EQ(surface.normals().size(), parts.ids.size());
+    for (std::size_t v = 0; v < parts.ids.size(); ++v) {
+      EXPECT_LT((surface.normals()[v] - whole.normals[parts.ids[v]]).norm(), 1e-5f);
+    }
+  }
+}
+
+TEST(DistributedSurface, NeedsNoGhostsAndMindsNone) {
+  const Parts parts(wavy_surface("torus,resolution=30", kAxis, 20));
+  const DistributedSurface plain = parts.surface();
+  // All triangles of the others as ghosts.
+  const std::vector<int> ranks = partition_by_curve(parts.whole.mesh, rank_count());
+  SurfacePiece piece;
+  piece.mesh = parts.whole.mesh;
+  for (std::size_t v = 0; v < piece.mesh.vertex_count(); ++v) piece.vertex_ids.push_back(v);
+  for (const int r : ranks) piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
+  const DistributedSurface ghosts(piece, MPI_COMM_WORLD);
+  EXPECT_EQ(ghosts.vertex_count(), plain.vertex_count());
+  EXPECT_EQ(ghosts.triangle_count(), plain.triangle_count());
+  EXPECT_EQ(ghosts.edge_count(), plain.edge_count());
+  for (std::size_t v = 0; v < parts.ids.size(); ++v) {
+    EXPECT_EQ(ghosts.is_own()[parts.ids[v]], plain.is_own()[v]);
+    EXPECT_EQ(ghosts.normals()[parts.ids[v]], plain.normals()[v]);
+  }
+}
+
+TEST(DistributedSurface, RefusesOnAllRanksPiecesThatDoNotFit) {
+  const Parts parts(wavy_surface("torus,resolution=20", kAxis, 20));
+  const bool is_wrong = rank() == rank_count() - 1;
+  const auto refuses = [](const SurfacePiece& piece, const std::string& message) {
+    try {
+      const DistributedSurface surface(piece, MPI_COMM_WORLD);
+      ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+    }
+  };
+  SurfacePiece piece = parts.piece;
+  if (is_wrong) piece.vertex_ids[1] = piece.vertex_ids[0];
+  refuses(piece, "two vertices");
+  piece = parts.piece;
+  if (is_wrong) piece.vertex_ids.pop_back();
+  refuses(piece, "vertex numbers");
+  piece = parts.piece;
+  if (is_wrong) piece.mesh.positions[0].x() = INFINITY;
+  refuses(piece, "not finite");
+  piece = parts.piece;
+  if (is_wrong) piece.mesh.triangles[0][0] = 1u << 30;
+  refuses(piece, "triangle 0");
+  piece = parts.piece;
+  if (is_wrong) piece.ghost_triangles = {1};
+  refuses(piece, "ghosts");
+  if (rank_count() == 1) return;
+  piece = parts.piece;
+  if (is_wrong) piece.mesh.origin.x() = 1;
+  refuses(piece, "origins");
+}
+
+TEST(DistributedField, OfOneRankHasTheBitsOfTheLibrary) {
+  if (rank_count() > 1) GTEST_SKIP() << "with several ranks";
+  const Parts parts(wavy_surface("molecule,resolution=40", kAxis, 20));
+  const Surface whole = make_surface(parts.whole.mesh);
+  for (const float anchor : {0.0f, 0.1f}) {
+    SmoothFieldOptions options;
+    options.curvature_anchor = anchor;
+    const DirectionField field = smooth_direction_field(parts.surface(), options);
+    const DirectionField expected = smooth_direction_field(whole, options);
+    EXPECT_TRUE(same_bits(std::span<const Vec3>(field), std::span<const Vec3>(expected)));
+  }
+}
+
+/// The smoothness energy of line fields: 1 - cos 2 angle between neighbours, on average.
+double roughness(const Surface& surface, const std::vector<Vec3>& field) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (Index v = 0; v < field.size(); ++v) {
+    for (const Index other : surface.neighborhood->of(v)) {
+      const double cosine = field[v].dot(field[other]);
+      sum += 1 - cosine * cosine;
+      ++count;
+    }
+  }
+  return sum / static_cast<double>(count);
+}
+
+TEST(DistributedField, IsAsSmoothAsThatOfOneRank) {
+  const Parts parts(wavy_surface("vessels", kAxis, 20));
+  const Surface whole = make_surface(parts.whole.mesh);
+  const DistributedSurface surface = parts.surface();
+  for (const float anchor : {0.0f, 0.1f}) {
+    SmoothFieldOptions options;
+    options.curvature_anchor = anchor;
+    const DirectionField field = smooth_direction_field(surface, options);
+    const double expected = roughness(whole, smooth_direction_field(whole, options));
+    const std::vector<Vec3> all = parts.gathered(std::span<const Vec3>(field), surface.is_own());
+    for (Index v = 0; v < all.size(); ++v) {
+      ASSERT_NEAR(all[v].norm(), 1, 1e-5);
+      ASSERT_NEAR(all[v].dot(whole.normals[v]), 0, 1e-4);
+    }
+    EXPECT_LT(roughness(whole, all), 1.05 * expected);
+  }
+}
+
+TEST(DistributedField, FollowsCurvature) {
+  const Parts parts(wavy_surface("torus,resolution=40", kAxis, 20));
+  const DistributedSurface surface = parts.surface();
+  const DirectionField field = curvature_direction_field(surface, CurvatureDirection::maximum);
+  const Surface whole = make_surface(parts.whole.mesh);
+  const DirectionField expected = curvature_direction_field(
+      principal_curvatures(whole.mesh.positions, whole.normals, *whole.neighborhood),
+      CurvatureDirection::maximum);
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    EXPECT_GT(std::abs(field[v].dot(expected[parts.ids[v]])), 0.999f);
+  }
+}
+
+TEST(DistributedField, RefusesWhatNeedsTheWhole) {
+  const Parts parts(wavy_surface("torus,resolution=20", kAxis, 20));
+  const DistributedSurface surface = parts.surface();
+  SmoothFieldOptions options;
+  options.feature_anchor = 1;
+  EXPECT_THROW(smooth_direction_field(surface, options), Error);
+  options = {};
+  options.anchors.push_back({});
+  EXPECT_THROW(smooth_direction_field(surface, options), Error);
+}
+
+}  // namespace
+}  // namespace brindle
