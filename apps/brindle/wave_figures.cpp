@@ -44,31 +44,47 @@ std::string subdivisions_proposed(double edges_per_period) {
 
 }  // namespace
 
-WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
-  WaveFigures figures;
-  figures.frequency_min = std::numeric_limits<double>::infinity();
-  double sum = 0;
-  std::vector<double> edges_per_period;
-  edges_per_period.reserve(waves.directions.size());
+WaveTally tally_waves(const Surface& surface, const WaveSet& waves) {
+  WaveTally tally;
+  tally.edges_per_period.reserve(waves.directions.size());
   for (Index v = 0; v < waves.directions.size(); ++v) {
     if (surface.neighborhood->of(v).empty()) continue;
-    ++figures.used;
+    ++tally.used;
     if (waves.directions[v].isZero(0)) {
-      ++figures.without_wave;
+      ++tally.without_wave;
       continue;
     }
     const double frequency = waves.frequencies[v];
-    sum += frequency;
-    figures.frequency_min = std::min(figures.frequency_min, frequency);
-    figures.frequency_max = std::max(figures.frequency_max, frequency);
+    tally.frequency_sum += frequency;
+    tally.frequency_min = std::min(tally.frequency_min, frequency);
+    tally.frequency_max = std::max(tally.frequency_max, frequency);
     const double length = mean_length_along(surface, v, waves.directions[v]);
-    if (length > 0) edges_per_period.push_back(1 / (frequency * length));
+    if (length > 0) tally.edges_per_period.push_back(1 / (frequency * length));
   }
-  const std::size_t with_wave = figures.used - figures.without_wave;
-  if (with_wave == 0) figures.frequency_min = 0;
-  if (with_wave == 0 || edges_per_period.empty()) return figures;
-  figures.stripes = sum / static_cast<double>(with_wave) *
-                    static_cast<double>(bounding_box(surface.mesh).diagonal());
+  return tally;
+}
+
+WaveFigures figures_of(const WaveTally& tally, double diagonal) {
+  WaveFigures figures;
+  figures.used = tally.used;
+  figures.without_wave = tally.without_wave;
+  const std::size_t with_wave = tally.used - tally.without_wave;
+  if (with_wave == 0) return figures;
+  figures.frequency_min = tally.frequency_min;
+  figures.frequency_max = tally.frequency_max;
+  figures.stripes = tally.frequency_sum / static_cast<double>(with_wave) * diagonal;
+  return figures;
+}
+
+WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
+  WaveTally tally = tally_waves(surface, waves);
+  std::vector<double>& edges_per_period = tally.edges_per_period;
+  WaveFigures figures =
+      figures_of(tally, static_cast<double>(bounding_box(surface.mesh).diagonal()));
+  if (edges_per_period.empty()) {
+    figures.stripes = 0;
+    return figures;
+  }
   const auto median =
       edges_per_period.begin() + static_cast<std::ptrdiff_t>(edges_per_period.size() / 2);
   std::nth_element(edges_per_period.begin(), median, edges_per_period.end());

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "brindle/phase_graph.h"
 #include "brindle/surface.h"
@@ -44,6 +46,20 @@ struct WaveFigures {
 };
 
 WaveFigures measure_waves(const Surface& surface, const WaveSet& waves);
+
+/// What the figures are told from, of the vertices that have an entry in `waves`: those of a part
+/// of a surface.
+struct WaveTally {
+  std::size_t used = 0, without_wave = 0;
+  double frequency_sum = 0, frequency_max = 0;
+  double frequency_min = std::numeric_limits<double>::infinity();
+  std::vector<double> edges_per_period;  ///< of vertices with a wave and an edge along it
+};
+
+WaveTally tally_waves(const Surface& surface, const WaveSet& waves);
+
+/// The figures of a tally but edges per period; `diagonal` is that of the bounding box.
+WaveFigures figures_of(const WaveTally& tally, double diagonal);
 
 /// Throws Error if there is no wave at all, or waves are too fine for any number; `source` says
 /// where the waves come from: "the field 'wind.csv'".

@@ -106,9 +106,12 @@ void refuse_triangle_options(const CLI::App& command) {
 }
 
 float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
+  return constant_frequency(bounding_box(mesh).diagonal(), options);
+}
+
+float constant_frequency(float diagonal, const WaveOptions& options) {
   if (options.frequency) return *options.frequency;
-  return frequency_of_stripes(options.stripes.value_or(kDefaultStripes),
-                              bounding_box(mesh).diagonal());
+  return frequency_of_stripes(options.stripes.value_or(kDefaultStripes), diagonal);
 }
 
 CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options) {

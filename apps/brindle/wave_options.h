@@ -79,4 +79,7 @@ void refuse_triangle_options(const CLI::App& command);
 /// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);
 
+/// The same for a surface whose bounding box has this diagonal.
+float constant_frequency(float diagonal, const WaveOptions& options);
+
 }  // namespace brindle::tool

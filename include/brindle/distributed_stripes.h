@@ -58,8 +58,12 @@ class DistributedStripeAnimator {
   /// How many levels all ranks have parts of; coarser ones are on rank 0. 0 before the first frame.
   std::size_t distributed_levels() const;
 
-  /// Ghosts of the finest level on this rank: a sweep brings 8 bytes for each.
+  /// Ghosts of the finest level on this rank.
   std::size_t ghost_count() const;
+
+  /// Bytes that the sweeps of a frame without cycles have to bring to this rank at least: 8 for
+  /// each ghost, sweep and distributed level. 0 before the first frame.
+  std::size_t halo_bytes() const;
 
  private:
   struct State;

@@ -283,6 +283,10 @@ std::size_t DistributedStripeAnimator::distributed_levels() const {
   return state_->has_frame ? state_->hierarchy->distributed_levels() : 0;
 }
 
+std::size_t DistributedStripeAnimator::halo_bytes() const {
+  return state_->has_frame ? state_->hierarchy->halo_bytes(state_->options.sweeps) : 0;
+}
+
 std::size_t DistributedStripeAnimator::ghost_count() const {
   return state_->surface->graph.ghost_count();
 }

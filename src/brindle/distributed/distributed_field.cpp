@@ -1,12 +1,9 @@
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <string>
 
 #include "brindle/curvature.h"
 #include "brindle/distributed/rank_hierarchy.h"
 #include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/selection.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/phases/multilevel.h"
@@ -31,20 +28,6 @@ std::vector<PrincipalCurvature> own_curvatures(const RankSurface& surface) {
   const std::size_t nodes = surface.graph.node_count();
   return principal_curvatures(std::span(surface.mesh.positions).first(nodes),
                               std::span(surface.normals).first(nodes), *surface.graph.adjacency);
-}
-
-/// The k-th smallest of all ranks' numbers, none of which is negative: their bits are ordered as
-/// they are.
-float kth_smallest(Communicator& ranks, std::span<const float> numbers, std::size_t k) {
-  std::uint32_t low = 0, high = std::bit_cast<std::uint32_t>(INFINITY);
-  while (low < high) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    const auto bound = std::bit_cast<float>(middle);
-    const auto below = static_cast<std::size_t>(
-        std::ranges::count_if(numbers, [&](float number) { return number <= bound; }));
-    (ranks.sum(below) > k ? high : low) = ranks.sum(below) > k ? middle : middle + 1;
-  }
-  return std::bit_cast<float>(low);
 }
 
 void add_curvature(const RankSurface& surface, const SmoothFieldOptions& options,

@@ -213,7 +213,15 @@ void RankHierarchy::relax(Momentum& momentum) {
   });
 }
 
-void RankHierarchy::exchange_phases() { parts_[0].halo.exchange(ranks_, hierarchy_.levels[0].z); }
+std::size_t RankHierarchy::halo_bytes(int sweeps) const {
+  std::size_t bytes = 0;
+  for (std::size_t l = 0; l < distributed_levels(); ++l) {
+    const auto count =
+        static_cast<std::size_t>(sweeps_on_level(parts_[l].slots_of_all, sweeps).count);
+    bytes += sizeof(Complex) * parts_[l].halo.ghost_count() * count;
+  }
+  return bytes;
+}
 
 double RankHierarchy::energy() const {
   const Level& level = hierarchy_.levels[0];

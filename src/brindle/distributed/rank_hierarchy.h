@@ -40,11 +40,12 @@ class RankHierarchy {
   /// One iteration of the paper's relaxation over all colours of the finest level.
   void relax(Momentum& momentum);
 
-  /// Sets the ghosts' phases on the finest level to those that their owners have.
-  void exchange_phases();
-
   /// Of the finest level's phases, over all ranks.
   double energy() const;
+
+  /// Bytes that the sweeps of a descent have to bring to this rank: 8 for each ghost, sweep and
+  /// distributed level.
+  std::size_t halo_bytes(int sweeps) const;
 
   /// How many levels the ranks have parts of; those that are gathered do not count.
   std::size_t distributed_levels() const { return parts_.size() - (gathered_ ? 1 : 0); }

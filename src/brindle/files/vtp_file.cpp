@@ -81,8 +81,8 @@ void add_data(std::ostream& xml, AppendedArrays& appended, std::string_view elem
   }
   xml << ">\n";
   for (const DataArray& array : arrays) {
-    appended.add(kTypeNames.at(static_cast<std::size_t>(array.type)), xml_text(array.name),
-                 array.components, std::uint64_t{array.bytes.size()},
+    appended.add(vtk_type(array.type), xml_text(array.name), array.components,
+                 std::uint64_t{array.bytes.size()},
                  [&](BinaryOutput& binary) { binary.put(array.bytes.data(), array.bytes.size()); });
   }
   xml << "</" << element << ">\n";
@@ -104,6 +104,8 @@ void add_cells(std::ostream& xml, AppendedArrays& arrays, std::string_view eleme
 }
 
 }  // namespace
+
+std::string_view vtk_type(NumberType type) { return kTypeNames.at(static_cast<std::size_t>(type)); }
 
 void write_vtp(std::ostream& out, const PolyData& data) {
   const std::size_t lines = data.line_offsets.empty() ? 0 : data.line_offsets.size() - 1;

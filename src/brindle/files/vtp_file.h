@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 #include <span>
+#include <string_view>
 
 #include "brindle/files.h"
 #include "brindle/mesh.h"
@@ -26,5 +27,8 @@ struct PolyData {
 /// coordinates, "color" the colours. Arrays have a row for every point or cell, and the names and
 /// colours of `fitted_arrays`.
 void write_vtp(std::ostream& out, const PolyData& data);
+
+/// VTK's name of a type of numbers.
+std::string_view vtk_type(NumberType type);
 
 }  // namespace brindle

@@ -1,0 +1,94 @@
+#include "mesh_pieces.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brindle/distributed/partition.h"
+#include "brindle/error.h"
+
+namespace brindle::tool {
+namespace {
+
+/// On rank 0.
+LoadedSurface load_whole(const SurfaceOptions& options, JobListener& listener) {
+  refuse_points(options, "stripe");
+  listener.stage("loading " + options.mesh);
+  LoadedSurface loaded = load_mesh(options, listener.progress());
+  listener.note(describe(loaded));
+  return loaded;
+}
+
+/// As `together`, with wrong usage on rank 0 staying wrong usage on all.
+void on_first_rank(Communicator& ranks, const std::function<void()>& work) {
+  bool wrong_usage = false;
+  const auto noted = [&] {
+    if (ranks.rank() != 0) return;
+    try {
+      work();
+    } catch (const CLI::ParseError& error) {
+      wrong_usage = true;
+      throw Error(error.what());
+    }
+  };
+  try {
+    ranks.together(noted);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    if (ranks.any(wrong_usage))
+      throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
+    throw;
+  }
+}
+
+using Position = std::array<float, 3>;
+
+/// What travels of a piece, a list per rank each.
+struct PackedPieces {
+  std::vector<std::vector<std::uint64_t>> ids;
+  std::vector<std::vector<Position>> positions;
+  std::vector<std::vector<Triangle>> triangles;
+
+  explicit PackedPieces(std::size_t ranks) : ids(ranks), positions(ranks), triangles(ranks) {}
+};
+
+PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
+  PackedPieces packed(ranks);
+  const std::vector<int> rank_of_triangle = partition_by_curve(mesh, static_cast<int>(ranks));
+  for (std::size_t r = 0; r < ranks; ++r) {
+    SurfacePiece piece = piece_of(mesh, rank_of_triangle, static_cast<int>(r));
+    packed.ids[r] = std::move(piece.vertex_ids);
+    for (const Vec3& p : piece.mesh.positions) packed.positions[r].push_back({p.x(), p.y(), p.z()});
+    packed.triangles[r] = std::move(piece.mesh.triangles);
+  }
+  return packed;
+}
+
+}  // namespace
+
+ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
+  PackedPieces packed(static_cast<std::size_t>(ranks.size()));
+  std::array<double, 3> origin{};
+  std::size_t joined = 0;
+  on_first_rank(ranks, [&] {
+    const LoadedSurface loaded = load_whole(options, listener);
+    joined = loaded.repair.vertices_joined;
+    for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
+    packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
+  });
+  ReadPiece result;
+  result.piece.vertex_ids = ranks.swap_lists(packed.ids)[0];
+  const auto positions = ranks.swap_lists(packed.positions);
+  for (const auto& [x, y, z] : positions[0]) {
+    result.piece.mesh.positions.emplace_back(x, y, z);
+  }
+  result.piece.mesh.triangles = ranks.swap_lists(packed.triangles)[0];
+  const auto [x, y, z] = ranks.all(origin)[0];
+  result.piece.mesh.origin = {x, y, z};
+  result.vertices_joined = ranks.all(joined)[0];
+  return result;
+}
+
+}  // namespace brindle::tool

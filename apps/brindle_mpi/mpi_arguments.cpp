@@ -1,0 +1,63 @@
+#include "mpi_arguments.h"
+
+#include "brindle/base/file_extension.h"
+#include "command_line.h"
+
+namespace brindle::tool {
+
+void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_solving_options(command, arguments.solving);
+  command
+      .add_option("-o,--output", arguments.output,
+                  "the mesh with its phases: one .vtp a rank, and a .pvtp that names them")
+      ->type_name("FILE.pvtp");
+  command.add_option("--report", arguments.report, "write the report here")->type_name("FILE.json");
+  command
+      .add_option("--frames", arguments.frames,
+                  "then solve so many frames, each with directions turned by a degree, and report "
+                  "what they take; files have the pattern before")
+      ->type_name("N")
+      ->check(CLI::Range(0, 10000));
+  command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+}
+
+namespace {
+
+void check_field(const WaveOptions& waves) {
+  if (!is_field_file(waves) && !is_array(waves.field)) return;
+  throw CLI::ValidationError(
+      "--field", "'" + waves.field +
+                     "': over many processes fields are smooth, curvature, raw-curvature or a "
+                     "--direction; 'brindle stripe' takes files and arrays");
+}
+
+void check_extension(const std::string& option, const std::string& path, const char* extension) {
+  if (path.empty() || lower_extension(path) == extension) return;
+  throw CLI::ValidationError(option, "'" + path + "': the name must end in " + extension);
+}
+
+}  // namespace
+
+void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
+  check_field_options(command, arguments.waves);
+  check_field(arguments.waves);
+  check_solving_options(command, arguments.solving);
+  refuse_given(
+      command,
+      {"--feature-anchor", "--strokes", "--frequency-by", "--field-mesh", "--weights", "--slack"},
+      "it needs the whole surface in one process; 'brindle stripe' has it");
+  if (!arguments.waves.arrays.frequency.empty()) {
+    throw CLI::ValidationError("--frequency",
+                               "arrays need the whole surface in one process; give a number");
+  }
+  if (arguments.solving.stripes.phase_shift == PhaseShiftKind::common_source) {
+    throw CLI::ValidationError("--phase-shift",
+                               "common_source is for one process; take aligned or trapezoid");
+  }
+  check_extension("--output", arguments.output, ".pvtp");
+  check_extension("--report", arguments.report, ".json");
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,31 @@
+/// What `brindle-mpi stripe` is asked for.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "solving_options.h"
+#include "surface_options.h"
+#include "wave_options.h"
+
+namespace brindle::tool {
+
+/// Those of `brindle stripe` that many processes have, and `frames`.
+struct MpiArguments {
+  SurfaceOptions surface;
+  WaveOptions waves;
+  SolvingOptions solving;
+  std::string output;  ///< .pvtp; empty: none
+  std::string report;  ///< .json; empty: none
+  int frames = 0;      ///< that are measured after the pattern is made
+  bool quiet = false;
+};
+
+void add_mpi_options(CLI::App& command, MpiArguments& arguments);
+
+/// Throws CLI::ValidationError for options without effect, and for those that need the whole
+/// surface in one process.
+void check_mpi_options(const CLI::App& command, const MpiArguments& arguments);
+
+}  // namespace brindle::tool

@@ -1,0 +1,241 @@
+#include "mpi_stripe.h"
+
+#include <iostream>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/selection.h"
+#include "brindle/distributed_stripes.h"
+#include "command_line.h"
+#include "mesh_pieces.h"
+#include "mpi_arguments.h"
+#include "mpi_report.h"
+#include "outputs.h"
+#include "pattern_arrays.h"
+#include "piece_output.h"
+#include "progress_display.h"
+#include "report.h"
+#include "used_files.h"
+#include "wave_figures.h"
+#include "written_files.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kMpiExamples = R"(Examples:
+  mpirun -n 4 brindle-mpi stripe shape:torus,resolution=512 --output torus.pvtp
+  mpirun -n 2 brindle-mpi stripe horse.ply --direction 0.31,0.9,0.27 --report horse.json
+  mpirun -n 8 brindle-mpi stripe scan.ply --field curvature --stripes 400 --frames 20
+
+Rank 0 reads the mesh and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
+phase (radians; not a number where there is no wave, and valid is 0), its sine, direction, frequency
+and global_id (the number in the whole mesh) at every vertex, and branch and corner_phase of every
+triangle; FILE.pvtp names them. Where one rank fails, all end with 1 and one message.)";
+
+/// Waves of the piece's vertices, and what they took.
+struct PieceWaves {
+  WaveSet waves;
+  WaveFigures figures;
+  double milliseconds = 0;
+};
+
+DirectionField make_directions(const DistributedSurface& surface, const WaveOptions& options) {
+  if (options.direction) return projected_direction_field(*options.direction, surface.normals());
+  if (!is_smooth(options)) return curvature_direction_field(surface, options.curvature_direction);
+  SmoothFieldOptions smooth;
+  smooth.curvature_anchor = curvature_anchor(options);
+  smooth.curvature_direction = options.curvature_direction;
+  return smooth_direction_field(surface, smooth);
+}
+
+/// The figures of all ranks' waves.
+WaveFigures measure_waves(Communicator& ranks, const DistributedSurface& surface,
+                          std::span<const Vec3> directions, float frequency) {
+  const RankSurface& own = surface.rank_surface();
+  const Surface nodes{own.mesh, own.graph.adjacency, own.normals};
+  WaveSet waves;
+  waves.directions.resize(own.graph.own, Vec3::Zero());
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    const Index v = own.vertex_of_piece[p];
+    if (v < own.graph.own) waves.directions[v] = directions[p];
+  }
+  waves.frequencies.assign(own.graph.own, frequency);
+  WaveTally tally = tally_waves(nodes, waves);
+  tally.used = ranks.sum(tally.used);
+  tally.without_wave = ranks.sum(tally.without_wave);
+  tally.frequency_sum = ranks.sum(tally.frequency_sum);
+  tally.frequency_min = tally.frequency_max = static_cast<double>(frequency);
+  WaveFigures figures = figures_of(tally, surface.diagonal());
+  const std::vector<float> edges(tally.edges_per_period.begin(), tally.edges_per_period.end());
+  const std::size_t count = ranks.sum(edges.size());
+  if (count == 0) return figures;
+  figures.edges_per_period_min = static_cast<double>(kth_smallest(ranks, edges, 0));
+  figures.edges_per_period_median = static_cast<double>(kth_smallest(ranks, edges, count / 2));
+  return figures;
+}
+
+PieceWaves make_waves(Communicator& ranks, const DistributedSurface& surface,
+                      std::vector<Vec3> positions, const WaveOptions& options,
+                      JobListener& listener) {
+  Stopwatch watch;
+  listener.stage("direction field");
+  PieceWaves made;
+  DirectionField directions = make_directions(surface, options);
+  const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
+  if (turn_deg != 0) {
+    directions = rotated(directions, surface.normals(), turn_deg * std::numbers::pi_v<float> / 180);
+  }
+  const float frequency = constant_frequency(static_cast<float>(surface.diagonal()), options);
+  made.figures = measure_waves(ranks, surface, directions, frequency);
+  ranks.together([&] { check_waves(made.figures, source_of(options)); });
+  listener.note(warnings(made.figures, source_of(options)));
+  const std::size_t vertices = positions.size();
+  made.waves = {std::move(positions), std::move(directions),
+                constant_frequency_field(frequency, vertices)};
+  made.milliseconds = watch.lap();
+  return made;
+}
+
+DistributedOptions animator_options(const MpiArguments& arguments) {
+  DistributedOptions options;
+  options.solver = FrameSolver::multilevel;
+  options.phase_shift = arguments.solving.stripes.phase_shift;
+  options.sweeps = arguments.solving.stripes.solver.sweeps;
+  options.cycles = arguments.solving.stripes.solver.cycles;
+  return options;
+}
+
+Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& arguments,
+                       const PieceWaves& waves, const PatternQuality& quality, double energy) {
+  const SolverOptions& solver = arguments.solving.stripes.solver;
+  Report report;
+  report.vertices = surface.vertex_count();
+  report.triangles = surface.triangle_count();
+  report.edges = surface.edge_count();
+  report.threads = ThreadLimit::current();
+  report.iterations = solver.sweeps * (1 + solver.cycles);
+  report.energy = energy;
+  report.quality = quality;
+  report.field_milliseconds = waves.milliseconds;
+  report.waves = waves.figures;
+  return report;
+}
+
+/// What the piece's file has beside the mesh.
+DataArrays arrays_of(const SurfacePiece& piece, const WaveSet& waves, std::span<const Complex> z,
+                     std::vector<CornerPhases> corners) {
+  DataArrays arrays;
+  add_waves(arrays.points, {waves, {}, z, ""}, std::numeric_limits<float>::quiet_NaN(), {});
+  arrays.points.push_back(make_data_array("global_id", 1, piece.vertex_ids));
+  StripePattern pattern;
+  pattern.corners = std::move(corners);
+  arrays.cells.push_back(branches_in_triangles(pattern, "branch"));
+  arrays.cells.push_back(corner_phases_of(pattern, "corner_phase"));
+  return arrays;
+}
+
+void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
+  std::vector<UsedFile> inputs, outputs;
+  if (!is_shape(arguments.surface)) inputs.push_back({"MESH", arguments.surface.mesh});
+  if (!arguments.output.empty()) {
+    outputs.push_back({"--output", arguments.output});
+    for (int r = 0; r < ranks.size(); ++r) {
+      outputs.push_back({"--output", piece_path(arguments.output, r)});
+    }
+  }
+  if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
+  check_files(inputs, outputs);
+  if (!arguments.output.empty()) check_pieces(ranks, arguments.output);
+  ranks.together([&] {
+    if (ranks.rank() == 0 && !arguments.report.empty()) check_output_path(arguments.report);
+  });
+}
+
+/// On rank 0.
+void tell(const CLI::App& command, const MpiArguments& arguments, Report& report,
+          const RankFigures& figures, const std::optional<FrameFigures>& frames) {
+  report.invocation = invocation_of(command);
+  if (!arguments.report.empty()) {
+    nlohmann::ordered_json json = to_json(report);
+    json["ranks"] = to_json(figures);
+    if (frames) json["frames"] = to_json(*frames);
+    write_json(arguments.report, json);
+  }
+  if (arguments.quiet) return;
+  print_report(std::cout, report);
+  print_ranks(std::cout, figures);
+  if (frames) print_frames(std::cout, *frames);
+  if (!arguments.output.empty()) print_written(std::cout, arguments.output);
+  if (!arguments.report.empty()) print_written(std::cout, arguments.report);
+}
+
+void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Communicator& ranks) {
+  check_mpi_options(command, arguments);
+  check_outputs(ranks, arguments);
+  const ThreadLimit threads(arguments.solving.threads);
+  Report report;
+  RankFigures figures;
+  std::optional<FrameFigures> frames;
+  {
+    ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
+    // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
+    const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
+    Stopwatch watch;
+    const ReadPiece read = read_piece(ranks, arguments.surface, display);
+    const double load_milliseconds = watch.lap();
+    stage("neighbourhood and normals");
+    const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
+    const double topology_milliseconds = watch.lap();
+    stage("direction field");
+    PieceWaves waves =
+        make_waves(ranks, surface, read.piece.mesh.positions, arguments.waves, display);
+    stage("stripes");
+    DistributedStripeAnimator animator(surface, animator_options(arguments));
+    const WaveSet& w = waves.waves;
+    const FrameResult frame =
+        animator.frame({w.positions, w.directions, w.frequencies}, display.progress());
+    stage("pattern");
+    watch.lap();
+    DistributedMeasures measures = animator.measure();
+    report = make_mpi_report(surface, arguments, waves, measures.quality, animator.energy());
+    report.vertices_joined = read.vertices_joined;
+    report.milliseconds.load = load_milliseconds;
+    report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();
+    report.milliseconds.couple = frame.milliseconds.couple;
+    report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
+    report.milliseconds.pattern = watch.lap();
+    display.note(branch_warning(report.waves, report.quality.branches, report.triangles));
+    if (!arguments.output.empty()) {
+      stage("writing");
+      write_pieces(ranks, arguments.output, read.piece.mesh,
+                   arrays_of(read.piece, w, frame.z, std::move(measures.corners)));
+    }
+    if (arguments.frames > 0) {
+      stage("frames");
+      frames = measure_frames(ranks, surface, animator, w, arguments.frames);
+    }
+    figures = rank_figures(ranks, surface, animator);
+  }
+  ranks.together([&] {
+    if (ranks.rank() == 0) tell(command, arguments, report, figures, frames);
+  });
+}
+
+}  // namespace
+
+Command add_mpi_stripe_command(CLI::App& app, Communicator& ranks) {
+  return add_command<MpiArguments>(
+      app, "stripe", "Lay stripes over a surface that all ranks hold together", kMpiExamples,
+      add_mpi_options, [&ranks](const CLI::App& command, const MpiArguments& arguments) {
+        run_mpi_stripe(command, arguments, ranks);
+      });
+}
+
+}  // namespace brindle::tool

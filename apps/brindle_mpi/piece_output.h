@@ -1,0 +1,26 @@
+/// A mesh in pieces as VTK has it: a .pvtp that names a .vtp a rank.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/distributed/communicator.h"
+#include "brindle/mesh.h"
+
+namespace brindle::tool {
+
+/// The ranks' files of `pvtp`: FILE_0.vtp and on, beside it.
+std::filesystem::path piece_path(const std::filesystem::path& pvtp, int rank);
+
+/// Throws Error on all ranks, as `write_pieces` would, if the place of a file is no good.
+void check_pieces(Communicator& ranks, const std::filesystem::path& pvtp);
+
+/// All ranks write their pieces under other names; once all have, pieces get theirs, and rank 0
+/// writes the .pvtp last. Where one rank fails, all throw, and what stood there stays, but for
+/// pieces if it is renaming that fails. All ranks have arrays of the same names and types.
+void write_pieces(Communicator& ranks, const std::filesystem::path& pvtp, const Mesh& mesh,
+                  const DataArrays& arrays);
+
+}  // namespace brindle::tool

@@ -1,0 +1,212 @@
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/tool.h"
+#include "brindle/data_arrays.h"
+#include "brindle/files.h"
+
+namespace brindle {
+namespace {
+
+using test::content;
+using test::run_tool;
+using test::ToolResult;
+using Words = std::vector<std::string>;
+
+/// Empty folders; whatever hangs there is ended.
+struct MpiTool : test::ToolTest {
+  static Words mpirun() {
+    Words words = {"100"};
+    std::string word;
+    for (const char c : std::string(BRINDLE_MPIRUN) + "|") {
+      if (c != '|') {
+        word += c;
+      } else {
+        words.push_back(std::exchange(word, ""));
+      }
+    }
+    return words;
+  }
+
+  static std::string joined(const Words& words) {
+    std::string text;
+    for (const std::string& word : words) text += "'" + word + "' ";
+    return text;
+  }
+
+  ToolResult on(int ranks, Words arguments) const {
+    Words words = mpirun();
+    words.insert(words.end(), {"-n", std::to_string(ranks), BRINDLE_MPI_TOOL, "stripe"});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_tool(words, folder);
+  }
+
+  /// Two ranks; a shell does `before` on the second one.
+  ToolResult with_trouble(const std::string& before, Words arguments,
+                          const Words& of_second) const {
+    Words words = mpirun();
+    words.insert(words.end(), {"-n", "1", BRINDLE_MPI_TOOL, "stripe"});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    words.insert(words.end(),
+                 {":", "-n", "1", "sh", "-c",
+                  before + " exec '" + BRINDLE_MPI_TOOL + "' stripe " + joined(of_second)});
+    return run_tool(words, folder);
+  }
+
+  /// One message of ours, this exit code, and no file.
+  void expect_failure(const ToolResult& result, int exit_code, const std::string& message) const {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    std::size_t messages = 0;
+    for (std::size_t at = 0; (at = result.err.find("brindle-mpi: ", at)) != std::string::npos;
+         ++at) {
+      const std::size_t end = result.err.find('\n', at);
+      messages += result.err.substr(at, end - at).find("--help") == std::string::npos;
+    }
+    EXPECT_EQ(messages, 1u) << result.err;
+    for (const std::string& name : listing()) {
+      EXPECT_EQ(name.find("pvtp"), std::string::npos) << name;
+      EXPECT_EQ(name.find("tmp"), std::string::npos) << name;
+    }
+  }
+
+  LoadedMesh piece(const std::string& name) const { return read_mesh(folder / name); }
+};
+
+const DataArray& array_of(const std::vector<DataArray>& arrays, const std::string& name) {
+  for (const DataArray& array : arrays) {
+    if (array.name == name) return array;
+  }
+  throw std::runtime_error("no array " + name);
+}
+
+/// The first number of a row.
+template <class Number>
+Number value(const DataArray& array, std::size_t row) {
+  const std::size_t size = sizeof(Number) * static_cast<std::size_t>(array.components);
+  Number number;
+  std::memcpy(&number, array.bytes.data() + row * size, sizeof(Number));
+  return number;
+}
+
+/// Vertices of several pieces have the same phase in all, and all triangles are there once.
+TEST_F(MpiTool, WritesPiecesThatFitTogether) {
+  const ToolResult result =
+      on(3, {"shape:torus,resolution=60", "--direction", "0.3,0.9,0.2", "--stripes", "30",
+             "--output", "out.pvtp", "--report", "out.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto report = nlohmann::json::parse(content(folder / "out.json"));
+  EXPECT_EQ(report["ranks"]["count"], 3);
+  EXPECT_GT(report["ranks"]["bytes_sent"], 0);
+  std::map<std::uint64_t, float> phase_of;
+  std::size_t triangles = 0, shared = 0, branches = 0;
+  for (int r = 0; r < 3; ++r) {
+    const std::string name = "out_" + std::to_string(r) + ".vtp";
+    EXPECT_NE(content(folder / "out.pvtp").find("<Piece Source=\"" + name + "\"/>"),
+              std::string::npos);
+    const LoadedMesh loaded = piece(name);
+    triangles += loaded.mesh.triangle_count();
+    const DataArray& ids = array_of(loaded.arrays.points, "global_id");
+    const DataArray& phases = array_of(loaded.arrays.points, "phase");
+    for (std::size_t v = 0; v < loaded.mesh.vertex_count(); ++v) {
+      const auto [known, is_new] =
+          phase_of.emplace(value<std::uint64_t>(ids, v), value<float>(phases, v));
+      shared += !is_new;
+      EXPECT_EQ(known->second, value<float>(phases, v));
+    }
+    const DataArray& ends = array_of(loaded.arrays.cells, "branch");
+    for (std::size_t t = 0; t < loaded.mesh.triangle_count(); ++t)
+      branches += value<std::uint8_t>(ends, t);
+  }
+  EXPECT_EQ(triangles, report["triangles"]);
+  EXPECT_EQ(phase_of.size(), report["vertices"]);
+  EXPECT_EQ(branches, report["branches"]);
+  EXPECT_GT(shared, 0u);
+}
+
+TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
+  const Words options = {
+      "shape:vessels,resolution=40", "--field", "curvature", "--along", "--stripes", "25"};
+  Words mine = options, tools = options;
+  mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
+  ASSERT_EQ(on(1, mine).exit_code, 0);
+  tools.insert(tools.begin(), {"100", BRINDLE_TOOL_ALONE, "stripe"});
+  tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+  ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
+  const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
+  for (const char* name : {"phase", "direction", "frequency"}) {
+    EXPECT_EQ(array_of(one.arrays.points, name).bytes, array_of(other.arrays.points, name).bytes)
+        << name;
+  }
+  EXPECT_EQ(array_of(one.arrays.cells, "corner_phase").bytes,
+            array_of(other.arrays.cells, "corner_phase").bytes);
+  const auto mpi = nlohmann::json::parse(content(folder / "mpi.json"));
+  const auto tool = nlohmann::json::parse(content(folder / "tool.json"));
+  for (const auto& [key, value] : tool.items()) {
+    if (key == "milliseconds" || key == "options") continue;
+    EXPECT_EQ(mpi[key], value) << key;
+  }
+}
+
+TEST_F(MpiTool, MeasuresFrames) {
+  const ToolResult result =
+      on(2, {"shape:torus,resolution=60", "--frames", "3", "--report", "out.json", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  const auto frames = nlohmann::json::parse(content(folder / "out.json"))["frames"];
+  EXPECT_EQ(frames["count"], 3);
+  EXPECT_GE(frames["bytes_sent"], frames["halo_bytes"]);
+  EXPECT_GE(frames["imbalance"], 1);
+}
+
+TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
+  expect_failure(on(2, {"shape:torus", "--slack", "0.2"}), 2, "--slack");
+  expect_failure(on(2, {"shape:torus", "--field", "wind.csv"}), 2, "wind.csv");
+  expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
+  expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
+  expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");
+}
+
+TEST_F(MpiTool, EndsAllRanksWhereAFileCannotBeRead) {
+  expect_failure(on(2, {"nothing.ply", "--output", "out.pvtp"}), 1, "nothing.ply");
+  test::write_text(folder / "bad.ply", "ply\nno");
+  expect_failure(on(2, {"bad.ply", "--output", "out.pvtp"}), 1, "bad.ply");
+}
+
+TEST_F(MpiTool, EndsAllRanksWhereOneCannotWrite) {
+  std::filesystem::create_directories(folder / "out_1.vtp");
+  expect_failure(on(2, {"shape:torus,resolution=30", "--output", "out.pvtp"}), 1, "out_1.vtp");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out_0.vtp"));
+}
+
+TEST_F(MpiTool, EndsAllRanksWhereOneIsCancelled) {
+  const Words arguments = {"shape:torus,resolution=60", "--cycles", "9999", "--output", "out.pvtp"};
+  expect_failure(with_trouble("(sleep 2; kill -INT $$) &", arguments, arguments), 1, "cancelled");
+}
+
+/// The others wait for it elsewhere.
+TEST_F(MpiTool, EndsAllRanksWhereOneHasOtherOptions) {
+  expect_failure(
+      with_trouble("", {"shape:torus", "--output", "out.pvtp"}, {"shape:torus", "--nonsense"}), 2,
+      "rank 1: ");
+}
+
+TEST_F(MpiTool, EndsAllRanksWhereOneIsKilled) {
+  const Words arguments = {"shape:torus,resolution=60", "--cycles", "9999", "--output", "out.pvtp"};
+  const ToolResult result = with_trouble("(sleep 2; kill -KILL $$) &", arguments, arguments);
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_NE(result.exit_code, 124) << "hangs";
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.pvtp"));
+}
+
+}  // namespace
+}  // namespace brindle
