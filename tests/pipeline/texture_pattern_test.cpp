@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "bad_waves.h"
