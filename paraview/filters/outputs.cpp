@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPoints> placed_points(vtkPolyData& from, std::span<const Vec3
 
 vtkSmartPointer<vtkCellArray> triangle_cells(std::span<const std::array<Index, 3>> triangles) {
   vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * triangles.size()));
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.size()));
   vtkIdType at = 0;
   for (const auto& triangle : triangles) {
     for (const Index corner : triangle) corners->SetValue(at++, corner);

@@ -121,7 +121,7 @@ const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm*
     }
     stamp_ = stamp;
   }
-  current_.triangles = std::move(triangles);  // with this input's arrays
+  current_.triangles = triangles;  // with this input's arrays
   return &current_;
 }
 

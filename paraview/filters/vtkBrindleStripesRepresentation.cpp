@@ -78,6 +78,15 @@ void vtkBrindleStripesRepresentation::SetTexture(vtkTexture* texture) {
   this->Superclass::SetTexture(texture != nullptr ? texture : this->White.Get());
 }
 
+void vtkBrindleStripesRepresentation::SetInterpolateScalarsBeforeMapping(int) {
+  this->Superclass::SetInterpolateScalarsBeforeMapping(0);
+}
+
+void vtkBrindleStripesRepresentation::UpdateColoringParameters() {
+  this->Superclass::UpdateColoringParameters();
+  this->Superclass::SetInterpolateScalarsBeforeMapping(0);
+}
+
 // Both clear what the actor has.
 void vtkBrindleStripesRepresentation::SetUseShaderReplacements(bool use) {
   this->Superclass::SetUseShaderReplacements(use);

@@ -33,6 +33,9 @@ class BRINDLEFILTERS_EXPORT vtkBrindleStripesRepresentation
 
   /// Surfaces have texture coordinates on their way to the screen only if there is a texture.
   void SetTexture(vtkTexture* texture) override;
+  /// Colours that are interpolated as numbers take the place of texture coordinates: here they are
+  /// interpolated as colours.
+  void SetInterpolateScalarsBeforeMapping(int) override;
   void SetUseShaderReplacements(bool use) override;
   void SetShaderReplacements(const char* replacements) override;
 
@@ -45,6 +48,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleStripesRepresentation
  protected:
   vtkBrindleStripesRepresentation();
   ~vtkBrindleStripesRepresentation() override;
+
+  void UpdateColoringParameters() override;
 
  private:
   std::string StripeShader() const;

@@ -189,6 +189,13 @@ def check_picture(folder):
             wanted = 1 / 16 / per_pixel
             check(len(inner) > 8 and np.all(np.abs(inner - wanted) < 1.5),
                   f"bars are half a period wide: {inner.min():.1f} to {inner.max():.1f} of {wanted:.1f} pixels")
+            pv.ColorBy(shown, ("POINTS", "frequency"))
+            pv.GetColorTransferFunction("frequency").RGBPoints = [0, 1, 1, 1, 100, 1, 1, 1]
+            shown.SetScalarBarVisibility(view, False)
+            same = bars(pixels(view, folder, "plane_colored.png")[SIZE[1] // 2])
+            check(len(same) == len(places) and np.all(np.abs(same - places) < 1),
+                  "stripes stay where they are over colours by an array")
+            pv.ColorBy(shown, ("POINTS", None))
             shown.StripeWidth = 0.25
             image = pixels(view, folder, "plane_thin.png")
             seen = (image[SIZE[1] // 2, 100:-100] < 128).mean()
