@@ -297,7 +297,10 @@ void StyledRenderer::State::draw_visible(const Camera& camera, const Eigen::Vect
       program.set("target_size", Eigen::Vector2f((kVisibleSamples * size).cast<float>()));
       program.set("up", up_seen_by(camera, options.render.camera.up));
     }
+    const bool draft = options.render.quality == PictureQuality::interactive;
+    if (draft && !drawn.style.discards()) leave_out_hidden_side(drawn.surface, camera);
     drawn.surface.draw(program, camera, transform);
+    glDisable(GL_CULL_FACE);
   }
   glDisable(GL_DEPTH_TEST);
 }
@@ -476,7 +479,8 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
     GlStyle style(surface, &drawn.style);
     Mesh mesh = moved_to(surface.mesh, origin);
     const SurfaceDrawing drawing = drawing_of(surface, mesh);
-    drawn.surface.update({.positions = mesh.positions,
+    const bool stays = mesh.positions == drawn.mesh.positions;
+    drawn.surface.update({.positions = stays ? std::span<const Vec3>() : mesh.positions,
                           .normals = drawing.normals,
                           .waves = drawing.waves,
                           .z = drawing.z});
