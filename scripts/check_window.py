@@ -3,12 +3,14 @@
 
     scripts/check_window.py build/release/apps/brindle/brindle [NAME...] [--keep FOLDER]
     scripts/check_window.py build/release/apps/brindle/brindle --measure MESH
+    scripts/check_window.py build/release/apps/brindle/brindle --measure-gallery [ITEM...]
 
 Starts a display of its own (Xvfb), moves the mouse and presses keys (xdotool), drops files
 (python3-xlib) and reads the window's log (brindle view --log) for where widgets are and what has been
 drawn. --measure drags a slider to and fro instead, in a window of 1280x720, and says how many frames a
-second there were and what they and the window itself cost. Of the checks, those are run whose names contain a NAME. Ends with 0 if all is well, 1 if not,
-and 77 where Xvfb or xdotool is missing.
+second there were and what they and the window itself cost; --measure-gallery does so with every item of the
+gallery. Of the checks, those are run whose names contain a NAME. Ends with 0 if all is well, 1 if not, and
+77 where Xvfb or xdotool is missing.
 """
 
 import argparse
@@ -417,6 +419,27 @@ def check_bad_file_dropped(start, folder):
     window.quit()
 
 
+def check_video_is_recorded_or_refused(start, folder):
+    window = start("shape:trefoil,resolution=30", "--stripes", "20")
+    window.settled()
+    since = window.now()
+    window.key("r")
+    if shutil.which("ffmpeg") is None:
+        message = window.wait_for("message", since, kind="error")
+        expect("ffmpeg" in message["text"], f"the message does not say what is missing: {message['text']}")
+        return window.quit()
+    window.save_as(folder / "turn.mp4")
+    window.drag([window.point("picture", 0.3 + 0.03 * i) for i in range(12)])
+    expect(not (folder / "turn.mp4").exists(), "half a video is there")
+    window.key("r")
+    window.wait_for("message", since, text=f"wrote {folder / 'turn.mp4'}")
+    seen = subprocess.run(["ffmpeg", "-v", "error", "-i", folder / "turn.mp4", "-f", "framemd5", "-"], text=True,
+                          capture_output=True, check=True).stdout
+    frames = {line.split(",")[-1] for line in seen.splitlines() if not line.startswith("#")}
+    expect(len(frames) > 3, f"the video has {len(frames)} different pictures")
+    window.quit()
+
+
 def check_quit_while_solving(start, folder):
     window = start("shape:sphere,resolution=400")
     window.wait_for("widgets")
@@ -640,12 +663,60 @@ def measure(tool, mesh, display, folder):
     return 0
 
 
+def frames_a_second(window, points):
+    """While the mouse is dragged along these points, at least five times as long as a frame takes."""
+    since = window.now()
+    for _ in range(6):
+        window.sweep(points + points[::-1])
+        window.read()
+        frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]
+        if len(frames) > 5:
+            break
+    window.settled(since)
+    return 1 / median([b["time"] - a["time"] for a, b in zip(frames, frames[1:])]), frames[-1]["vertices"]
+
+
+# What is moved live of an item: its place, or the slider of an option.
+GALLERY = {"liver": ("near", "place 1"), "nested": ("focus", "place 1"), "vortices": ("still", "option stripes"),
+           "aneurysm": ("stress", "option stripes"), "molecule": ("signs", "option stripes"),
+           "hatching": ("pen", "option stripes"), "glyphs": ("decals", "option stripes"),
+           "crosses": ("tiles", "option stripes"), "rough": ("all", "option stripes"),
+           "giant": ("stripes", "option stripes")}
+
+
+def measure_gallery(tool, names, display, folder):
+    """A table of frames a second: what a user sees who turns an item, or moves what is live in it."""
+    global SIZE
+    SIZE = (1280, 720)
+    folder.mkdir(parents=True)
+    print("| item | vertices | turned | | moved |\n|---|---|---|---|---|")
+    window = Window(tool, display, folder, ["shape:torus,resolution=20"])
+    try:
+        window.settled()
+        for item, (picture, control) in GALLERY.items():
+            if names and item not in names:
+                continue
+            open_gallery(window, item, picture)
+            x, y = window.point("picture", 0.75, 0.85)
+            turned, vertices = frames_a_second(window, [(x + i, y) for i in range(90)])
+            x, y = window.point(control)
+            moved, _ = frames_a_second(window, [(x + i, y) for i in range(-40, 41)]
+                                       if control.startswith("option") else [(x + i, y) for i in range(90)])
+            what = {"liver": "needle", "nested": "focus"}.get(item, "stripes")
+            print(f"| {item} | {vertices:,} | {turned:.1f} | {what} | {moved:.1f} |", flush=True)
+        window.quit()
+    finally:
+        window.kill()
+    return 0
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("tool")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--measure", metavar="MESH")
+    parser.add_argument("--measure-gallery", action="store_true")
     arguments = parser.parse_args()
     missing = [program for program in ("Xvfb", "xdotool") if shutil.which(program) is None]
     try:
@@ -657,13 +728,15 @@ def main():
         return SKIPPED
     checks = {name.removeprefix("check_"): check for name, check in globals().items()
               if name.startswith("check_") and (not arguments.names or any(n in name for n in arguments.names))}
-    expect(checks, "no check has such a name")
+    expect(checks or arguments.measure_gallery, "no check has such a name")
     tool = str(pathlib.Path(arguments.tool).resolve())
     folder = (arguments.keep or pathlib.Path(tempfile.mkdtemp(prefix="brindle_window_"))).resolve()
     display = Display()
     try:
         if arguments.measure:
             return measure(tool, arguments.measure, display.name, folder / "measure")
+        if arguments.measure_gallery:
+            return measure_gallery(tool, arguments.names, display.name, folder / "gallery")
         passed = [run(name, check, tool, display.name, folder / name) for name, check in checks.items()]
     finally:
         display.close()

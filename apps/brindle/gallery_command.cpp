@@ -111,9 +111,13 @@ std::string default_output(const GalleryItem& item, const GalleryPicture& pictur
   return item.name + (first ? "" : "_" + picture.name) + (is_moving(picture) ? ".mp4" : ".png");
 }
 
-bool is_drawn(const std::string& output) {
+/// Items are drawn: what else they have is in their data.
+void check_is_drawn(const std::string& output) {
   const std::string extension = lower_extension(output);
-  return extension != ".vtp" && extension != ".ply" && extension != ".csv";
+  if (extension == ".png" || extension == ".svg" || extension == ".mp4") return;
+  refuse_output(output,
+                "an item of the gallery is drawn; write .png or .svg, or .mp4 where it moves. Its "
+                "meshes are written by --data FOLDER");
 }
 
 /// The command line that draws a picture of data in `folder`.
@@ -121,12 +125,8 @@ std::vector<std::string> words_of(const GalleryPicture& picture, const GalleryAr
                                   const std::string& folder, const std::string& output) {
   std::vector<std::string> words =
       filled_words(picture, {folder, arguments.surface, arguments.field, arguments.values});
-  if (is_drawn(output)) {
-    words.insert(words.end(), {"--size", arguments.size.empty() ? picture.size : arguments.size});
-    if (!arguments.quality.empty()) {
-      words.insert(words.end(), {"--quality", arguments.quality});
-    }
-  }
+  words.insert(words.end(), {"--size", arguments.size.empty() ? picture.size : arguments.size});
+  if (!arguments.quality.empty()) words.insert(words.end(), {"--quality", arguments.quality});
   words.insert(words.end(), {"--output", output});
   return words;
 }
@@ -227,8 +227,9 @@ void run_gallery(const CLI::App& command, const GalleryArguments& arguments) {
   }
   if (!arguments.output.empty()) {
     check_files(inputs_of_gallery(arguments), {{"--output", arguments.output}});
+    check_is_drawn(arguments.output);
     check_output_path(arguments.output);
-    if (is_drawn(arguments.output)) check_pictures_available();
+    check_pictures_available();
   }
   std::optional<TemporaryFolder> temporary;
   std::string folder = arguments.data;

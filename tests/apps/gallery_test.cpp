@@ -118,6 +118,7 @@ TEST_F(GalleryTool, SaysWhatIsWrong) {
   expect_refusal(2, "did you mean 'liver'", {"gallery", "livver"});
   expect_refusal(2, "there are: signs, colors", {"gallery", "molecule", "--picture", "plus"});
   expect_refusal(2, "has no effect", {"gallery", "--output", "x.png"});
+  expect_refusal(2, "write .png or .svg", {"gallery", "molecule", "--output", "x.vtp"});
   expect_refusal(2, "has no effect", {"gallery", "giant", "--values", "height", "-o", "x.png"});
   expect_refusal(2, "has no effect", {"gallery", "giant", "--detail", "0.25"});
   expect_refusal(2, "0.25 to 4", {"gallery", "giant", "--detail", "9", "-o", "x.png"});

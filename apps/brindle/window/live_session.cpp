@@ -203,6 +203,7 @@ void LiveSession::log_frame(const SessionFrame& frame) {
                        {"final", frame.quality == PictureQuality::final},
                        {"width", frame.image.width},
                        {"height", frame.image.height},
+                       {"vertices", figures.vertices},
                        {"branches", figures.branches},
                        {"singularities", figures.singularities},
                        {"energy", figures.energy},

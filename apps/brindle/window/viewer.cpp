@@ -176,6 +176,7 @@ void Viewer::draw_options(float height) {
   ImGui::Begin("options", nullptr, kPanel);
   options_width_ = ImGui::GetWindowWidth();
   gallery_.draw_panel();
+  draw_place_box();
   draw_camera();
   option_panel_.draw();
   ImGui::End();
@@ -204,7 +205,6 @@ void Viewer::draw_picture(float left, float right, float height) {
   const float gap = ImGui::GetStyle().FramePadding.y;
   ImGui::SetCursorPos({2 * gap, gap});
   tool_.draw_bar();
-  draw_place_box();
   ImGui::SetCursorPos({0, ImGui::GetFrameHeight() + 2 * gap});
   picture_.draw(window_.pixels_per_unit(), window_.take_trail());
   draw_message();
@@ -213,7 +213,6 @@ void Viewer::draw_picture(float left, float right, float height) {
 
 void Viewer::draw_place_box() {
   if (places_.empty()) return places_.set_follows(false);
-  ImGui::SameLine();
   bool follows = places_.follows();
   if (ImGui::Checkbox("place at mouse", &follows)) places_.set_follows(follows);
   log_.note_widget("place at mouse");

@@ -185,13 +185,17 @@ void Viewer::ask_strokes(bool save) {
 void Viewer::toggle_recording() {
   if (recording_) return stop_recording();
   if (!live_.frame()) return;
+  try {
+    check_video_available(stem() + ".mp4");
+  } catch (const Error& error) {
+    return live_.add_message(MessageKind::error, error.what());
+  }
   browser_.ask({.title = "Record a video",
                 .extensions = {".mp4"},
                 .save = true,
                 .name = stem() + ".mp4",
                 .done = [this](const fs::path& path) {
                   try {
-                    check_video_available(path);
                     check_output_path(path);
                     recording_ = std::make_unique<Recording>(path, live_.frame());
                   } catch (const Error& error) {

@@ -307,7 +307,11 @@ void StyledRenderer::State::draw_visible(const Camera& camera, const Eigen::Vect
       continue;
     }
     programs.whole().set("first_number", drawn.first_number);
+    if (options.render.quality == PictureQuality::interactive) {
+      leave_out_hidden_side(drawn.surface, camera);
+    }
     drawn.surface.draw(programs.whole(), camera, transform);
+    glDisable(GL_CULL_FACE);
   }
   glDisable(GL_DEPTH_TEST);
 }
@@ -505,7 +509,8 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
     GlStyle style(surface, &drawn.style);
     Mesh mesh = moved_to(surface.mesh, origin);
     const SurfaceDrawing drawing = drawing_of(surface, mesh);
-    drawn.surface.update({.positions = mesh.positions,
+    const bool stays = mesh.positions == drawn.mesh.positions;
+    drawn.surface.update({.positions = stays ? std::span<const Vec3>() : mesh.positions,
                           .normals = drawing.normals,
                           .waves = drawing.waves,
                           .z = drawing.z});

@@ -15,14 +15,16 @@ void VisibleTriangles::draw(const GlSurface& surface, const Camera& camera,
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, samples_.framebuffer);
   glViewport(0, 0, kSamples * viewport.x(), kSamples * viewport.y());
   glEnable(GL_DEPTH_TEST);
-  const bool outside = !surface.box().contains(eye_of(camera));
-  if (hidden == Hidden::left_out && outside && surface.hidden_side() != HiddenSide::none) {
-    glEnable(GL_CULL_FACE);
-    glCullFace(surface.hidden_side() == HiddenSide::back ? GL_BACK : GL_FRONT);
-  }
+  if (hidden == Hidden::left_out) leave_out_hidden_side(surface, camera);
   surface.draw(program_, camera, tile);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
+}
+
+void leave_out_hidden_side(const GlSurface& surface, const Camera& camera) {
+  if (surface.hidden_side() == HiddenSide::none || surface.box().contains(eye_of(camera))) return;
+  glEnable(GL_CULL_FACE);
+  glCullFace(surface.hidden_side() == HiddenSide::back ? GL_BACK : GL_FRONT);
 }
 
 void bind_visible(const ShaderProgram& program, const Target& samples) {

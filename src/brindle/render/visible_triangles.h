@@ -36,4 +36,8 @@ class VisibleTriangles {
   Target samples_;
 };
 
+/// Lets OpenGL leave out the side of the surface that nobody sees from there, if it is known, until
+/// GL_CULL_FACE is switched off.
+void leave_out_hidden_side(const GlSurface& surface, const Camera& camera);
+
 }  // namespace brindle
