@@ -228,5 +228,21 @@ TEST(SessionOptions, AreThoseOfTheCommandInGroups) {
   EXPECT_TRUE(find_session_option("field")->choices.empty()) << "a file may be given, too";
 }
 
+TEST(Session, WorkIsWhatOneWouldMiss) {
+  const SessionDocument saved;
+  SessionDocument looked_at = saved;
+  looked_at.camera.azimuth_deg = 77;
+  looked_at.size = {640, 480};
+  EXPECT_TRUE(same_work(looked_at, saved));
+  SessionDocument striped = saved, drawn = saved, stored = saved, zoomed = saved;
+  striped.options["stripes"] = {"30"};
+  drawn.strokes = {{{{0, 0, 0}, {1, 0, 0}}, 0.1, 1}};
+  stored.views[3] = CameraView();
+  zoomed.frequency_by_zoom = 1;
+  for (const SessionDocument& changed : {striped, drawn, stored, zoomed}) {
+    EXPECT_FALSE(same_work(changed, saved));
+  }
+}
+
 }  // namespace
 }  // namespace brindle::tool

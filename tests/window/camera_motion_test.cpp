@@ -62,6 +62,23 @@ TEST(CameraMotionTest, BothWaysOfTurningFollowTheMouseToTheSameSide) {
   }
 }
 
+TEST(CameraMotionTest, APlaceUnderAPixelIsSeenThereAsFarAwayAsBefore) {
+  const Vec3 near(0.3f, -0.2f, 0.4f);
+  for (const CameraView& view : views_of_all_kinds()) {
+    const Camera camera = camera_of(view);
+    const auto depth = [&](const Vec3& p) {
+      return (camera.view_from_world * (p - camera.origin).homogeneous()).z();
+    };
+    for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(30, 250), Eigen::Vector2d(333.5, 12)}) {
+      const Vec3 place = place_under(camera, kSize, pixel, near);
+      EXPECT_NEAR(depth(place), depth(near), 1e-4f);
+      const auto seen = place_in_picture(place, camera, kSize.width, kSize.height);
+      ASSERT_TRUE(seen);
+      EXPECT_LT((*seen - pixel).norm(), 0.02);
+    }
+  }
+}
+
 TEST(CameraMotionTest, TurntablesStopAtThePoles) {
   CameraView view;
   for (int i = 0; i < 50; ++i) view = turned(view, {0.1f, 0.1f});

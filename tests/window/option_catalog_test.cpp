@@ -75,5 +75,19 @@ TEST(OptionCatalogTest, SlidersReachTheirStandards) {
   }
 }
 
+TEST(OptionCatalogTest, PairsOfNumbersHaveTheirTwoNumbersAtFirst) {
+  std::size_t pairs = 0;
+  for (const OptionGroup& group : option_catalog(session_options())) {
+    for (const CatalogOption& option : group.options) {
+      if (option.kind != WidgetKind::numbers) continue;
+      ++pairs;
+      // Those without say that all values count.
+      if (option.name == "color-range") continue;
+      EXPECT_NE(option.standard.find(','), std::string::npos) << option.name;
+    }
+  }
+  EXPECT_GE(pairs, 5u);
+}
+
 }  // namespace
 }  // namespace brindle::tool
