@@ -83,7 +83,9 @@ ExitCode parse_and_run(int argc, char** argv) {
 }  // namespace brindle::tool
 
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
+  // Other threads work between messages; they send none.
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   int code = brindle::tool::kFailed;
   try {
     code = brindle::tool::parse_and_run(argc, argv);

@@ -13,16 +13,7 @@
 namespace brindle {
 namespace {
 
-using testing_support::Cut;
-using testing_support::frame_of;
-using testing_support::kAxis;
-using testing_support::kCuts;
-using testing_support::Parts;
-using testing_support::rank;
-using testing_support::rank_count;
-using testing_support::same_bits;
-using testing_support::wavy_surface;
-using testing_support::WavySurface;
+using namespace testing_support;
 
 /// Three sheets that meet in an edge, twice, apart from each other, and a vertex alone.
 Mesh torn_mesh() {

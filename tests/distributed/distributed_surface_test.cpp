@@ -10,14 +10,7 @@
 namespace brindle {
 namespace {
 
-using testing_support::Cut;
-using testing_support::kAxis;
-using testing_support::kCuts;
-using testing_support::Parts;
-using testing_support::rank;
-using testing_support::rank_count;
-using testing_support::same_bits;
-using testing_support::wavy_surface;
+using namespace testing_support;
 
 TEST(DistributedSurface, IsThatOfTheWholeHoweverItIsCut) {
   const auto whole = wavy_surface("box,resolution=20", kAxis, 20);

@@ -8,12 +8,7 @@
 namespace brindle {
 namespace {
 
-using testing_support::Cut;
-using testing_support::kAxis;
-using testing_support::kCuts;
-using testing_support::Parts;
-using testing_support::rank_count;
-using testing_support::wavy_surface;
+using namespace testing_support;
 
 TEST(RankColoring, ColoursNoNeighboursAlikeAcrossRanks) {
   const auto whole = wavy_surface("molecule,resolution=30", kAxis, 20);

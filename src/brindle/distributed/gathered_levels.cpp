@@ -1,7 +1,6 @@
 #include "brindle/distributed/gathered_levels.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "brindle/phases/multilevel.h"
@@ -24,7 +23,7 @@ void append(std::vector<std::byte>& bytes, std::span<const T> values) {
 /// Takes `values.size()` values from the front.
 template <class T>
 void take(std::span<const std::byte>& bytes, std::span<T> values) {
-  std::memcpy(values.data(), bytes.data(), values.size_bytes());
+  std::ranges::copy(bytes.first(values.size_bytes()), std::as_writable_bytes(values).begin());
   bytes = bytes.subspan(values.size_bytes());
 }
 
@@ -89,7 +88,7 @@ std::vector<T> joined(const std::vector<std::vector<std::byte>>& parts) {
   for (const std::vector<std::byte>& part : parts) {
     const std::size_t before = result.size();
     result.resize(before + part.size() / sizeof(T));
-    std::memcpy(result.data() + before, part.data(), part.size());
+    std::ranges::copy(part, std::as_writable_bytes(std::span(result).subspan(before)).begin());
   }
   return result;
 }
