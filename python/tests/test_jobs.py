@@ -119,13 +119,17 @@ def test_ctrl_c_interrupts():
     """In a program of its own: the signal comes while it solves, and everything is usable after."""
     program = textwrap.dedent("""
         import os, signal, threading, brindle
-        s = brindle.shape("torus", resolution=300)
-        d = s.smooth_field()
+        s = brindle.shape("torus", resolution=800)
+        d = s.projected_field((0.31, 0.9, 0.27))
         a = brindle.Animator(s)
         first = a.frame(d, 5.0)
-        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        started = threading.Event()
+        def interrupt():
+            started.wait()
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Thread(target=interrupt).start()
         try:
-            brindle.stripes(s, d, solver="relaxation", epsilon=0)
+            brindle.stripes(s, d, solver="relaxation", epsilon=0, progress=lambda *_: started.set())
             print("not interrupted")
         except KeyboardInterrupt:
             print("interrupted")
