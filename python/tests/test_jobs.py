@@ -119,6 +119,8 @@ def test_ctrl_c_interrupts():
     """In a program of its own: the signal comes while it solves, and everything is usable after."""
     program = textwrap.dedent("""
         import os, signal, threading, brindle
+        # Jobs in the background of a shell are started without it.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         s = brindle.shape("torus", resolution=800)
         d = s.projected_field((0.31, 0.9, 0.27))
         a = brindle.Animator(s)
