@@ -151,7 +151,7 @@ TEST(DistributedField, RefusesWhatNeedsTheWhole) {
   options.feature_anchor = 1;
   EXPECT_THROW(smooth_direction_field(surface, options), Error);
   options = {};
-  options.anchors.push_back({});
+  options.anchors.push_back({0, kAxis});
   EXPECT_THROW(smooth_direction_field(surface, options), Error);
 }
 
