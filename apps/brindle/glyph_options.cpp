@@ -12,8 +12,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr Color kGlyphColor{0.78f, 0.26f, 0.17f};
-
 const std::vector<std::string> kGlyphOptions = {
     "--glyph",       "--glyph-size", "--size-by",   "--size-range", "--color-by",
     "--color-range", "--colormap",   "--threshold", "--legend",     "--no-legend"};
@@ -33,31 +31,6 @@ ValueRange parse_size_range(const std::string& option, const std::string& text) 
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 2) wrong_usage(option, "two shares A,B", text);
   return {parse_not_negative_number(option, parts[0]), parse_not_negative_number(option, parts[1])};
-}
-
-// A sample's number from those of its triangle's corners.
-float value_at(const Sample& sample, const Mesh& mesh, std::span<const float> values) {
-  float value = 0;
-  for (int m = 0; m < 3; ++m) {
-    value += sample.barycentric[m] * values[mesh.triangles[sample.triangle][m]];
-  }
-  return value;
-}
-
-std::vector<float> values_at(std::span<const Sample> samples, const Mesh& mesh,
-                             std::span<const float> values) {
-  std::vector<float> result;
-  for (const Sample& sample : samples) result.push_back(value_at(sample, mesh, values));
-  return result;
-}
-
-std::vector<float> size_factors(std::span<const Sample> samples, const Mesh& mesh,
-                                const GlyphOptions& options, const GlyphInput& input) {
-  if (!input.size) return {};
-  const Eigen::Vector2f range = input.size->range("--size-by");
-  const ValueRange shares = options.size_range.value_or(ValueRange{0.25f, 1});
-  return rescaled(values_at(samples, mesh, input.size->values), range[0], range[1], shares.lowest,
-                  shares.highest);
 }
 
 }  // namespace
@@ -122,15 +95,6 @@ std::optional<Image> read_glyph_picture(const GlyphOptions& options) {
 
 namespace {
 
-/// Makes one of the two sizes smaller.
-void keep_proportions(const Image& tile, std::vector<GlyphSize>& sizes) {
-  const float wide = static_cast<float>(tile.width), high = static_cast<float>(tile.height);
-  for (GlyphSize& size : sizes) {
-    const float pixel = std::min(size.along / wide, size.across / high);
-    size = {pixel * wide, pixel * high};
-  }
-}
-
 void read_values(const GlyphOptions& options, const ValueSource& source, GlyphInput& input) {
   if (!options.size_by.empty()) {
     input.size = vertex_values("--size-by", options.size_by, source);
@@ -159,45 +123,6 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
   viewpoint.width -= legend_width({legend}, viewpoint.width, viewpoint.height);
   read_values(options, source, input);
   return input;
-}
-
-void write_glyphs(const std::filesystem::path& path, const Surface& surface,
-                  std::span<const Sample> samples, const GlyphOptions& options,
-                  const GlyphInput& input, const PictureOptions& picture) {
-  const Mesh& mesh = surface.mesh;
-  std::vector<GlyphSize> sizes =
-      glyph_sizes(samples, options.size, size_factors(samples, mesh, options, input));
-  if (input.picture) keep_proportions(*input.picture, sizes);
-  Glyphs glyphs = glyphs_at(samples, options.glyph.shape, sizes);
-  glyphs.mesh.origin = mesh.origin;
-  StyledOptions styled;
-  styled.render = render_options(picture);
-  const bool brush = options.glyph.shape == GlyphShape::stroke;
-  StyledSurface figures{.mesh = glyphs.mesh,
-                        .normals = glyphs.normals,
-                        .color = brush ? styled.render.stripe_color : kGlyphColor,
-                        .shading = !brush};
-  if (input.picture) {
-    figures.texture = RegionTexture{.waves = &glyphs.waves, .tiles = {{.tile = *input.picture}}};
-    figures.between = BetweenStrokes::discarded;
-  }
-  std::vector<float> places;
-  std::vector<Legend> legends;
-  if (input.color) {
-    const ColorPlaces colors = color_places(options.style, *input.color);
-    styled.scale = colors.scale;
-    const std::vector<float> of_samples = values_at(samples, mesh, colors.places);
-    for (const Index sample : glyphs.sample_of_vertex) places.push_back(of_samples[sample]);
-    figures.color_places = places;
-    if (!options.style.no_legend) legends.push_back(colors.legend);
-  }
-  styled.right_margin = legend_width(legends, styled.render.width, styled.render.height);
-  std::vector<StyledSurface> surfaces{
-      {.mesh = mesh, .normals = surface.normals, .color = styled.render.base_color}};
-  if (!glyphs.mesh.triangles.empty()) surfaces.push_back(figures);
-  Image image = render_styled(surfaces, styled);
-  draw_legends(image, legends);
-  write_png(path, image);
 }
 
 }  // namespace brindle::tool

@@ -1,4 +1,5 @@
-// Pictures of curves and samples, for builds with OpenGL.
+#include "ornaments.h"
+
 #include <algorithm>
 
 #include "brindle/geometry/append_mesh.h"
@@ -18,32 +19,34 @@ Color color_of(bool second, const RenderOptions& render) {
   return second ? kSecondColor : render.stripe_color;
 }
 
-// One mesh of all, with normals and a colour for every triangle.
-struct Assembly {
-  Mesh mesh;
-  std::vector<Vec3> normals;
-  std::vector<TriangleColor> colors;
-
-  void add(const Mesh& part, std::span<const Vec3> part_normals, const TriangleColor& color) {
-    append(part, mesh);
-    normals.insert(normals.end(), part_normals.begin(), part_normals.end());
-    colors.resize(mesh.triangles.size(), color);
-  }
-};
+void add(const Mesh& part, std::span<const Vec3> normals, const TriangleColor& color,
+         OrnamentedSurface& all) {
+  append(part, all.mesh);
+  all.normals.insert(all.normals.end(), normals.begin(), normals.end());
+  all.colors.resize(all.mesh.triangles.size(), color);
+}
 
 }  // namespace
+
+SurfaceDrawing OrnamentedSurface::drawing() const {
+  return {.mesh = mesh, .normals = normals, .triangle_colors = colors};
+}
+
+OrnamentedSurface ornamented(const Surface& surface, std::span<const Ornament> ornaments,
+                             const RenderOptions& render) {
+  OrnamentedSurface all;
+  add(surface.mesh, surface.normals, {}, all);
+  for (const Ornament& ornament : ornaments) {
+    add(ornament.mesh, vertex_normals(ornament.mesh), {color_of(ornament.second, render), 1}, all);
+  }
+  return all;
+}
 
 void write_ornaments(const std::filesystem::path& path, const Surface& surface,
                      std::span<const Ornament> ornaments, const PictureOptions& options) {
   const RenderOptions render = render_options(options);
-  Assembly all;
-  all.add(surface.mesh, surface.normals, {});
-  for (const Ornament& ornament : ornaments) {
-    all.add(ornament.mesh, vertex_normals(ornament.mesh), {color_of(ornament.second, render), 1});
-  }
-  const SurfaceDrawing scene{
-      .mesh = all.mesh, .normals = all.normals, .triangle_colors = all.colors};
-  write_png(path, render_picture(scene, render));
+  const OrnamentedSurface all = ornamented(surface, ornaments, render);
+  write_png(path, render_picture(all.drawing(), render));
 }
 
 void write_line_drawing(const std::filesystem::path& path, const Surface& surface,

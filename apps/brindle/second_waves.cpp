@@ -26,16 +26,20 @@ void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
       ->excludes(stripes);
 }
 
-WaveSet make_second_waves(const Preparation& prepared, const SecondWaveOptions& options) {
-  const Surface& surface = prepared.surface;
-  const WaveSet& first = prepared.waves;
-  WaveSet waves{first.positions, {}, prepared.frequencies_v};
-  if (waves.frequencies.empty()) waves.frequencies = first.frequencies;
+FirstWaves first_waves(const Preparation& prepared) {
+  return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row};
+}
+
+WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options) {
+  const Surface& surface = first.surface;
+  WaveSet waves{first.waves.positions, {}, first.frequencies_v};
+  if (waves.frequencies.empty()) waves.frequencies = first.waves.frequencies;
   if (options.field.empty()) {
-    waves.directions = rotated(first.directions, surface.normals, std::numbers::pi_v<float> / 2);
+    waves.directions =
+        rotated(first.waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
   } else {
     FieldFile file =
-        read_field_csv(options.field, surface.mesh.vertex_count(), prepared.vertex_of_row);
+        read_field_csv(options.field, surface.mesh.vertex_count(), first.vertex_of_row);
     waves.directions = tangent_directions(file.vectors, surface.normals);
     if (!file.frequencies.empty()) waves.frequencies = std::move(file.frequencies);
   }

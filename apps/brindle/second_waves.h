@@ -25,9 +25,19 @@ inline bool is_other(const SecondWaveOptions& options) {
   return !options.field.empty() || options.stripes || options.frequency;
 }
 
+/// What V is made of beside its options; all of it lives elsewhere.
+struct FirstWaves {
+  const Surface& surface;
+  const WaveSet& waves;                 ///< U's
+  const FrequencyField& frequencies_v;  ///< that U's file has of V; empty: none
+  std::span<const Index> vertex_of_row;
+};
+
+FirstWaves first_waves(const Preparation& prepared);
+
 /// One wave per vertex, without phases. Its frequencies are those of the options, or of the file
 /// for V, or what U's file says of V, or U's. Rows of the file may stand for those of the mesh's
 /// file. Throws Error if the file does not fit.
-WaveSet make_second_waves(const Preparation& prepared, const SecondWaveOptions& options);
+WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options);
 
 }  // namespace brindle::tool

@@ -1,0 +1,170 @@
+#include "curves_job.h"
+
+#include <numeric>
+#include <utility>
+
+#include "brindle/base/stopwatch.h"
+#include "brindle/points/point_tree.h"
+#include "brindle/polylines.h"
+
+namespace brindle::tool {
+namespace {
+
+// Throws away short curves after all ends were counted.
+void drop_short(CurveFamily& family, float min_length) {
+  if (min_length <= 0) return;
+  const StripeCurves all = std::move(family.curves);
+  family.curves = longer_than(all, min_length);
+  family.short_curves = all.lines.count() - family.curves.lines.count();
+}
+
+std::string why_no_curves(const CurveFamily& family) {
+  if (family.short_curves == 0) {
+    return family.name +
+           ": no curves: no stripe's centre runs over the surface; ask for more "
+           "stripes\n";
+  }
+  return family.name + ": no curves left: all " + std::to_string(family.short_curves) +
+         " are shorter than --min-length\n";
+}
+
+// Of V: windings are those of U, but for what --wales counts.
+MakingOptions making_of_v(const CurvesArguments& arguments) {
+  MakingOptions making;
+  making.merge_branches = arguments.making.merge_branches;
+  if (arguments.wales > 0) making.windings = {{"", arguments.wales}};
+  return making;
+}
+
+void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily& family,
+                 JobListener& listener) {
+  const float diagonal = bounding_box(mesh).diagonal();
+  drop_short(family, arguments.min_length.on(diagonal));
+  if (family.curves.lines.count() == 0) listener.note(why_no_curves(family));
+  Polylines& lines = family.curves.lines;
+  family.lengths = curve_lengths(lines);
+  if (arguments.line_width) {
+    listener.stage("coverage");
+    family.coverage = curve_coverage(mesh, lines, arguments.line_width->on(diagonal));
+  }
+  if (arguments.resample) lines = resampled(lines, arguments.resample->on(diagonal));
+  if (arguments.simplify) lines = simplified(lines, arguments.simplify->on(diagonal));
+}
+
+// Solved, noted and traced.
+CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, const char* name,
+                      WaveSet waves, JobListener& listener) {
+  const Surface& surface = job.prepared.surface;
+  MakingFigures making;
+  StripePattern pattern = name == std::string("v")
+                              ? pattern_of_v(arguments, surface, std::move(waves), job.options,
+                                             listener.progress(), making)
+                              : make_pattern(surface, std::move(waves), job.options,
+                                             arguments.making, listener.progress(), making);
+  measure_windings(surface, pattern, making);
+  listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
+                               surface.mesh.triangle_count()));
+  CurveFamily family = traced_family(arguments, surface, job.edges, name, std::move(pattern),
+                                     CurveFigures::all, listener);
+  family.making = std::move(making);
+  return family;
+}
+
+}  // namespace
+
+CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
+                          const MeshEdges& edges, std::string name, StripePattern traced,
+                          CurveFigures figures, JobListener& listener) {
+  CurveFamily family;
+  family.name = std::move(name);
+  family.pattern = std::move(traced);
+  StripePattern& pattern = family.pattern;
+  family.jogs =
+      move_peaks(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
+  listener.stage("curves");
+  Stopwatch watch;
+  const WavePattern wave_pattern{surface.mesh,       edges,
+                                 surface.normals,    pattern.waves,
+                                 pattern.solution.z, arguments.solving.stripes.phase_shift};
+  family.curves = stripe_curves(LiftedWaves(wave_pattern), {.join = arguments.join});
+  family.extract_milliseconds = watch.lap();
+  family.ends = family.curves.end_counts();
+  if (figures == CurveFigures::all && PointTree::available()) {
+    listener.stage("spacing");
+    const CurveSpacing spacing = measure_curve_spacing(wave_pattern, family.curves);
+    if (spacing.measured > 0) family.spacing = spacing;
+  }
+  shape_lines(arguments, surface.mesh, family, listener);
+  return family;
+}
+
+WaveSet waves_of_v(const CurvesArguments& arguments, const FirstWaves& first,
+                   JobListener& listener) {
+  WaveSet v = make_second_waves(first, arguments.second);
+  if (arguments.wales > 0) v = waves_round(first.surface, v.directions, {"", arguments.wales});
+  if (is_other(arguments.second)) noted_waves(first.surface, v, "the field of V", listener);
+  return v;
+}
+
+StripePattern pattern_of_v(const CurvesArguments& arguments, const Surface& surface, WaveSet waves,
+                           const StripeOptions& options, const Progress& progress,
+                           MakingFigures& figures) {
+  return make_pattern(surface, std::move(waves), options, making_of_v(arguments), progress,
+                      figures);
+}
+
+CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listener) {
+  CurvesJob job;
+  Preparation& prepared = job.prepared;
+  prepared =
+      prepare(arguments.surface, arguments.waves, listener, viewpoint_of(*arguments.picture));
+  job.options = stripe_options(arguments.solving, prepared);
+  Stopwatch watch;
+  job.edges = mesh_edges(prepared.surface.mesh, *prepared.surface.neighborhood);
+  job.edges_milliseconds = watch.lap();
+  WaveSet v;
+  if (arguments.traced != TracedWaves::u)
+    v = waves_of_v(arguments, first_waves(prepared), listener);
+  const auto add = [&](const char* name, WaveSet& waves) {
+    job.families.push_back(family_of(arguments, job, name, std::move(waves), listener));
+  };
+  if (arguments.traced != TracedWaves::v) add("u", prepared.waves);
+  if (arguments.traced != TracedWaves::u) add("v", v);
+  return job;
+}
+
+double total_length(const Polylines& lines) {
+  double length = 0;
+  for (std::size_t line = 0; line < lines.count(); ++line) length += length_of(lines, line);
+  return length;
+}
+
+std::size_t closed_count(const Polylines& lines) {
+  return std::accumulate(lines.closed.begin(), lines.closed.end(), std::size_t{0});
+}
+
+namespace {
+
+// A default that leaves most of the surface to see: a sixth of the spacing, across both sides.
+float tube_radius_of(const CurvesArguments& arguments, const Mesh& mesh,
+                     const FrequencyField& frequencies) {
+  if (arguments.tube_radius) return arguments.tube_radius->on(bounding_box(mesh).diagonal());
+  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+  return static_cast<float>(static_cast<double>(frequencies.size()) / (12 * sum));
+}
+
+}  // namespace
+
+std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Mesh& mesh,
+                               std::span<const CurveFamily> families) {
+  const TubeOptions options{
+      tube_radius_of(arguments, mesh, families.front().pattern.waves.frequencies),
+      arguments.tube_sides};
+  std::vector<Ornament> ornaments;
+  for (const CurveFamily& family : families) {
+    ornaments.push_back({tubes(family.curves.lines, options), family.name == "v"});
+  }
+  return ornaments;
+}
+
+}  // namespace brindle::tool
