@@ -2,14 +2,10 @@
 """Works with the window of brindle view as a user does, and looks at what happens.
 
     scripts/check_window.py build/release/apps/brindle/brindle [NAME...] [--keep FOLDER]
-    scripts/check_window.py build/release/apps/brindle/brindle --measure MESH
-    scripts/check_window.py build/release/apps/brindle/brindle --measure-gallery [ITEM...]
 
 Starts a display of its own (Xvfb), moves the mouse and presses keys (xdotool), drops files
 (python3-xlib) and reads the window's log (brindle view --log) for where widgets are and what has been
-drawn. --measure drags a slider to and fro instead, in a window of 1280x720, and says how many frames a
-second there were and what they and the window itself cost; --measure-gallery does so with every item of the
-gallery. Of the checks, those are run whose names contain a NAME. Ends with 0 if all is well, 1 if not, and
+drawn. Of the checks, those are run whose names contain a NAME. Ends with 0 if all is well, 1 if not, and
 77 where Xvfb or xdotool is missing.
 """
 
@@ -17,256 +13,17 @@ import argparse
 import json
 import os
 import pathlib
-import select
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import time
 import traceback
 
-SKIPPED = 77
-PATIENCE = float(os.environ.get("BRINDLE_PATIENCE", 240))  # seconds until what never comes is a failure
-SIZE = (1000, 640)
+from window_driver import (PATIENCE, SKIPPED, Display, Failure, Window, expect, open_gallery, save_picture,
+                           save_session, say_what_is_missing, wait_for_file)
 
-
-class Failure(Exception):
-    pass
-
-
-def expect(condition, what):
-    if not condition:
-        raise Failure(what)
-
-
-class Display:
-    """A display that nobody sees."""
-
-    def __init__(self):
-        reading, writing = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp"],
-            pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(writing)
-        with os.fdopen(reading) as line:
-            number = line.readline().strip()
-        expect(number, "Xvfb does not start")
-        self.name = f":{number}"
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait()
-
-
-class Window:
-    """brindle view with its log."""
-
-    def __init__(self, tool, display, folder, arguments):
-        self.display = display
-        self.log_path = folder / "log.jsonl"
-        self.lines = []
-        self.places = {}
-        self.size = SIZE
-        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
-                                XDG_CACHE_HOME=str(folder / "cache"))
-        self.log_path.unlink(missing_ok=True)  # of a window before
-        self.errors = open(folder / "errors.txt", "w+")
-        self.process = subprocess.Popen(
-            [tool, "view", *arguments, "--log", str(self.log_path), "--window", "%dx%d" % SIZE, "--scale", "1"],
-            cwd=folder, env=self.environment, stdout=subprocess.DEVNULL, stderr=self.errors)
-        self.file = None
-        self.wait_for("start")
-        self.id = self.xdotool("search", "--sync", "--pid", str(self.process.pid)).split()[-1]
-
-    def xdotool(self, *words):
-        result = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True,
-                                text=True, timeout=PATIENCE)
-        expect(result.returncode == 0, f"xdotool {words}: {result.stderr}")
-        return result.stdout
-
-    # The log.
-
-    def read(self):
-        if self.file is None and self.log_path.exists():
-            self.file = open(self.log_path)
-        while self.file is not None:
-            start = self.file.tell()
-            line = self.file.readline()
-            if not line.endswith("\n"):
-                self.file.seek(start)
-                return
-            entry = json.loads(line)
-            self.lines.append(entry)
-            if entry["event"] == "widgets":
-                for name, place in entry["places"].items():
-                    if place is None:
-                        self.places.pop(name, None)
-                    else:
-                        self.places[name] = place
-
-    def wait_until(self, condition, what):
-        """What `condition` gives, once that is anything."""
-        end = time.monotonic() + PATIENCE
-        while True:
-            self.read()
-            found = condition()
-            if found:
-                return found
-            if self.process.poll() is not None:
-                self.errors.seek(0)
-                raise Failure(f"the window is gone ({self.process.returncode}) before {what}: {self.errors.read()}")
-            if time.monotonic() > end:
-                last = [line for line in self.lines if line["event"] != "widgets"][-6:]
-                raise Failure(f"no {what}; the last events: {json.dumps(last)[:1500]}")
-            time.sleep(0.02)
-
-    def wait_for(self, event, since=0, **what):
-        """The first entry of the log after number `since` with these values."""
-        def find():
-            for entry in self.lines[since:]:
-                if entry["event"] == event and all(entry.get(key) == value for key, value in what.items()):
-                    return entry
-            return None
-        return self.wait_until(find, f"{event} {what}")
-
-    def now(self):
-        self.read()
-        return len(self.lines)
-
-    def settled(self, since=None):
-        """The final frame of all that has been done; of something done after entry `since`."""
-        if since is not None:
-            self.wait_for("command", since)
-
-        def find():
-            frames = [e for e in self.lines if e["event"] == "frame" and not e["variant"]]
-            changes = [e for e in self.lines if "revision" in e and e["event"] != "frame"]
-            if not frames or not frames[-1]["final"]:
-                return None
-            last, change = frames[-1], changes[-1] if changes else {"revision": 1}
-            shown = last["revision"] == change["revision"] or change.get("frame") == last["number"]
-            return last if shown else None
-        return self.wait_until(find, "final frame of what was done")
-
-    # The mouse and the keys.
-
-    def place(self, name):
-        self.wait_until(lambda: name in self.places, f"widget '{name}'")
-        time.sleep(0.15)  # popups move while they open
-        self.read()
-        return self.places[name]
-
-    def point(self, name, across=0.5, down=0.5):
-        x, y, width, height = self.place(name)
-        return round(x + across * width), round(y + down * height)
-
-    def move(self, x, y):
-        self.xdotool("mousemove", "--window", self.id, x, y)
-        time.sleep(0.03)
-
-    def click(self, name, across=0.5, down=0.5, button=1):
-        self.move(*self.point(name, across, down))
-        time.sleep(0.1)
-        self.xdotool("mousedown", button)
-        time.sleep(0.08)
-        self.xdotool("mouseup", button)
-        time.sleep(0.15)
-
-    def drag(self, points, button=1, pause=0.06):
-        self.move(*points[0])
-        time.sleep(0.1)
-        self.xdotool("mousedown", button)
-        time.sleep(0.1)
-        for point in points[1:]:
-            self.move(*point)
-            time.sleep(pause)
-        self.xdotool("mouseup", button)
-        time.sleep(0.1)
-
-    def drag_slider(self, name, first, last, steps=8):
-        self.drag([self.point(name, first + (last - first) * i / steps) for i in range(steps + 1)])
-
-    def sweep(self, points, button=1, pause=0.012):
-        """Drags as fast as a hand: all of it is one call of xdotool."""
-        words = ["mousemove", "--window", self.id, *points[0], "sleep", 0.1]
-        if button:
-            words += ["mousedown", button, "sleep", 0.05]
-        for point in points[1:]:
-            words += ["mousemove", "--window", self.id, *point, "sleep", pause]
-        self.xdotool(*words, *(["mouseup", button] if button else []))
-
-    def key(self, *keys):
-        for key in keys:
-            self.xdotool("key", "--window", self.id, key)
-            time.sleep(0.15)
-
-    def type(self, text):
-        self.xdotool("type", "--delay", "25", text)
-        time.sleep(0.1)
-
-    def menu(self, menu, *items):
-        self.click(f"menu {menu}")
-        for item in items:
-            self.click(f"item {item}")
-
-    def save_as(self, path):
-        """Types a path into the dialogue of files that is open."""
-        self.place("browser name")
-        time.sleep(0.2)
-        self.key("ctrl+a")
-        self.type(str(path))
-        self.key("Return")
-
-    def quit(self):
-        """Without saving, if it asks."""
-        self.xdotool("key", "ctrl+q")  # not to a window, which may be gone before keys are let go
-        self.wait_for_question()
-        if "quit discard" in self.places and self.process.poll() is None:
-            self.click("quit discard")
-        expect(self.process.wait(PATIENCE) == 0, "quitting does not end with 0")
-
-    def wait_for_question(self):
-        """Until it asks whether to quit, or has quit."""
-        end = time.monotonic() + PATIENCE
-        while self.process.poll() is None and "quit discard" not in self.places and time.monotonic() < end:
-            self.read()
-            time.sleep(0.02)
-
-    def wait_until_end(self):
-        self.process.wait(PATIENCE)
-        self.read()
-        return self.lines[-1]
-
-    def kill(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGKILL)
-            self.process.wait()
-        self.errors.close()
-
-
-# What is checked. Each is given the window's maker and a folder.
-
-
-def wait_for_file(path):
-    end = time.monotonic() + PATIENCE
-    while not path.exists():
-        expect(time.monotonic() < end, f"no {path.name} is written")
-        time.sleep(0.05)
-
-
-def save_picture(window, path):
-    window.key("ctrl+p")
-    window.save_as(path)
-    window.wait_for("message", text=f"wrote {path}")
-    return path.read_bytes()
-
-
-def save_session(window, path):
-    window.menu("File", "Save session as...")
-    window.save_as(path)
-    window.wait_for("message", text=f"wrote {path}")
-    return path.read_bytes()
+# Each check is given the window's maker and a folder.
 
 
 def check_open_by_command_line_and_menu(start, folder):
@@ -398,6 +155,41 @@ def check_screenshot_is_rendered_picture(start, folder):
     expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
 
 
+def figures_of(window, shown, since):
+    window.click(f"show {shown}")
+    return window.settled(since)["shown"]
+
+
+def check_curves_and_samples_are_live(start, folder):
+    window = start("shape:torus,resolution=60")
+    window.settled()
+    curves = figures_of(window, "curves", window.now())
+    expect(curves["curves of u"] > 0, f"no curves are counted: {curves}")
+    since = window.now()
+    window.drag_slider("option min-length", 0.1, 0.9)
+    longer = window.settled(since)["shown"]
+    expect(longer["curves of u"] < curves["curves of u"], "short curves are not left out while a slider moves")
+    samples = figures_of(window, "samples", window.now())
+    expect(samples["samples"] > 0, f"no samples are counted: {samples}")
+    since = window.now()
+    window.drag_slider("option min-distance", 0.2, 0.9)
+    apart = window.settled(since)["shown"]
+    expect(apart["too near to others"] > samples["too near to others"], "samples do not keep their distance")
+    seen = save_picture(window, folder / "seen.png")
+    session = json.loads(save_session(window, folder / "session.json"))
+    expect(session["shown"] == "samples" and "min-length" in session["curves"] and
+           "min-distance" in session["samples"], f"the session has other options: {session}")
+    subprocess.run([start.tool, "render", "session.json", "--output", "rendered.png", "--output", "samples.csv"],
+                   cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws other samples")
+    rows = len((folder / "samples.csv").read_text().splitlines()) - 1
+    expect(rows == apart["samples"], f"{rows} samples are written")
+    since = window.now()
+    window.key("ctrl+z")
+    expect(window.settled(since)["shown"] == samples, "one undo does not take the slider back")
+    window.quit()
+
+
 def check_bad_file_dropped(start, folder):
     window = start("shape:torus,resolution=90")
     window.settled()
@@ -507,14 +299,6 @@ def drop(window, path):
     connection.close()
 
 
-def open_gallery(window, item, picture):
-    window.click("menu Gallery")
-    window.click(f"item {item}")
-    since = window.now()
-    window.click(f"item {item} {picture}")
-    return window.settled(since)
-
-
 def options_of(window, path):
     return json.loads(save_session(window, path))["options"]
 
@@ -614,129 +398,21 @@ def run(name, check, tool, display, folder):
             window.kill()
 
 
-def median(values):
-    return sorted(values)[len(values) // 2] if values else float("nan")
-
-
-def processor_seconds(process):
-    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
-def measure(tool, mesh, display, folder):
-    """Frames a second while a slider moves, and the processor's time for them and for the window."""
-    global SIZE
-    SIZE = (1280, 720)
-    folder.mkdir(parents=True)
-    window = Window(tool, display, folder, [str(pathlib.Path(mesh).resolve()) if os.path.exists(mesh) else mesh])
-    try:
-        window.settled()
-        since = window.now()
-        window.click("option stripes")
-        window.settled(since)
-        since, before, start = window.now(), processor_seconds(window.process), time.monotonic()
-        left, right = window.point("option stripes", 0.3), window.point("option stripes", 0.8)
-        there = [(x, left[1]) for x in range(left[0], right[0])]
-        window.sweep(4 * (there + there[::-1]))
-        window.read()
-        used, took = processor_seconds(window.process) - before, time.monotonic() - start
-        frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]
-        gaps = [b["time"] - a["time"] for a, b in zip(frames, frames[1:])]
-        size = f"{frames[0]['width']}x{frames[0]['height']}"
-        print(f"picture {size}, {len(frames)} frames in {took:.1f} s, median {1 / median(gaps):.1f} a second")
-        print(f"a frame: {median([e['milliseconds'] for e in frames]):.1f} ms, of which drawing "
-              f"{median([e['draw_milliseconds'] for e in frames]):.1f} ms; processor, with the window, "
-              f"{1000 * used / len(frames):.1f} ms")
-        window.settled(since)
-        before = processor_seconds(window.process)
-        x, y = window.point("group Solver")
-        for i in range(150):
-            window.move(x + i % 40, y)
-        used = processor_seconds(window.process) - before
-        window.quit()
-        end = window.wait_until_end()
-        print(f"the window's thread: {1000 * end['thread_seconds'] / end['drawn']:.1f} ms of the processor for each of "
-              f"{end['drawn']} times that it was drawn; all threads while nothing is solved: "
-              f"{1000 * used / 150:.1f} ms for each motion of the mouse")
-    finally:
-        window.kill()
-    return 0
-
-
-def frames_a_second(window, points):
-    """While the mouse is dragged along these points, at least five times as long as a frame takes."""
-    since = window.now()
-    for _ in range(6):
-        window.sweep(points + points[::-1])
-        window.read()
-        frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]
-        if len(frames) > 5:
-            break
-    window.settled(since)
-    return 1 / median([b["time"] - a["time"] for a, b in zip(frames, frames[1:])]), frames[-1]["vertices"]
-
-
-# What is moved live of an item: its place, or the slider of an option.
-GALLERY = {"liver": ("near", "place 1"), "nested": ("focus", "place 1"), "vortices": ("still", "option stripes"),
-           "aneurysm": ("stress", "option stripes"), "molecule": ("signs", "option stripes"),
-           "hatching": ("pen", "option stripes"), "glyphs": ("decals", "option stripes"),
-           "crosses": ("tiles", "option stripes"), "rough": ("all", "option stripes"),
-           "giant": ("stripes", "option stripes")}
-
-
-def measure_gallery(tool, names, display, folder):
-    """A table of frames a second: what a user sees who turns an item, or moves what is live in it."""
-    global SIZE
-    SIZE = (1280, 720)
-    folder.mkdir(parents=True)
-    print("| item | vertices | turned | | moved |\n|---|---|---|---|---|")
-    window = Window(tool, display, folder, ["shape:torus,resolution=20"])
-    try:
-        window.settled()
-        for item, (picture, control) in GALLERY.items():
-            if names and item not in names:
-                continue
-            open_gallery(window, item, picture)
-            x, y = window.point("picture", 0.75, 0.85)
-            turned, vertices = frames_a_second(window, [(x + i, y) for i in range(90)])
-            x, y = window.point(control)
-            moved, _ = frames_a_second(window, [(x + i, y) for i in range(-40, 41)]
-                                       if control.startswith("option") else [(x + i, y) for i in range(90)])
-            what = {"liver": "needle", "nested": "focus"}.get(item, "stripes")
-            print(f"| {item} | {vertices:,} | {turned:.1f} | {what} | {moved:.1f} |", flush=True)
-        window.quit()
-    finally:
-        window.kill()
-    return 0
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("tool")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--keep", type=pathlib.Path)
-    parser.add_argument("--measure", metavar="MESH")
-    parser.add_argument("--measure-gallery", action="store_true")
     arguments = parser.parse_args()
-    missing = [program for program in ("Xvfb", "xdotool") if shutil.which(program) is None]
-    try:
-        import Xlib  # noqa: F401
-    except ImportError:
-        missing.append("python3-xlib")
-    if missing:
-        print(f"skipped: {' and '.join(missing)} missing", file=sys.stderr)
+    if say_what_is_missing():
         return SKIPPED
     checks = {name.removeprefix("check_"): check for name, check in globals().items()
               if name.startswith("check_") and (not arguments.names or any(n in name for n in arguments.names))}
-    expect(checks or arguments.measure_gallery, "no check has such a name")
+    expect(checks, "no check has such a name")
     tool = str(pathlib.Path(arguments.tool).resolve())
     folder = (arguments.keep or pathlib.Path(tempfile.mkdtemp(prefix="brindle_window_"))).resolve()
     display = Display()
     try:
-        if arguments.measure:
-            return measure(tool, arguments.measure, display.name, folder / "measure")
-        if arguments.measure_gallery:
-            return measure_gallery(tool, arguments.names, display.name, folder / "gallery")
         passed = [run(name, check, tool, display.name, folder / name) for name, check in checks.items()]
     finally:
         display.close()

@@ -79,8 +79,8 @@ bool has_place(const GalleryPicture& picture, std::string_view role) {
   return picture.line.find("{" + std::string(role) + "=") != std::string::npos;
 }
 
-bool is_stripe_picture(const GalleryPicture& picture) {
-  return picture.line.starts_with("stripe ");
+bool is_still_picture(const GalleryPicture& picture) {
+  return !picture.line.starts_with("animate ");
 }
 
 void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files) {

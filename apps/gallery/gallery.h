@@ -56,8 +56,8 @@ std::vector<std::string> filled_words(const GalleryPicture& picture, const Galle
 /// Whether the picture has a place for "surface", "field" or "values".
 bool has_place(const GalleryPicture& picture, std::string_view role);
 
-/// Whether it is one picture of `brindle stripe`, which a session can have.
-bool is_stripe_picture(const GalleryPicture& picture);
+/// Whether it is one picture, which a session can have: not moving ones of `brindle animate`.
+bool is_still_picture(const GalleryPicture& picture);
 
 /// Writes files into a folder that exists. Throws Error if that fails.
 void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files);

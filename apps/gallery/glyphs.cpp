@@ -53,15 +53,17 @@ GalleryItem glyphs_item() {
         "--frequency-by {values=array:speed} --frequency-range 0.6,1.7,inverse --glyph arrow "
         "--glyph-size 0.95 --color-by {values=array:speed} --legend speed "
         "--colors #22252b,#f1ece1,#ffffff --up z --camera 35,10,0.93",
-        "640x570"},
+        "640x570",
+        {"stripes", "frequency-range", "glyph-size", "glyph"}},
        {"ellipses", "ellipses whose axes are the principal stresses of an artery's wall",
         "sample {file=aneurysm.vtp} --field {file=stress.csv} --glyph ellipse --glyph-size 0.95 "
         "--color-by array:first --color-range 60,220 "
         "--legend 'first principal stress in kPa' --colors #22252b,#f1ece1,#ffffff --up z "
         "--camera 200,12",
-        "700x540"},
+        "700x540",
+        {"glyph-size", "color-range", "min-distance"}},
        {"decals",
-        "the arrows as tiles of a texture, which a session can have",
+        "the arrows as tiles of a texture, which bend with the surface",
         "stripe {surface=flow.vtp} --field {field=array:velocity} --oriented --texture arrows "
         "--stripes 36 --frequency-by {values=array:speed} --frequency-range 0.6,1.7,inverse "
         "--tile-size-by {values=array:speed} --tile-size-range 0.6,0.95 "

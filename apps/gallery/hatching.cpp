@@ -32,7 +32,8 @@ GalleryItem hatching_item() {
             "sample {surface=hare.vtp} --field {field=curvature} --stripes 90 --stripes-v 36 "
             "--glyph stroke --glyph-size 1.15 --colors #22252b,#f4ecdc,#f4ecdc --up z "
             "--camera 35,10,0.93",
-            "640x700"}}};
+            "640x700",
+            {"stripes", "stripes-v", "glyph-size"}}}};
 }
 
 }  // namespace brindle

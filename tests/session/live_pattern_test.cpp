@@ -35,6 +35,62 @@ const std::vector<Complex>& z_of(const LivePattern& pattern) {
   return pattern.state()->job->result.stripes().solution.z;
 }
 
+TEST(LivePattern, CurvesAndSamplesAreOfTheStripesThatWereShown) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const std::vector<Complex> z = z_of(pattern);
+  SessionDocument document = torus();
+  document.shown = Shown::curves;
+  document.curves = {{"lines", {"both"}}};
+  pattern.update(document, Follow::last);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"curves"});
+  EXPECT_EQ(z_of(pattern), z);
+  ASSERT_NE(pattern.state()->curves, nullptr);
+  EXPECT_EQ(pattern.state()->curves->families.size(), 2);
+  EXPECT_EQ(pattern.state()->samples, nullptr);
+  EXPECT_EQ(pattern.state()->figures.shown.front().first, "curves of u");
+
+  const std::uint64_t drawn = pattern.state()->pattern;
+  document.camera.azimuth_deg = 77;
+  pattern.update(document, Follow::last);
+  EXPECT_TRUE(stages(pattern).empty()) << "a camera moves no curves";
+  EXPECT_EQ(pattern.state()->pattern, drawn);
+
+  const auto v = pattern.state()->curves->families[1].pattern.solution.z;
+  document.curves["join"] = {};
+  pattern.update(document, Follow::last);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"curves"});
+  EXPECT_NE(pattern.state()->pattern, drawn);
+  EXPECT_EQ(pattern.state()->curves->families[1].pattern.solution.z, v);
+
+  document.shown = Shown::samples;
+  pattern.update(document, Follow::last);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"samples"});
+  EXPECT_EQ(pattern.state()->curves, nullptr);
+  EXPECT_FALSE(pattern.state()->samples->taken.samples.empty());
+  EXPECT_EQ(z_of(pattern), z);
+
+  pattern.update(torus(), Follow::last);
+  EXPECT_TRUE(stages(pattern).empty());
+  EXPECT_EQ(pattern.state()->samples, nullptr);
+}
+
+TEST(LivePattern, CancelledCurvesLeaveWhatWasShown) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const auto before = pattern.state();
+  SessionDocument document = torus();
+  document.shown = Shown::curves;
+  document.curves = {{"lines", {"both"}}};
+  EXPECT_THROW(pattern.update(document, Follow::last, Progress([](std::string_view stage, double) {
+                                return stage != "curves";
+                              })),
+               Cancelled);
+  EXPECT_EQ(pattern.state(), before);
+  pattern.update(document, Follow::last);
+  EXPECT_NE(pattern.state()->curves, nullptr);
+}
+
 TEST(LivePattern, KeepsTheStagesWhoseInputsStay) {
   LivePattern pattern;
   pattern.update(torus(), Follow::afresh);

@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "apps/tool.h"
@@ -50,6 +52,72 @@ TEST_F(RenderTool, DrawsWhatStripeDraws) {
     const test::ToolResult result = run(arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(rendered(document), content(folder / "a.png")) << options.begin()->first;
+  }
+}
+
+TEST_F(RenderTool, DrawsAndWritesWhatCurvesAndSampleDo) {
+  struct Case {
+    Shown shown;
+    OptionValues options, own;
+    std::string file;
+  };
+  const std::vector<Case> cases = {
+      {Shown::curves, {{"stripes", {"30"}}}, {{"join", {}}, {"min-length", {"3%"}}}, "a.vtp"},
+      {Shown::curves,
+       {{"direction", {"-1,0.3,0"}}, {"slack", {"0.2"}}},
+       {{"lines", {"both"}}, {"stripes-v", {"25"}}, {"offset", {"0.5"}}, {"tube-radius", {"0.5%"}}},
+       "a.ply"},
+      {Shown::samples, {{"field", {"curvature"}}}, {{"min-distance", {"0.5"}}}, "a.vtp"},
+      {Shown::samples,
+       {{"stripes", {"20"}}},
+       {{"glyph", {"arrow"}}, {"color-by", {"height"}}, {"size-by", {"distance:camera"}}},
+       "a.csv"}};
+  for (const auto& [shown, options, own, file] : cases) {
+    SessionDocument document = small_document();
+    document.shown = shown;
+    document.options = options;
+    (shown == Shown::curves ? document.curves : document.samples) = own;
+    document.camera = {50, 35, 1.5f};
+    std::vector<std::string> arguments = {shown == Shown::curves ? "curves" : "sample",
+                                          document.mesh,
+                                          "--camera=50,35,1.5",
+                                          "--size=160x120",
+                                          "--output=a.png",
+                                          "--output=" + file,
+                                          "--quiet"};
+    for (const auto& [name, values] : shown_options(document)) {
+      arguments.push_back("--" + name + (values.empty() ? "" : "=" + values.front()));
+    }
+    const test::ToolResult result = run(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(rendered(document, {"--output", "b_" + file}), content(folder / "a.png")) << file;
+    EXPECT_EQ(content(folder / ("b_" + file)), content(folder / file)) << file;
+  }
+}
+
+TEST_F(RenderTool, RefusesFilesThatWhatIsShownHasNot) {
+  std::ofstream(folder / "points.csv") << "x,y,z\n0,0,0\n1,0,0\n0,1,0\n1,1,0\n0,2,0\n1,2,0\n";
+  SessionDocument document = small_document();
+  document.shown = Shown::curves;
+  write_session(folder / "curves.json", document);
+  document.mesh = (folder / "points.csv").string();
+  write_session(folder / "points.json", document);
+  document = small_document();
+  document.shown = Shown::samples;
+  write_session(folder / "samples.json", document);
+  struct Case {
+    const char *session, *output;
+    int exit_code;
+    const char* why;
+  };
+  for (const auto& [session, output, exit_code, why] :
+       {Case{"curves.json", "a.glb", 2, "ask for tubes with --tube-radius"},
+        Case{"samples.json", "a.obj", 2, "files hold no samples"},
+        Case{"points.json", "a.png", 1, "curves need triangles"}}) {
+    const test::ToolResult result = run({"render", session, "--output", output});
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / output));
   }
 }
 

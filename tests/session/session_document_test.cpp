@@ -26,6 +26,9 @@ SessionDocument full_document() {
                       {"with", {"shape:torus@striped", "shape:sphere@#ff0000"}},
                       {"field", {"curvature"}},
                       {"color-by", {"height"}}};
+  document.shown = Shown::samples;
+  document.curves = {{"lines", {"both"}}, {"join", {}}, {"line-width", {"0.4%"}}};
+  document.samples = {{"glyph", {"arrow"}}, {"color-by", {"height"}}};
   document.strokes = {{{{0.1, 1.0 / 3, -0.0}, {1e-300, 2, 12345.678901234567}}, 0.1, 0.7}};
   document.camera = {12.3f, -7.7f, 1.1f};
   document.camera.projection = Projection::orthographic;
@@ -72,6 +75,14 @@ TEST_F(SessionFile, SaysWhatIsWrongAndWhere) {
        "--stripes: expected"},
       {R"({"brindle_session": 1, "mesh": "shape:box", "options": {"nothing": true}})",
        "--nothing: is no option"},
+      {R"({"brindle_session": 1, "mesh": "shape:box", "shown": "dots"})",
+       "shown must be stripes, curves or samples"},
+      {R"({"brindle_session": 1, "mesh": "shape:box", "curves": {"joint": true}})",
+       "--joint: is no option of 'brindle curves'; did you mean --join"},
+      {R"({"brindle_session": 1, "mesh": "shape:box", "samples": {"stripes": "3"}})",
+       "--stripes: is shared by all that is shown; it belongs to 'options'"},
+      {R"({"brindle_session": 1, "mesh": "shape:box", "shown": "curves", "curves": {"wales": "3"}})",
+       "V is not traced"},
       {R"({"brindle_session": 1, "mesh": "shape:box", "strokes": [{"radius": 1, "points": [[1]]}]})",
        "strokes[0].points[0]"},
       {R"({"brindle_session": 1, "mesh": "shape:box", "phases": "AAA"})", "phases must be"},
@@ -106,6 +117,7 @@ std::vector<SessionCommand> all_commands() {
           commands::SetOption{"stripes", {"20"}},
           commands::ClearOption{"stripes"},
           commands::SetOptions{{{"along", {}}, {"field", {"curvature"}}}, {"stripes"}},
+          commands::Show{Shown::curves},
           commands::AddStroke{stroke},
           commands::ChangeStroke{3, stroke},
           commands::EraseStroke{2},

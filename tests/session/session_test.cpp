@@ -24,7 +24,7 @@ class AnyCommand {
   explicit AnyCommand(unsigned seed) : random_(seed) {}
 
   SessionCommand operator()() {
-    switch (below(16)) {
+    switch (below(19)) {
       case 0:
         return commands::Open{below(2) ? "shape:torus,resolution=24" : "shape:box", below(2) > 0};
       case 1:
@@ -57,6 +57,12 @@ class AnyCommand {
         return commands::SetFrequencyByZoom{static_cast<float>(below(3)) / 2};
       case 14:
         return below(2) ? SessionCommand(commands::BeginDrag{}) : commands::EndDrag{};
+      case 15:
+        return commands::Show{kAllShown[static_cast<std::size_t>(below(3))]};
+      case 16:
+        return commands::SetOption{below(2) ? "join" : "along", {}};
+      case 17:
+        return commands::SetOption{"glyph", {"arrow"}};  // of samples alone
       default:
         return commands::SetOption{"field", {"raw-curvature"}};  // not with strokes
     }
@@ -125,6 +131,44 @@ TEST(Session, RefusesWithoutATraceAndSaysWhy) {
     EXPECT_NE(session.messages().back().text.find(why), std::string::npos)
         << session.messages().back().text;
   }
+}
+
+TEST(Session, OptionsBelongToWhatIsShown) {
+  Session session(small_document());
+  EXPECT_FALSE(session.apply(commands::SetOption{"join", {}}));
+  EXPECT_NE(session.messages().back().text.find(
+                "is no option of 'brindle stripe', whose picture is shown; show curves"),
+            std::string::npos)
+      << session.messages().back().text;
+  EXPECT_TRUE(session.apply(commands::SetOption{"color-by", {"height"}}));
+  EXPECT_TRUE(session.apply(commands::SetOption{"stripes", {"30"}}));
+  EXPECT_TRUE(session.apply(commands::Show{Shown::curves}));
+  EXPECT_TRUE(session.apply(commands::SetOption{"join", {}}));
+  EXPECT_FALSE(session.apply(commands::SetOption{"color-by", {"height"}}));
+  EXPECT_FALSE(session.apply(commands::SetOption{"wales", {"8"}})) << "V is not traced";
+  EXPECT_TRUE(session.apply(commands::SetOption{"stripes", {"20"}})) << "all have it";
+  EXPECT_EQ(shown_options(session.document()), (OptionValues{{"join", {}}, {"stripes", {"20"}}}));
+  EXPECT_TRUE(session.apply(commands::Show{Shown::samples}));
+  EXPECT_EQ(shown_options(session.document()), (OptionValues{{"stripes", {"20"}}}))
+      << "colours of stripes are not those of glyphs";
+  EXPECT_TRUE(session.apply(commands::Show{Shown::stripes}));
+  EXPECT_EQ(shown_options(session.document()),
+            (OptionValues{{"color-by", {"height"}}, {"stripes", {"20"}}}));
+  EXPECT_EQ(session.document().curves, (OptionValues{{"join", {}}}));
+}
+
+TEST(Session, WhatIsShownIsNoOtherPatternWhereItHasTheSameStripes) {
+  Session session(small_document());
+  const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
+  session.keep_phases(session.revision(), phases);
+  session.apply(commands::Show{Shown::curves});
+  session.apply(commands::SetOption{"offset", {"0.5"}});
+  EXPECT_EQ(session.document().phases, phases);
+  session.apply(commands::Show{Shown::stripes});
+  session.apply(commands::SetOption{"texture", {"bricks"}});
+  EXPECT_EQ(session.document().phases, nullptr);
+  session.keep_phases(session.revision(), phases);
+  EXPECT_EQ(session.document().phases, nullptr) << "textures do not follow";
 }
 
 TEST(Session, StrokesNeedAFieldThatFollowsThem) {
@@ -228,18 +272,38 @@ TEST(SessionOptions, AreThoseOfTheCommandInGroups) {
   EXPECT_TRUE(find_session_option("field")->choices.empty()) << "a file may be given, too";
 }
 
+TEST(SessionOptions, OfCurvesAndSamplesAreShared) {
+  for (const Shown shown : {Shown::curves, Shown::samples}) {
+    for (const SessionOption& option : session_options(shown)) {
+      const SessionOption* of_stripes = find_session_option(option.name);
+      if (option.own) {
+        EXPECT_EQ(option.stage, SessionStage::style) << option.name;
+      } else {
+        ASSERT_NE(of_stripes, nullptr) << option.name;
+        EXPECT_EQ(option.help, of_stripes->help);
+        EXPECT_EQ(option.stage, of_stripes->stage);
+      }
+    }
+  }
+  EXPECT_TRUE(find_session_option("line-width", Shown::curves)->own) << "another one than stripes'";
+  EXPECT_EQ(find_session_option("texture", Shown::curves), nullptr);
+  EXPECT_EQ(find_session_option("points", Shown::curves), nullptr);
+  EXPECT_FALSE(find_session_option("points", Shown::samples)->own);
+}
+
 TEST(Session, WorkIsWhatOneWouldMiss) {
   const SessionDocument saved;
   SessionDocument looked_at = saved;
   looked_at.camera.azimuth_deg = 77;
   looked_at.size = {640, 480};
   EXPECT_TRUE(same_work(looked_at, saved));
-  SessionDocument striped = saved, drawn = saved, stored = saved, zoomed = saved;
+  SessionDocument striped = saved, drawn = saved, stored = saved, zoomed = saved, joined = saved;
   striped.options["stripes"] = {"30"};
   drawn.strokes = {{{{0, 0, 0}, {1, 0, 0}}, 0.1, 1}};
   stored.views[3] = CameraView();
   zoomed.frequency_by_zoom = 1;
-  for (const SessionDocument& changed : {striped, drawn, stored, zoomed}) {
+  joined.curves["join"] = {};
+  for (const SessionDocument& changed : {striped, drawn, stored, zoomed, joined}) {
     EXPECT_FALSE(same_work(changed, saved));
   }
 }

@@ -19,9 +19,21 @@ TEST(SessionWords, AreTheCommandLine) {
                                             {"color-by", {"height"}}}));
 }
 
+TEST(SessionWords, OfOtherCommandsShowWhatTheyDraw) {
+  const SessionDocument curves =
+      document_of_words({"curves", "shape:torus", "--stripes", "12", "--join", "--lines", "both"});
+  EXPECT_EQ(curves.shown, Shown::curves);
+  EXPECT_EQ(curves.options, (OptionValues{{"stripes", {"12"}}}));
+  EXPECT_EQ(curves.curves, (OptionValues{{"join", {}}, {"lines", {"both"}}}));
+  const SessionDocument samples =
+      document_of_words({"sample", "shape:torus", "--glyph", "arrow", "--color-by", "height"});
+  EXPECT_EQ(samples.shown, Shown::samples);
+  EXPECT_EQ(samples.samples, (OptionValues{{"glyph", {"arrow"}}, {"color-by", {"height"}}}));
+}
+
 TEST(SessionWords, RefuseWhatSessionsDoNotHave) {
   using Words = std::vector<std::string>;
-  for (const Words& words : {Words{}, Words{"sample", "shape:torus"}, Words{"stripe"},
+  for (const Words& words : {Words{}, Words{"animate", "shape:torus"}, Words{"stripe"},
                              Words{"stripe", "shape:torus", "--nothing", "1"},
                              Words{"stripe", "shape:torus", "--stripes"},
                              Words{"stripe", "shape:torus", "--camera", "up"},
@@ -35,14 +47,14 @@ TEST(SessionWords, ReadEveryGalleryPictureThatASessionCanHave) {
   for (const GalleryItem& item : gallery_items()) {
     bool any = false;
     for (const GalleryPicture& picture : item.pictures) {
-      if (!is_stripe_picture(picture)) continue;
+      if (!is_still_picture(picture)) continue;
       any = true;
       SessionDocument document;
       ASSERT_NO_THROW(document = document_of_words(filled_words(picture, {"data", "", "", ""})))
           << item.name << ' ' << picture.name;
       EXPECT_TRUE(document.mesh.starts_with("data/"));
       for (const std::string& name : picture.live) {
-        EXPECT_NE(find_session_option(name), nullptr) << item.name << ": " << name;
+        EXPECT_NE(find_session_option(name, document.shown), nullptr) << item.name << ": " << name;
       }
     }
     items += any ? 1 : 0;

@@ -145,6 +145,32 @@ TEST(SessionWorker, WhatIsUploadedAgainInPartIsAsIfUploadedAnew) {
   }
 }
 
+TEST(SessionWorker, WhatIsShownChangesAndComesBack) {
+  LivePattern pattern;
+  LivePicture picture;
+  SessionDocument document = torus();
+  document.curves = {{"lines", {"both"}}};
+  SessionDocument glyphs = document, styled = document;
+  glyphs.samples = {{"glyph", {"ellipse"}}, {"color-by", {"height"}}};
+  styled.options["color-by"] = {"height"};
+  const std::pair<const SessionDocument*, Shown> sequence[] = {
+      {&document, Shown::stripes}, {&document, Shown::curves},  {&document, Shown::samples},
+      {&glyphs, Shown::samples},   {&styled, Shown::stripes},   {&glyphs, Shown::samples},
+      {&document, Shown::stripes}, {&document, Shown::samples}, {&styled, Shown::stripes},
+      {&styled, Shown::curves},    {&document, Shown::stripes}};
+  for (const auto& [one, shown] : sequence) {
+    SessionDocument next = *one;
+    next.shown = shown;
+    pattern.update(next, Follow::last);
+    EXPECT_EQ(picture.draw(pattern.state(), PictureQuality::final).pixels,
+              LivePicture().draw(pattern.state(), PictureQuality::final).pixels)
+        << name_of(shown);
+    const Image draft = picture.draft(pattern.state());
+    EXPECT_EQ(draft.width, next.size.width);
+    EXPECT_EQ(draft.height, next.size.height);
+  }
+}
+
 TEST(SessionWorker, DraftsHaveTheSizeOfThePictureAndAreNearIt) {
   LivePattern pattern;
   LivePicture picture;

@@ -8,9 +8,9 @@
 namespace brindle::tool {
 namespace {
 
-std::map<std::string, CatalogOption> all_entries() {
+std::map<std::string, CatalogOption> all_entries(Shown shown = Shown::stripes) {
   std::map<std::string, CatalogOption> entries;
-  for (const OptionGroup& group : option_catalog(session_options())) {
+  for (const OptionGroup& group : option_catalog(session_options(shown))) {
     EXPECT_FALSE(group.options.empty()) << group.title;
     for (const CatalogOption& option : group.options) {
       EXPECT_TRUE(entries.emplace(option.name, option).second) << option.name << " is there twice";
@@ -20,12 +20,26 @@ std::map<std::string, CatalogOption> all_entries() {
 }
 
 TEST(OptionCatalogTest, HasEveryOptionOfSessionsOnce) {
-  const auto entries = all_entries();
-  EXPECT_EQ(entries.size(), session_options().size());
-  for (const SessionOption& option : session_options()) {
-    ASSERT_TRUE(entries.contains(option.name)) << option.name;
-    EXPECT_EQ(entries.at(option.name).help, option.help);
+  for (const Shown shown : kAllShown) {
+    const auto entries = all_entries(shown);
+    EXPECT_EQ(entries.size(), session_options(shown).size());
+    for (const SessionOption& option : session_options(shown)) {
+      ASSERT_TRUE(entries.contains(option.name)) << option.name;
+      EXPECT_EQ(entries.at(option.name).help, option.help);
+    }
   }
+}
+
+TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
+  for (const Shown shown : {Shown::curves, Shown::samples}) {
+    const auto groups = option_catalog(session_options(shown));
+    std::size_t own = 0;
+    for (const SessionOption& option : session_options(shown)) own += option.own ? 1 : 0;
+    EXPECT_EQ(groups.front().options.size(), own);
+    EXPECT_EQ(groups.front().title, shown == Shown::curves ? "Curves" : "Samples");
+  }
+  EXPECT_EQ(all_entries(Shown::curves).at("line-width").kind, WidgetKind::percent);
+  EXPECT_EQ(all_entries().at("line-width").kind, WidgetKind::number) << "of outlines, in pixels";
 }
 
 TEST(OptionCatalogTest, OptionsThatNoGroupNamesAreShown) {

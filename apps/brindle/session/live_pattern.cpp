@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/phase_graph.h"
 #include "brindle/pipeline/measured_pattern.h"
@@ -78,8 +79,8 @@ std::string key_of(const OptionValues& options) {
 /// The document's options of a stage.
 std::string options_key(const SessionDocument& document, SessionStage stage) {
   OptionValues options;
-  for (const auto& [name, values] : document.options) {
-    const SessionOption* option = find_session_option(name);
+  for (const auto& [name, values] : shown_options(document)) {
+    const SessionOption* option = find_session_option(name, document.shown);
     if (option != nullptr && option->stage == stage) options[name] = values;
   }
   return key_of(options);
@@ -97,8 +98,8 @@ std::string view_key(const SessionDocument& document) {
 
 /// Values that follow the camera are other ones when it moves: the camera, where there are any.
 std::string camera_key(const SessionDocument& document, SessionStage stage) {
-  const bool by_camera = std::ranges::any_of(document.options, [&](const auto& entry) {
-    const SessionOption* option = find_session_option(entry.first);
+  const bool by_camera = std::ranges::any_of(shown_options(document), [&](const auto& entry) {
+    const SessionOption* option = find_session_option(entry.first, document.shown);
     return option != nullptr && option->stage == stage &&
            std::ranges::any_of(entry.second, depends_on_camera);
   });
@@ -121,10 +122,11 @@ std::string waves_key(const SessionDocument& document) {
 
 /// Those of the document's options that are named.
 OptionValues named_options(const SessionDocument& document, std::span<const char* const> names) {
+  const OptionValues all = shown_options(document);
   OptionValues options;
   for (const char* name : names) {
-    const auto found = document.options.find(name);
-    if (found != document.options.end()) options.insert(*found);
+    const auto found = all.find(name);
+    if (found != all.end()) options.insert(*found);
   }
   return options;
 }
@@ -132,15 +134,13 @@ OptionValues named_options(const SessionDocument& document, std::span<const char
 /// What other surfaces of a picture are read by. Those with stripes of their own have them by the
 /// document's waves.
 std::string others_key(const SessionDocument& document, const std::string& waves) {
-  constexpr std::array kReading = {"with"};
-  const OptionValues options = named_options(document, kReading);
-  const auto found = options.find("with");
-  const bool striped =
-      found != options.end() && std::ranges::any_of(found->second, [](const std::string& value) {
-        return value.find("@striped") != std::string::npos ||
-               value.find("@discarded") != std::string::npos;
-      });
-  return key_of(options) + (striped ? waves : "");
+  const auto found = document.options.find("with");
+  if (found == document.options.end()) return "";
+  const bool striped = std::ranges::any_of(found->second, [](const std::string& value) {
+    return value.find("@striped") != std::string::npos ||
+           value.find("@discarded") != std::string::npos;
+  });
+  return key_of({*found}) + (striped ? waves : "");
 }
 
 /// What values of a picture are read by. Those that follow the camera are other ones when it moves,
@@ -164,17 +164,6 @@ std::vector<float> angles_of(std::span<const Complex> z) {
 std::vector<Complex> phases_of(std::span<const float> angles) {
   std::vector<Complex> z(angles.size());
   for (std::size_t v = 0; v < z.size(); ++v) z[v] = std::polar(1.0f, angles[v]);
-  return z;
-}
-
-/// The last phases for directions that may run the other way now.
-std::vector<Complex> turned_phases(const StripePattern& last, std::span<const Vec3> directions) {
-  std::vector<Complex> z = last.solution.z;
-  for (std::size_t v = 0; v < z.size(); ++v) {
-    const float along = last.waves.directions[v].dot(directions[v]);
-    if (along < 0) z[v] = -std::conj(z[v]);
-    if (last.waves.directions[v].isZero(0)) z[v] = 0;
-  }
   return z;
 }
 
@@ -286,6 +275,22 @@ void add_times(const Report& report, StageTimes& times) {
   times.emplace_back("measure", no_less(ms.pattern));
 }
 
+void add_shown_figures(LiveState& state) {
+  auto& figures = state.figures.shown;
+  if (state.curves) {
+    for (const CurveFamily& family : state.curves->families) {
+      figures.emplace_back("curves of " + family.name, family.curves.lines.count());
+      figures.emplace_back("length of " + family.name, total_length(family.curves.lines));
+      if (family.coverage) {
+        figures.emplace_back("% covered by " + family.name, 100 * *family.coverage);
+      }
+    }
+  }
+  if (!state.samples) return;
+  figures.emplace_back("samples", state.samples->taken.samples.size());
+  figures.emplace_back("too near to others", state.samples->taken.doubles);
+}
+
 /// What a style needs beside the pattern.
 struct StyleStages {
   Stage<std::vector<Preparation>> read;    ///< other surfaces
@@ -295,12 +300,21 @@ struct StyleStages {
   std::shared_ptr<const StyleJob> job;
 };
 
+/// What is shown instead of stripes.
+struct ShownStages {
+  Stage<MeshEdges> edges;
+  Stage<StripePattern> second;  ///< V
+  Stage<ShownCurves> curves;
+  Stage<ShownSamples> samples;
+};
+
 struct LiveStages {
   Stage<Preparation> surface;
   Stage<BaseField> field;
   Stage<PreparedWaves> waves;
   Stage<SolvedPattern> pattern;
   StyleStages style;
+  ShownStages shown;
   std::string looks;  ///< all options of the style
   std::shared_ptr<Follower> follower;
   std::uint64_t patterns = 0;  ///< that were made
@@ -326,6 +340,7 @@ class StageUpdate {
     make_waves();
     make_pattern();
     make_style();
+    make_shown();
     listener_.stage("ready");
     return state();
   }
@@ -337,7 +352,7 @@ class StageUpdate {
     Stage<Preparation>& stage = stages_.surface;
     const std::string key = surface_key(document_);
     if (stage.holds(key)) return;
-    check_stripe_points(parsed_->command(), arguments(), {{"session.png", OutputKind::picture}});
+    check_session_points(*parsed_);
     auto made = std::make_shared<Preparation>(prepare_surface(arguments().surface, listener_));
     times_.emplace_back("load", made->load_milliseconds);
     times_.emplace_back("neighbourhood", made->topology_milliseconds);
@@ -422,7 +437,8 @@ class StageUpdate {
   SolvedPattern next_frame(const StripePattern& last) {
     const WaveSet& waves = stages_.waves.made->waves;
     StripeAnimator& frames = animator();
-    frames.set_last_phases(turned_phases(last, waves.directions));
+    frames.set_last_phases(
+        matched_phases({stages_.surface.made->surface.mesh, last.waves, last.solution.z}, waves));
     const FrameResult frame =
         frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
     SolvedPattern solved =
@@ -439,10 +455,11 @@ class StageUpdate {
   }
 
   void make_style() {
-    const std::string looks = options_key(document_, SessionStage::style);
+    const std::string looks =
+        std::string(name_of(document_.shown)) + '\n' + options_key(document_, SessionStage::style);
     if (stages_.looks != looks) ++stages_.changes;
     stages_.looks = looks;
-    if (!is_styled(parsed_->command())) {
+    if (document_.shown != Shown::stripes || !is_styled(parsed_->command())) {
       stages_.style = {};
       return;
     }
@@ -507,6 +524,99 @@ class StageUpdate {
     return true;
   }
 
+  void make_shown() {
+    ShownStages& shown = stages_.shown;
+    const bool curves = parsed_->curves() != nullptr, samples = parsed_->samples() != nullptr;
+    if (!curves) shown.curves = {};
+    if (!samples) shown.samples = {};
+    const bool crossed = samples || (curves && parsed_->curves()->traced != TracedWaves::u);
+    if (!crossed) shown.second = {};
+    if (document_.shown == Shown::stripes) return;
+    Stopwatch watch;
+    const bool changed = document_.shown == Shown::curves ? make_curves() : make_samples();
+    if (!changed) return;
+    times_.emplace_back(name_of(document_.shown), watch.lap());
+    ++stages_.changes;
+  }
+
+  // What V follows from, beside the surface.
+  std::string second_key() const {
+    constexpr std::array kSecond = {"field-v", "stripes-v", "frequency-v", "wales"};
+    return stages_.waves.key + options_key(document_, SessionStage::phases) +
+           key_of(named_options(document_, kSecond));
+  }
+
+  FirstWaves first_waves() const {
+    const Preparation& prepared = *stages_.surface.made;
+    const PreparedWaves& waves = *stages_.waves.made;
+    return {prepared.surface, waves.waves, waves.frequencies_v, prepared.vertex_of_row};
+  }
+
+  StripePattern second_pattern() {
+    const Preparation& prepared = *stages_.surface.made;
+    StripeOptions options = stripe_options(arguments().solving, prepared);
+    if (parsed_->samples() != nullptr) {
+      return stripe_pattern(prepared.surface,
+                            waves_of_v(*parsed_->samples(), first_waves(), listener_), options,
+                            progress_);
+    }
+    MakingFigures figures;
+    return pattern_of_v(*parsed_->curves(), prepared.surface,
+                        waves_of_v(*parsed_->curves(), first_waves(), listener_), options,
+                        progress_, figures);
+  }
+
+  const StripePattern& second() {
+    Stage<StripePattern>& stage = stages_.shown.second;
+    const std::string key = std::string(name_of(document_.shown)) + second_key();
+    if (!stage.holds(key)) {
+      auto made = std::make_shared<const StripePattern>(second_pattern());
+      stage = {key, std::move(made), listener_.take()};
+    }
+    return *stage.made;
+  }
+
+  const MeshEdges& edges() {
+    Stage<MeshEdges>& stage = stages_.shown.edges;
+    if (!stage.holds(stages_.surface.key)) {
+      const Surface& surface = stages_.surface.made->surface;
+      stage = {stages_.surface.key,
+               std::make_shared<const MeshEdges>(mesh_edges(surface.mesh, *surface.neighborhood)),
+               {}};
+    }
+    return *stage.made;
+  }
+
+  // All that curves and samples follow from.
+  std::string shown_key() const {
+    return std::to_string(stages_.patterns) + '\n' + second_key() +
+           options_key(document_, SessionStage::style) + camera_key(document_, SessionStage::style);
+  }
+
+  bool make_curves() {
+    Stage<ShownCurves>& stage = stages_.shown.curves;
+    const std::string key = shown_key();
+    if (stage.holds(key)) return false;
+    const CurvesArguments& curves = *parsed_->curves();
+    const StripeJob& job = stages_.pattern.made->job;
+    const StripePattern* v = curves.traced == TracedWaves::u ? nullptr : &second();
+    auto made = std::make_shared<const ShownCurves>(
+        shown_curves(curves, job.surface, edges(), {job.result.stripes(), v}, listener_));
+    stage = {key, std::move(made), listener_.take()};
+    return true;
+  }
+
+  bool make_samples() {
+    Stage<ShownSamples>& stage = stages_.shown.samples;
+    const std::string key = shown_key();
+    if (stage.holds(key)) return false;
+    auto made = std::make_shared<const ShownSamples>(
+        shown_samples(parsed_->command(), *parsed_->samples(), stages_.surface.made,
+                      {stages_.pattern.made->job.result.stripes(), &second()}, listener_));
+    stage = {key, std::move(made), listener_.take()};
+    return true;
+  }
+
   std::shared_ptr<const LiveState> state() {
     const std::shared_ptr<const SolvedPattern>& pattern = stages_.pattern.made;
     LiveState result;
@@ -514,14 +624,19 @@ class StageUpdate {
     result.parsed = parsed_;
     result.job = {pattern, &pattern->job};
     result.style = stages_.style.job;
+    result.curves = stages_.shown.curves.made;
+    result.samples = stages_.shown.samples.made;
     result.phases = pattern->phases;
     result.figures = figures_of(*pattern);
+    add_shown_figures(result);
     result.figures.milliseconds = std::move(times_);
     const StyleStages& style = stages_.style;
     for (const std::vector<std::string>* notes :
          std::initializer_list<const std::vector<std::string>*>{
              &stages_.surface.notes, &stages_.waves.notes, &stages_.pattern.notes,
-             &style.read.notes, &style.drawn.notes, &style.values.notes, &style.crossing.notes}) {
+             &style.read.notes, &style.drawn.notes, &style.values.notes, &style.crossing.notes,
+             &stages_.shown.second.notes, &stages_.shown.curves.notes,
+             &stages_.shown.samples.notes}) {
       result.notes.insert(result.notes.end(), notes->begin(), notes->end());
     }
     result.pattern = stages_.changes;
@@ -539,6 +654,11 @@ class StageUpdate {
 };
 
 }  // namespace
+
+const ShownOrnaments* ornaments_of(const LiveState& state) {
+  if (state.curves) return &state.curves->drawn;
+  return state.samples ? &state.samples->drawn : nullptr;
+}
 
 struct LivePattern::Stages : LiveStages {};
 

@@ -9,6 +9,7 @@
 
 #include "brindle/progress.h"
 #include "session_options.h"
+#include "shown_pattern.h"
 #include "stripe_job.h"
 
 namespace brindle::tool {
@@ -28,6 +29,7 @@ struct LiveFigures {
   std::size_t singularities = 0;  ///< of the field
   double energy = 0;
   double mean_angle_error_deg = 0, mean_spacing_error = 0;
+  std::vector<std::pair<std::string, double>> shown;  ///< of curves or samples
   double phase_step = 0;  ///< how far phases moved on average, in radians, where they followed
   bool followed = false;
 };
@@ -39,11 +41,16 @@ struct LiveState {
   std::shared_ptr<const ParsedSession> parsed;
   std::shared_ptr<const StripeJob> job;              ///< surface, pattern or texture, report, data
   std::shared_ptr<const StyleJob> style;             ///< null if the picture has no style
+  std::shared_ptr<const ShownCurves> curves;         ///< null if they are not shown
+  std::shared_ptr<const ShownSamples> samples;       ///< null if they are not shown
   std::shared_ptr<const std::vector<float>> phases;  ///< angles, of a pattern that has followed
   LiveFigures figures;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings
   std::uint64_t pattern = 0;  ///< another number whenever what is drawn changes, but the camera
 };
+
+/// What is drawn instead of stripes; null for stripes.
+const ShownOrnaments* ornaments_of(const LiveState& state);
 
 /// Keeps the stages whose inputs did not change.
 class LivePattern {

@@ -53,6 +53,9 @@ struct LivePicture::Drawing {
   void upload(const LiveState& state);
   void upload_plain(const LiveState& state, const LiveState* last);
   void upload_styled(const LiveState& state, const LiveState* last);
+  void upload_ornaments(const ShownOrnaments& shown);
+  Image draw_glyphs(const LiveState& state, const GlyphPicture& glyphs, PictureQuality quality,
+                    bool draft);
   Image draw_plain(const LiveState& state, PictureQuality quality, bool draft);
   Image draw_styled(const LiveState& state, PictureQuality quality, bool draft);
 };
@@ -67,6 +70,7 @@ bool same_mesh(const LiveState& a, const LiveState& b) {
 
 /// Whether another picture of plain stripes needs new waves alone.
 bool needs_waves_alone(const LiveState& state, const LiveState* last, const Overlay& overlay) {
+  if (last != nullptr && ornaments_of(*last) != nullptr) return false;
   if (last == nullptr || last->style || is_of_points(state) || is_of_points(*last)) return false;
   if (state.job->result.texture() || last->job->result.texture()) return false;
   // Colours that are not there any more would stay.
@@ -96,6 +100,14 @@ RenderOptions reduced(RenderOptions render, float reduction) {
   render.height = reduced_side(render.height, reduction);
   render.mark_radius /= reduction;
   return render;
+}
+
+StyledOptions reduced(const StyledOptions& options, float reduction) {
+  StyledOptions smaller = options;
+  smaller.render = reduced(options.render, reduction);
+  smaller.right_margin =
+      static_cast<int>(std::lround(static_cast<float>(options.right_margin) / reduction));
+  return smaller;
 }
 
 /// A picture that was drawn smaller, in the size of the options.
@@ -142,12 +154,28 @@ void LivePicture::Drawing::upload_styled(const LiveState& state, const LiveState
   styled_picture.emplace(std::move(picture));
 }
 
+void LivePicture::Drawing::upload_ornaments(const ShownOrnaments& shown) {
+  if (shown.glyphs) {
+    if (!styled) styled.emplace();
+    styled->upload(shown.glyphs->surfaces);
+    framed = framed_points(shown.glyphs->surfaces);
+    return;
+  }
+  if (!plain) plain.emplace();
+  framed = points_of_triangles(shown.ornaments.mesh);
+  plain->upload(shown.ornaments.drawing());
+}
+
 void LivePicture::Drawing::upload(const LiveState& state) {
   if (uploaded == state.pattern) return;
   const LiveState* last = uploaded == kNothing ? nullptr : kept.get();
   uploaded = kNothing;
   styled_picture.reset();
-  state.style ? upload_styled(state, last) : upload_plain(state, last);
+  if (const ShownOrnaments* shown = ornaments_of(state)) {
+    upload_ornaments(*shown);
+  } else {
+    state.style ? upload_styled(state, last) : upload_plain(state, last);
+  }
   uploaded = state.pattern;
 }
 
@@ -162,13 +190,32 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, PictureQuality q
   StyledOptions smaller = options;
   // What hollows look like is worth waiting for.
   if (draft) smaller.occlusion = 0;
-  if (!has_pixel_measures(styled_picture->surfaces)) {
-    smaller.render = reduced(options.render, reduction);
-    smaller.right_margin =
-        static_cast<int>(std::lround(static_cast<float>(options.right_margin) / reduction));
-  }
+  if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
   Image image = in_full_size(styled->draw(smaller), options.render);
   draw_on_top(image, *styled_picture, style);
+  return image;
+}
+
+namespace {
+
+/// Of glyphs, as the state's camera and size want it.
+StyledOptions glyph_options(const LiveState& state, const GlyphPicture& glyphs) {
+  StyledOptions options = glyphs.styled;
+  options.render = render_options(picture_of(state));
+  options.right_margin = legend_width(glyphs.legends, options.render.width, options.render.height);
+  return options;
+}
+
+}  // namespace
+
+Image LivePicture::Drawing::draw_glyphs(const LiveState& state, const GlyphPicture& glyphs,
+                                        PictureQuality quality, bool draft) {
+  StyledOptions options = glyph_options(state, glyphs);
+  options.render.quality = quality;
+  options.framed = framed;
+  const float reduction = draft ? draft_size.reduction() : 1;
+  Image image = in_full_size(styled->draw(reduced(options, reduction)), options.render);
+  draw_legends(image, glyphs.legends);
   return image;
 }
 
@@ -188,8 +235,11 @@ Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state,
   kept = state;
   progress.report("drawing", 0.2);
   Stopwatch watch;
-  Image image =
-      state->style ? draw_styled(*state, quality, draft) : draw_plain(*state, quality, draft);
+  const ShownOrnaments* shown = ornaments_of(*state);
+  Image image = shown != nullptr && shown->glyphs
+                    ? draw_glyphs(*state, *shown->glyphs, quality, draft)
+                : state->style ? draw_styled(*state, quality, draft)
+                               : draw_plain(*state, quality, draft);
   context.check_errors("drawing the picture");
   if (draft) draft_size.note(watch.lap());
   progress.report("drawing", 1);
@@ -215,6 +265,9 @@ Image LivePicture::draft(const std::shared_ptr<const LiveState>& state, const Pr
 }
 
 Camera LivePicture::camera(const LiveState& state) const {
+  if (const ShownOrnaments* shown = ornaments_of(state); shown != nullptr && shown->glyphs) {
+    return styled_camera(shown->glyphs->surfaces, glyph_options(state, *shown->glyphs));
+  }
   if (state.style && drawing_->styled_picture) {
     return styled_camera(drawing_->styled_picture->surfaces, drawing_->styled_picture->options);
   }

@@ -11,6 +11,7 @@
 #include "brindle/threads.h"
 #include "command_line.h"
 #include "commands.h"
+#include "curves_output.h"
 #include "live_picture.h"
 #include "option_values.h"
 #include "picture_options.h"
@@ -33,7 +34,8 @@ Examples:
   brindle render session.json --output horse.vtp --output horse_report.json
 
 Files by extension: .png the picture; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
-those of 'brindle stripe'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
+those of 'brindle stripe'. Of a session that shows curves or samples, all but .json are those of
+'brindle curves' or 'brindle sample'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
 
 struct RenderArguments {
   std::string session;
@@ -63,14 +65,27 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
 
 bool is_picture(const std::string& path) { return lower_extension(path) == ".png"; }
 
-void check_outputs(const CLI::App& command, const RenderArguments& arguments) {
+/// What is no picture: of stripes a mesh or a report, of curves and samples their files.
+void check_file(const std::string& path, const ParsedSession& parsed) {
+  const bool report = lower_extension(path) == ".json";
+  if (parsed.curves() != nullptr && !report) {
+    planned_curves(path, parsed.curves()->tube_radius.has_value());
+  } else if (parsed.samples() != nullptr && !report) {
+    planned_sample(path);
+  } else {
+    plan_outputs({path}, "", false);
+  }
+}
+
+void check_outputs(const CLI::App& command, const RenderArguments& arguments,
+                   const ParsedSession& parsed) {
   bool picture = false;
   for (const std::string& path : arguments.outputs) {
     if (lower_extension(path) == ".svg") {
       refuse_output(path, "sessions have pictures of pixels; write .png");
     }
     if (!is_picture(path)) {
-      plan_outputs({path}, "", false);
+      check_file(path, parsed);
       continue;
     }
     picture = true;
@@ -107,9 +122,8 @@ SessionDocument document_of(const CLI::App& command, const RenderArguments& argu
   return document;
 }
 
-void check_inputs(const RenderArguments& arguments, const SessionDocument& document) {
-  const StripeArguments stripes = ParsedSession(document).arguments();
-  std::vector<UsedFile> inputs = stripe_inputs(stripes);
+void check_inputs(const RenderArguments& arguments, const ParsedSession& parsed) {
+  std::vector<UsedFile> inputs = parsed.inputs();
   inputs.push_back({"SESSION", arguments.session});
   if (!arguments.replay.empty()) inputs.push_back({"--replay", arguments.replay});
   std::vector<Output> outputs;
@@ -117,7 +131,14 @@ void check_inputs(const RenderArguments& arguments, const SessionDocument& docum
     outputs.push_back({path, is_picture(path) ? OutputKind::picture : OutputKind::mesh});
     if (lower_extension(path) == ".json") outputs.back().kind = OutputKind::report;
   }
-  check_files(inputs, files_of(outputs, has_tiles(stripes)));
+  check_files(inputs, files_of(outputs, has_tiles(parsed.arguments())));
+}
+
+void export_file(const LiveState& state, const std::string& path, JobListener& listener) {
+  if (lower_extension(path) == ".json") return export_pattern(state, path, listener);
+  if (state.curves) return export_curves(state, path, listener);
+  if (state.samples) return export_samples(state, path, listener);
+  export_pattern(state, path, listener);
 }
 
 void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const LiveState>& state,
@@ -126,7 +147,7 @@ void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const
   for (const std::string& path : arguments.outputs) {
     display.stage("writing " + path);
     if (!is_picture(path)) {
-      export_pattern(*state, path, display);
+      export_file(*state, path, display);
       continue;
     }
     if (!picture) picture.emplace();
@@ -135,9 +156,10 @@ void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const
 }
 
 void run_render(const CLI::App& command, const RenderArguments& arguments) {
-  check_outputs(command, arguments);
   const SessionDocument document = document_of(command, arguments);
-  check_inputs(arguments, document);
+  const ParsedSession parsed(document);
+  check_outputs(command, arguments, parsed);
+  check_inputs(arguments, parsed);
   const ThreadLimit threads(arguments.threads);
   LivePattern pattern;
   {

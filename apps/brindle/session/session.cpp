@@ -20,9 +20,9 @@ constexpr std::size_t kMostPhases = std::size_t{1} << 26;  // of all steps toget
 /// Whether both documents have the same waves and solve for phases alike.
 bool same_phases(const SessionDocument& a, const SessionDocument& b) {
   const auto without_style = [](const SessionDocument& document) {
-    OptionValues options = document.options;
-    std::erase_if(options, [](const auto& entry) {
-      const SessionOption* option = find_session_option(entry.first);
+    OptionValues options = shown_options(document);
+    std::erase_if(options, [&](const auto& entry) {
+      const SessionOption* option = find_session_option(entry.first, document.shown);
       return option != nullptr && option->stage == SessionStage::style;
     });
     return options;
@@ -67,23 +67,26 @@ struct Changer {
   void operator()(const commands::Open& c) const {
     check_can_open(c.mesh);
     document.mesh = c.mesh;
-    if (!c.keep_options) document.options.clear();
+    if (!c.keep_options) {
+      document.options.clear();
+      document.curves.clear();
+      document.samples.clear();
+    }
     document.strokes.clear();
     document.phases.reset();
     document.camera.center.reset();
   }
-  void operator()(const commands::SetOption& c) const { document.options[c.name] = c.values; }
+  void operator()(const commands::SetOption& c) const {
+    options_with(c.name, document)[c.name] = c.values;
+  }
   void operator()(const commands::ClearOption& c) const {
-    check_option_name(c.name);
-    document.options.erase(c.name);
+    options_with(c.name, document).erase(c.name);
   }
   void operator()(const commands::SetOptions& c) const {
-    for (const std::string& name : c.clear) {
-      check_option_name(name);
-      document.options.erase(name);
-    }
-    for (const auto& [name, values] : c.set) document.options[name] = values;
+    for (const std::string& name : c.clear) options_with(name, document).erase(name);
+    for (const auto& [name, values] : c.set) options_with(name, document)[name] = values;
   }
+  void operator()(const commands::Show& c) const { document.shown = c.what; }
   void operator()(const commands::AddStroke& c) const { document.strokes.push_back(c.stroke); }
   void operator()(const commands::ChangeStroke& c) const {
     document.strokes[checked_index(document, c.index)] = c.stroke;

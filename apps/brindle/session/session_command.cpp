@@ -22,25 +22,16 @@ using Json = nlohmann::ordered_json;
 
 /// In the order of SessionCommand.
 constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCommandNames = {
-    "open",
-    "set_option",
-    "clear_option",
-    "set_options",
-    "add_stroke",
-    "change_stroke",
-    "erase_stroke",
-    "set_strokes",
-    "set_camera",
-    "set_size",
-    "store_view",
-    "recall_view",
-    "set_frequency_by_zoom",
-    "load",
-    "begin_drag",
-    "end_drag",
-    "undo",
-    "redo",
-    "keep_phases"};
+    "open",          "set_option",
+    "clear_option",  "set_options",
+    "show",          "add_stroke",
+    "change_stroke", "erase_stroke",
+    "set_strokes",   "set_camera",
+    "set_size",      "store_view",
+    "recall_view",   "set_frequency_by_zoom",
+    "load",          "begin_drag",
+    "end_drag",      "undo",
+    "redo",          "keep_phases"};
 
 /// Adds what a command holds to its object.
 struct CommandWriter {
@@ -59,6 +50,7 @@ struct CommandWriter {
     json["set"] = options_to_json(c.set);
     json["clear"] = c.clear;
   }
+  void operator()(const commands::Show& c) const { json["shown"] = name_of(c.what); }
   void operator()(const commands::AddStroke& c) const { json["stroke"] = stroke_to_json(c.stroke); }
   void operator()(const commands::ChangeStroke& c) const {
     json["index"] = c.index;
@@ -141,6 +133,10 @@ constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders 
       return commands::ClearOption{r.text("name")};
     },
     [](const JsonReader& r) -> SessionCommand { return set_options_from(r); },
+    [](const JsonReader& r) -> SessionCommand {
+      r.allow({"command", "shown"});
+      return commands::Show{shown_in(r)};
+    },
     [](const JsonReader& r) -> SessionCommand {
       r.allow({"command", "stroke"});
       return commands::AddStroke{stroke_from_json(r.at("stroke"), "stroke")};

@@ -45,6 +45,14 @@ struct SetOptions {
   bool operator==(const SetOptions&) const = default;
 };
 
+/// What the picture shows. Options that another picture has alone stay as they are until it is
+/// shown again.
+struct Show {
+  Shown what;
+
+  bool operator==(const Show&) const = default;
+};
+
 struct AddStroke {
   FieldStroke stroke;
 
@@ -138,7 +146,7 @@ namespace brindle::tool {
 
 using SessionCommand =
     std::variant<commands::Open, commands::SetOption, commands::ClearOption, commands::SetOptions,
-                 commands::AddStroke, commands::ChangeStroke, commands::EraseStroke,
+                 commands::Show, commands::AddStroke, commands::ChangeStroke, commands::EraseStroke,
                  commands::SetStrokes, commands::SetCamera, commands::SetSize, commands::StoreView,
                  commands::RecallView, commands::SetFrequencyByZoom, commands::Load,
                  commands::BeginDrag, commands::EndDrag, commands::Undo, commands::Redo,

@@ -18,6 +18,8 @@ namespace brindle::tool {
 namespace {
 
 constexpr int kFormat = 1;
+constexpr std::array<std::string_view, kAllShown.size()> kShownNames = {"stripes", "curves",
+                                                                        "samples"};
 constexpr double kLargest = std::numeric_limits<float>::max();
 
 nlohmann::ordered_json to_json(const Vec3& v) {
@@ -54,17 +56,27 @@ void check_format(const JsonReader& reader) {
 
 }  // namespace
 
+std::string_view name_of(Shown shown) { return kShownNames[static_cast<std::size_t>(shown)]; }
+
+std::optional<Shown> parse_shown(std::string_view name) {
+  for (const Shown shown : kAllShown) {
+    if (name_of(shown) == name) return shown;
+  }
+  return std::nullopt;
+}
+
 bool SessionDocument::operator==(const SessionDocument& other) const {
   const bool same_phases =
       phases == other.phases || (phases && other.phases && *phases == *other.phases);
-  return same_phases && mesh == other.mesh && options == other.options &&
-         strokes == other.strokes && camera == other.camera && size == other.size &&
-         views == other.views && frequency_by_zoom == other.frequency_by_zoom;
+  return same_phases && mesh == other.mesh && shown == other.shown && options == other.options &&
+         curves == other.curves && samples == other.samples && strokes == other.strokes &&
+         camera == other.camera && size == other.size && views == other.views &&
+         frequency_by_zoom == other.frequency_by_zoom;
 }
 
 bool same_work(const SessionDocument& a, const SessionDocument& b) {
-  return a.options == b.options && a.strokes == b.strokes && a.views == b.views &&
-         a.frequency_by_zoom == b.frequency_by_zoom;
+  return a.options == b.options && a.curves == b.curves && a.samples == b.samples &&
+         a.strokes == b.strokes && a.views == b.views && a.frequency_by_zoom == b.frequency_by_zoom;
 }
 
 float frequency_factor(const SessionDocument& document) {
@@ -195,6 +207,12 @@ std::shared_ptr<const std::vector<float>> phases_in(const JsonReader& reader) {
   return std::make_shared<const std::vector<float>>(std::move(angles));
 }
 
+Shown shown_in(const JsonReader& reader) {
+  const std::optional<Shown> shown = parse_shown(reader.text("shown"));
+  if (!shown) reader.fail("shown", "must be stripes, curves or samples");
+  return *shown;
+}
+
 nlohmann::ordered_json options_to_json(const OptionValues& options) {
   auto json = nlohmann::ordered_json::object();
   for (const auto& [name, values] : options) {
@@ -228,7 +246,10 @@ OptionValues options_from_json(const nlohmann::json& json, const std::string& pl
 
 nlohmann::ordered_json document_to_json(const SessionDocument& document) {
   nlohmann::ordered_json json = {{"brindle_session", kFormat}, {"mesh", document.mesh}};
+  if (document.shown != Shown::stripes) json["shown"] = name_of(document.shown);
   json["options"] = options_to_json(document.options);
+  if (!document.curves.empty()) json["curves"] = options_to_json(document.curves);
+  if (!document.samples.empty()) json["samples"] = options_to_json(document.samples);
   json["camera"] = camera_to_json(document.camera);
   json["size"] = size_to_json(document.size);
   if (document.frequency_by_zoom != 0) {
@@ -244,11 +265,14 @@ nlohmann::ordered_json document_to_json(const SessionDocument& document) {
 SessionDocument document_from_json(const nlohmann::json& json) {
   const JsonReader reader(json, "");
   check_format(reader);
-  reader.allow({"brindle_session", "mesh", "options", "camera", "size", "frequency_by_zoom",
-                "views", "strokes", "phases"});
+  reader.allow({"brindle_session", "mesh", "shown", "options", "curves", "samples", "camera",
+                "size", "frequency_by_zoom", "views", "strokes", "phases"});
   SessionDocument document;
   document.mesh = reader.text("mesh");
+  if (reader.has("shown")) document.shown = shown_in(reader);
   if (reader.has("options")) document.options = options_from_json(reader.at("options"), "options");
+  if (reader.has("curves")) document.curves = options_from_json(reader.at("curves"), "curves");
+  if (reader.has("samples")) document.samples = options_from_json(reader.at("samples"), "samples");
   if (reader.has("camera")) document.camera = camera_from_json(reader.at("camera"));
   if (reader.has("size")) document.size = size_in(reader);
   if (reader.has("frequency_by_zoom")) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,14 @@ class JsonReader;
 /// several for options that may be repeated.
 using OptionValues = std::map<std::string, std::vector<std::string>>;
 
+/// What a picture shows: that of `brindle stripe`, `curves` or `sample`.
+enum class Shown { stripes, curves, samples };
+inline constexpr std::array<Shown, 3> kAllShown = {Shown::stripes, Shown::curves, Shown::samples};
+
+/// "stripes", "curves", "samples", and back.
+std::string_view name_of(Shown shown);
+std::optional<Shown> parse_shown(std::string_view name);
+
 /// The size of a picture, in pixels.
 struct PictureSize {
   int width = 1200;
@@ -36,9 +45,12 @@ inline constexpr int kStoredViews = 9;
 /// All that a picture follows from: equal documents give equal pictures, bit for bit.
 struct SessionDocument {
   std::string mesh = "shape:trefoil";  ///< a file or shape:NAME,...
-  OptionValues options;                ///< of `brindle stripe`, those that were given
-  std::vector<FieldStroke> strokes;    ///< the smooth field runs along them, and along --strokes
-  CameraView camera;                   ///< its `up` does not count: --up says it
+  Shown shown = Shown::stripes;
+  OptionValues options;              ///< of `brindle stripe`, those that were given
+  OptionValues curves;               ///< of `brindle curves`, those that it alone has
+  OptionValues samples;              ///< the same of `brindle sample`
+  std::vector<FieldStroke> strokes;  ///< the smooth field runs along them, and along --strokes
+  CameraView camera;                 ///< its `up` does not count: --up says it
   PictureSize size;
   std::array<std::optional<CameraView>, kStoredViews> views;  ///< under the keys 1 to 9
   /// How far frequencies follow the zoom: they are multiplied by zoom^share. 0: not at all; 1: as
@@ -74,7 +86,8 @@ CameraView camera_from_json(const nlohmann::json& json, const std::string& place
 nlohmann::ordered_json stroke_to_json(const FieldStroke& stroke);
 FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& place);
 
-/// What documents and commands have alike, under the keys "size", "strokes" and "phases".
+/// What documents and commands have alike, under the keys "shown", "size", "strokes" and "phases".
+Shown shown_in(const JsonReader& reader);
 nlohmann::ordered_json size_to_json(PictureSize size);
 PictureSize size_in(const JsonReader& reader);
 nlohmann::ordered_json strokes_to_json(const std::vector<FieldStroke>& strokes);

@@ -2,6 +2,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "curves_output.h"
 #include "styled_scene.h"
 
 namespace brindle::tool {
@@ -29,6 +30,14 @@ void export_pattern(const LiveState& state, const std::filesystem::path& path,
 
 void export_curves(const LiveState& state, const std::filesystem::path& path,
                    JobListener& listener) {
+  if (state.curves) {
+    const CurvesArguments& arguments = *state.parsed->curves();
+    const CurveOutput kind = planned_curves(path.string(), arguments.tube_radius.has_value());
+    listener.stage("writing " + path.string());
+    return write_curves(
+        kind, path.string(),
+        {arguments, *state.job->surface, state.job->data.arrays, state.curves->families}, listener);
+  }
   if (!is_polyline_format(path)) refuse_extension(path, ".vtp, .ply, .obj or .csv");
   listener.stage("curves");
   const StripeCurves curves = stripe_curves(*state.job->surface, state.job->result.stripes());
@@ -41,6 +50,11 @@ void export_samples(const LiveState& state, const std::filesystem::path& path,
                     JobListener& listener) {
   if (!is_sample_format(path)) refuse_extension(path, ".csv, .ply or .vtp");
   const Surface& surface = *state.job->surface;
+  if (state.samples) {
+    listener.stage("writing " + path.string());
+    return write_all_samples(path.string(), surface.mesh, state.job->data.arrays,
+                             state.samples->taken.samples, listener);
+  }
   const StripePattern& u = state.job->result.stripes();
   std::optional<StripePattern> across;
   if (state.job->result.texture() == nullptr) {

@@ -29,50 +29,99 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kElsewhere = {{
     {"help", "a session does not ask"},
 }};
 
-/// A group of the command's options.
+/// Of all commands.
+struct AllArguments {
+  StripeArguments stripes;
+  CurvesArguments curves;
+  SampleArguments samples;
+};
+
+/// A group of a command's options.
 struct OptionGroup {
   const char* name;
   SessionStage stage;
-  std::function<void(CLI::App&, StripeArguments&)> add;
+  std::function<void(CLI::App&, AllArguments&)> add;
+  bool own = false;
 };
 
-void add_field_options(CLI::App& app, StripeArguments& arguments) {
-  add_wave_options(app, arguments.waves);
-  add_cross_option(app, arguments.waves);
+void add_waves(CLI::App& app, AllArguments& all) { add_wave_options(app, all.stripes.waves); }
+
+void add_phases(CLI::App& app, AllArguments& all) {
+  add_solver_option(app, all.stripes.solving);
+  add_solving_options(app, all.stripes.solving);
 }
 
-void add_phase_options(CLI::App& app, StripeArguments& arguments) {
-  add_solver_option(app, arguments.solving);
-  add_solving_options(app, arguments.solving);
+void add_making(CLI::App& app, AllArguments& all) { add_making_options(app, all.stripes.making); }
+
+void add_surface(CLI::App& app, AllArguments& all) {
+  add_surface_options(app, all.stripes.surface);
 }
+
+void add_surface_or_points(CLI::App& app, AllArguments& all) {
+  add_surface(app, all);
+  add_point_options(app, all.stripes.surface);
+}
+
+void add_camera(CLI::App& app, AllArguments& all) { all.stripes.picture = add_camera_options(app); }
 
 /// In which each option of the command is looked for, the first that has it counts.
-std::vector<OptionGroup> option_groups() {
+std::vector<OptionGroup> stripe_groups() {
   return {
-      {"Surface", SessionStage::surface,
-       [](CLI::App& app, StripeArguments& arguments) {
-         add_surface_options(app, arguments.surface);
-         add_point_options(app, arguments.surface);
+      {"Surface", SessionStage::surface, add_surface_or_points},
+      {"Field", SessionStage::waves,
+       [](CLI::App& app, AllArguments& all) {
+         add_waves(app, all);
+         add_cross_option(app, all.stripes.waves);
        }},
-      {"Field", SessionStage::waves, add_field_options},
-      {"Solving", SessionStage::phases, add_phase_options},
-      {"Making", SessionStage::phases,
-       [](CLI::App& app, StripeArguments& arguments) {
-         add_making_options(app, arguments.making);
-       }},
+      {"Solving", SessionStage::phases, add_phases},
+      {"Making", SessionStage::phases, add_making},
       {"Texture", SessionStage::waves,
-       [](CLI::App& app, StripeArguments& arguments) {
-         add_texture_options(app, arguments.texture, arguments.waves,
-                             add_cross_option(app, arguments.waves));
+       [](CLI::App& app, AllArguments& all) {
+         add_texture_options(app, all.stripes.texture, all.stripes.waves,
+                             add_cross_option(app, all.stripes.waves));
        }},
       {"Picture", SessionStage::style,
-       [](CLI::App& app, StripeArguments& arguments) {
-         arguments.picture = add_picture_options(app);
-       }},
+       [](CLI::App& app, AllArguments& all) { all.stripes.picture = add_picture_options(app); }},
       {"Style", SessionStage::style,
-       [](CLI::App& app, StripeArguments& arguments) { add_style_options(app, arguments.style); }},
+       [](CLI::App& app, AllArguments& all) { add_style_options(app, all.stripes.style); }},
       // What is left: how the solver is run.
-      {"Solving", SessionStage::phases, add_stripe_options}};
+      {"Solving", SessionStage::phases,
+       [](CLI::App& app, AllArguments& all) { add_stripe_options(app, all.stripes); }}};
+}
+
+/// Those that are shared with stripes, then all others.
+std::vector<OptionGroup> option_groups(Shown shown) {
+  if (shown == Shown::stripes) return stripe_groups();
+  const bool curves = shown == Shown::curves;
+  std::vector<OptionGroup> groups = {
+      {"Surface", SessionStage::surface, curves ? add_surface : add_surface_or_points},
+      {"Field", SessionStage::waves, add_waves},
+      {"Solving", SessionStage::phases, add_phases},
+      {"Picture", SessionStage::style, add_camera}};
+  if (curves) {
+    groups.push_back({"Making", SessionStage::phases, add_making});
+    groups.push_back({"Curves", SessionStage::style,
+                      [](CLI::App& app, AllArguments& all) { add_curves_options(app, all.curves); },
+                      true});
+  } else {
+    groups.push_back(
+        {"Samples", SessionStage::style,
+         [](CLI::App& app, AllArguments& all) { add_sample_options(app, all.samples); }, true});
+  }
+  return groups;
+}
+
+/// "curves" of curves: the command whose picture it is.
+std::string command_of(Shown shown) {
+  switch (shown) {
+    case Shown::stripes:
+      return "stripe";
+    case Shown::curves:
+      return "curves";
+    case Shown::samples:
+      return "sample";
+  }
+  return "";
 }
 
 const char* elsewhere(const std::string& name) {
@@ -95,11 +144,11 @@ std::vector<std::string> choices_of(const std::string& type_name) {
   return words ? split(type_name, '|') : std::vector<std::string>();
 }
 
-std::vector<SessionOption> make_session_options() {
+std::vector<SessionOption> make_session_options(Shown shown) {
   std::vector<SessionOption> options;
-  for (const OptionGroup& group : option_groups()) {
+  for (const OptionGroup& group : option_groups(shown)) {
     CLI::App app;
-    StripeArguments arguments;
+    AllArguments arguments;
     group.add(app, arguments);
     for (const CLI::Option* option : app.get_options()) {
       if (option->get_positional()) continue;
@@ -109,27 +158,33 @@ std::vector<SessionOption> make_session_options() {
       const bool flag = option->get_expected_max() == 0;
       const std::string type_name = flag ? "" : option->get_type_name();
       options.push_back({name, group.name, option->get_description(), type_name,
-                         choices_of(type_name), flag, takes_several(*option), group.stage});
+                         choices_of(type_name), flag, takes_several(*option), group.own,
+                         group.stage});
     }
   }
   return options;
 }
 
-[[noreturn]] void refuse_unknown(const std::string& name) {
+[[noreturn]] void refuse_unknown(const std::string& name, Shown shown) {
   if (const char* why = elsewhere(name)) {
     throw CLI::ValidationError("--" + name, std::string("is no option of sessions: ") + why);
   }
   std::vector<std::string> known;
-  for (const SessionOption& option : session_options()) known.push_back(option.name);
+  for (const SessionOption& option : session_options(shown)) known.push_back(option.name);
+  const std::string refusal = "is no option of 'brindle " + command_of(shown) + "'";
+  for (const Shown other : kAllShown) {
+    if (find_session_option(name, other) == nullptr) continue;
+    throw CLI::ValidationError(
+        "--" + name, refusal + ", whose picture is shown; show " + std::string(name_of(other)));
+  }
   const std::string meant = nearest(name, known);
   throw CLI::ValidationError("--" + name,
-                             "is no option of 'brindle stripe'" +
-                                 (meant.empty() ? "" : "; did you mean --" + meant + "?"));
+                             refusal + (meant.empty() ? "" : "; did you mean --" + meant + "?"));
 }
 
-void check_values(const std::string& name, const std::vector<std::string>& values) {
-  check_option_name(name);
-  const SessionOption* option = find_session_option(name);
+void check_values(const std::string& name, const std::vector<std::string>& values, Shown shown) {
+  const SessionOption* option = find_session_option(name, shown);
+  if (option == nullptr) refuse_unknown(name, shown);
   const std::string dashed_name = "--" + name;
   if (option->flag) {
     if (values.empty()) return;
@@ -149,14 +204,14 @@ void check_values(const std::string& name, const std::vector<std::string>& value
 /// The command line, last word first, as CLI11 wants it.
 std::vector<std::string> words_of(const SessionDocument& document) {
   std::vector<std::string> words = {document.mesh, "--"};
-  for (const auto& [name, values] : document.options) {
-    check_values(name, values);
+  for (const auto& [name, values] : shown_options(document)) {
+    check_values(name, values, document.shown);
     if (values.empty()) words.push_back("--" + name);
     for (auto value = values.rbegin(); value != values.rend(); ++value) {
       words.push_back("--" + name + "=" + *value);
     }
   }
-  words.emplace_back("stripe");
+  words.push_back(command_of(document.shown));
   return words;
 }
 
@@ -215,26 +270,73 @@ void check_tile(const StripeArguments& arguments) {
   }
 }
 
-void check_parsed(const ParsedSession& parsed) {
+const PlannedFiles<CurveOutput> kCurvesPicture = {{CurveOutput::picture, "session.png"}};
+const PlannedFiles<SampleOutput> kSamplePicture = {{SampleOutput::picture, "session.png"}};
+
+std::vector<Output> stripe_picture() { return {{"session.png", OutputKind::picture}}; }
+
+void check_command(const ParsedSession& parsed) {
   const StripeArguments& arguments = parsed.arguments();
-  const std::vector<Output> outputs = {{"session.png", OutputKind::picture}};
+  if (parsed.curves() != nullptr) {
+    return check_curves_options(parsed.command(), *parsed.curves(), kCurvesPicture);
+  }
+  if (parsed.samples() != nullptr) {
+    return check_sample_options(parsed.command(), *parsed.samples(), kSamplePicture);
+  }
   check_solver(arguments.device, arguments.solving.stripes.solver);
   check_tile(arguments);
-  check_stripe_options(parsed.command(), arguments, outputs);
+  check_stripe_options(parsed.command(), arguments, stripe_picture());
   // Files say whether they hold points when they are read.
-  if (arguments.surface.points) check_stripe_points(parsed.command(), arguments, outputs);
-  check_own_arrays(arguments.surface, arguments.waves);
+  if (arguments.surface.points) {
+    check_stripe_points(parsed.command(), arguments, stripe_picture());
+  }
+}
+
+void check_parsed(const ParsedSession& parsed) {
+  check_command(parsed);
+  check_own_arrays(parsed.arguments().surface, parsed.arguments().waves);
+}
+
+/// Of options that are not shown: that the commands have them.
+void check_hidden(const SessionDocument& document) {
+  for (const auto& [name, values] : document.options) check_values(name, values, Shown::stripes);
+  for (const auto& [kept, shown] :
+       {std::pair(&document.curves, Shown::curves), std::pair(&document.samples, Shown::samples)}) {
+    for (const auto& [name, values] : *kept) {
+      check_values(name, values, shown);
+      if (find_session_option(name, shown)->own) continue;
+      throw CLI::ValidationError("--" + name,
+                                 "is shared by all that is shown; it belongs to "
+                                 "'options', not to '" +
+                                     std::string(name_of(shown)) + "'");
+    }
+  }
 }
 
 }  // namespace
 
-const std::vector<SessionOption>& session_options() {
-  static const std::vector<SessionOption> options = make_session_options();
-  return options;
+const std::vector<SessionOption>& session_options(Shown shown) {
+  static const std::array<std::vector<SessionOption>, kAllShown.size()> options = {
+      make_session_options(Shown::stripes), make_session_options(Shown::curves),
+      make_session_options(Shown::samples)};
+  return options[static_cast<std::size_t>(shown)];
 }
 
-void check_option_name(const std::string& name) {
-  if (find_session_option(name) == nullptr) refuse_unknown(name);
+OptionValues& options_with(const std::string& name, SessionDocument& document) {
+  const SessionOption* option = find_session_option(name, document.shown);
+  if (option == nullptr) refuse_unknown(name, document.shown);
+  if (!option->own) return document.options;
+  return document.shown == Shown::curves ? document.curves : document.samples;
+}
+
+OptionValues shown_options(const SessionDocument& document) {
+  if (document.shown == Shown::stripes) return document.options;
+  OptionValues options = document.shown == Shown::curves ? document.curves : document.samples;
+  for (const auto& [name, values] : document.options) {
+    const SessionOption* option = find_session_option(name, document.shown);
+    if (option != nullptr && !option->own) options[name] = values;
+  }
+  return options;
 }
 
 bool can_follow(const StripeArguments& arguments) {
@@ -251,18 +353,19 @@ bool can_follow_loosely(const StripeArguments& arguments) {
          stripes.phase_shift != PhaseShiftKind::common_source;
 }
 
-const SessionOption* find_session_option(const std::string& name) {
-  const std::vector<SessionOption>& options = session_options();
+const SessionOption* find_session_option(const std::string& name, Shown shown) {
+  const std::vector<SessionOption>& options = session_options(shown);
   const auto found = std::ranges::find(options, name, &SessionOption::name);
   return found == options.end() ? nullptr : &*found;
 }
 
 ParsedSession::ParsedSession(const SessionDocument& document)
     : app_(std::make_unique<CLI::App>()), arguments_(std::make_unique<StripeArguments>()) {
-  command_ = app_->add_subcommand("stripe");
-  add_stripe_options(*command_, *arguments_);
+  command_ = app_->add_subcommand(command_of(document.shown));
+  add_options(document.shown);
   if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
   app_->parse(words_of(document));
+  take_shared();
   arguments_->waves.drawn_strokes = document.strokes;
   arguments_->waves.frequency_factor = frequency_factor(document);
   PictureOptions& picture = *arguments_->picture;
@@ -273,8 +376,49 @@ ParsedSession::ParsedSession(const SessionDocument& document)
   picture.render.height = document.size.height;
 }
 
+void ParsedSession::add_options(Shown shown) {
+  switch (shown) {
+    case Shown::stripes:
+      return add_stripe_options(*command_, *arguments_);
+    case Shown::curves:
+      curves_ = std::make_unique<CurvesArguments>();
+      return add_curves_options(*command_, *curves_);
+    case Shown::samples:
+      samples_ = std::make_unique<SampleArguments>();
+      return add_sample_options(*command_, *samples_);
+  }
+}
+
+void ParsedSession::take_shared() {
+  const auto take = [this](const auto& shown) {
+    arguments_->surface = shown.surface;
+    arguments_->waves = shown.waves;
+    arguments_->solving = shown.solving;
+    arguments_->picture = shown.picture;
+  };
+  if (curves_) {
+    take(*curves_);
+    arguments_->making = curves_->making;
+  }
+  if (samples_) take(*samples_);
+}
+
+std::vector<UsedFile> ParsedSession::inputs() const {
+  if (curves_) return curves_inputs(*curves_);
+  return samples_ ? sample_inputs(*samples_) : stripe_inputs(*arguments_);
+}
+
+void check_session_points(const ParsedSession& parsed) {
+  if (parsed.curves() != nullptr) return check_curves_points(*parsed.curves());
+  if (parsed.samples() != nullptr) {
+    return check_sample_points(parsed.command(), *parsed.samples(), kSamplePicture);
+  }
+  check_stripe_points(parsed.command(), parsed.arguments(), stripe_picture());
+}
+
 void check_document(const SessionDocument& document, const ParsedSession& parsed) {
   check_rest(document);
+  check_hidden(document);
   check_parsed(parsed);
   check_effects(document, parsed.arguments());
 }

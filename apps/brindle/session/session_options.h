@@ -1,5 +1,5 @@
-/// The options of `brindle stripe` as sessions have them: what a window shows, and what a
-/// document's values mean.
+/// The options of `brindle stripe`, `curves` and `sample` as sessions have them: what a window
+/// shows, and what a document's values mean.
 #pragma once
 
 #include <memory>
@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "curves_arguments.h"
+#include "sample_arguments.h"
 #include "session_document.h"
 #include "stripe_arguments.h"
 
@@ -24,24 +26,30 @@ enum class SessionStage {
 /// An option that documents may have.
 struct SessionOption {
   std::string name;   ///< long, without dashes
-  std::string group;  ///< "Surface", "Field", "Solving", "Making", "Texture", "Picture", "Style"
+  std::string group;  ///< "Surface", "Field", "Solving", "Making", "Texture", "Picture", "Style",
+                      ///< "Curves", "Samples"
   std::string help;
   std::string type_name;             ///< "N", "FILE", "a|b|c"; empty for flags
   std::vector<std::string> choices;  ///< of `a|b|c` where nothing else is allowed, else empty
   bool flag = false;
   bool repeatable = false;
+  bool own = false;  ///< of curves or samples alone, and kept apart
   SessionStage stage = SessionStage::style;
 };
 
-/// In the order of `brindle stripe --help`. Without those that a session has another way (--camera,
+/// In the order of the command's --help. Without those that a session has another way (--camera,
 /// --size, --quality), that concern the machine (--threads) and that write files.
-const std::vector<SessionOption>& session_options();
+const std::vector<SessionOption>& session_options(Shown shown = Shown::stripes);
 
 /// Null if there is no such option.
-const SessionOption* find_session_option(const std::string& name);
+const SessionOption* find_session_option(const std::string& name, Shown shown = Shown::stripes);
 
-/// Throws CLI::ValidationError, with what there is instead, for a name that is none of these.
-void check_option_name(const std::string& name);
+/// Where the document keeps this option of what it shows. Throws CLI::ValidationError, with what
+/// there is instead, if there is no such option.
+OptionValues& options_with(const std::string& name, SessionDocument& document);
+
+/// The options that count for what the document shows.
+OptionValues shown_options(const SessionDocument& document);
 
 /// Whether patterns may follow earlier ones, so that documents may have phases: stripes of the
 /// multilevel solver, without slack, without given phases and in the paper's weights.
@@ -50,21 +58,38 @@ bool can_follow(const StripeArguments& arguments);
 /// The same with slack: while something moves.
 bool can_follow_loosely(const StripeArguments& arguments);
 
-/// A document read as a command line of `brindle stripe`.
+/// A document read as a command line of `brindle stripe`, `curves` or `sample`, as it shows.
 class ParsedSession {
  public:
   /// Throws CLI::ParseError as the command does; without effects and without reading files.
   explicit ParsedSession(const SessionDocument& document);
 
   const CLI::App& command() const { return *command_; }
-  /// With the document's camera, size, strokes and frequency factor.
+  /// With the document's camera, size, strokes and frequency factor. Of curves and samples: the
+  /// pattern U.
   const StripeArguments& arguments() const { return *arguments_; }
 
+  /// Null unless they are shown.
+  const CurvesArguments* curves() const { return curves_.get(); }
+  const SampleArguments* samples() const { return samples_.get(); }
+
+  /// All files that are read.
+  std::vector<UsedFile> inputs() const;
+
  private:
+  void add_options(Shown shown);
+  void take_shared();
+
   std::unique_ptr<CLI::App> app_;
   CLI::App* command_ = nullptr;
   std::unique_ptr<StripeArguments> arguments_;
+  std::unique_ptr<CurvesArguments> curves_;
+  std::unique_ptr<SampleArguments> samples_;
 };
+
+/// Throws as the command does for what points cannot have, if the mesh's file holds nothing else,
+/// which is read for that.
+void check_session_points(const ParsedSession& parsed);
 
 /// `check_document` of one that is read already.
 void check_document(const SessionDocument& document, const ParsedSession& parsed);

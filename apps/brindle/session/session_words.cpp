@@ -13,14 +13,20 @@ CameraView camera_of_words(const std::string& text) {
   return *view;
 }
 
+Shown shown_by(const std::vector<std::string>& words) {
+  const std::string command = words.empty() ? "" : words.front();
+  if (command == "stripe") return Shown::stripes;
+  if (command == "curves") return Shown::curves;
+  if (command == "sample") return Shown::samples;
+  throw Error("a session has what 'brindle stripe', 'curves' and 'sample' draw, not '" + command +
+              "'");
+}
+
 }  // namespace
 
 SessionDocument document_of_words(const std::vector<std::string>& words) {
-  if (words.empty() || words.front() != "stripe") {
-    throw Error("a session has what 'brindle stripe' draws, not '" +
-                (words.empty() ? "" : words.front()) + "'");
-  }
   SessionDocument document;
+  document.shown = shown_by(words);
   document.mesh.clear();
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (!words[i].starts_with("--")) {
@@ -28,17 +34,16 @@ SessionDocument document_of_words(const std::vector<std::string>& words) {
       continue;
     }
     const std::string name = words[i].substr(2);
-    const SessionOption* option = find_session_option(name);
+    const SessionOption* option = find_session_option(name, document.shown);
     if (option != nullptr && option->flag) {
-      document.options[name] = {};
+      options_with(name, document)[name] = {};
       continue;
     }
     if (++i == words.size()) throw Error("--" + name + " lacks its value");
     if (name == "camera") {
       document.camera = camera_of_words(words[i]);
     } else {
-      check_option_name(name);
-      document.options[name].push_back(words[i]);
+      options_with(name, document)[name].push_back(words[i]);
     }
   }
   check_document(document);

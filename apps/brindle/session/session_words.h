@@ -1,4 +1,4 @@
-/// Command lines of `brindle stripe` as sessions.
+/// Command lines of `brindle stripe`, `curves` and `sample` as sessions.
 #pragma once
 
 #include <string>

@@ -75,6 +75,10 @@ void FigurePanel::draw_counts(const SessionFrame& frame) {
   figure_row("energy", formatted("%.5g", figures.energy));
   figure_row("angle error", formatted("%.2f\u00b0", figures.mean_angle_error_deg));
   figure_row("spacing error", formatted("%.2f%%", 100 * figures.mean_spacing_error));
+  for (const auto& [name, value] : figures.shown) {
+    figure_row(name.c_str(), formatted("%.6g", value));
+    log_.note_widget("figure " + name);
+  }
   if (figures.followed) figure_row("phases moved", formatted("%.3f rad", figures.phase_step));
 }
 

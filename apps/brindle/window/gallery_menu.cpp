@@ -84,7 +84,7 @@ void GalleryMenu::draw_menu() {
       continue;
     }
     for (const GalleryPicture& picture : item.pictures) {
-      if (!is_stripe_picture(picture)) continue;
+      if (!is_still_picture(picture)) continue;
       if (ImGui::MenuItem((picture.name + ": " + picture.what).c_str())) show(item, picture);
       log_.note_widget("item " + item.name + " " + picture.name);
     }

@@ -197,6 +197,8 @@ void LiveSession::log_frame(const SessionFrame& frame) {
   const LiveFigures& figures = frame.state->figures;
   auto stages = nlohmann::ordered_json::object();
   for (const auto& [name, milliseconds] : figures.milliseconds) stages[name] = milliseconds;
+  auto shown = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : figures.shown) shown[name] = value;
   log_.write("frame", {{"number", frame.number},
                        {"revision", frame.revision & ~kVariantBit},
                        {"variant", (frame.revision & kVariantBit) != 0},
@@ -207,6 +209,7 @@ void LiveSession::log_frame(const SessionFrame& frame) {
                        {"branches", figures.branches},
                        {"singularities", figures.singularities},
                        {"energy", figures.energy},
+                       {"shown", std::move(shown)},
                        {"followed", figures.followed},
                        {"milliseconds", frame.milliseconds},
                        {"draw_milliseconds", frame.draw_milliseconds},

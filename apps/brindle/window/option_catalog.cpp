@@ -40,6 +40,12 @@ const std::vector<GroupNames> kGroups = {
      {"solver", "phase-shift", "weights", "sweeps", "cycles", "epsilon", "momentum", "seed",
       "global-iterations", "device", "previous", "lambda", "match"}},
 };
+// Of what curves and samples have alone: a group of their own, first.
+const std::vector<std::string> kOwn = {
+    "lines",      "offset",      "join",       "min-length", "simplify",    "resample",
+    "line-width", "glyph",       "glyph-size", "size-by",    "size-range",  "min-distance",
+    "stripes-v",  "frequency-v", "field-v",    "wales",      "tube-radius", "tube-sides",
+    "color-by",   "color-range", "colormap",   "threshold",  "legend",      "no-legend"};
 constexpr const char* kMore = "More";
 
 // Lengths are left out: they depend on the mesh's units.
@@ -72,7 +78,20 @@ const std::map<std::string, SliderRange> kRanges = {
     {"seed", {0, 100, false, true}},
     {"global-iterations", {1, 100, false, true}},
     {"lambda", {0.001f, 10, true}},
+    {"offset", {-0.5f, 0.5f}},
+    {"wales", {1, 400, true, true}},
+    {"tube-sides", {3, 64, false, true}},
+    {"min-distance", {0, 2}},
+    {"glyph-size", {0.1f, 2, true}},
 };
+
+// Lengths as shares of the diagonal, "0.4%".
+const std::map<std::string, SliderRange> kPercentRanges = {
+    {"min-length", {0, 50}},           {"simplify", {0, 1}},
+    {"resample", {0.1f, 5, true}},     {"line-width", {0.05f, 5, true}},
+    {"tube-radius", {0.02f, 3, true}},
+};
+constexpr const char* kLengthForm = "L|P%";
 
 // A value to be written as it stands; what stands for something is in capitals or "array:NAME".
 bool is_name(const std::string& part) {
@@ -116,6 +135,7 @@ std::vector<std::string> names_of(const SessionOption& option) {
 
 WidgetKind kind_of(const SessionOption& option) {
   if (option.flag) return WidgetKind::flag;
+  if (option.type_name == kLengthForm) return WidgetKind::percent;
   if (kRanges.contains(option.name)) return WidgetKind::number;
   if (option.type_name.starts_with("A,B") || option.type_name == "DARK,LIGHT") {
     return WidgetKind::numbers;
@@ -142,7 +162,8 @@ CatalogOption entry_of(const SessionOption& option) {
   entry.names = names_of(option);
   entry.file = option.type_name.find("FILE") != std::string::npos || option.name == "with";
   entry.repeatable = option.repeatable;
-  if (const auto range = kRanges.find(option.name); range != kRanges.end()) {
+  const auto& ranges = entry.kind == WidgetKind::percent ? kPercentRanges : kRanges;
+  if (const auto range = ranges.find(option.name); range != ranges.end()) {
     entry.range = range->second;
   }
   entry.standard = standard_of(option, entry);
@@ -151,23 +172,42 @@ CatalogOption entry_of(const SessionOption& option) {
 
 }  // namespace
 
+namespace {
+
+using Entries = std::map<std::string, CatalogOption>;
+
+// Takes those that there are: a build may lack what others have.
+OptionGroup taken_group(const std::string& title, const std::vector<std::string>& names,
+                        Entries& left) {
+  OptionGroup group{title, {}};
+  for (const std::string& name : names) {
+    if (auto entry = left.extract(name)) group.options.push_back(std::move(entry.mapped()));
+  }
+  return group;
+}
+
+std::vector<std::string> names_in_order(const std::vector<SessionOption>& options) {
+  std::vector<std::string> names;
+  for (const SessionOption& option : options) names.push_back(option.name);
+  return names;
+}
+
+}  // namespace
+
 std::vector<OptionGroup> option_catalog(const std::vector<SessionOption>& options) {
-  std::map<std::string, CatalogOption> left;
-  for (const SessionOption& option : options) left.emplace(option.name, entry_of(option));
-  std::vector<OptionGroup> groups;
-  for (const GroupNames& names : kGroups) {
-    OptionGroup group{names.title, {}};
-    for (const std::string& name : names.options) {
-      // A build may lack what others have.
-      if (auto entry = left.extract(name)) group.options.push_back(std::move(entry.mapped()));
-    }
-    if (!group.options.empty()) groups.push_back(std::move(group));
-  }
-  OptionGroup more{kMore, {}};
+  Entries left, own;
+  std::string own_title;
   for (const SessionOption& option : options) {
-    if (auto entry = left.extract(option.name)) more.options.push_back(std::move(entry.mapped()));
+    (option.own ? own : left).emplace(option.name, entry_of(option));
+    if (option.own) own_title = option.group;
   }
-  if (!more.options.empty()) groups.push_back(std::move(more));
+  std::vector<OptionGroup> groups = {taken_group(own_title, kOwn, own)};
+  for (const GroupNames& names : kGroups) {
+    groups.push_back(taken_group(names.title, names.options, left));
+  }
+  left.merge(own);
+  groups.push_back(taken_group(kMore, names_in_order(options), left));
+  std::erase_if(groups, [](const OptionGroup& group) { return group.options.empty(); });
   return groups;
 }
 

@@ -8,7 +8,8 @@
 
 namespace brindle::tool {
 
-enum class WidgetKind { flag, choice, number, numbers, text };
+/// `percent`: a length as a share of the diagonal, "0.4%", or in the mesh's units.
+enum class WidgetKind { flag, choice, number, numbers, percent, text };
 
 /// How far a slider reaches; what is typed may go beyond.
 struct SliderRange {
@@ -26,7 +27,7 @@ struct CatalogOption {
   std::vector<std::string> names;  ///< values that are names: all of a choice, some of a text
   bool file = false;               ///< the value may be a file
   bool repeatable = false;         ///< a value a line
-  SliderRange range;               ///< of numbers
+  SliderRange range;               ///< of numbers and percents
   std::string standard;            ///< the value when it is not given, if help names it
 };
 
@@ -35,7 +36,8 @@ struct OptionGroup {
   std::vector<CatalogOption> options;
 };
 
-/// All of `options`, each in one group; those that no group names come last.
+/// All of `options`, each in one group: first those of curves or samples alone, last those that no
+/// group names.
 std::vector<OptionGroup> option_catalog(const std::vector<SessionOption>& options);
 
 }  // namespace brindle::tool

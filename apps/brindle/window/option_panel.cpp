@@ -61,13 +61,30 @@ void show_tooltip(const std::string& title, const std::string& text) {
 }  // namespace
 
 OptionPanel::OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log)
-    : live_(live), browser_(browser), log_(log), groups_(option_catalog(session_options())) {
-  const ParsedSession parsed{SessionDocument()};
+    : live_(live), browser_(browser), log_(log) {
+  for (const Shown shown : kAllShown) {
+    catalogs_[static_cast<std::size_t>(shown)] = catalog_of(shown);
+  }
+}
+
+OptionPanel::Catalog OptionPanel::catalog_of(Shown shown) {
+  Catalog catalog{option_catalog(session_options(shown)), {}};
+  SessionDocument document;
+  document.shown = shown;
+  const ParsedSession parsed(document);
   for (const CLI::Option* option : parsed.command().get_options()) {
     for (const CLI::Option* other : option->get_excludes()) {
-      excluded_[option->get_single_name()].push_back(other->get_single_name());
+      catalog.excluded[option->get_single_name()].push_back(other->get_single_name());
     }
   }
+  return catalog;
+}
+
+void OptionPanel::note_session() {
+  note_surface();
+  if (noted_revision_ == live_.session().revision()) return;
+  noted_revision_ = live_.session().revision();
+  given_ = shown_options(live_.document());
 }
 
 // What sliders and lists of names follow from.
@@ -84,13 +101,29 @@ void OptionPanel::note_surface() {
 }
 
 void OptionPanel::draw() {
-  note_surface();
-  for (const OptionGroup& group : groups_) draw_group(group);
+  note_session();
+  draw_shown();
+  // What is shown may have become another one.
+  note_session();
+  for (const OptionGroup& group : catalog().groups) draw_group(group);
+}
+
+void OptionPanel::draw_shown() {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("show");
+  for (const Shown shown : kAllShown) {
+    const std::string name(name_of(shown));
+    ImGui::SameLine();
+    if (ImGui::RadioButton(name.c_str(), live_.document().shown == shown)) {
+      live_.apply(commands::Show{shown});
+    }
+    log_.note_widget("show " + name);
+  }
 }
 
 void OptionPanel::draw_option(const std::string& name) {
-  note_surface();
-  for (const OptionGroup& group : groups_) {
+  note_session();
+  for (const OptionGroup& group : catalog().groups) {
     const auto option = std::ranges::find(group.options, name, &CatalogOption::name);
     if (option == group.options.end()) continue;
     ImGui::PushID(name.c_str());
@@ -100,7 +133,7 @@ void OptionPanel::draw_option(const std::string& name) {
 }
 
 void OptionPanel::draw_group(const OptionGroup& group) {
-  const bool first = &group == &groups_.front();
+  const bool first = &group == &catalog().groups.front();
   const bool open =
       ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   log_.note_widget("group " + group.title);
@@ -114,7 +147,7 @@ void OptionPanel::draw_group(const OptionGroup& group) {
 }
 
 void OptionPanel::draw_option(const CatalogOption& option) {
-  const bool given = live_.document().options.contains(option.name);
+  const bool given = given_.contains(option.name);
   const float width = ImGui::GetContentRegionAvail().x;
   draw_label(option, given);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelShare * width);
@@ -147,7 +180,7 @@ void OptionPanel::draw_menu(const CatalogOption& option, bool given) {
     live_.apply(commands::ClearOption{option.name});
   }
   log_.note_widget("clear " + option.name);
-  if (option.kind == WidgetKind::number) {
+  if (option.kind == WidgetKind::number || option.kind == WidgetKind::percent) {
     ImGui::TextDisabled("Type a value:");
     draw_text(option, 0, 12 * ImGui::GetFontSize());
   }
@@ -171,6 +204,8 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
     }
     case WidgetKind::numbers:
       return draw_numbers(option);
+    case WidgetKind::percent:
+      return draw_percent(option);
     case WidgetKind::text:
       return draw_text(option, 0, -FLT_MIN);
   }
@@ -178,7 +213,7 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
 
 // The value that is given, or the one that counts without.
 std::string OptionPanel::text_of(const CatalogOption& option) const {
-  const auto& options = live_.document().options;
+  const auto& options = given_;
   const auto found = options.find(option.name);
   if (found != options.end() && !found->second.empty()) return found->second.front();
   if (option.name == "frequency" && diagonal_ > 0 && noted_) {
@@ -196,7 +231,7 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
     range.lowest = static_cast<float>(2 / diagonal_);
     range.highest = static_cast<float>(400 / diagonal_);
   }
-  const auto& options = live_.document().options;
+  const auto& options = given_;
   if (const auto colors = options.find("color-range");
       option.name == "threshold" && colors != options.end()) {
     const auto ends = numbers_in(colors->second.front());
@@ -207,8 +242,11 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
 
 void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values) {
   commands::SetOptions change{{{option.name, std::move(values)}}, {}};
-  for (const std::string& other : excluded_[option.name]) {
-    if (live_.document().options.contains(other)) change.clear.push_back(other);
+  const auto& excluded = catalog().excluded;
+  if (const auto others = excluded.find(option.name); others != excluded.end()) {
+    for (const std::string& other : others->second) {
+      if (given_.contains(other)) change.clear.push_back(other);
+    }
   }
   SessionCommand command = change;
   if (change.clear.empty()) {
@@ -223,7 +261,7 @@ void OptionPanel::set(const CatalogOption& option, std::vector<std::string> valu
 }
 
 void OptionPanel::draw_flag(const CatalogOption& option) {
-  bool on = live_.document().options.contains(option.name);
+  bool on = given_.contains(option.name);
   if (!ImGui::Checkbox("##flag", &on)) return;
   if (on) {
     set(option, {});
@@ -246,7 +284,7 @@ void OptionPanel::draw_choice(const CatalogOption& option) {
 
 void OptionPanel::draw_number(const CatalogOption& option, float value, bool known) {
   const SliderRange range = range_of(option);
-  const bool given = live_.document().options.contains(option.name);
+  const bool given = given_.contains(option.name);
   ImGui::SetNextItemWidth(-FLT_MIN);
   const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
   const std::string before = text_of_number(value, range.whole);
@@ -274,7 +312,7 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   const std::string text = text_of(option);
   std::vector<float> ends = numbers_in(text);
   if (ends.size() != 2) return draw_text(option, 0, -FLT_MIN);
-  const bool given = live_.document().options.contains(option.name);
+  const bool given = given_.contains(option.name);
   if (!given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
@@ -289,6 +327,28 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   if (changed && value != text) set(option, {value});
 }
 
+// A share of the diagonal; lengths in the mesh's units are typed.
+void OptionPanel::draw_percent(const CatalogOption& option) {
+  const std::string text = text_of(option);
+  const auto share =
+      text.ends_with('%') ? number_in(text.substr(0, text.size() - 1)) : std::nullopt;
+  if (!share && !text.empty()) return draw_text(option, 0, -FLT_MIN);
+  float value = share.value_or(option.range.lowest);
+  const std::string before = share ? text_of_number(value, false) + "%" : "off";
+  if (!share) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  }
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  // A per cent sign is doubled for Dear ImGui.
+  const bool changed =
+      ImGui::SliderFloat("##percent", &value, option.range.lowest, option.range.highest,
+                         share ? (before + "%").c_str() : before.c_str(),
+                         option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  if (!share) ImGui::PopStyleColor();
+  const std::string after = text_of_number(value, false) + "%";
+  if (changed && after != before) set(option, {after});
+}
+
 // Value number `index` of an option: a field to type into, names and files to choose.
 void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, float width) {
   const std::string id = option.name + " " + std::to_string(index);
@@ -297,8 +357,8 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
   const bool has_names = !option.names.empty() || option.form.find("array:") != std::string::npos;
   const float buttons = (has_names ? button : 0) + (option.file ? button : 0);
   ImGui::SetNextItemWidth(width > 0 ? width : ImGui::GetContentRegionAvail().x - buttons);
-  const auto found = live_.document().options.find(option.name);
-  const bool given = found != live_.document().options.end() && index < found->second.size();
+  const auto found = given_.find(option.name);
+  const bool given = found != given_.end() && index < found->second.size();
   std::string text = given ? found->second[index] : "";
   if (edited_ == id) text = edit_;
   const std::string hint = option.standard.empty() ? option.form : option.standard;
@@ -328,9 +388,9 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
 // An empty value is none.
 void OptionPanel::set_one(const CatalogOption& option, std::size_t index,
                           const std::string& value) {
-  const auto found = live_.document().options.find(option.name);
+  const auto found = given_.find(option.name);
   std::vector<std::string> values;
-  if (found != live_.document().options.end()) values = found->second;
+  if (found != given_.end()) values = found->second;
   const std::vector<std::string> before = values;
   if (index < values.size()) {
     values[index] = value;
@@ -367,8 +427,8 @@ void OptionPanel::draw_names(const CatalogOption& option, std::size_t index) {
 }
 
 void OptionPanel::draw_texts(const CatalogOption& option) {
-  const auto found = live_.document().options.find(option.name);
-  const std::size_t count = found == live_.document().options.end() ? 0 : found->second.size();
+  const auto found = given_.find(option.name);
+  const std::size_t count = found == given_.end() ? 0 : found->second.size();
   for (std::size_t index = 0; index <= count; ++index) draw_text(option, index, -FLT_MIN);
 }
 
@@ -378,9 +438,9 @@ void OptionPanel::draw_colors(const CatalogOption& option) {
   const RenderOptions standard;
   std::array<Color, 3> colors = {standard.stripe_color, standard.base_color,
                                  standard.background_edge};
-  const auto found = live_.document().options.find(option.name);
+  const auto found = given_.find(option.name);
   std::size_t given = 2;
-  if (found != live_.document().options.end()) {
+  if (found != given_.end()) {
     const auto parts = split(found->second.front(), ',');
     given = std::min(parts.size(), colors.size());
     for (std::size_t i = 0; i < given; ++i) colors[i] = parse_color(parts[i]).value_or(colors[i]);

@@ -1,6 +1,7 @@
 /// The options of the session, as widgets.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -25,7 +26,9 @@ class OptionPanel {
   void draw_option(const std::string& name);
 
  private:
+  void note_session();
   void note_surface();
+  void draw_shown();
   void draw_group(const OptionGroup& group);
   void draw_option(const CatalogOption& option);
   void draw_label(const CatalogOption& option, bool given);
@@ -35,6 +38,7 @@ class OptionPanel {
   void draw_choice(const CatalogOption& option);
   void draw_number(const CatalogOption& option, float value, bool known);
   void draw_numbers(const CatalogOption& option);
+  void draw_percent(const CatalogOption& option);
   void draw_text(const CatalogOption& option, std::size_t index, float width);
   void draw_texts(const CatalogOption& option);
   void draw_names(const CatalogOption& option, std::size_t index);
@@ -48,10 +52,21 @@ class OptionPanel {
   LiveSession& live_;
   FileBrowser& browser_;
   WindowLog& log_;
-  std::vector<OptionGroup> groups_;
-  std::map<std::string, std::vector<std::string>> excluded_;  // by an option that is given
-  std::string edited_;  // option and value that are being typed, such as "field 0"
-  std::string edit_;    // what has been typed
+  // What there is of one thing to show.
+  struct Catalog {
+    std::vector<OptionGroup> groups;
+    std::map<std::string, std::vector<std::string>> excluded;  // by an option that is given
+  };
+  static Catalog catalog_of(Shown shown);
+  const Catalog& catalog() const {
+    return catalogs_[static_cast<std::size_t>(live_.document().shown)];
+  }
+
+  std::array<Catalog, kAllShown.size()> catalogs_;
+  OptionValues given_;                // of what is shown
+  std::uint64_t noted_revision_ = 0;  // of the session
+  std::string edited_;                // option and value that are being typed, such as "field 0"
+  std::string edit_;                  // what has been typed
   std::shared_ptr<const LiveState> noted_;
   double diagonal_ = 0;              // of the surface's bounding box
   std::vector<std::string> arrays_;  // "array:NAME" of the surface

@@ -67,7 +67,7 @@ void PictureView::show(const PicturePlace& place) {
   const ImVec2 end = place.unit({place.size.width, place.size.height});
   const auto id = static_cast<std::uintptr_t>(static_cast<GLuint>(texture_));
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (live_.document().options.contains("transparent")) {
+  if (shown_options(live_.document()).contains("transparent")) {
     // What lies behind a transparent picture.
     list.AddRectFilled(place.corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
   }

@@ -25,7 +25,7 @@ std::optional<std::size_t> PlaceHandles::handle_at(const PicturePlace& place,
                                                    const Eigen::Vector2d& pixel) const {
   std::optional<std::size_t> nearest;
   double least = kNearHandle * place.pixels_per_unit;
-  const std::vector<NamedPlace> places = named_places(live_.document().options);
+  const std::vector<NamedPlace> places = named_places(shown_options(live_.document()));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto handle = pixel_of(place, places[i].at);
     if (!handle || (*handle - pixel).norm() > least) continue;
@@ -36,12 +36,12 @@ std::optional<std::size_t> PlaceHandles::handle_at(const PicturePlace& place,
 }
 
 SessionCommand PlaceHandles::moved(const NamedPlace& from, const Eigen::Vector3d& to) const {
-  return commands::SetOptions{with_place_at(to, from, live_.document().options), {}};
+  return commands::SetOptions{with_place_at(to, from, shown_options(live_.document())), {}};
 }
 
 // As far from the viewer as it is.
 void PlaceHandles::drag(const PicturePlace& place, const Eigen::Vector2d& pixel) {
-  const std::vector<NamedPlace> places = named_places(live_.document().options);
+  const std::vector<NamedPlace> places = named_places(shown_options(live_.document()));
   if (chosen_ >= places.size()) return;
   const Eigen::Vector3d origin = place.frame->surface().mesh.origin;
   const Vec3 to = place_under(place.frame->camera, place.size, pixel,
@@ -50,7 +50,7 @@ void PlaceHandles::drag(const PicturePlace& place, const Eigen::Vector2d& pixel)
 }
 
 void PlaceHandles::hover(const PicturePlace& place, const Eigen::Vector2d& pixel) {
-  const std::vector<NamedPlace> places = named_places(live_.document().options);
+  const std::vector<NamedPlace> places = named_places(shown_options(live_.document()));
   if (places.empty()) return;
   const auto hit = pick(place.frame->surface(), place.frame->camera, place.size.width,
                         place.size.height, pixel.x(), pixel.y());
@@ -78,7 +78,7 @@ bool PlaceHandles::follow_mouse(const PicturePlace& place) {
 
 void PlaceHandles::draw_over(ImDrawList& list, const PicturePlace& place) {
   std::size_t number = 0;
-  for (const NamedPlace& named : named_places(live_.document().options)) {
+  for (const NamedPlace& named : named_places(shown_options(live_.document()))) {
     const auto pixel = pixel_of(place, named.at);
     ++number;
     if (!pixel) continue;

@@ -16,7 +16,7 @@ class PlaceHandles {
   PlaceHandles(LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
   /// Whether the document names any.
-  bool empty() const { return named_places(live_.document().options).empty(); }
+  bool empty() const { return named_places(shown_options(live_.document())).empty(); }
 
   /// Whether the place that was dragged last, or else the first, is where the mouse is.
   bool follows() const { return follows_; }

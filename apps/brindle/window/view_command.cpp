@@ -14,13 +14,15 @@ namespace brindle::tool {
 namespace {
 
 constexpr const char* kViewExamples =
-    R"(The window's panel has all options of 'brindle stripe'; those given here are set in it.
+    R"(The window's panel has all options of 'brindle stripe', 'curves' and 'sample'; those of
+'brindle stripe' may be given here, too.
 
 Examples:
   brindle view
   brindle view horse.ply --stripes 60
   brindle view scan.obj --field curvature --along
   brindle view shell.ply inside.ply --between nothing
+  brindle view scan.obj --show curves
   brindle view horse.json
 
 Press ? in the window for keys. A session that is saved there is drawn without a window by
@@ -29,6 +31,7 @@ Press ? in the window for keys. A session that is saved there is drawn without a
 struct ViewArguments {
   std::vector<std::string> meshes;
   OptionValues options;
+  std::optional<Shown> shown;
   std::string camera;
   ViewerOptions viewer;
   bool light = false;
@@ -98,6 +101,8 @@ void add_view_options(CLI::App& command, ViewArguments& arguments) {
   command.add_option("MESH", arguments.meshes,
                      "a mesh file, a built-in shape such as shape:torus, or a saved session "
                      "(.json); further meshes are seen beside the first, as with --with");
+  add_named_option(command, "--show", arguments.shown, parse_shown, "stripes|curves|samples",
+                   "what the picture shows (default stripes)");
   command.add_option("--camera", arguments.camera, "where from, in degrees (default 30,20)")
       ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
   add_session_options(command, arguments.options);
@@ -115,6 +120,7 @@ SessionDocument first_document(const ViewArguments& arguments) {
 SessionDocument document_of(const ViewArguments& arguments) {
   SessionDocument document;
   if (!arguments.meshes.empty()) document = first_document(arguments);
+  if (arguments.shown) document.shown = *arguments.shown;
   for (const auto& [name, values] : arguments.options) document.options[name] = values;
   for (std::size_t i = 1; i < arguments.meshes.size(); ++i) {
     document.options["with"].push_back(arguments.meshes[i]);
@@ -129,7 +135,7 @@ SessionDocument document_of(const ViewArguments& arguments) {
     document.camera = *view;
   }
   // Phases that were kept are those of other waves.
-  if (!arguments.options.empty()) document.phases = nullptr;
+  if (arguments.shown || !arguments.options.empty()) document.phases = nullptr;
   check_document(document);
   return document;
 }

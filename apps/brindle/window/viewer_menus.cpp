@@ -41,7 +41,7 @@ constexpr std::array<std::pair<const char*, const char*>, 27> kKeys = {{
     {"O", "orthographic or perspective"},
     {"T", "turntable or free"},
     {"Ctrl + C, Ctrl + V", "copy and paste the view as JSON"},
-    {"B", "stripes, branches, angle errors"},
+    {"B", "stripes, branches, angle errors, curves, samples"},
     {"V C S M E", "look, comb, spline, move and erase strokes"},
     {"G", "steer singularities"},
     {"F", "the place of distances follows the mouse, or not"},
@@ -128,17 +128,21 @@ void Viewer::draw_save_items() {
   }
   if (item("Save session as...", nullptr)) ask_save_session();
   if (item("Save picture...", "Ctrl+P")) ask_save_picture(false);
-  if (item("Save picture without background...", nullptr)) ask_save_picture(true);
+  const bool stripes = live_.document().shown == Shown::stripes;
+  if (item("Save picture without background...", nullptr, false, stripes)) ask_save_picture(true);
   if (item("Save picture of the window...", nullptr)) ask_save_window();
   if (item(recording_ ? "Stop recording" : "Record a video...", "R")) toggle_recording();
 }
 
 void Viewer::draw_export_items() {
+  const Shown shown = live_.document().shown;
   if (item("Export mesh...", nullptr)) {
     ask_export("Export the mesh", {".vtp", ".ply", ".obj", ".glb", ".gltf"}, export_pattern);
   }
   if (item("Export curves...", nullptr)) {
-    ask_export("Export the stripes' curves", {".vtp", ".ply", ".obj", ".csv"}, export_curves);
+    std::vector<std::string> files = {".vtp", ".ply", ".obj", ".csv"};
+    if (shown == Shown::curves) files.insert(files.end(), {".glb", ".gltf", ".svg"});
+    ask_export("Export the stripes' curves", std::move(files), export_curves);
   }
   if (item("Export samples...", nullptr)) {
     ask_export("Export samples", {".csv", ".ply", ".vtp"}, export_samples);
@@ -169,11 +173,16 @@ void Viewer::draw_view_menu() {
   draw_side_items();
   draw_stored_views();
   ImGui::Separator();
+  const bool stripes = live_.document().shown == Shown::stripes;
   const auto& options = live_.document().options;
   const auto found = options.find("view");
   const std::string current = found == options.end() ? "stripes" : found->second.front();
   for (const char* name : kViews) {
-    if (item(name, "B", current == name)) show_view(name);
+    if (item(name, "B", stripes && current == name)) show_view(name);
+  }
+  for (const Shown shown : {Shown::curves, Shown::samples}) {
+    const bool now = live_.document().shown == shown;
+    if (item(std::string(name_of(shown)).c_str(), "B", now)) live_.apply(commands::Show{shown});
   }
   ImGui::Separator();
   if (item("Options", "Tab", settings_.show_options)) {
@@ -350,6 +359,7 @@ void Viewer::paste_view() {
 }
 
 void Viewer::show_view(const std::string& name) {
+  if (live_.document().shown != Shown::stripes) live_.apply(commands::Show{Shown::stripes});
   if (name == kViews.front()) {
     live_.apply(commands::ClearOption{"view"});
   } else {
@@ -362,8 +372,17 @@ void Viewer::cycle_view() {
   const auto found = options.find("view");
   const std::string current = found == options.end() ? kViews.front() : found->second.front();
   const auto at = std::ranges::find(kViews, current);
-  const bool last = at == kViews.end() || at + 1 == kViews.end();
-  show_view(last ? kViews.front() : *(at + 1));
+  switch (live_.document().shown) {
+    case Shown::stripes:
+      if (at != kViews.end() && at + 1 != kViews.end()) return show_view(*(at + 1));
+      live_.apply(commands::Show{Shown::curves});
+      return;
+    case Shown::curves:
+      live_.apply(commands::Show{Shown::samples});
+      return;
+    case Shown::samples:
+      return show_view(kViews.front());
+  }
 }
 
 void Viewer::toggle_theme() {

@@ -1,0 +1,57 @@
+#include "shown_pattern.h"
+
+#include <span>
+#include <utility>
+
+#include "picture_options.h"
+
+namespace brindle::tool {
+
+ShownCurves shown_curves(const CurvesArguments& arguments,
+                         const std::shared_ptr<const Surface>& surface, const MeshEdges& edges,
+                         const CrossingPatterns& patterns, JobListener& listener) {
+  ShownCurves shown;
+  const auto add = [&](const char* name, const StripePattern& pattern) {
+    shown.families.push_back(
+        traced_family(arguments, *surface, edges, name, pattern, CurveFigures::few, listener));
+  };
+  if (arguments.traced != TracedWaves::v) add("u", patterns.u);
+  if (arguments.traced != TracedWaves::u) add("v", *patterns.v);
+  shown.drawn.ornaments = ornamented(*surface, tubes_of(arguments, surface->mesh, shown.families),
+                                     render_options(*arguments.picture));
+  return shown;
+}
+
+namespace {
+
+ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arguments,
+                             const std::shared_ptr<const Preparation>& prepared,
+                             std::span<const Sample> samples) {
+  ShownOrnaments drawn;
+  const Surface& surface = prepared->surface;
+  if (!has_glyphs(command)) {
+    const Ornament discs = discs_of(samples, surface.mesh.origin);
+    drawn.ornaments = ornamented(surface, std::span(&discs, 1), render_options(*arguments.picture));
+    return drawn;
+  }
+  GlyphInput input = read_glyph_input(arguments.glyphs, *prepared, arguments.surface,
+                                      arguments.waves, *arguments.picture);
+  input.picture = read_glyph_picture(arguments.glyphs);
+  drawn.surface = {prepared, &surface};
+  drawn.glyphs = std::make_unique<const GlyphPicture>(surface, samples, arguments.glyphs, input,
+                                                      *arguments.picture);
+  return drawn;
+}
+
+}  // namespace
+
+ShownSamples shown_samples(const CLI::App& command, const SampleArguments& arguments,
+                           const std::shared_ptr<const Preparation>& prepared,
+                           const CrossingPatterns& patterns, JobListener& listener) {
+  ShownSamples shown;
+  shown.taken = taken_samples(arguments, prepared->surface, patterns.u, *patterns.v, listener);
+  shown.drawn = drawn_samples(command, arguments, prepared, shown.taken.samples);
+  return shown;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,47 @@
+/// What is shown of a pattern instead of its stripes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "curves_job.h"
+#include "glyph_picture.h"
+#include "ornaments.h"
+#include "sample_job.h"
+
+namespace brindle::tool {
+
+/// What is drawn: ornaments on the surface, or glyphs.
+struct ShownOrnaments {
+  OrnamentedSurface ornaments;                 ///< if there are no glyphs
+  std::unique_ptr<const GlyphPicture> glyphs;  ///< null: ornaments
+  std::shared_ptr<const Surface> surface;      ///< that glyphs refer to
+};
+
+struct ShownCurves {
+  std::vector<CurveFamily> families;
+  ShownOrnaments drawn;
+};
+
+struct ShownSamples {
+  TakenSamples taken;
+  ShownOrnaments drawn;
+};
+
+/// Two patterns that cross. V is null where it is not asked for.
+struct CrossingPatterns {
+  const StripePattern& u;
+  const StripePattern* v;
+};
+
+ShownCurves shown_curves(const CurvesArguments& arguments,
+                         const std::shared_ptr<const Surface>& surface, const MeshEdges& edges,
+                         const CrossingPatterns& patterns, JobListener& listener);
+
+/// `command` says whether glyphs are asked for; their values are those of `prepared`.
+ShownSamples shown_samples(const CLI::App& command, const SampleArguments& arguments,
+                           const std::shared_ptr<const Preparation>& prepared,
+                           const CrossingPatterns& patterns, JobListener& listener);
+
+}  // namespace brindle::tool

@@ -1,0 +1,270 @@
+"""Works with the window of brindle view: a display that nobody sees (Xvfb), the mouse and keys (xdotool), and the
+window's log (brindle view --log) for where widgets are and what has been drawn."""
+
+import json
+import os
+import pathlib
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+SKIPPED = 77
+PATIENCE = float(os.environ.get("BRINDLE_PATIENCE", 240))  # seconds until what never comes is a failure
+
+
+def say_what_is_missing():
+    """Whether a program or module that all of this needs is missing."""
+    missing = [program for program in ("Xvfb", "xdotool") if shutil.which(program) is None]
+    try:
+        import Xlib  # noqa: F401
+    except ImportError:
+        missing.append("python3-xlib")
+    if missing:
+        print(f"skipped: {' and '.join(missing)} missing", file=sys.stderr)
+    return bool(missing)
+
+
+class Failure(Exception):
+    pass
+
+
+def expect(condition, what):
+    if not condition:
+        raise Failure(what)
+
+
+class Display:
+    """A display that nobody sees."""
+
+    def __init__(self):
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp"],
+            pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as line:
+            number = line.readline().strip()
+        expect(number, "Xvfb does not start")
+        self.name = f":{number}"
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Window:
+    """brindle view with its log."""
+
+    def __init__(self, tool, display, folder, arguments, size=(1000, 640)):
+        self.display = display
+        self.log_path = folder / "log.jsonl"
+        self.lines = []
+        self.places = {}
+        self.size = size
+        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
+                                XDG_CACHE_HOME=str(folder / "cache"))
+        self.log_path.unlink(missing_ok=True)  # of a window before
+        self.errors = open(folder / "errors.txt", "w+")
+        self.process = subprocess.Popen(
+            [tool, "view", *arguments, "--log", str(self.log_path), "--window", "%dx%d" % size, "--scale", "1"],
+            cwd=folder, env=self.environment, stdout=subprocess.DEVNULL, stderr=self.errors)
+        self.file = None
+        self.wait_for("start")
+        self.id = self.xdotool("search", "--sync", "--pid", str(self.process.pid)).split()[-1]
+
+    def xdotool(self, *words):
+        result = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True,
+                                text=True, timeout=PATIENCE)
+        expect(result.returncode == 0, f"xdotool {words}: {result.stderr}")
+        return result.stdout
+
+    # The log.
+
+    def read(self):
+        if self.file is None and self.log_path.exists():
+            self.file = open(self.log_path)
+        while self.file is not None:
+            start = self.file.tell()
+            line = self.file.readline()
+            if not line.endswith("\n"):
+                self.file.seek(start)
+                return
+            entry = json.loads(line)
+            self.lines.append(entry)
+            if entry["event"] == "widgets":
+                for name, place in entry["places"].items():
+                    if place is None:
+                        self.places.pop(name, None)
+                    else:
+                        self.places[name] = place
+
+    def wait_until(self, condition, what):
+        """What `condition` gives, once that is anything."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            self.read()
+            found = condition()
+            if found:
+                return found
+            if self.process.poll() is not None:
+                self.errors.seek(0)
+                raise Failure(f"the window is gone ({self.process.returncode}) before {what}: {self.errors.read()}")
+            if time.monotonic() > end:
+                last = [line for line in self.lines if line["event"] != "widgets"][-6:]
+                raise Failure(f"no {what}; the last events: {json.dumps(last)[:1500]}")
+            time.sleep(0.02)
+
+    def wait_for(self, event, since=0, **what):
+        """The first entry of the log after number `since` with these values."""
+        def find():
+            for entry in self.lines[since:]:
+                if entry["event"] == event and all(entry.get(key) == value for key, value in what.items()):
+                    return entry
+            return None
+        return self.wait_until(find, f"{event} {what}")
+
+    def now(self):
+        self.read()
+        return len(self.lines)
+
+    def settled(self, since=None):
+        """The final frame of all that has been done; of something done after entry `since`."""
+        if since is not None:
+            self.wait_for("command", since)
+
+        def find():
+            frames = [e for e in self.lines if e["event"] == "frame" and not e["variant"]]
+            changes = [e for e in self.lines if "revision" in e and e["event"] != "frame"]
+            if not frames or not frames[-1]["final"]:
+                return None
+            last, change = frames[-1], changes[-1] if changes else {"revision": 1}
+            shown = last["revision"] == change["revision"] or change.get("frame") == last["number"]
+            return last if shown else None
+        return self.wait_until(find, "final frame of what was done")
+
+    # The mouse and the keys.
+
+    def place(self, name):
+        self.wait_until(lambda: name in self.places, f"widget '{name}'")
+        time.sleep(0.15)  # popups move while they open
+        self.read()
+        return self.places[name]
+
+    def point(self, name, across=0.5, down=0.5):
+        x, y, width, height = self.place(name)
+        return round(x + across * width), round(y + down * height)
+
+    def move(self, x, y):
+        self.xdotool("mousemove", "--window", self.id, x, y)
+        time.sleep(0.03)
+
+    def click(self, name, across=0.5, down=0.5, button=1):
+        self.move(*self.point(name, across, down))
+        time.sleep(0.1)
+        self.xdotool("mousedown", button)
+        time.sleep(0.08)
+        self.xdotool("mouseup", button)
+        time.sleep(0.15)
+
+    def drag(self, points, button=1, pause=0.06):
+        self.move(*points[0])
+        time.sleep(0.1)
+        self.xdotool("mousedown", button)
+        time.sleep(0.1)
+        for point in points[1:]:
+            self.move(*point)
+            time.sleep(pause)
+        self.xdotool("mouseup", button)
+        time.sleep(0.1)
+
+    def drag_slider(self, name, first, last, steps=8):
+        self.drag([self.point(name, first + (last - first) * i / steps) for i in range(steps + 1)])
+
+    def sweep(self, points, button=1, pause=0.012):
+        """Drags as fast as a hand: all of it is one call of xdotool."""
+        words = ["mousemove", "--window", self.id, *points[0], "sleep", 0.1]
+        if button:
+            words += ["mousedown", button, "sleep", 0.05]
+        for point in points[1:]:
+            words += ["mousemove", "--window", self.id, *point, "sleep", pause]
+        self.xdotool(*words, *(["mouseup", button] if button else []))
+
+    def key(self, *keys):
+        for key in keys:
+            self.xdotool("key", "--window", self.id, key)
+            time.sleep(0.15)
+
+    def type(self, text):
+        self.xdotool("type", "--delay", "25", text)
+        time.sleep(0.1)
+
+    def menu(self, menu, *items):
+        self.click(f"menu {menu}")
+        for item in items:
+            self.click(f"item {item}")
+
+    def save_as(self, path):
+        """Types a path into the dialogue of files that is open."""
+        self.place("browser name")
+        time.sleep(0.2)
+        self.key("ctrl+a")
+        self.type(str(path))
+        self.key("Return")
+
+    def quit(self):
+        """Without saving, if it asks."""
+        self.xdotool("key", "ctrl+q")  # not to a window, which may be gone before keys are let go
+        self.wait_for_question()
+        if "quit discard" in self.places and self.process.poll() is None:
+            self.click("quit discard")
+        expect(self.process.wait(PATIENCE) == 0, "quitting does not end with 0")
+
+    def wait_for_question(self):
+        """Until it asks whether to quit, or has quit."""
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None and "quit discard" not in self.places and time.monotonic() < end:
+            self.read()
+            time.sleep(0.02)
+
+    def wait_until_end(self):
+        self.process.wait(PATIENCE)
+        self.read()
+        return self.lines[-1]
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGKILL)
+            self.process.wait()
+        self.errors.close()
+
+
+def wait_for_file(path):
+    end = time.monotonic() + PATIENCE
+    while not path.exists():
+        expect(time.monotonic() < end, f"no {path.name} is written")
+        time.sleep(0.05)
+
+
+def save_picture(window, path):
+    window.key("ctrl+p")
+    window.save_as(path)
+    window.wait_for("message", text=f"wrote {path}")
+    return path.read_bytes()
+
+
+def save_session(window, path):
+    window.menu("File", "Save session as...")
+    window.save_as(path)
+    window.wait_for("message", text=f"wrote {path}")
+    return path.read_bytes()
+
+
+def open_gallery(window, item, picture):
+    window.click("menu Gallery")
+    window.click(f"item {item}")
+    since = window.now()
+    window.click(f"item {item} {picture}")
+    return window.settled(since)
