@@ -8,6 +8,7 @@
 
 #include "brindle/color_map.h"
 #include "brindle/export.h"
+#include "brindle/progress.h"
 #include "brindle/renderer.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -142,8 +143,9 @@ class StyledRenderer {
 
   /// Draws what was uploaded. Every sample of the picture shows the surface nearest to the viewer
   /// there; samples between discarded strokes show what lies behind, untouched. Throws Error if an
-  /// option is out of its range or the picture is beyond the limits of image.h.
-  Image draw(const StyledOptions& options) const;
+  /// option is out of its range or the picture is beyond the limits of image.h; Cancelled if
+  /// `progress` asks for it, between one surface and the next.
+  Image draw(const StyledOptions& options, const Progress& progress = {}) const;
 
  private:
   struct State;

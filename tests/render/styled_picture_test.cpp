@@ -500,6 +500,26 @@ Image draw_updated(const std::vector<StyledSurface>& first, std::size_t number,
   return renderer.draw(options);
 }
 
+TEST(StyledPicture, IsCancelledBetweenSurfacesAndDrawnAsEverThen) {
+  const Sheets sheets;
+  const std::vector<StyledSurface> surfaces{
+      {.mesh = sheets.front.mesh,
+       .strokes = {strokes_of(sheets.front)},
+       .between = BetweenStrokes::discarded},
+      {.mesh = sheets.back.mesh, .strokes = {strokes_of(sheets.back)}}};
+  const StyledOptions options = styled_options();
+  StyledRenderer renderer;
+  renderer.upload(surfaces);
+  testing_support::Reports all;
+  const Image whole = renderer.draw(options, all.progress());
+  EXPECT_GE(all.count(), 4) << "two surfaces are seen and lit one after the other";
+  for (int report = 0; report < all.count(); ++report) {
+    testing_support::Reports reports(report);
+    EXPECT_THROW(renderer.draw(options, reports.progress()), Cancelled);
+    EXPECT_EQ(renderer.draw(options).pixels, whole.pixels);
+  }
+}
+
 TEST(StyledPicture, UpdatedSurfacesLookAsIfUploaded) {
   const Sheets sheets;
   StripedSurface moved = sheets.front;

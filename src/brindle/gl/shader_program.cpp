@@ -48,7 +48,7 @@ std::optional<Place> place_of(std::string_view message) {
   return place;
 }
 
-GLuint compiled_shader(GLenum stage, std::initializer_list<ShaderSource> sources) {
+GLuint compiled_shader(GLenum stage, const std::vector<ShaderSource>& sources) {
   std::string text = "#version 450 core\n";
   std::vector<ShaderFile> parts;
   for (const auto& [name, body] : sources) {
@@ -104,8 +104,8 @@ std::string with_file_names(std::string_view log, std::span<const ShaderFile> fi
   return result;
 }
 
-ShaderProgram::ShaderProgram(std::initializer_list<ShaderSource> vertex,
-                             std::initializer_list<ShaderSource> fragment) {
+ShaderProgram::ShaderProgram(const std::vector<ShaderSource>& vertex,
+                             const std::vector<ShaderSource>& fragment) {
   const GLuint vertex_shader = compiled_shader(GL_VERTEX_SHADER, vertex);
   GLuint fragment_shader = 0;
   try {
@@ -117,7 +117,7 @@ ShaderProgram::ShaderProgram(std::initializer_list<ShaderSource> vertex,
   name_ = linked({vertex_shader, fragment_shader}, (fragment.end() - 1)->name);
 }
 
-ShaderProgram ShaderProgram::compute(std::initializer_list<ShaderSource> sources) {
+ShaderProgram ShaderProgram::compute(const std::vector<ShaderSource>& sources) {
   return ShaderProgram(
       linked({compiled_shader(GL_COMPUTE_SHADER, sources)}, (sources.end() - 1)->name));
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -31,10 +31,9 @@ class ShaderProgram {
  public:
   /// Each shader is its sources one after the other.
   /// Throws Error with the driver's message, naming file and line, if they do not compile or link.
-  ShaderProgram(std::initializer_list<ShaderSource> vertex,
-                std::initializer_list<ShaderSource> fragment);
+  ShaderProgram(const std::vector<ShaderSource>& vertex, const std::vector<ShaderSource>& fragment);
   /// A compute shader. Throws as the constructor does.
-  static ShaderProgram compute(std::initializer_list<ShaderSource> sources);
+  static ShaderProgram compute(const std::vector<ShaderSource>& sources);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

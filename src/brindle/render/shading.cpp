@@ -1,41 +1,42 @@
 #include "brindle/render/shading.h"
 
+#include <utility>
+#include <vector>
+
 #include "brindle/render/tiled_picture.h"
 
 namespace brindle {
 
+namespace {
+
+const std::vector<ShaderSource> kFullScreen = {"full_screen.vert"};
+
+/// What says the colour at a point of the surface, between what all have.
+std::vector<ShaderSource> fragment_sources(std::vector<ShaderSource> pattern) {
+  std::vector<ShaderSource> sources = {"surface_buffers.glsl", "surface_point.glsl"};
+  sources.insert(sources.end(), pattern.begin(), pattern.end());
+  sources.insert(sources.end(),
+                 {"triangle_paint.glsl", "light.glsl", "visible_samples.glsl", "shade.frag"});
+  return sources;
+}
+
+}  // namespace
+
 const ShaderProgram& Shading::program_for(const GlSurface& surface) {
-  using Sources = std::initializer_list<ShaderSource>;
-  const Sources vertex{"full_screen.vert"};
+  const auto program = [this](std::size_t kind, std::vector<ShaderSource> pattern) -> auto& {
+    std::optional<ShaderProgram>& made = programs_[kind];
+    if (!made) made.emplace(kFullScreen, fragment_sources(std::move(pattern)));
+    return *made;
+  };
   if (surface.has_texture()) {
-    std::optional<ShaderProgram>& program = programs_[kTexture];
-    if (!program) {
-      program.emplace(vertex,
-                      Sources{"surface_buffers.glsl", "surface_point.glsl", "fragment_phase.glsl",
-                              "fragment_turns.glsl", "texture_fragment.glsl", "texture_tile.glsl",
-                              "texture_pattern.glsl", "triangle_paint.glsl", "light.glsl",
-                              "visible_samples.glsl", "shade.frag"});
-    }
-    return *program;
+    return program(kTexture, {"fragment_phase.glsl", "fragment_turns.glsl", "texture_fragment.glsl",
+                              "texture_tile.glsl", "texture_pattern.glsl"});
   }
   if (surface.has_waves()) {
-    std::optional<ShaderProgram>& program = programs_[kStripes];
-    if (!program) {
-      program.emplace(vertex,
-                      Sources{"surface_buffers.glsl", "surface_point.glsl", "fragment_phase.glsl",
-                              "fragment_turns.glsl", "stripe_wave.glsl", "stripe_coverage.glsl",
-                              "stripe_pattern.glsl", "triangle_paint.glsl", "light.glsl",
-                              "visible_samples.glsl", "shade.frag"});
-    }
-    return *program;
+    return program(kStripes, {"fragment_phase.glsl", "fragment_turns.glsl", "stripe_wave.glsl",
+                              "stripe_coverage.glsl", "stripe_pattern.glsl"});
   }
-  std::optional<ShaderProgram>& program = programs_[kNone];
-  if (!program) {
-    program.emplace(
-        vertex, Sources{"surface_buffers.glsl", "surface_point.glsl", "plain_pattern.glsl",
-                        "triangle_paint.glsl", "light.glsl", "visible_samples.glsl", "shade.frag"});
-  }
-  return *program;
+  return program(kNone, {"plain_pattern.glsl"});
 }
 
 void Shading::draw(const GlSurface& surface, const VisibleTriangles& visible, const Camera& camera,

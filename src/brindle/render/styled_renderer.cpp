@@ -2,20 +2,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 
 #include "brindle/error.h"
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/shader_program.h"
 #include "brindle/headless_context.h"
 #include "brindle/render/gl_style.h"
 #include "brindle/render/gl_surface.h"
 #include "brindle/render/gl_target.h"
 #include "brindle/render/ground_shadow.h"
 #include "brindle/render/sample_groups.h"
+#include "brindle/render/styled_programs.h"
 #include "brindle/render/tiled_picture.h"
 #include "brindle/render/visible_triangles.h"
 #include "brindle/styled_picture.h"
@@ -156,106 +155,32 @@ Camera styled_camera(std::span<const StyledSurface> surfaces, const StyledOption
 
 namespace {
 
-/// Programs are made when they are needed for the first time: drivers take their time.
-class StyledPrograms {
- public:
-  const ShaderProgram& whole() {
-    if (!whole_) whole_.emplace(Files{"visible_triangles.vert"}, Files{"styled_visibility.frag"});
-    return *whole_;
-  }
-  const ShaderProgram& between_strokes(const std::string& features) {
-    return programs_
-        .try_emplace("between strokes\n" + features, Files{"visible_triangles.vert"},
-                     Files{{"features", features},
-                           "surface_buffers.glsl",
-                           "surface_point.glsl",
-                           "fragment_phase.glsl",
-                           "fragment_turns.glsl",
-                           "stripe_middle.glsl",
-                           "light.glsl",
-                           "style_buffers.glsl",
-                           "color_scale.glsl",
-                           "strokes.glsl",
-                           "tone.glsl",
-                           "strokes_visibility.frag"})
-        .first->second;
-  }
-  const ShaderProgram& beside_tiles(const std::string& features) {
-    return programs_
-        .try_emplace("beside tiles\n" + features, Files{"visible_triangles.vert"},
-                     Files{{"features", features},
-                           "surface_buffers.glsl",
-                           "surface_point.glsl",
-                           "fragment_phase.glsl",
-                           "fragment_turns.glsl",
-                           "style_buffers.glsl",
-                           "texture_fragment.glsl",
-                           "texture_tile.glsl",
-                           "region_texture.glsl",
-                           "texture_visibility.frag"})
-        .first->second;
-  }
-  const ShaderProgram& strokes(const std::string& features, bool occlusion) {
-    const char* open_share = occlusion_file(occlusion);
-    return programs_
-        .try_emplace("strokes\n" + features + open_share, Files{"full_screen.vert"},
-                     Files{{"features", features},
-                           "surface_buffers.glsl",
-                           "surface_point.glsl",
-                           "fragment_phase.glsl",
-                           "fragment_turns.glsl",
-                           "stripe_coverage.glsl",
-                           "light.glsl",
-                           "style_buffers.glsl",
-                           "color_scale.glsl",
-                           "strokes.glsl",
-                           "stroke_layers.glsl",
-                           "tone.glsl",
-                           "depth_cue.glsl",
-                           "visible_samples.glsl",
-                           open_share,
-                           "styled_shade.frag"})
-        .first->second;
-  }
-  const ShaderProgram& texture(const std::string& features, bool occlusion) {
-    const char* open_share = occlusion_file(occlusion);
-    return programs_
-        .try_emplace("texture\n" + features + open_share, Files{"full_screen.vert"},
-                     Files{{"features", features},
-                           "surface_buffers.glsl",
-                           "surface_point.glsl",
-                           "fragment_phase.glsl",
-                           "fragment_turns.glsl",
-                           "light.glsl",
-                           "style_buffers.glsl",
-                           "color_scale.glsl",
-                           "texture_fragment.glsl",
-                           "texture_tile.glsl",
-                           "region_texture.glsl",
-                           "tone.glsl",
-                           "depth_cue.glsl",
-                           "visible_samples.glsl",
-                           open_share,
-                           "styled_shade.frag"})
-        .first->second;
-  }
-  const ShaderProgram& ground() {
-    if (!ground_) {
-      ground_.emplace(Files{"full_screen.vert"},
-                      Files{"visible_samples.glsl", "ground_shadow.frag"});
-    }
-    return *ground_;
-  }
+/// What all passes over a picture share.
+struct Drawing {
+  const Camera& camera;
+  const StyledOptions& options;
+  const Progress& progress;
+  Eigen::Vector2f depths;              ///< distances of the nearest and the farthest point
+  std::optional<GroundShadow> shadow;  ///< if there is one to be seen
+  GlTexture shadow_texture;
+  GlTexture color_map;
 
- private:
-  using Files = std::initializer_list<ShaderSource>;
+  PictureQuality quality() const { return options.render.quality; }
+  UpAxis up() const { return options.render.camera.up; }
 
-  static const char* occlusion_file(bool occlusion) {
-    return occlusion ? "occlusion.glsl" : "no_occlusion.glsl";
+  /// Between passes of pictures that take a while. Some drivers put passes off until somebody waits
+  /// for them.
+  void pause() const {
+    if (quality() != PictureQuality::final) return;
+    glFinish();
+    progress.report("drawing", 0);
   }
+};
 
-  std::optional<ShaderProgram> whole_, ground_;
-  std::map<std::string, ShaderProgram> programs_;  ///< by what they are and by their features
+/// The part of the picture that is drawn.
+struct Part {
+  Eigen::Vector4f transform;
+  Eigen::Vector2i size;  ///< of its light
 };
 
 }  // namespace
@@ -271,103 +196,96 @@ struct StyledRenderer::State {
   float diagonal = 0;
 
   void measure();
-  void draw_visible(const Camera& camera, const Eigen::Vector4f& transform,
-                    const Eigen::Vector2i& largest, const Eigen::Vector2i& size,
-                    const StyledOptions& options);
-  void draw_parts(const DrawnSurface& drawn, const Camera& camera, const Eigen::Vector4f& transform,
-                  const Eigen::Vector2i& size, const StyledOptions& options);
-  void draw_surfaces(const Camera& camera, const Eigen::Vector4f& transform, const Target& light,
-                     const Eigen::Vector2i& size, const StyledOptions& options);
-  void draw_surface(const DrawnSurface& drawn, const Camera& camera,
-                    const Eigen::Vector4f& transform, const Target& light,
-                    const Eigen::Vector2i& size, const StyledOptions& options);
-  void draw_ground(const Camera& camera, const Eigen::Vector4f& transform, const Target& light,
-                   const Eigen::Vector2i& size, const StyledOptions& options);
-  void set_picture(const ShaderProgram& program, const Camera& camera, const Eigen::Vector2i& size,
-                   const StyledOptions& options) const;
+  Drawing drawing(const Camera& camera, const StyledOptions& options,
+                  const Progress& progress) const;
+  void draw_visible(const Drawing& drawing, const Part& part, const Eigen::Vector2i& largest);
+  void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part);
+  void draw_surfaces(const Drawing& drawing, const Part& part, const Target& light);
+  void draw_surface(const DrawnSurface& drawn, const Drawing& drawing, const Part& part,
+                    const Target& light);
+  void draw_ground(const Drawing& drawing, const Part& part, const Target& light);
+  void set_picture(const ShaderProgram& program, const Drawing& drawing, const Part& part) const;
 };
 
 /// The first pass: which triangle of which surface each sample shows.
-void StyledRenderer::State::draw_visible(const Camera& camera, const Eigen::Vector4f& transform,
-                                         const Eigen::Vector2i& largest,
-                                         const Eigen::Vector2i& size,
-                                         const StyledOptions& options) {
+void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& part,
+                                         const Eigen::Vector2i& largest) {
   constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
   constexpr float kFarthest = 1;
   fit_target(visible, {GL_R32UI}, true, kVisibleSamples * largest.x(),
              kVisibleSamples * largest.y());
   glClearNamedFramebufferuiv(visible.framebuffer, GL_COLOR, 0, kNothing.data());
   glClearNamedFramebufferfv(visible.framebuffer, GL_DEPTH, 0, &kFarthest);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, visible.framebuffer);
-  glViewport(0, 0, kVisibleSamples * size.x(), kVisibleSamples * size.y());
-  glEnable(GL_DEPTH_TEST);
   for (const DrawnSurface& drawn : surfaces) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, visible.framebuffer);
+    glViewport(0, 0, kVisibleSamples * part.size.x(), kVisibleSamples * part.size.y());
+    glEnable(GL_DEPTH_TEST);
     if (drawn.style.discards()) {
-      draw_parts(drawn, camera, transform, size, options);
-      continue;
+      draw_parts(drawn, drawing, part);
+    } else {
+      programs.whole().set("first_number", drawn.first_number);
+      if (drawing.quality() == PictureQuality::interactive) {
+        leave_out_hidden_side(drawn.surface, drawing.camera);
+      }
+      drawn.surface.draw(programs.whole(), drawing.camera, part.transform);
+      glDisable(GL_CULL_FACE);
     }
-    programs.whole().set("first_number", drawn.first_number);
-    if (options.render.quality == PictureQuality::interactive) {
-      leave_out_hidden_side(drawn.surface, camera);
-    }
-    drawn.surface.draw(programs.whole(), camera, transform);
-    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    drawing.pause();
   }
-  glDisable(GL_DEPTH_TEST);
 }
 
 /// The first pass over a surface that is discarded in parts.
-void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Camera& camera,
-                                       const Eigen::Vector4f& transform,
-                                       const Eigen::Vector2i& size, const StyledOptions& options) {
+void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing& drawing,
+                                       const Part& part) {
   const std::size_t regions = drawn.style.regions();
   const ShaderProgram& program = regions > 0 ? programs.beside_tiles(drawn.style.features())
                                              : programs.between_strokes(drawn.style.features());
   program.set("first_number", drawn.first_number);
   program.set("color_map", static_cast<int>(kColorMapUnit));
-  drawn.surface.bind(program, camera, transform);
-  drawn.style.bind(program, kVisibleSamples * shading_side(options.render));
-  program.set("target_size", Eigen::Vector2f((kVisibleSamples * size).cast<float>()));
-  program.set("up", up_seen_by(camera, options.render.camera.up));
+  drawn.surface.bind(program, drawing.camera, part.transform);
+  drawn.style.bind(program, kVisibleSamples * shading_side(drawing.options.render));
+  program.set("target_size", Eigen::Vector2f((kVisibleSamples * part.size).cast<float>()));
+  program.set("up", up_seen_by(drawing.camera, drawing.up()));
   for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
     if (regions > 0) drawn.style.bind_region(program, region);
-    drawn.surface.draw(program, camera, transform);
+    drawn.surface.draw(program, drawing.camera, part.transform);
   }
 }
 
 /// What a program of the second pass has to know of the picture.
-void StyledRenderer::State::set_picture(const ShaderProgram& program, const Camera& camera,
-                                        const Eigen::Vector2i& size,
-                                        const StyledOptions& options) const {
-  program.set("target_size", Eigen::Vector2f(size.cast<float>()));
-  program.set("up", up_seen_by(camera, options.render.camera.up));
+void StyledRenderer::State::set_picture(const ShaderProgram& program, const Drawing& drawing,
+                                        const Part& part) const {
+  const StyledOptions& options = drawing.options;
+  program.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
+  program.set("up", up_seen_by(drawing.camera, drawing.up()));
   bind_visible(program, visible);
   program.set("color_map", static_cast<int>(kColorMapUnit));
   program.set("has_threshold", options.scale.threshold.has_value());
   program.set("threshold", options.scale.threshold.value_or(0.0f));
   program.set("beyond_color", linear_light(options.scale.beyond));
-  program.set("depth_range", depth_range(points, camera));
+  program.set("depth_range", drawing.depths);
   program.set("haze_color", linear_light(options.render.background_center));
   program.set("occlusion", options.occlusion);
   program.set("occlusion_radius", kOcclusionReach * diagonal);
   program.set("part_of_target",
-              Eigen::Vector2f(Eigen::Vector2f((kVisibleSamples * size).cast<float>())
+              Eigen::Vector2f(Eigen::Vector2f((kVisibleSamples * part.size).cast<float>())
                                   .cwiseQuotient(Eigen::Vector2f(visible.width, visible.height))));
 }
 
 /// Adds the surface's light where it is seen.
-void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Camera& camera,
-                                         const Eigen::Vector4f& transform, const Target& light,
-                                         const Eigen::Vector2i& size,
-                                         const StyledOptions& options) {
+void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Drawing& drawing,
+                                         const Part& part, const Target& light) {
+  const StyledOptions& options = drawing.options;
   const bool texture = drawn.style.regions() > 0, occlusion = options.occlusion > 0;
   const std::string features = drawn.style.features() + "const int kDepthCue = " +
                                std::to_string(static_cast<int>(options.depth_cue)) + ";\n";
   const ShaderProgram& program =
       texture ? programs.texture(features, occlusion) : programs.strokes(features, occlusion);
-  groups.find(drawn.surface, visible, camera, transform, light, size, drawn.first_number);
-  set_picture(program, camera, size, options);
-  drawn.surface.bind(program, camera, transform);
+  groups.find(drawn.surface, visible, drawing.camera, part.transform, light, part.size,
+              drawn.first_number);
+  set_picture(program, drawing, part);
+  drawn.surface.bind(program, drawing.camera, part.transform);
   drawn.style.bind(program, shading_side(options.render));
   program.set("first_number", drawn.first_number);
   program.set("triangle_count", static_cast<int>(drawn.surface.triangle_count()));
@@ -380,34 +298,29 @@ void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Camera
 }
 
 /// The second pass: the light of each surface where it is seen, on top of nothing.
-void StyledRenderer::State::draw_surfaces(const Camera& camera, const Eigen::Vector4f& transform,
-                                          const Target& light, const Eigen::Vector2i& size,
-                                          const StyledOptions& options) {
+void StyledRenderer::State::draw_surfaces(const Drawing& drawing, const Part& part,
+                                          const Target& light) {
   constexpr std::array<float, 4> kNoLight{0, 0, 0, 0};
   glClearNamedFramebufferfv(light.framebuffer, GL_COLOR, 0, kNoLight.data());
-  glViewport(0, 0, size.x(), size.y());
+  glViewport(0, 0, part.size.x(), part.size.y());
   for (const DrawnSurface& drawn : surfaces) {
     if (drawn.surface.triangle_count() == 0) continue;
-    draw_surface(drawn, camera, transform, light, size, options);
+    draw_surface(drawn, drawing, part, light);
+    drawing.pause();
   }
-  if (options.ground_shadow) draw_ground(camera, transform, light, size, options);
+  if (drawing.shadow) draw_ground(drawing, part, light);
 }
 
-void StyledRenderer::State::draw_ground(const Camera& camera, const Eigen::Vector4f& transform,
-                                        const Target& light, const Eigen::Vector2i& size,
-                                        const StyledOptions& options) {
-  const Eigen::Matrix3f axes = ground_axes(options.render.camera.up);
-  Mesh all;
-  for (const DrawnSurface& drawn : surfaces) append(drawn.mesh, all);
-  const GroundShadow shadow = ground_shadow(all.positions, all.triangles, axes);
-  if (shadow.missing.empty()) return;
-  const GlTexture texture = shadow_texture(shadow);
-  const Vec3 origin = axes.transpose() * camera.origin;
+void StyledRenderer::State::draw_ground(const Drawing& drawing, const Part& part,
+                                        const Target& light) {
+  const Eigen::Matrix3f axes = ground_axes(drawing.up());
+  const GroundShadow& shadow = *drawing.shadow;
+  const Vec3 origin = axes.transpose() * drawing.camera.origin;
   const ShaderProgram& program = programs.ground();
-  program.set("target_size", Eigen::Vector2f(size.cast<float>()));
-  program.set("clip_from_view", camera.clip_from_view);
-  program.set("view_from_world", camera.view_from_world);
-  program.set("tile", transform);
+  program.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
+  program.set("clip_from_view", drawing.camera.clip_from_view);
+  program.set("view_from_world", drawing.camera.view_from_world);
+  program.set("tile", part.transform);
   bind_visible(program, visible);
   program.set("shadow", static_cast<int>(kShadowUnit));
   program.set("ground", Vec3((shadow.height - origin.z()) * axes.col(2)));
@@ -417,7 +330,7 @@ void StyledRenderer::State::draw_ground(const Camera& camera, const Eigen::Vecto
   Eigen::Vector4f place;
   place << shadow.lower - origin.head<2>(), shadow.size.cwiseInverse();
   program.set("shadow_place", place);
-  glBindTextureUnit(kShadowUnit, texture);
+  glBindTextureUnit(kShadowUnit, drawing.shadow_texture);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light.framebuffer);
   glUseProgram(program.name());
   glBindVertexArray(no_attributes);
@@ -526,20 +439,35 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
   s.measure();
 }
 
-Image StyledRenderer::draw(const StyledOptions& options) const {
+Drawing StyledRenderer::State::drawing(const Camera& camera, const StyledOptions& options,
+                                       const Progress& progress) const {
+  Drawing drawing{camera, options, progress, depth_range(points, camera), {}, {}, {}};
+  drawing.color_map = color_map_texture(options.scale.map);
+  if (!options.ground_shadow) return drawing;
+  Mesh all;
+  for (const DrawnSurface& drawn : surfaces) append(drawn.mesh, all);
+  GroundShadow shadow = ground_shadow(all.positions, all.triangles, ground_axes(drawing.up()));
+  if (shadow.missing.empty()) return drawing;
+  drawing.shadow_texture = shadow_texture(shadow);
+  drawing.shadow = std::move(shadow);
+  return drawing;
+}
+
+Image StyledRenderer::draw(const StyledOptions& options, const Progress& progress) const {
   check_styled_options(options);
   State& s = *state_;
   const RenderOptions& render = options.render;
   const auto framed = options.framed.empty() ? std::span<const Vec3>(s.points) : options.framed;
   const Camera camera = camera_beside(framed, render, options.right_margin);
-  const GlTexture map = color_map_texture(options.scale.map);
-  return s.picture.draw(render, [&](const Target& target, const Tile& tile) {
-    const Eigen::Vector4f transform = tile_transform(tile, render);
-    const Eigen::Vector2i size = shading_side(render) * Eigen::Vector2i(tile.width, tile.height);
-    s.draw_visible(camera, transform, {target.width, target.height}, size, options);
-    glBindTextureUnit(kColorMapUnit, map);
-    s.draw_surfaces(camera, transform, target, size, options);
-  });
+  const Drawing drawing = s.drawing(camera, options, progress);
+  const auto draw_light = [&](const Target& target, const Tile& tile) {
+    const Part part{tile_transform(tile, render),
+                    shading_side(render) * Eigen::Vector2i(tile.width, tile.height)};
+    s.draw_visible(drawing, part, {target.width, target.height});
+    glBindTextureUnit(kColorMapUnit, drawing.color_map);
+    s.draw_surfaces(drawing, part, target);
+  };
+  return s.picture.draw(render, draw_light, progress);
 }
 
 Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options) {

@@ -53,7 +53,7 @@ Eigen::Vector2i largest_tile(const RenderOptions& options) {
 const ShaderProgram& TiledPicture::develop_program(int side) {
   std::optional<ShaderProgram>& program = develop_[static_cast<std::size_t>(side - 1)];
   if (!program) {
-    using Sources = std::initializer_list<ShaderSource>;
+    using Sources = std::vector<ShaderSource>;
     const std::string constant = "const int kShadingSide = " + std::to_string(side) + ";\n";
     program.emplace(Sources{"full_screen.vert"},
                     Sources{{"shading side", constant}, "develop.frag"});
@@ -77,7 +77,8 @@ void TiledPicture::develop(const Tile& tile, const RenderOptions& options) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image TiledPicture::draw(const RenderOptions& options, const DrawLight& draw_light) {
+Image TiledPicture::draw(const RenderOptions& options, const DrawLight& draw_light,
+                         const Progress& progress) {
   const int s = shading_side(options);
   const Eigen::Vector2i step = largest_tile(options);
   fit_target(light_, {GL_RGBA16F}, false, step.x() * s, step.y() * s);
@@ -88,6 +89,7 @@ Image TiledPicture::draw(const RenderOptions& options, const DrawLight& draw_lig
     for (int x = 0; x < options.width; x += step.x()) {
       const Tile tile{x, y, std::min(step.x(), options.width - x),
                       std::min(step.y(), options.height - y)};
+      progress.report("drawing", static_cast<double>(y) / options.height);
       glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light_.framebuffer);
       glViewport(0, 0, tile.width * s, tile.height * s);
       draw_light(light_, tile);

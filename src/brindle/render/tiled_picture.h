@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brindle/gl/shader_program.h"
+#include "brindle/progress.h"
 #include "brindle/render/gl_target.h"
 #include "brindle/renderer.h"
 
@@ -49,8 +50,9 @@ class TiledPicture {
   /// viewport set; that is `shading_side` times as wide and high as the tile.
   using DrawLight = std::function<void(const Target& target, const Tile& tile)>;
 
-  /// Calls `draw_light` for every tile.
-  Image draw(const RenderOptions& options, const DrawLight& draw_light);
+  /// Calls `draw_light` for every tile. Throws Cancelled if `progress` asks for it.
+  Image draw(const RenderOptions& options, const DrawLight& draw_light,
+             const Progress& progress = {});
 
  private:
   static constexpr int kLargestSide = 4;

@@ -1,0 +1,40 @@
+/// The shader programs of pictures in styles.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brindle/gl/shader_program.h"
+
+namespace brindle {
+
+/// Programs are made when they are needed for the first time: drivers take their time. `features`
+/// are constants that come before the files.
+class StyledPrograms {
+ public:
+  /// The first pass: which triangle each sample shows, of surfaces that are there as a whole.
+  const ShaderProgram& whole();
+  /// The same of surfaces that are discarded between their strokes, or beside their tiles.
+  const ShaderProgram& between_strokes(const std::string& features);
+  const ShaderProgram& beside_tiles(const std::string& features);
+
+  /// The second pass: light.
+  const ShaderProgram& strokes(const std::string& features, bool occlusion);
+  const ShaderProgram& texture(const std::string& features, bool occlusion);
+
+  const ShaderProgram& ground();
+
+ private:
+  using Sources = std::vector<ShaderSource>;
+
+  const ShaderProgram& visibility(const char* name, const std::string& features, Sources style);
+  const ShaderProgram& shading(const char* name, const std::string& features, bool occlusion,
+                               Sources style);
+
+  std::optional<ShaderProgram> whole_, ground_;
+  std::map<std::string, ShaderProgram> programs_;  ///< by what they are and by their features
+};
+
+}  // namespace brindle
