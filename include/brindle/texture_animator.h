@@ -76,6 +76,11 @@ class TextureAnimator {
   /// animator then is as it was before the call.
   TextureFrameResult frame(const TextureFrameInput& input);
 
+  /// The energies of the last frame's phases, as `energy` of phase_graph.h defines it. Throw Error
+  /// before the first frame.
+  double energy_u() const;
+  double energy_v() const;
+
   /// Forgets the last frame: the next one is solved and oriented afresh.
   void restart();
 

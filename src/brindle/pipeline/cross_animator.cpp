@@ -69,7 +69,8 @@ struct CrossAnimator::State {
 
   std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
   CrossCover cover = {};
-  std::vector<Complex> z = {};  ///< of the last frame
+  Mesh cover_mesh = {};  ///< positions and triangles of the cover, in the last frame
+  std::vector<Complex> z = {};
   CrossParts parts = {};
 
   WaveSet checked_waves(const CrossFrameInput& input) const;
@@ -77,6 +78,8 @@ struct CrossAnimator::State {
     return input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals;
   }
   StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
+  void solve(const CrossFrameInput& input, const WaveSet& waves, const Progress& progress,
+             CrossFrameResult& result);
   void measure(CrossFrameResult& result) const;
 };
 
@@ -102,18 +105,15 @@ StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
                               ? StripeAnimator(cover_surface(made, normals), on_cover)
                               : StripeAnimator(made.neighborhood, on_cover);
   if (!z.empty()) {
-    const Mesh last{cover.waves.positions, cover.triangles};
-    result.set_last_phases(matched_phases({last, cover.waves, z}, made.waves));
+    result.set_last_phases(matched_phases({cover_mesh, cover.waves, z}, made.waves));
   }
   return result;
 }
 
 void CrossAnimator::State::measure(CrossFrameResult& result) const {
   const PhaseShiftKind kind = options.phase_shift;
-  const Mesh on_cover_mesh{cover.waves.positions, cover.triangles};
   const auto corners = corner_phases(cover.triangles, cover.waves, z, kind);
-  result.quality =
-      cross_quality(cover, measure_quality(on_cover_mesh, cover.waves, corners), corners);
+  result.quality = cross_quality(cover, measure_quality(cover_mesh, cover.waves, corners), corners);
   // The texture's triangles are those of the cover, whichever way their waves run, and the parts of
   // the singular ones.
   const std::size_t pairs = cover.base.size();
@@ -146,37 +146,45 @@ CrossAnimator::~CrossAnimator() = default;
 CrossAnimator::CrossAnimator(CrossAnimator&&) noexcept = default;
 CrossAnimator& CrossAnimator::operator=(CrossAnimator&&) noexcept = default;
 
+/// Phases for the crosses, as they belong together now.
+void CrossAnimator::State::solve(const CrossFrameInput& input, const WaveSet& waves,
+                                 const Progress& progress, CrossFrameResult& result) {
+  Stopwatch watch;
+  WaveSet crosses = cross_waves(waves, normals_of(input));
+  if (animator) keep_names(cover.waves, crosses);
+  if (animator && are_matched_alike(*surface.neighborhood, crosses, cover)) {
+    result.matching = CrossMatching::kept;
+    result.milliseconds.match = watch.lap();
+    result.stripes = animator->frame(frame_input(crosses), progress);
+    cover.waves = std::move(crosses);
+  } else {
+    result.matching = animator ? CrossMatching::renewed : CrossMatching::afresh;
+    CrossCover made =
+        cross_cover(*surface.neighborhood, surface.mesh.triangles, std::move(crosses));
+    StripeAnimator first = animator_of(made, normals_of(input));
+    result.milliseconds.match = watch.lap();
+    result.stripes = first.frame(frame_input(made.waves), progress);
+    animator = std::move(first);
+    cover = std::move(made);
+    cover_mesh.triangles = cover.triangles;
+  }
+  cover_mesh.positions = cover.waves.positions;
+  const auto& frequencies = result.stripes.frequencies;
+  if (!frequencies.empty()) {
+    cover.waves.frequencies.assign(frequencies.begin(), frequencies.end());
+  }
+  z.assign(result.stripes.z.begin(), result.stripes.z.end());
+  result.milliseconds.solve = watch.lap();
+}
+
 CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progress& progress) {
   State& s = *state_;
   const WaveSet waves = s.checked_waves(input);
   CrossFrameResult result{{}, s.cover, s.parts.mesh, s.parts.waves, {}, {}, {}, {}};
+  s.solve(input, waves, progress, result);
   Stopwatch watch;
-  WaveSet crosses = cross_waves(waves, s.normals_of(input));
-  if (s.animator) keep_names(s.cover.waves, crosses);
-  const Adjacency& neighborhood = *s.surface.neighborhood;
-  if (s.animator && are_matched_alike(neighborhood, crosses, s.cover)) {
-    result.matching = CrossMatching::kept;
-    result.milliseconds.match = watch.lap();
-    result.stripes = s.animator->frame(frame_input(crosses), progress);
-    s.cover.waves = std::move(crosses);
-  } else {
-    result.matching = s.animator ? CrossMatching::renewed : CrossMatching::afresh;
-    CrossCover cover = cross_cover(neighborhood, s.surface.mesh.triangles, std::move(crosses));
-    StripeAnimator animator = s.animator_of(cover, s.normals_of(input));
-    result.milliseconds.match = watch.lap();
-    result.stripes = animator.frame(frame_input(cover.waves), progress);
-    s.animator = std::move(animator);
-    s.cover = std::move(cover);
-  }
-  const auto& [z, step, unchanged, frequencies, change, times] = result.stripes;
-  if (!frequencies.empty()) {
-    s.cover.waves.frequencies.assign(frequencies.begin(), frequencies.end());
-  }
-  s.z.assign(z.begin(), z.end());
   s.surface.mesh.positions = waves.positions;
   if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
-  result.milliseconds.solve = watch.lap();
-
   s.parts = cross_parts(s.surface.mesh, s.cover, s.z, s.options.phase_shift, std::move(s.parts));
   result.milliseconds.orient = watch.lap();
   s.measure(result);

@@ -123,6 +123,13 @@ TextureFrameResult TextureAnimator::frame(const TextureFrameInput& input) {
   return result;
 }
 
+double TextureAnimator::energy_u() const { return state_->u.animator.energy(); }
+
+double TextureAnimator::energy_v() const {
+  if (!state_->v) throw Error("texture animator: there is no frame yet");
+  return state_->v->animator.energy();
+}
+
 void TextureAnimator::restart() {
   state_->orientation.forget();
   state_->u.animator.restart();
