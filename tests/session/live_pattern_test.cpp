@@ -1,12 +1,15 @@
 #include "session/live_pattern.h"
 
+#include <algorithm>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/threads.h"
+#include "formatted.h"
 #include "progress_reports.h"
 
 namespace brindle::tool {
@@ -73,6 +76,48 @@ TEST(LivePattern, CurvesAndSamplesAreOfTheStripesThatWereShown) {
   pattern.update(torus(), Follow::last);
   EXPECT_TRUE(stages(pattern).empty());
   EXPECT_EQ(pattern.state()->samples, nullptr);
+}
+
+TEST(LivePattern, TilesFollowInDraftsAlone) {
+  for (const char* kind : {"texture", "cross"}) {
+    SessionDocument document = torus();
+    document.options["field"] = {"curvature"};
+    if (kind == std::string("cross")) {
+      document.options["cross"] = {};
+    } else {
+      document.options["texture"] = {"bricks"};
+    }
+    LivePattern pattern;
+    pattern.update(document, Follow::afresh);
+    SessionDocument moved = document;
+    std::vector<double> steps;
+    for (int step = 1; step <= 12; ++step) {
+      moved.options["stripes"] = {formatted("%.2f", 20 + 0.1 * step)};
+      pattern.update(moved, Follow::loosely);
+      steps.push_back(pattern.state()->figures.phase_step);
+    }
+    std::ranges::sort(steps);
+    EXPECT_LT(steps[steps.size() / 2], 0.1) << kind << ": tiles glide, but where rows come and go";
+    const LiveFigures& followed = pattern.state()->figures;
+    EXPECT_GT(followed.phase_step, 0) << kind;
+    EXPECT_GT(followed.energy, 0) << kind;
+    EXPECT_EQ(pattern.state()->phases, nullptr) << "no document can keep them";
+    const std::size_t singularities = followed.singularities;
+    const std::size_t triangles = pattern.state()->job->surface->mesh.triangle_count();
+
+    pattern.update(moved, Follow::last);
+    EXPECT_EQ(pattern.state()->figures.phase_step, 0) << "made of the document alone";
+    EXPECT_EQ(pattern.state()->figures.singularities, singularities);
+    EXPECT_EQ(pattern.state()->job->surface->mesh.triangle_count(), triangles);
+    LivePattern afresh;
+    afresh.update(moved, Follow::afresh);
+    const auto& waves = [](const LivePattern& of) -> const TextureWaves& {
+      return of.state()->job->result.texture()->pattern.waves;
+    };
+    ASSERT_EQ(waves(pattern).u.size(), waves(afresh).u.size());
+    EXPECT_EQ(pattern.state()->figures.energy, afresh.state()->figures.energy);
+    EXPECT_EQ(waves(pattern).u[7][0].z, waves(afresh).u[7][0].z);
+  }
 }
 
 TEST(LivePattern, CancelledCurvesLeaveWhatWasShown) {

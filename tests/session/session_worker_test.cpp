@@ -173,12 +173,12 @@ TEST(SessionWorker, WhatIsShownChangesAndComesBack) {
 
 TEST(SessionWorker, DraftsHaveTheSizeOfThePictureAndAreNearIt) {
   LivePattern pattern;
-  LivePicture picture;
   for (const OptionValues& options :
        {OptionValues{}, OptionValues{{"color-by", {"height"}}}, OptionValues{{"points", {}}}}) {
     SessionDocument document = torus("6");
     document.options.insert(options.begin(), options.end());
     pattern.update(document, Follow::afresh);
+    LivePicture picture;  // whose first draft has a size that does not depend on the machine
     const Image draft = picture.draft(pattern.state());
     const Image final = picture.draw(pattern.state(), PictureQuality::final);
     ASSERT_EQ(draft.pixels.size(), final.pixels.size());

@@ -15,6 +15,7 @@
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_animator.h"
 #include "picture_options.h"
+#include "tile_follower.h"
 #include "vertex_values.h"
 
 namespace brindle::tool {
@@ -308,6 +309,16 @@ struct ShownStages {
   Stage<ShownSamples> samples;
 };
 
+/// Textures or crosses frame after frame.
+struct Tiles {
+  std::string key;  ///< as that of a Follower, and what kind of tiles
+  std::shared_ptr<TileFollower> made;
+};
+
+std::string tiles_key(const StripeArguments& arguments) {
+  return arguments.waves.cross ? "cross" : arguments.texture.oriented ? "oriented" : "texture";
+}
+
 struct LiveStages {
   Stage<Preparation> surface;
   Stage<BaseField> field;
@@ -317,6 +328,7 @@ struct LiveStages {
   ShownStages shown;
   std::string looks;  ///< all options of the style
   std::shared_ptr<Follower> follower;
+  Tiles tiles;
   std::uint64_t patterns = 0;  ///< that were made
   std::uint64_t changes = 0;   ///< of what is drawn
 };
@@ -417,6 +429,9 @@ class StageUpdate {
     }
     const StripePattern* last = followed(arguments(), stages_.pattern.made.get(), follow_);
     if (last != nullptr) return next_frame(*last);
+    if (follow_ == Follow::loosely && can_follow_tiles(arguments())) return next_tiles();
+    // What follows next, follows what is made here.
+    if (stages_.tiles.made) stages_.tiles.made->restart();
     Preparation prepared = *stages_.surface.made;
     take_waves(*stages_.waves.made, prepared);
     return {make_stripe_job(arguments(), std::move(prepared),
@@ -432,6 +447,22 @@ class StageUpdate {
                                        animator_options(arguments(), *stages_.surface.made))});
     }
     return stages_.follower->animator;
+  }
+
+  // Drafts alone: no document could keep their phases. The first one is solved for afresh.
+  SolvedPattern next_tiles() {
+    const std::string key =
+        stages_.surface.key + options_key(document_, SessionStage::phases) + tiles_key(arguments());
+    if (stages_.tiles.key != key) {
+      stages_.tiles = {key, std::make_shared<TileFollower>(arguments(), stages_.surface.made)};
+    }
+    const PreparedWaves& waves = *stages_.waves.made;
+    SolvedPattern solved;
+    solved.job = stages_.tiles.made->next(arguments(), waves,
+                                          figures_of(*stages_.surface.made, waves), progress_);
+    solved.phase_step = stages_.tiles.made->phase_step();
+    solved.loosely = true;
+    return solved;
   }
 
   SolvedPattern next_frame(const StripePattern& last) {

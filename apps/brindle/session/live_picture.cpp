@@ -37,6 +37,17 @@ std::vector<Vec3> drawn_points(const Surface& surface) {
 
 }  // namespace
 
+namespace {
+
+/// How a picture is drawn.
+struct Care {
+  PictureQuality quality = PictureQuality::final;
+  bool draft = false;
+  const Progress& progress;
+};
+
+}  // namespace
+
 struct LivePicture::Drawing {
   HeadlessContext context;
   std::optional<Renderer> plain;
@@ -48,16 +59,14 @@ struct LivePicture::Drawing {
   std::vector<Vec3> framed;                     ///< by the camera
   DraftSize draft_size;
 
-  Image draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
-             const Progress& progress, bool draft);
+  Image draw(const std::shared_ptr<const LiveState>& state, const Care& care);
   void upload(const LiveState& state);
   void upload_plain(const LiveState& state, const LiveState* last);
   void upload_styled(const LiveState& state, const LiveState* last);
   void upload_ornaments(const ShownOrnaments& shown);
-  Image draw_glyphs(const LiveState& state, const GlyphPicture& glyphs, PictureQuality quality,
-                    bool draft);
-  Image draw_plain(const LiveState& state, PictureQuality quality, bool draft);
-  Image draw_styled(const LiveState& state, PictureQuality quality, bool draft);
+  Image draw_glyphs(const LiveState& state, const GlyphPicture& glyphs, const Care& care);
+  Image draw_plain(const LiveState& state, const Care& care);
+  Image draw_styled(const LiveState& state, const Care& care);
 };
 
 namespace {
@@ -179,19 +188,18 @@ void LivePicture::Drawing::upload(const LiveState& state) {
   uploaded = state.pattern;
 }
 
-Image LivePicture::Drawing::draw_styled(const LiveState& state, PictureQuality quality,
-                                        bool draft) {
-  const float reduction = draft ? draft_size.reduction() : 1;
+Image LivePicture::Drawing::draw_styled(const LiveState& state, const Care& care) {
+  const float reduction = care.draft ? draft_size.reduction() : 1;
   const StyleOptions& style = state.parsed->arguments().style;
   StyledOptions& options = styled_picture->options;
   options = styled_options(style, picture_of(state), styled_picture->followed);
-  options.render.quality = quality;
+  options.render.quality = care.quality;
   options.framed = framed;
   StyledOptions smaller = options;
   // What hollows look like is worth waiting for.
-  if (draft) smaller.occlusion = 0;
+  if (care.draft) smaller.occlusion = 0;
   if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
-  Image image = in_full_size(styled->draw(smaller), options.render);
+  Image image = in_full_size(styled->draw(smaller, care.progress), options.render);
   draw_on_top(image, *styled_picture, style);
   return image;
 }
@@ -209,40 +217,39 @@ StyledOptions glyph_options(const LiveState& state, const GlyphPicture& glyphs) 
 }  // namespace
 
 Image LivePicture::Drawing::draw_glyphs(const LiveState& state, const GlyphPicture& glyphs,
-                                        PictureQuality quality, bool draft) {
+                                        const Care& care) {
   StyledOptions options = glyph_options(state, glyphs);
-  options.render.quality = quality;
+  options.render.quality = care.quality;
   options.framed = framed;
-  const float reduction = draft ? draft_size.reduction() : 1;
-  Image image = in_full_size(styled->draw(reduced(options, reduction)), options.render);
+  const float reduction = care.draft ? draft_size.reduction() : 1;
+  Image image =
+      in_full_size(styled->draw(reduced(options, reduction), care.progress), options.render);
   draw_legends(image, glyphs.legends);
   return image;
 }
 
-Image LivePicture::Drawing::draw_plain(const LiveState& state, PictureQuality quality, bool draft) {
-  const float reduction = draft ? draft_size.reduction() : 1;
+Image LivePicture::Drawing::draw_plain(const LiveState& state, const Care& care) {
+  const float reduction = care.draft ? draft_size.reduction() : 1;
   RenderOptions render = render_options(picture_of(state));
-  render.quality = quality;
+  render.quality = care.quality;
   const RenderOptions smaller = reduced(render, reduction);
   return in_full_size(is_of_points(state) ? splats->draw(smaller) : plain->draw(smaller), render);
 }
 
-Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state,
-                                 PictureQuality quality, const Progress& progress, bool draft) {
-  progress.report("drawing", 0);
+Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state, const Care& care) {
+  care.progress.report("drawing", 0);
   context.make_current();
   upload(*state);
   kept = state;
-  progress.report("drawing", 0.2);
+  care.progress.report("drawing", 0.2);
   Stopwatch watch;
   const ShownOrnaments* shown = ornaments_of(*state);
-  Image image = shown != nullptr && shown->glyphs
-                    ? draw_glyphs(*state, *shown->glyphs, quality, draft)
-                : state->style ? draw_styled(*state, quality, draft)
-                               : draw_plain(*state, quality, draft);
+  Image image = shown != nullptr && shown->glyphs ? draw_glyphs(*state, *shown->glyphs, care)
+                : state->style                    ? draw_styled(*state, care)
+                                                  : draw_plain(*state, care);
   context.check_errors("drawing the picture");
-  if (draft) draft_size.note(watch.lap());
-  progress.report("drawing", 1);
+  if (care.draft) draft_size.note(watch.lap());
+  care.progress.report("drawing", 1);
   return image;
 }
 
@@ -257,11 +264,11 @@ LivePicture::~LivePicture() {
 
 Image LivePicture::draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
                         const Progress& progress) {
-  return drawing_->draw(state, quality, progress, false);
+  return drawing_->draw(state, {quality, false, progress});
 }
 
 Image LivePicture::draft(const std::shared_ptr<const LiveState>& state, const Progress& progress) {
-  return drawing_->draw(state, PictureQuality::interactive, progress, true);
+  return drawing_->draw(state, {PictureQuality::interactive, true, progress});
 }
 
 Camera LivePicture::camera(const LiveState& state) const {

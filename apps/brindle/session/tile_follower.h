@@ -1,0 +1,49 @@
+/// Textures and crosses that follow while something moves.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "brindle/cross_animator.h"
+#include "brindle/texture_animator.h"
+#include "session_options.h"
+#include "stripe_job.h"
+
+namespace brindle::tool {
+
+/// Whether textures or crosses may follow earlier ones in drafts: those of the multilevel solver on
+/// a mesh, without slack.
+bool can_follow_tiles(const StripeArguments& arguments);
+
+/// Frame after frame on one surface. The first is solved for afresh.
+class TileFollower {
+ public:
+  /// `prepared` is without waves and outlives this.
+  TileFollower(const StripeArguments& arguments, std::shared_ptr<const Preparation> prepared);
+
+  /// The next frame, and what the pattern of the last one has become. Throws what the animators
+  /// throw, and Cancelled.
+  StripeJob next(const StripeArguments& arguments, const PreparedWaves& waves,
+                 const PreparationFigures& figures, const Progress& progress);
+
+  double phase_step() const { return phase_step_; }
+
+  /// Forgets the last frame: the next one is solved for afresh.
+  void restart();
+
+ private:
+  StripeJob next_texture(const StripeArguments& arguments, const PreparedWaves& waves,
+                         const PreparationFigures& figures);
+  StripeJob next_cross(const StripeArguments& arguments, const PreparedWaves& waves,
+                       const PreparationFigures& figures, const Progress& progress);
+
+  std::shared_ptr<const Preparation> prepared_;
+  std::optional<TextureAnimator> texture_;
+  std::optional<CrossAnimator> cross_;
+  std::shared_ptr<const Surface> cross_surface_;  ///< as long as crosses belong together alike
+  InputData cross_data_;
+  double phase_step_ = 0;
+};
+
+}  // namespace brindle::tool
