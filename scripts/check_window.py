@@ -403,7 +403,7 @@ def main():
     parser.add_argument("tool")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--keep", type=pathlib.Path)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     if say_what_is_missing():
         return SKIPPED
     checks = {name.removeprefix("check_"): check for name, check in globals().items()

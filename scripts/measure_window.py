@@ -120,7 +120,7 @@ def main():
     parser.add_argument("tool")
     parser.add_argument("names", nargs="*", metavar="MESH|ITEM")
     parser.add_argument("--gallery", action="store_true")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     if not arguments.gallery and len(arguments.names) != 1:
         parser.error("name one mesh, or give --gallery")
     if say_what_is_missing():
