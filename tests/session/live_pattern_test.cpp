@@ -120,6 +120,44 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
   }
 }
 
+TEST(LivePattern, WhatCrossesFollowsInDraftsAlone) {
+  SessionDocument hatched = torus(), curves = torus(), samples = torus();
+  hatched.options["width-by"] = {"light"};
+  hatched.options["cross-hatch"] = {"0.6"};
+  curves.shown = Shown::curves;
+  curves.curves["lines"] = {"both"};
+  samples.shown = Shown::samples;
+  const auto crossing_of = [](const LivePattern& pattern) -> std::vector<Vec3> {
+    const LiveState& state = *pattern.state();
+    if (state.curves) return state.curves->families[1].curves.lines.points;
+    std::vector<Vec3> points;
+    if (state.samples) {
+      for (const Sample& sample : state.samples->taken.samples) points.push_back(sample.position);
+      return points;
+    }
+    for (const Complex& z : state.style->patterns.crossing->solution.z) {
+      points.emplace_back(z.real(), z.imag(), 0);
+    }
+    return points;
+  };
+  for (const SessionDocument& document : {hatched, curves, samples}) {
+    LivePattern pattern, afresh;
+    pattern.update(document, Follow::afresh);
+    SessionDocument moved = with(document, "stripes", "20.7");
+    pattern.update(moved, Follow::loosely);
+    const std::vector<Vec3> followed = crossing_of(pattern);
+    moved.camera.azimuth_deg = 50;
+    pattern.update(moved, Follow::loosely);
+    EXPECT_EQ(crossing_of(pattern), followed) << "a camera changes no stripes";
+    pattern.update(moved, Follow::last);
+    ASSERT_NE(pattern.state()->phases, nullptr);
+    moved.phases = pattern.state()->phases;
+    afresh.update(moved, Follow::afresh);
+    EXPECT_EQ(crossing_of(pattern), crossing_of(afresh)) << "at rest, made of the document alone";
+    EXPECT_NE(crossing_of(pattern), followed);
+  }
+}
+
 TEST(LivePattern, CancelledCurvesLeaveWhatWasShown) {
   LivePattern pattern;
   pattern.update(torus(), Follow::afresh);

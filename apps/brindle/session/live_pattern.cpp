@@ -53,6 +53,9 @@ struct Stage {
   bool holds(const std::string& wanted) const { return made && key == wanted; }
 };
 
+/// Ends the keys of what has followed as no document can have it.
+constexpr const char* kFollowed = " followed";
+
 /// A pattern, and whether it followed another one.
 struct SolvedPattern {
   StripeJob job;
@@ -327,7 +330,7 @@ struct LiveStages {
   StyleStages style;
   ShownStages shown;
   std::string looks;  ///< all options of the style
-  std::shared_ptr<Follower> follower;
+  std::shared_ptr<Follower> follower, crossing_follower;
   Tiles tiles;
   std::uint64_t patterns = 0;  ///< that were made
   std::uint64_t changes = 0;   ///< of what is drawn
@@ -439,14 +442,39 @@ class StageUpdate {
             nullptr, 0};
   }
 
-  StripeAnimator& animator() {
+  StripeAnimator& animator(std::shared_ptr<Follower>& follower) {
     const std::string key = stages_.surface.key + options_key(document_, SessionStage::phases);
-    if (!stages_.follower || stages_.follower->key != key) {
-      stages_.follower = std::make_shared<Follower>(
+    if (!follower || follower->key != key) {
+      follower = std::make_shared<Follower>(
           Follower{key, StripeAnimator(stages_.surface.made->surface,
                                        animator_options(arguments(), *stages_.surface.made))});
     }
-    return stages_.follower->animator;
+    return follower->animator;
+  }
+
+  // Stripes that cross the pattern, near to those of the last draft.
+  StripePattern next_crossing(const StripePattern& last, WaveSet waves) {
+    StripeAnimator& frames = animator(stages_.crossing_follower);
+    frames.set_last_phases(
+        matched_phases({stages_.surface.made->surface.mesh, last.waves, last.solution.z}, waves));
+    const FrameResult frame =
+        frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
+    StripePattern pattern;
+    pattern.waves = std::move(waves);
+    pattern.phase_shift = arguments().solving.stripes.phase_shift;
+    pattern.solution.z.assign(frame.z.begin(), frame.z.end());
+    return pattern;
+  }
+
+  // Whether stripes that cross the pattern may go on from these.
+  bool can_go_on(const Stage<StripePattern>& crossing) const {
+    return follow_ == Follow::loosely && crossing.made && can_follow(arguments()) &&
+           !stages_.surface.made->points;
+  }
+
+  // In drafts, what has followed will do.
+  bool holds_crossing(const Stage<StripePattern>& crossing, const std::string& key) const {
+    return crossing.holds(key) || (follow_ == Follow::loosely && crossing.holds(key + kFollowed));
   }
 
   // Drafts alone: no document could keep their phases. The first one is solved for afresh.
@@ -467,7 +495,7 @@ class StageUpdate {
 
   SolvedPattern next_frame(const StripePattern& last) {
     const WaveSet& waves = stages_.waves.made->waves;
-    StripeAnimator& frames = animator();
+    StripeAnimator& frames = animator(stages_.follower);
     frames.set_last_phases(
         matched_phases({stages_.surface.made->surface.mesh, last.waves, last.solution.z}, waves));
     const FrameResult frame =
@@ -544,10 +572,22 @@ class StageUpdate {
 
   bool make_crossing_strokes() {
     Stage<StripePattern>& crossing = stages_.style.crossing;
-    const bool wanted = arguments().style.cross_hatch.has_value();
-    const std::string key = wanted ? std::to_string(stages_.patterns) : "";
-    if (crossing.key == key && (crossing.made != nullptr) == wanted) return false;
+    if (!arguments().style.cross_hatch) {
+      const bool was_there = crossing.made != nullptr;
+      crossing = {"", nullptr, {}};
+      return was_there;
+    }
+    const std::string key = std::to_string(stages_.patterns);
+    if (holds_crossing(crossing, key)) return false;
     const StripeJob& job = stages_.pattern.made->job;
+    if (can_go_on(crossing)) {
+      WaveSet waves = waves_across(job.result.stripes().waves, job.surface->normals);
+      crossing = {
+          key + kFollowed,
+          std::make_shared<const StripePattern>(next_crossing(*crossing.made, std::move(waves))),
+          {}};
+      return true;
+    }
     crossing = {key,
                 make_crossing(*job.surface, job.result, arguments().style,
                               arguments().solving.stripes, progress_),
@@ -583,27 +623,32 @@ class StageUpdate {
     return {prepared.surface, waves.waves, waves.frequencies_v, prepared.vertex_of_row};
   }
 
-  StripePattern second_pattern() {
+  WaveSet second_waves() {
+    return parsed_->samples() != nullptr ? waves_of_v(*parsed_->samples(), first_waves(), listener_)
+                                         : waves_of_v(*parsed_->curves(), first_waves(), listener_);
+  }
+
+  StripePattern second_pattern(WaveSet waves) {
     const Preparation& prepared = *stages_.surface.made;
-    StripeOptions options = stripe_options(arguments().solving, prepared);
+    const StripeOptions options = stripe_options(arguments().solving, prepared);
     if (parsed_->samples() != nullptr) {
-      return stripe_pattern(prepared.surface,
-                            waves_of_v(*parsed_->samples(), first_waves(), listener_), options,
-                            progress_);
+      return stripe_pattern(prepared.surface, std::move(waves), options, progress_);
     }
     MakingFigures figures;
-    return pattern_of_v(*parsed_->curves(), prepared.surface,
-                        waves_of_v(*parsed_->curves(), first_waves(), listener_), options,
-                        progress_, figures);
+    return pattern_of_v(*parsed_->curves(), prepared.surface, std::move(waves), options, progress_,
+                        figures);
   }
 
   const StripePattern& second() {
     Stage<StripePattern>& stage = stages_.shown.second;
     const std::string key = std::string(name_of(document_.shown)) + second_key();
-    if (!stage.holds(key)) {
-      auto made = std::make_shared<const StripePattern>(second_pattern());
-      stage = {key, std::move(made), listener_.take()};
-    }
+    if (holds_crossing(stage, key)) return *stage.made;
+    const bool wales = parsed_->curves() != nullptr && parsed_->curves()->wales > 0;
+    const bool goes_on = can_go_on(stage) && !wales;
+    WaveSet waves = second_waves();
+    auto made = std::make_shared<const StripePattern>(
+        goes_on ? next_crossing(*stage.made, std::move(waves)) : second_pattern(std::move(waves)));
+    stage = {goes_on ? key + kFollowed : key, std::move(made), listener_.take()};
     return *stage.made;
   }
 
@@ -618,19 +663,19 @@ class StageUpdate {
     return *stage.made;
   }
 
-  // All that curves and samples follow from.
+  // All that curves and samples follow from, once V is there.
   std::string shown_key() const {
-    return std::to_string(stages_.patterns) + '\n' + second_key() +
+    return std::to_string(stages_.patterns) + '\n' + stages_.shown.second.key +
            options_key(document_, SessionStage::style) + camera_key(document_, SessionStage::style);
   }
 
   bool make_curves() {
     Stage<ShownCurves>& stage = stages_.shown.curves;
+    const CurvesArguments& curves = *parsed_->curves();
+    const StripePattern* v = curves.traced == TracedWaves::u ? nullptr : &second();
     const std::string key = shown_key();
     if (stage.holds(key)) return false;
-    const CurvesArguments& curves = *parsed_->curves();
     const StripeJob& job = stages_.pattern.made->job;
-    const StripePattern* v = curves.traced == TracedWaves::u ? nullptr : &second();
     auto made = std::make_shared<const ShownCurves>(
         shown_curves(curves, job.surface, edges(), {job.result.stripes(), v}, listener_));
     stage = {key, std::move(made), listener_.take()};
@@ -639,11 +684,12 @@ class StageUpdate {
 
   bool make_samples() {
     Stage<ShownSamples>& stage = stages_.shown.samples;
+    const StripePattern& v = second();
     const std::string key = shown_key();
     if (stage.holds(key)) return false;
     auto made = std::make_shared<const ShownSamples>(
         shown_samples(parsed_->command(), *parsed_->samples(), stages_.surface.made,
-                      {stages_.pattern.made->job.result.stripes(), &second()}, listener_));
+                      {stages_.pattern.made->job.result.stripes(), &v}, listener_));
     stage = {key, std::move(made), listener_.take()};
     return true;
   }
