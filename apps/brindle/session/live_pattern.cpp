@@ -15,6 +15,7 @@
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_animator.h"
 #include "picture_options.h"
+#include "stage_keys.h"
 #include "tile_follower.h"
 #include "vertex_values.h"
 
@@ -63,101 +64,6 @@ struct SolvedPattern {
   double phase_step = 0;
   bool loosely = false;  ///< it followed as no document can have it
 };
-
-/// Says whether a file has become another one.
-std::string stamp_of(const std::string& path) {
-  std::error_code missing;
-  const auto time = std::filesystem::last_write_time(path, missing);
-  return missing ? "" : std::to_string(time.time_since_epoch().count());
-}
-
-/// Options, and of which files they speak.
-std::string key_of(const OptionValues& options) {
-  std::string key = options_to_json(options).dump();
-  for (const auto& [name, values] : options) {
-    for (const std::string& value : values) key += '|' + stamp_of(value);
-  }
-  return key + '\n';
-}
-
-/// The document's options of a stage.
-std::string options_key(const SessionDocument& document, SessionStage stage) {
-  OptionValues options;
-  for (const auto& [name, values] : shown_options(document)) {
-    const SessionOption* option = find_session_option(name, document.shown);
-    if (option != nullptr && option->stage == stage) options[name] = values;
-  }
-  return key_of(options);
-}
-
-std::string surface_key(const SessionDocument& document) {
-  return document.mesh + '|' + stamp_of(document.mesh) + '\n' +
-         options_key(document, SessionStage::surface);
-}
-
-std::string view_key(const SessionDocument& document) {
-  return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
-         std::to_string(document.size.height);
-}
-
-/// Values that follow the camera are other ones when it moves: the camera, where there are any.
-std::string camera_key(const SessionDocument& document, SessionStage stage) {
-  const bool by_camera = std::ranges::any_of(shown_options(document), [&](const auto& entry) {
-    const SessionOption* option = find_session_option(entry.first, document.shown);
-    return option != nullptr && option->stage == stage &&
-           std::ranges::any_of(entry.second, depends_on_camera);
-  });
-  return by_camera ? view_key(document) : "";
-}
-
-std::string field_key(const SessionDocument& document) {
-  SessionDocument without = document;
-  for (const std::string& name : kOptionsAfterField) without.options.erase(name);
-  std::string key = options_key(without, SessionStage::waves);
-  for (const FieldStroke& stroke : document.strokes) key += stroke_to_json(stroke).dump();
-  return key + '\n';
-}
-
-std::string waves_key(const SessionDocument& document) {
-  return options_key(document, SessionStage::waves) +
-         nlohmann::json(frequency_factor(document)).dump() +
-         camera_key(document, SessionStage::waves) + '\n';
-}
-
-/// Those of the document's options that are named.
-OptionValues named_options(const SessionDocument& document, std::span<const char* const> names) {
-  const OptionValues all = shown_options(document);
-  OptionValues options;
-  for (const char* name : names) {
-    const auto found = all.find(name);
-    if (found != all.end()) options.insert(*found);
-  }
-  return options;
-}
-
-/// What other surfaces of a picture are read by. Those with stripes of their own have them by the
-/// document's waves.
-std::string others_key(const SessionDocument& document, const std::string& waves) {
-  const auto found = document.options.find("with");
-  if (found == document.options.end()) return "";
-  const bool striped = std::ranges::any_of(found->second, [](const std::string& value) {
-    return value.find("@striped") != std::string::npos ||
-           value.find("@discarded") != std::string::npos;
-  });
-  return key_of({*found}) + (striped ? waves : "");
-}
-
-/// What values of a picture are read by. Those that follow the camera are other ones when it moves,
-/// and where it stands depends on all that is seen.
-std::string values_key(const SessionDocument& document, const StyleOptions& style,
-                       const std::string& others) {
-  constexpr std::array kReading = {"width-by",     "color-by",   "opacity-by",  "texture-by",
-                                   "tile-size-by", "field-mesh", "max-distance"};
-  constexpr std::array kMargin = {"legend", "no-legend", "color-range", "width-range"};
-  std::string key = key_of(named_options(document, kReading));
-  if (!style.follows_camera()) return key;
-  return key + key_of(named_options(document, kMargin)) + others + view_key(document);
-}
 
 std::vector<float> angles_of(std::span<const Complex> z) {
   std::vector<float> angles(z.size());
@@ -610,13 +516,6 @@ class StageUpdate {
     ++stages_.changes;
   }
 
-  // What V follows from, beside the surface.
-  std::string second_key() const {
-    constexpr std::array kSecond = {"field-v", "stripes-v", "frequency-v", "wales"};
-    return stages_.waves.key + options_key(document_, SessionStage::phases) +
-           key_of(named_options(document_, kSecond));
-  }
-
   FirstWaves first_waves() const {
     const Preparation& prepared = *stages_.surface.made;
     const PreparedWaves& waves = *stages_.waves.made;
@@ -641,7 +540,8 @@ class StageUpdate {
 
   const StripePattern& second() {
     Stage<StripePattern>& stage = stages_.shown.second;
-    const std::string key = std::string(name_of(document_.shown)) + second_key();
+    const std::string key = std::string(name_of(document_.shown)) + stages_.waves.key +
+                            options_key(document_, SessionStage::phases) + second_key(document_);
     if (holds_crossing(stage, key)) return *stage.made;
     const bool wales = parsed_->curves() != nullptr && parsed_->curves()->wales > 0;
     const bool goes_on = can_go_on(stage) && !wales;

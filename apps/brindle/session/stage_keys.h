@@ -1,0 +1,33 @@
+/// What the stages of a live pattern follow from, as text: as long as it stays, so does the stage.
+/// Files count with the time of their last change.
+#pragma once
+
+#include <string>
+
+#include "session_options.h"
+
+namespace brindle::tool {
+
+/// The document's options of a stage, and of which files they speak.
+std::string options_key(const SessionDocument& document, SessionStage stage);
+
+std::string surface_key(const SessionDocument& document);
+std::string field_key(const SessionDocument& document);
+std::string waves_key(const SessionDocument& document);
+
+/// Of V: what it has beside the pattern's waves.
+std::string second_key(const SessionDocument& document);
+
+/// Values that follow the camera are other ones when it moves: the camera, where there are any.
+std::string camera_key(const SessionDocument& document, SessionStage stage);
+
+/// What other surfaces of a picture are read by. Those with stripes of their own have them by the
+/// document's waves.
+std::string others_key(const SessionDocument& document, const std::string& waves);
+
+/// What values of a picture are read by. Those that follow the camera are other ones when it moves,
+/// and where it stands depends on all that is seen.
+std::string values_key(const SessionDocument& document, const StyleOptions& style,
+                       const std::string& others);
+
+}  // namespace brindle::tool
