@@ -13,6 +13,7 @@ import argparse
 import json
 import os
 import pathlib
+import select
 import shutil
 import subprocess
 import sys

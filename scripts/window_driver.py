@@ -3,8 +3,6 @@ window's log (brindle view --log) for where widgets are and what has been drawn.
 
 import json
 import os
-import pathlib
-import select
 import shutil
 import signal
 import subprocess
