@@ -242,6 +242,8 @@ class SurfaceMaker {
     made_.graph.adjacency = std::make_shared<const Adjacency>(std::move(adjacency));
     made_.normals = vertex_normals(made_.mesh, around);
     made_.exchange_all(std::span(made_.normals));
+    made_.ring.assign(made_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_),
+                      made_.mesh.triangles.end());
     made_.mesh.triangles.resize(own_triangles_);
     made_.piece_normals = made_.to_piece(std::span<const Vec3>(made_.normals));
     for (const Index v : made_.vertex_of_piece) {

@@ -127,6 +127,11 @@ void BoundedMultigrid::prepare_without_bounds() {
   sum_all();
 }
 
+void BoundedMultigrid::start_as_coarser() {
+  weigh(0);
+  start_with(kCoarsestSweeps);
+}
+
 void BoundedMultigrid::solve_without_bounds(int visits) {
   std::ranges::fill(levels_[0].x, 0.0f);
   for (int n = 0; n < visits; ++n) descend(0);
@@ -228,7 +233,7 @@ void BoundedMultigrid::sweep(std::size_t l, bool forward) {
     relax_blocks<kBounded>(l, peers_->border_blocks(l), forward);
     peers_->start(l, level.x);
     relax_blocks<kBounded>(l, peers_->inner_blocks(l), forward);
-    peers_->finish(l, level.x);
+    peers_->finish();
     return;
   }
   parallel_for(
@@ -244,7 +249,7 @@ void BoundedMultigrid::sweep(std::size_t l, bool forward) {
 void BoundedMultigrid::exchange(std::size_t level, std::span<float> by_place) {
   if (peers_ == nullptr) return;
   peers_->start(level, by_place);
-  peers_->finish(level, by_place);
+  peers_->finish();
 }
 
 /// What level l leaves undone becomes the right side of the next.
@@ -290,7 +295,9 @@ void BoundedMultigrid::restrict_bounds(std::size_t l) {
   });
 }
 
-void BoundedMultigrid::start(int finest_sweeps) {
+void BoundedMultigrid::start() { start_with(0); }
+
+void BoundedMultigrid::start_with(int finest_sweeps) {
   std::ranges::fill(free_, 1.0f);
   sum_all();
   for (std::size_t l = 0; !is_coarsest(l); ++l) restrict_bounds(l);
@@ -405,7 +412,7 @@ void BoundedMultigrid::step() {
 void BoundedMultigrid::correct_finest() {
   if (peers_ != nullptr) peers_->start(0, free_);
   restrict_free_residual();
-  if (peers_ != nullptr) peers_->finish(0, free_);
+  if (peers_ != nullptr) peers_->finish();
   if (!summed_ || changed_ * kMostChanged > nodes_of_all_) {
     sum_all();
     summed_ = true;

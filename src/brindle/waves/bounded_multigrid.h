@@ -36,9 +36,8 @@ class BoundedMultigrid {
   /// After the problem has changed.
   void prepare();
 
-  /// A start for `x`: from the coarsest level down, each between the bounds that its nodes share;
-  /// so many sweeps at the end.
-  void start(int finest_sweeps = 0);
+  /// A start for `x`: from the coarsest level down, each between the bounds that its nodes share.
+  void start();
 
   struct Measure {
     double energy = 0;              ///< x'Ax - 2 b'x
@@ -51,7 +50,8 @@ class BoundedMultigrid {
   /// How far things are.
   Measure measure();
 
-  // For the coarser levels of another one, without bounds.
+  // For the coarser levels of another one.
+  void start_as_coarser();                ///< `start`, with sweeps at the end
   void prepare_without_bounds();          ///< after the matrix has changed
   void solve_without_bounds(int visits);  ///< so many cycles from zero
 
@@ -79,6 +79,7 @@ class BoundedMultigrid {
   void restrict_residual(std::size_t level);
   void restrict_bounds(std::size_t level);
   void correct(std::size_t level);
+  void start_with(int finest_sweeps);
   void visit(std::size_t level, int visits);
   void descend(std::size_t level);
   void correct_finest();

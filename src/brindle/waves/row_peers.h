@@ -35,10 +35,10 @@ class RowPeers {
   virtual std::span<const Index> border_blocks(std::size_t level) const = 0;
   virtual std::span<const Index> inner_blocks(std::size_t level) const = 0;
 
-  /// Sends values of own nodes to those who need them; `finish` sets the values of others' nodes.
-  /// In between, what is at the border stays, and others' nodes are not read.
-  virtual void start(std::size_t level, std::span<const float> by_place) = 0;
-  virtual void finish(std::size_t level, std::span<float> by_place) = 0;
+  /// Sends values of own nodes to those who need them; after `finish` others' nodes have theirs. In
+  /// between, what is at the border stays, and others' nodes are not read.
+  virtual void start(std::size_t level, std::span<float> by_place) = 0;
+  virtual void finish() = 0;
 
   /// Replaces values by their sums over all processes, in the same order in every run.
   virtual void sum(std::span<double> values) = 0;

@@ -50,13 +50,8 @@ void check(const Slack& slack, std::size_t vertices) {
   check_numbers(slack.calm, 1, "calm", "give a number from 0 to 1");
 }
 
-struct YieldingFrequency::State {
-  YieldingSolver solver;
-};
-
-namespace {
-
-std::shared_ptr<const YieldingSetting> setting_of(const Surface& surface, const Slack& slack) {
+std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface,
+                                                        const Slack& slack) {
   const Mesh& mesh = surface.mesh;
   check(slack, mesh.vertex_count());
   auto setting = std::make_shared<YieldingSetting>();
@@ -76,10 +71,12 @@ std::shared_ptr<const YieldingSetting> setting_of(const Surface& surface, const 
   return setting;
 }
 
-}  // namespace
+struct YieldingFrequency::State {
+  YieldingSolver solver;
+};
 
 YieldingFrequency::YieldingFrequency(const Surface& surface, const Slack& slack)
-    : state_(std::make_unique<State>(State{YieldingSolver(setting_of(surface, slack))})) {}
+    : state_(std::make_unique<State>(State{YieldingSolver(yielding_setting(surface, slack))})) {}
 
 YieldingFrequency::YieldingFrequency(std::unique_ptr<State> state) : state_(std::move(state)) {}
 

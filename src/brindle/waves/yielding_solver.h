@@ -27,6 +27,9 @@ struct YieldingSetting {
   std::shared_ptr<const Adjacency> adjacency;
 };
 
+/// Of a whole surface. Throws Error as `check` does.
+std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack);
+
 /// What YieldingFrequency is in one process. With peers all functions but `keep`, `frequencies` and
 /// `change` must be called by all of them, and `progress` has to throw for all or none.
 class YieldingSolver {
