@@ -20,6 +20,7 @@
 #include "outputs.h"
 #include "pattern_arrays.h"
 #include "piece_output.h"
+#include "piece_slack.h"
 #include "progress_display.h"
 #include "report.h"
 #include "used_files.h"
@@ -112,8 +113,12 @@ DistributedOptions animator_options(const MpiArguments& arguments) {
   return options;
 }
 
+/// On all ranks or none.
+bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }
+
 Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& arguments,
-                       const PieceWaves& waves, const PatternQuality& quality, double energy) {
+                       const PieceWaves& waves, const FrameResult& frame,
+                       const PatternQuality& quality, double energy) {
   const SolverOptions& solver = arguments.solving.stripes.solver;
   Report report;
   report.vertices = surface.vertex_count();
@@ -125,14 +130,27 @@ Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& ar
   report.quality = quality;
   report.field_milliseconds = waves.milliseconds;
   report.waves = waves.figures;
+  if (has_yielded(frame)) {
+    report.frequency = frequency_report(frame.frequency_change, quality);
+  }
   return report;
 }
 
 /// What the piece's file has beside the mesh.
-DataArrays arrays_of(const SurfacePiece& piece, const WaveSet& waves, std::span<const Complex> z,
+DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult& frame,
                      std::vector<CornerPhases> corners) {
   DataArrays arrays;
-  add_waves(arrays.points, {waves, {}, z, ""}, std::numeric_limits<float>::quiet_NaN(), {});
+  std::vector<float> wanted;
+  if (has_yielded(frame)) {
+    wanted = std::move(waves.frequencies);
+    waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
+  }
+  add_waves(arrays.points, {waves, wanted, frame.z, ""}, std::numeric_limits<float>::quiet_NaN(),
+            {});
+  // Pieces without a vertex have all arrays, too.
+  if (has_yielded(frame) && wanted.empty()) {
+    arrays.points.push_back(make_data_array("frequency_wanted", 1, wanted));
+  }
   arrays.points.push_back(make_data_array("global_id", 1, piece.vertex_ids));
   StripePattern pattern;
   pattern.corners = std::move(corners);
@@ -144,6 +162,7 @@ DataArrays arrays_of(const SurfacePiece& piece, const WaveSet& waves, std::span<
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> inputs, outputs;
   if (!is_shape(arguments.surface)) inputs.push_back({"MESH", arguments.surface.mesh});
+  add_slack_files(arguments.solving.slack, inputs);
   if (!arguments.output.empty()) {
     outputs.push_back({"--output", arguments.output});
     for (int r = 0; r < ranks.size(); ++r) {
@@ -197,17 +216,20 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     PieceWaves waves =
         make_waves(ranks, surface, read.piece.mesh.positions, arguments.waves, display);
     stage("stripes");
-    DistributedStripeAnimator animator(surface, animator_options(arguments));
+    DistributedOptions options = animator_options(arguments);
+    options.slack = piece_slack(ranks, arguments.solving.slack, read, surface.vertex_count());
+    DistributedStripeAnimator animator(surface, options);
     const WaveSet& w = waves.waves;
     const FrameResult frame =
         animator.frame({w.positions, w.directions, w.frequencies}, display.progress());
     stage("pattern");
     watch.lap();
     DistributedMeasures measures = animator.measure();
-    report = make_mpi_report(surface, arguments, waves, measures.quality, animator.energy());
+    report = make_mpi_report(surface, arguments, waves, frame, measures.quality, animator.energy());
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
     report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();
+    report.milliseconds.frequency = frame.milliseconds.frequency;
     report.milliseconds.couple = frame.milliseconds.couple;
     report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
     report.milliseconds.pattern = watch.lap();
@@ -215,7 +237,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     if (!arguments.output.empty()) {
       stage("writing");
       write_pieces(ranks, arguments.output, read.piece.mesh,
-                   arrays_of(read.piece, w, frame.z, std::move(measures.corners)));
+                   arrays_of(read.piece, w, frame, std::move(measures.corners)));
     }
     if (arguments.frames > 0) {
       stage("frames");

@@ -81,6 +81,7 @@ struct DistributedStripeAnimator::State {
   void take_slack();
   void take_input(const FrameInput& frame);
   FrameInput input_of_nodes() const;
+  bool is_kept() const;
   FrameInput yielded(const Progress& progress);
   void start();
   void keep_frequencies();
@@ -126,6 +127,11 @@ FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
   const std::size_t nodes = surface->graph.node_count();
   return {std::span(input.positions).first(nodes), std::span(input.directions).first(nodes),
           std::span(input.frequencies).first(nodes)};
+}
+
+/// Whether frequencies yield, and the input is the last frame's on all ranks.
+bool DistributedStripeAnimator::State::is_kept() const {
+  return has_last && yielding.yields() && !ranks().any(!yielding.is_kept(input_of_nodes()));
 }
 
 /// The input of own vertices and ghosts with the frequencies to solve for.
@@ -204,10 +210,7 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
   Stopwatch watch;
   s.take_input(input);
   const double exchange_milliseconds = watch.lap();
-  if (s.has_last && s.yielding.yields() &&
-      !s.ranks().any(!s.yielding.is_kept(s.input_of_nodes()))) {
-    return s.unchanged_frame();
-  }
+  if (s.is_kept()) return s.unchanged_frame();
   const FrameInput yielded = s.yielded(progress);
   const double yield_milliseconds = watch.lap();
   s.start();
