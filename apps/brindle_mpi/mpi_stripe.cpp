@@ -108,6 +108,7 @@ DistributedOptions animator_options(const MpiArguments& arguments) {
   DistributedOptions options;
   options.solver = FrameSolver::multilevel;
   options.phase_shift = arguments.solving.stripes.phase_shift;
+  options.weights = arguments.solving.stripes.weights;
   options.sweeps = arguments.solving.stripes.solver.sweeps;
   options.cycles = arguments.solving.stripes.solver.cycles;
   return options;

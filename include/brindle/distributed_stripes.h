@@ -13,14 +13,16 @@
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Those of a StripeAnimator but edge weights, which are refused. Slack and calm by vertex are
+/// Those of a StripeAnimator but weights by edge, which are refused. Slack and calm by vertex are
 /// those of the piece's vertices; what counts is what a vertex's owner says.
 struct DistributedOptions : AnimatorOptions {
   /// Levels with fewer nodes on all ranks together are solved by rank 0 alone.
   std::size_t gather_below = 16384;
+  EdgeWeights weights = EdgeWeights::paper;  ///< of the pieces' shape; in place of `edge_weights`
 };
 
 /// What the measured triangles of all ranks say of a pattern.
@@ -41,7 +43,7 @@ struct FrequencyTraffic {
 /// members are collective.
 class DistributedStripeAnimator {
  public:
-  /// Throws Error for options out of range and edge weights.
+  /// Throws Error for options out of range and weights by edge.
   explicit DistributedStripeAnimator(const DistributedSurface& surface,
                                      const DistributedOptions& options = {});
   ~DistributedStripeAnimator();

@@ -166,12 +166,12 @@ void write_calm(const std::filesystem::path& path, std::size_t rows) {
   test::write_text(path, text);
 }
 
-TEST_F(MpiTool, OfOneRankYieldsAsTheToolDoes) {
+TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
   const Words words = {"shape:torus,resolution=40",
                        "--direction",
                        "0.3,0.9,0.2",
-                       "--stripes",
-                       "30",
+                       "--weights",
+                       "cotangent",
                        "--slack",
                        "0.25",
                        "--calm",
@@ -246,7 +246,7 @@ TEST_F(MpiTool, MeasuresFrames) {
 }
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
-  expect_failure(on(2, {"shape:torus", "--weights", "cotangent"}), 2, "--weights");
+  expect_failure(on(2, {"shape:torus", "--frequency-by", "curvature"}), 2, "--frequency-by");
   expect_failure(on(2, {"shape:torus", "--field", "wind.csv"}), 2, "wind.csv");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");

@@ -9,6 +9,7 @@
 #include "brindle/distributed/rank_yielding.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
+#include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pattern/quality_sums.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
@@ -34,7 +35,7 @@ void check_distributed(const DistributedOptions& options) {
     throw Error("animator options: the phase shift must be aligned or trapezoid");
   }
   if (!options.edge_weights.empty()) {
-    throw Error("animator options: edge weights are not for distributed surfaces");
+    throw Error("animator options: distributed surfaces have no weights by edge; take `weights`");
   }
 }
 
@@ -59,6 +60,7 @@ struct DistributedStripeAnimator::State {
   std::vector<ToldWave> told;  ///< by vertex; of own ones and ghosts
   WaveSet input;               ///< the same as arrays
   std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
+  std::vector<float> weights;                        ///< by entry; empty: 1
   std::vector<float> degree;
   std::vector<Complex> last_z;  ///< by slot
   std::vector<Complex> z_by_node;
@@ -69,7 +71,8 @@ struct DistributedStripeAnimator::State {
   std::shared_ptr<const RankRows> rows;  ///< of frequencies that yield over several ranks
   YieldingFrames yielding;               ///< of own vertices and ghosts
   bool has_calm = false;
-  std::vector<float> calm, wanted;  ///< by vertex; `wanted` is the last frame's
+  std::vector<float> calm;    ///< by vertex
+  std::vector<float> wanted;  ///< of the last frame, by own vertex and ghost
   std::vector<float> frequencies_of_piece;
   FrequencyTraffic frequency_traffic;
 
@@ -155,6 +158,11 @@ void DistributedStripeAnimator::State::start() {
   if (options.cycles > 0) cancellable_waves.reserve(layout.slot_count());
   if (options.solver == FrameSolver::relaxation) momentum.m.resize(layout.slot_count());
   degree.resize(layout.slot_count());
+  if (options.weights == EdgeWeights::cotangent) {
+    const Adjacency& adjacency = *surface->graph.adjacency;
+    weights = sliced_weights(layout, adjacency,
+                             cotangent_weights(triangles_around_own(*surface), adjacency));
+  }
   topology_milliseconds = watch.lap();
 }
 
@@ -168,7 +176,8 @@ std::vector<float> DistributedStripeAnimator::State::with_rest(
 }
 
 void DistributedStripeAnimator::State::keep_frequencies() {
-  wanted = with_rest(input_of_nodes().frequencies);
+  const std::span<const float> asked = input_of_nodes().frequencies;
+  wanted.assign(asked.begin(), asked.end());
   if (!yielding.yields()) return;
   yielding.keep(input_of_nodes());
   const std::vector<float> chosen = with_rest(yielding.frequencies());
@@ -269,7 +278,8 @@ FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress
 void DistributedStripeAnimator::couple_next() {
   State& s = *state_;
   Level& finest = s.finest();
-  couple(finest.layout(), s.next_waves(), s.options.phase_shift, {}, finest.couplings, s.degree);
+  couple(finest.layout(), s.next_waves(), s.options.phase_shift, s.weights, finest.couplings,
+         s.degree);
   const bool anchored =
       s.has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
   if (anchored) {
@@ -309,7 +319,7 @@ void DistributedStripeAnimator::take_back() {
   if (s.has_frame) {
     Level& finest = s.finest();
     turn_phases(s.waves, s.next_waves(), s.last_z);
-    couple(finest.layout(), s.waves, s.options.phase_shift, {}, finest.couplings, s.degree);
+    couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
     to_slots(finest.layout(), s.z_by_node, finest.z);
   } else {
     // Aggregates follow the couplings of the first frame that comes to its end.
@@ -357,7 +367,7 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
   measures.quality = quality_of(s.ranks().sum(sums));
   measures.quality.spacing_error_wanted_mean = measures.quality.spacing_error_mean;
   if (s.yielding.yields()) {
-    waves.frequencies = s.wanted;
+    waves.frequencies = s.with_rest(s.wanted);
     measures.quality.spacing_error_wanted_mean =
         quality_of(s.ranks().sum(quality_sums(mesh, waves, corners))).spacing_error_mean;
   }

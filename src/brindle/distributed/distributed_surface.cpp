@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -296,6 +297,18 @@ class SurfaceMaker {
 };
 
 }  // namespace
+
+Mesh triangles_around_own(const RankSurface& surface) {
+  Mesh mesh;
+  mesh.origin = surface.mesh.origin;
+  mesh.positions = surface.mesh.positions;
+  const auto is_own = [&](Index v) { return v < surface.graph.own; };
+  for (const auto* triangles : {&surface.mesh.triangles, &surface.ring}) {
+    std::ranges::copy_if(*triangles, std::back_inserter(mesh.triangles),
+                         [&](const Triangle& t) { return std::ranges::any_of(t, is_own); });
+  }
+  return mesh;
+}
 
 DistributedSurface::DistributedSurface(SurfacePiece piece, MPI_Comm communicator) {
   auto surface = std::make_shared<RankSurface>();

@@ -50,4 +50,8 @@ struct RankSurface {
   }
 };
 
+/// All triangles around own vertices, in the order of own triangles and then the ring's; one rank
+/// has those of its piece.
+Mesh triangles_around_own(const RankSurface& surface);
+
 }  // namespace brindle

@@ -8,21 +8,16 @@
 namespace brindle {
 namespace {
 
-/// Triangles with an own vertex. Of the ranks that have one, the first that owns a vertex of it
-/// counts it.
-FrequencyTriangles triangles_around_own(const RankSurface& surface) {
-  const RankGraph& graph = surface.graph;
-  const std::vector<int> owner = owners(*surface.ranks, graph);
-  FrequencyTriangles triangles;
-  const auto add = [&](const Triangle& triangle) {
-    const auto is_own = [&](Index v) { return v < graph.own; };
-    if (std::ranges::none_of(triangle, is_own)) return;
-    const int first = std::min({owner[triangle[0]], owner[triangle[1]], owner[triangle[2]]});
-    triangles.corners.push_back(triangle);
+/// Of the ranks that have a triangle around an own vertex, the first that owns a vertex of it
+/// counts it. One rank counts all.
+FrequencyTriangles frequency_triangles(const RankSurface& surface) {
+  FrequencyTriangles triangles{triangles_around_own(surface).triangles, {}, {}};
+  if (surface.ranks->size() == 1) return triangles;
+  const std::vector<int> owner = owners(*surface.ranks, surface.graph);
+  for (const auto& [a, b, c] : triangles.corners) {
+    const int first = std::min({owner[a], owner[b], owner[c]});
     triangles.counted.push_back(first == surface.ranks->rank() ? 1 : 0);
-  };
-  for (const Triangle& triangle : surface.mesh.triangles) add(triangle);
-  for (const Triangle& triangle : surface.ring) add(triangle);
+  }
   return triangles;
 }
 
@@ -47,11 +42,7 @@ std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& 
   setting->slack = slack_by_vertex(of_vertices, surface.vertex_count());
   setting->slack.resize(surface.graph.node_count());
   exchange(*surface.ranks, surface.graph.halo, std::span(setting->slack));
-  if (surface.ranks->size() == 1) {
-    setting->triangles.corners = surface.mesh.triangles;
-  } else {
-    setting->triangles = triangles_around_own(surface);
-  }
+  setting->triangles = frequency_triangles(surface);
   setting->triangles.weights = calm_weights(setting->triangles.corners, of_vertices.calm);
   setting->adjacency = surface.graph.adjacency;
   return setting;
