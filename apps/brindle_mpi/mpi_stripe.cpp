@@ -53,6 +53,8 @@ DirectionField make_directions(const DistributedSurface& surface, const WaveOpti
   SmoothFieldOptions smooth;
   smooth.curvature_anchor = curvature_anchor(options);
   smooth.curvature_direction = options.curvature_direction;
+  smooth.feature_anchor = options.feature_anchor;
+  smooth.feature_angle_deg = options.feature_angle_deg;
   return smooth_direction_field(surface, smooth);
 }
 
