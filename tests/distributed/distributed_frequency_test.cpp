@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/distributed/rank_rows.h"
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/rank_yielding.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/threads.h"
+#include "brindle/waves/frequency_rows.h"
 #include "brindle/yielding_frequency.h"
 #include "ranks.h"
 #include "torn_mesh.h"
@@ -147,6 +151,51 @@ TEST(DistributedFrequency, OfOneRankMeasuresWhatThePatternSays) {
   EXPECT_EQ(quality.branches_in_calm, pattern.quality.branches_in_calm);
   EXPECT_EQ(quality.spacing_error_mean, pattern.quality.spacing_error_mean);
   EXPECT_EQ(quality.spacing_error_wanted_mean, pattern.quality.spacing_error_wanted_mean);
+}
+
+/// What all triangles and vertices are measured with.
+struct Scale {
+  double unit = 0, faithfulness = 0;
+};
+
+Scale scale_of(const FrequencyTriangles& triangles, const Adjacency& adjacency,
+               const FrequencyInput& input, RowPeers* peers) {
+  const FrequencyRows rows(triangles, adjacency, input, peers);
+  FrequencyTerms terms;
+  terms.triangles.resize(rows.triangles().corners.size());
+  rows.set_terms(input, peers, terms);
+  return {static_cast<double>(terms.unit), static_cast<double>(terms.faithfulness)};
+}
+
+TEST(DistributedFrequency, CountsEveryTriangleAndVertexOnce) {
+  WavySurface whole = wavy_surface("torus,resolution=30", kAxis, 20);
+  for (std::size_t v = 0; v < whole.mesh.vertex_count(); ++v) {
+    whole.mesh.positions[v].x() += 3;
+    whole.waves.frequencies[v] *= 1 + 0.5f * static_cast<float>(v % 7);
+  }
+  const FrequencyInput all{whole.mesh.positions, whole.waves.directions, whole.waves.frequencies};
+  const Scale expected =
+      scale_of({whole.mesh.triangles, {}, {}}, *whole.neighborhood, all, nullptr);
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
+    const DistributedSurface surface = parts.surface();
+    const RankSurface& own = surface.rank_surface();
+    std::vector<Vec3> directions(own.vertex_count());
+    std::vector<float> frequencies(own.vertex_count());
+    for (std::size_t p = 0; p < parts.ids.size(); ++p) {
+      directions[own.vertex_of_piece[p]] = whole.waves.directions[parts.ids[p]];
+      frequencies[own.vertex_of_piece[p]] = whole.waves.frequencies[parts.ids[p]];
+    }
+    own.exchange_all(std::span(directions));
+    own.exchange_all(std::span(frequencies));
+    RankRows peers(*own.ranks, own.graph, 200);
+    const auto setting = rank_yielding_setting(own, kSlack);
+    const Scale scale = scale_of(setting->triangles, *setting->adjacency,
+                                 {own.mesh.positions, directions, frequencies}, &peers);
+    EXPECT_NEAR(scale.unit, expected.unit, 1e-6 * expected.unit);
+    EXPECT_NEAR(scale.faithfulness, expected.faithfulness, 1e-5 * expected.faithfulness);
+  }
 }
 
 TEST(DistributedFrequency, HasLeastEnergyHoweverASurfaceIsCut) {
