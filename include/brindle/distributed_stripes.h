@@ -34,8 +34,9 @@ struct DistributedMeasures {
 /// What frequencies that yield have sent, on this rank.
 struct FrequencyTraffic {
   std::uint64_t bytes = 0;
-  std::uint64_t halo_bytes = 0;  ///< what ghosts have received of sweeps: 4 bytes for each and
-                                 ///< sweep, and for each and cycle
+  /// What halos brought to this rank: 4 bytes for each ghost, sweep and distributed level, and for
+  /// each ghost of the finest level once a cycle.
+  std::uint64_t halo_bytes = 0;
 };
 
 /// A StripeAnimator over all ranks. With one rank its phases, energies and measures are those of a

@@ -95,6 +95,8 @@ struct DistributedStripeAnimator::State {
 
 /// Frequencies yield on all ranks or on none.
 void DistributedStripeAnimator::State::take_slack() {
+  has_calm = ranks().any(!options.slack.calm.empty());
+  calm = owners_values(*surface, options.slack.calm);
   if (!ranks().any(options.slack.yields())) return;
   std::shared_ptr<RankRows> peers;
   if (ranks().size() > 1) {
@@ -102,8 +104,6 @@ void DistributedStripeAnimator::State::take_slack() {
   }
   yielding = YieldingFrames(YieldingSolver(rank_yielding_setting(*surface, options.slack), peers));
   rows = std::move(peers);
-  has_calm = ranks().any(!options.slack.calm.empty());
-  calm = owners_values(*surface, options.slack.calm);
 }
 
 /// Own waves from the input, ghosts' from their owners.

@@ -41,8 +41,8 @@ struct FrequencyTerms {
 struct FrequencyTriangles {
   std::vector<Triangle> corners;
   std::vector<float> weights;  ///< w_T; empty: 1
-  /// 1 for those that no other process counts among its own; empty: 1. Those that a vertex of this
-  /// process has in common with others are there and there.
+  /// 1 for those that this process counts; empty: all. A triangle with vertices of several
+  /// processes is known to each of them, and counted by one.
   std::vector<std::uint8_t> counted;
 };
 
