@@ -34,11 +34,13 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 4 brindle-mpi stripe shape:torus,resolution=512 --output torus.pvtp
   mpirun -n 2 brindle-mpi stripe horse.ply --direction 0.31,0.9,0.27 --report horse.json
   mpirun -n 8 brindle-mpi stripe scan.ply --field curvature --stripes 400 --frames 20
+  mpirun -n 4 brindle-mpi stripe horse.ply --slack 0.25 --output horse.pvtp
 
 Rank 0 reads the mesh and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
 phase (radians; not a number where there is no wave, and valid is 0), its sine, direction, frequency
 and global_id (the number in the whole mesh) at every vertex, and branch and corner_phase of every
-triangle; FILE.pvtp names them. Where one rank fails, all end with 1 and one message.)";
+triangle; FILE.pvtp names them. With --slack, frequency is the one chosen and frequency_wanted the one
+asked for. Where one rank fails, all end with 1 and one message.)";
 
 /// Waves of the piece's vertices, and what they took.
 struct PieceWaves {
