@@ -72,9 +72,11 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobList
   PackedPieces packed(static_cast<std::size_t>(ranks.size()));
   std::array<double, 3> origin{};
   std::size_t joined = 0;
+  std::vector<Index> vertex_of_row;
   on_first_rank(ranks, [&] {
     const LoadedSurface loaded = load_whole(options, listener);
     joined = loaded.repair.vertices_joined;
+    if (options.subdivide == 0) vertex_of_row = loaded.vertex_of_row;
     for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
     packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
   });
@@ -88,6 +90,7 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobList
   const auto [x, y, z] = ranks.all(origin)[0];
   result.piece.mesh.origin = {x, y, z};
   result.vertices_joined = ranks.all(joined)[0];
+  result.vertex_of_row = std::move(vertex_of_row);
   return result;
 }
 

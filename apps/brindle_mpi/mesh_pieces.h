@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
@@ -13,6 +14,7 @@ namespace brindle::tool {
 struct ReadPiece {
   SurfacePiece piece;  ///< vertex numbers are those of the whole mesh
   std::size_t vertices_joined = 0;
+  std::vector<Index> vertex_of_row;  ///< on rank 0, as LoadedMesh has it; none if subdivided
 };
 
 /// Rank 0 reads or makes the mesh, cuts it along a Hilbert curve and sends the pieces. Throws on

@@ -44,10 +44,8 @@ void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
   check_field_options(command, arguments.waves);
   check_field(arguments.waves);
   check_solving_options(command, arguments.solving);
-  refuse_given(
-      command,
-      {"--feature-anchor", "--strokes", "--frequency-by", "--field-mesh", "--weights", "--slack"},
-      "it needs the whole surface in one process; 'brindle stripe' has it");
+  refuse_given(command, {"--feature-radius", "--strokes", "--frequency-by", "--field-mesh"},
+               "it needs the whole surface in one process; 'brindle stripe' has it");
   if (!arguments.waves.arrays.frequency.empty()) {
     throw CLI::ValidationError("--frequency",
                                "arrays need the whole surface in one process; give a number");

@@ -47,13 +47,19 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
   WaveSet turned = waves;
   const Traffic before = surface.traffic();
   double total = 0;
+  FrequencyTraffic frequency;
+  bool yields = false;
   for (int n = 1; n <= count; ++n) {
     const float radians = static_cast<float>(n) * std::numbers::pi_v<float> / 180;
     turned.directions = rotated(waves.directions, surface.normals(), radians);
     ranks.any(false);  // all begin together
     Stopwatch watch;
-    animator.frame({turned.positions, turned.directions, turned.frequencies});
+    const FrameResult frame =
+        animator.frame({turned.positions, turned.directions, turned.frequencies});
     const double own = watch.lap();
+    yields = frame.frequency_change.sweeps > 0;
+    frequency.bytes += animator.frequency_traffic().bytes;
+    frequency.halo_bytes += animator.frequency_traffic().halo_bytes;
     total += own;
     milliseconds.push_back(ranks.greatest(own));
   }
@@ -66,6 +72,11 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
   figures.milliseconds = median(milliseconds);
   figures.bytes_sent = static_cast<double>(ranks.sum(sent.bytes)) / count;
   figures.halo_bytes = ranks.sum(std::uint64_t{animator.halo_bytes()});
+  if (yields) {
+    const auto frames = static_cast<std::uint64_t>(count);
+    figures.frequency = FrequencyTraffic{ranks.sum(frequency.bytes) / frames,
+                                         ranks.sum(frequency.halo_bytes) / frames};
+  }
   figures.waiting_milliseconds = ranks.sum(sent.waiting_milliseconds) / of_ranks / count;
   figures.imbalance = mean_busy > 0 ? ranks.greatest(busy) / mean_busy : 1;
   return figures;
@@ -85,12 +96,17 @@ nlohmann::ordered_json to_json(const RankFigures& figures) {
 }
 
 nlohmann::ordered_json to_json(const FrameFigures& figures) {
-  return {{"count", figures.count},
-          {"milliseconds", figures.milliseconds},
-          {"bytes_sent", figures.bytes_sent},
-          {"halo_bytes", figures.halo_bytes},
-          {"waiting_milliseconds", figures.waiting_milliseconds},
-          {"imbalance", figures.imbalance}};
+  nlohmann::ordered_json json = {{"count", figures.count},
+                                 {"milliseconds", figures.milliseconds},
+                                 {"bytes_sent", figures.bytes_sent},
+                                 {"halo_bytes", figures.halo_bytes},
+                                 {"waiting_milliseconds", figures.waiting_milliseconds},
+                                 {"imbalance", figures.imbalance}};
+  if (figures.frequency) {
+    json["frequency_bytes_sent"] = figures.frequency->bytes;
+    json["frequency_halo_bytes"] = figures.frequency->halo_bytes;
+  }
+  return json;
 }
 
 void print_ranks(std::ostream& out, const RankFigures& figures) {
@@ -113,6 +129,10 @@ void print_frames(std::ostream& out, const FrameFigures& figures) {
       figures.count, figures.milliseconds, 1e-6 * figures.bytes_sent,
       1e-6 * static_cast<double>(figures.halo_bytes), figures.waiting_milliseconds,
       figures.imbalance);
+  if (!figures.frequency) return;
+  out << formatted("yielding  %.3f MB of these for frequencies, %.3f MB by their sweeps\n",
+                   1e-6 * static_cast<double>(figures.frequency->bytes),
+                   1e-6 * static_cast<double>(figures.frequency->halo_bytes));
 }
 
 }  // namespace brindle::tool

@@ -26,11 +26,12 @@ struct RankFigures {
 /// Of frames that were measured one after the other. Means are over ranks.
 struct FrameFigures {
   int count = 0;
-  double milliseconds = 0;          ///< the median frame, on the slowest rank
-  double bytes_sent = 0;            ///< a frame, by all ranks
-  std::uint64_t halo_bytes = 0;     ///< of these what sweeps have to send at least
-  double waiting_milliseconds = 0;  ///< a frame
-  double imbalance = 1;             ///< time without waiting of the busiest rank over the mean
+  double milliseconds = 0;                    ///< the median frame, on the slowest rank
+  double bytes_sent = 0;                      ///< a frame, by all ranks
+  std::uint64_t halo_bytes = 0;               ///< of these what sweeps have to send at least
+  std::optional<FrequencyTraffic> frequency;  ///< a frame, by all ranks: of frequencies that yield
+  double waiting_milliseconds = 0;            ///< a frame
+  double imbalance = 1;  ///< time without waiting of the busiest rank over the mean
 };
 
 /// Collective.

@@ -20,6 +20,7 @@
 #include "outputs.h"
 #include "pattern_arrays.h"
 #include "piece_output.h"
+#include "piece_slack.h"
 #include "progress_display.h"
 #include "report.h"
 #include "used_files.h"
@@ -33,11 +34,13 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 4 brindle-mpi stripe shape:torus,resolution=512 --output torus.pvtp
   mpirun -n 2 brindle-mpi stripe horse.ply --direction 0.31,0.9,0.27 --report horse.json
   mpirun -n 8 brindle-mpi stripe scan.ply --field curvature --stripes 400 --frames 20
+  mpirun -n 4 brindle-mpi stripe horse.ply --slack 0.25 --output horse.pvtp
 
 Rank 0 reads the mesh and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
 phase (radians; not a number where there is no wave, and valid is 0), its sine, direction, frequency
 and global_id (the number in the whole mesh) at every vertex, and branch and corner_phase of every
-triangle; FILE.pvtp names them. Where one rank fails, all end with 1 and one message.)";
+triangle; FILE.pvtp names them. With --slack, frequency is the one chosen and frequency_wanted the one
+asked for. Where one rank fails, all end with 1 and one message.)";
 
 /// Waves of the piece's vertices, and what they took.
 struct PieceWaves {
@@ -52,6 +55,8 @@ DirectionField make_directions(const DistributedSurface& surface, const WaveOpti
   SmoothFieldOptions smooth;
   smooth.curvature_anchor = curvature_anchor(options);
   smooth.curvature_direction = options.curvature_direction;
+  smooth.feature_anchor = options.feature_anchor;
+  smooth.feature_angle_deg = options.feature_angle_deg;
   return smooth_direction_field(surface, smooth);
 }
 
@@ -107,13 +112,18 @@ DistributedOptions animator_options(const MpiArguments& arguments) {
   DistributedOptions options;
   options.solver = FrameSolver::multilevel;
   options.phase_shift = arguments.solving.stripes.phase_shift;
+  options.weights = arguments.solving.stripes.weights;
   options.sweeps = arguments.solving.stripes.solver.sweeps;
   options.cycles = arguments.solving.stripes.solver.cycles;
   return options;
 }
 
+/// On all ranks or none.
+bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }
+
 Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& arguments,
-                       const PieceWaves& waves, const PatternQuality& quality, double energy) {
+                       const PieceWaves& waves, const FrameResult& frame,
+                       const PatternQuality& quality, double energy) {
   const SolverOptions& solver = arguments.solving.stripes.solver;
   Report report;
   report.vertices = surface.vertex_count();
@@ -125,14 +135,27 @@ Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& ar
   report.quality = quality;
   report.field_milliseconds = waves.milliseconds;
   report.waves = waves.figures;
+  if (has_yielded(frame)) {
+    report.frequency = frequency_report(frame.frequency_change, quality);
+  }
   return report;
 }
 
 /// What the piece's file has beside the mesh.
-DataArrays arrays_of(const SurfacePiece& piece, const WaveSet& waves, std::span<const Complex> z,
+DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult& frame,
                      std::vector<CornerPhases> corners) {
   DataArrays arrays;
-  add_waves(arrays.points, {waves, {}, z, ""}, std::numeric_limits<float>::quiet_NaN(), {});
+  std::vector<float> wanted;
+  if (has_yielded(frame)) {
+    wanted = std::move(waves.frequencies);
+    waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
+  }
+  add_waves(arrays.points, {waves, wanted, frame.z, ""}, std::numeric_limits<float>::quiet_NaN(),
+            {});
+  // Pieces without a vertex have all arrays, too.
+  if (has_yielded(frame) && wanted.empty()) {
+    arrays.points.push_back(make_data_array("frequency_wanted", 1, wanted));
+  }
   arrays.points.push_back(make_data_array("global_id", 1, piece.vertex_ids));
   StripePattern pattern;
   pattern.corners = std::move(corners);
@@ -144,6 +167,7 @@ DataArrays arrays_of(const SurfacePiece& piece, const WaveSet& waves, std::span<
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> inputs, outputs;
   if (!is_shape(arguments.surface)) inputs.push_back({"MESH", arguments.surface.mesh});
+  add_slack_files(arguments.solving.slack, inputs);
   if (!arguments.output.empty()) {
     outputs.push_back({"--output", arguments.output});
     for (int r = 0; r < ranks.size(); ++r) {
@@ -197,17 +221,20 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     PieceWaves waves =
         make_waves(ranks, surface, read.piece.mesh.positions, arguments.waves, display);
     stage("stripes");
-    DistributedStripeAnimator animator(surface, animator_options(arguments));
+    DistributedOptions options = animator_options(arguments);
+    options.slack = piece_slack(ranks, arguments.solving.slack, read, surface.vertex_count());
+    DistributedStripeAnimator animator(surface, options);
     const WaveSet& w = waves.waves;
     const FrameResult frame =
         animator.frame({w.positions, w.directions, w.frequencies}, display.progress());
     stage("pattern");
     watch.lap();
     DistributedMeasures measures = animator.measure();
-    report = make_mpi_report(surface, arguments, waves, measures.quality, animator.energy());
+    report = make_mpi_report(surface, arguments, waves, frame, measures.quality, animator.energy());
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
     report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();
+    report.milliseconds.frequency = frame.milliseconds.frequency;
     report.milliseconds.couple = frame.milliseconds.couple;
     report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
     report.milliseconds.pattern = watch.lap();
@@ -215,7 +242,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     if (!arguments.output.empty()) {
       stage("writing");
       write_pieces(ranks, arguments.output, read.piece.mesh,
-                   arrays_of(read.piece, w, frame.z, std::move(measures.corners)));
+                   arrays_of(read.piece, w, frame, std::move(measures.corners)));
     }
     if (arguments.frames > 0) {
       stage("frames");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,13 +13,16 @@
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Those of a StripeAnimator but edge weights and slack, which are refused.
+/// Those of a StripeAnimator but weights by edge, which are refused. Slack and calm by vertex are
+/// those of the piece's vertices; what counts is what a vertex's owner says.
 struct DistributedOptions : AnimatorOptions {
   /// Levels with fewer nodes on all ranks together are solved by rank 0 alone.
   std::size_t gather_below = 16384;
+  EdgeWeights weights = EdgeWeights::paper;  ///< of the pieces' shape; in place of `edge_weights`
 };
 
 /// What the measured triangles of all ranks say of a pattern.
@@ -27,12 +31,20 @@ struct DistributedMeasures {
   PatternQuality quality;             ///< of the whole surface, on every rank
 };
 
+/// What frequencies that yield have sent, on this rank.
+struct FrequencyTraffic {
+  std::uint64_t bytes = 0;
+  /// What halos brought to this rank: 4 bytes for each ghost, sweep and distributed level, and for
+  /// each ghost of the finest level once a cycle.
+  std::uint64_t halo_bytes = 0;
+};
+
 /// A StripeAnimator over all ranks. With one rank its phases, energies and measures are those of a
 /// StripeAnimator, bit for bit; with more, the same bits in every run with the same pieces. All
 /// members are collective.
 class DistributedStripeAnimator {
  public:
-  /// Throws Error for options out of range, edge weights and slack.
+  /// Throws Error for options out of range and weights by edge.
   explicit DistributedStripeAnimator(const DistributedSurface& surface,
                                      const DistributedOptions& options = {});
   ~DistributedStripeAnimator();
@@ -64,6 +76,9 @@ class DistributedStripeAnimator {
   /// Bytes that the sweeps of a frame without cycles have to bring to this rank at least: 8 for
   /// each ghost, sweep and distributed level. 0 before the first frame.
   std::size_t halo_bytes() const;
+
+  /// What the last frame's frequencies took; nothing without slack.
+  FrequencyTraffic frequency_traffic() const;
 
  private:
   struct State;

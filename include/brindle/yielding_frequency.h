@@ -86,9 +86,8 @@ class YieldingFrequency {
   const FrequencyChange& change() const;
 
  private:
-  struct Setting;
   struct State;
-  explicit YieldingFrequency(std::shared_ptr<const Setting> setting);
+  explicit YieldingFrequency(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

@@ -9,39 +9,12 @@
 #include "brindle/stripe_pattern.h"
 #include "brindle/threads.h"
 #include "ranks.h"
+#include "torn_mesh.h"
 
 namespace brindle {
 namespace {
 
 using namespace testing_support;
-
-/// Three sheets that meet in an edge, twice, apart from each other, and a vertex alone.
-Mesh torn_mesh() {
-  Mesh mesh;
-  for (int part = 0; part < 2; ++part) {
-    for (int sheet = 0; sheet < 3; ++sheet) {
-      const auto angle = static_cast<float>(2.1 * sheet);
-      const auto first = static_cast<Index>(mesh.positions.size());
-      constexpr Index kSide = 24;
-      for (Index i = 0; i < kSide; ++i) {
-        for (Index j = 0; j < kSide; ++j) {
-          const float out = static_cast<float>(i) / (kSide - 1);
-          mesh.positions.emplace_back(out * std::cos(angle) + 3 * static_cast<float>(part),
-                                      out * std::sin(angle), static_cast<float>(j) / (kSide - 1));
-        }
-      }
-      for (Index i = 0; i + 1 < kSide; ++i) {
-        for (Index j = 0; j + 1 < kSide; ++j) {
-          const Index a = first + i * kSide + j, b = a + kSide;
-          mesh.triangles.push_back({a, b, a + 1});
-          mesh.triangles.push_back({b, b + 1, a + 1});
-        }
-      }
-    }
-  }
-  join_vertices(mesh);
-  return mesh;
-}
 
 /// Directions of another frame: turned about the normals.
 WaveSet turned(const WavySurface& whole, float radians) {
@@ -322,9 +295,6 @@ TEST(DistributedAnimator, RefusesOptionsThatItDoesNotHave) {
   const Parts parts(wavy_surface("sphere,resolution=20", kAxis, 20));
   const DistributedSurface surface = parts.surface();
   DistributedOptions options;
-  options.slack = 0.1f;
-  EXPECT_THROW(DistributedStripeAnimator(surface, options), Error);
-  options = {};
   options.edge_weights = {1};
   EXPECT_THROW(DistributedStripeAnimator(surface, options), Error);
   options = {};

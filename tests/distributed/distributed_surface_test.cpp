@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/mesh_edges.h"
 #include "brindle/smooth_field.h"
 #include "brindle/surface.h"
 #include "ranks.h"
@@ -144,11 +146,50 @@ TEST(DistributedField, FollowsCurvature) {
   }
 }
 
+/// Where there are sharp edges on a box, however it is cut; nowhere on a torus, whose pieces all
+/// have boundaries.
+TEST(DistributedField, IsDrawnToFeaturesOfTheWhole) {
+  SmoothFieldOptions options, drawn;
+  drawn.feature_anchor = 100;
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const WavySurface box = wavy_surface("box,resolution=12", kAxis, 20);
+    const Surface whole = make_surface(box.mesh);
+    const Parts parts(box, cut.rank_of_triangle(box.mesh));
+    const DistributedSurface surface = parts.surface();
+    const DirectionField expected = smooth_direction_field(whole, drawn);
+    const DirectionField field = smooth_direction_field(surface, drawn);
+    if (rank_count() == 1) {
+      EXPECT_TRUE(same_bits(std::span<const Vec3>(field), std::span<const Vec3>(expected)));
+    }
+    std::vector<std::uint8_t> is_sharp(box.mesh.vertex_count());
+    for (const auto& [a, b] :
+         feature_edges(box.mesh, mesh_edges(box.mesh, *box.neighborhood), 40)) {
+      is_sharp[a] = is_sharp[b] = 1;
+    }
+    std::size_t sharp = 0, along = 0;
+    for (std::size_t v = 0; v < field.size(); ++v) {
+      if (!is_sharp[parts.ids[v]]) continue;
+      ++sharp;
+      along += std::abs(field[v].dot(expected[parts.ids[v]])) > 0.999f;
+    }
+    // Where three edges meet they cancel.
+    EXPECT_GE(along + 8, sharp);
+
+    const Parts round(wavy_surface("torus,resolution=24", kAxis, 20));
+    const DistributedSurface torus = round.surface();
+    const DirectionField plain = smooth_direction_field(torus, options);
+    const DirectionField same = smooth_direction_field(torus, drawn);
+    EXPECT_TRUE(same_bits(std::span<const Vec3>(plain), std::span<const Vec3>(same)));
+  }
+}
+
 TEST(DistributedField, RefusesWhatNeedsTheWhole) {
   const Parts parts(wavy_surface("torus,resolution=20", kAxis, 20));
   const DistributedSurface surface = parts.surface();
   SmoothFieldOptions options;
   options.feature_anchor = 1;
+  options.feature_radius = 0.1f;
   EXPECT_THROW(smooth_direction_field(surface, options), Error);
   options = {};
   options.anchors.push_back({0, kAxis});

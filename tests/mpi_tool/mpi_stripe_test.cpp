@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "apps/tool.h"
 #include "brindle/data_arrays.h"
 #include "brindle/files.h"
+#include "brindle/shapes.h"
 
 namespace brindle {
 namespace {
@@ -157,6 +159,81 @@ TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
   }
 }
 
+/// A CSV file of --calm for a torus: 1 for every third vertex.
+void write_calm(const std::filesystem::path& path, std::size_t rows) {
+  std::string text;
+  for (std::size_t row = 0; row < rows; ++row) text += row % 3 == 0 ? "1\n" : "0\n";
+  test::write_text(path, text);
+}
+
+TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
+  const Words words = {"shape:torus,resolution=40",
+                       "--direction",
+                       "0.3,0.9,0.2",
+                       "--weights",
+                       "cotangent",
+                       "--slack",
+                       "0.25",
+                       "--calm",
+                       "calm.csv"};
+  Words mine = words, tools = words;
+  mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
+  tools.insert(tools.begin(), {"100", BRINDLE_TOOL_ALONE, "stripe"});
+  tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+  write_calm(folder / "calm.csv", make_shape("torus,resolution=40").vertex_count());
+  ASSERT_EQ(on(1, mine).exit_code, 0);
+  ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
+  const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
+  for (const char* name : {"phase", "frequency", "frequency_wanted"}) {
+    EXPECT_EQ(array_of(one.arrays.points, name).bytes, array_of(other.arrays.points, name).bytes)
+        << name;
+  }
+  const auto mpi = nlohmann::json::parse(content(folder / "mpi.json"));
+  const auto tool = nlohmann::json::parse(content(folder / "tool.json"));
+  EXPECT_EQ(mpi["frequency_change"], tool["frequency_change"]);
+  EXPECT_TRUE(mpi["milliseconds"].contains("frequency"));
+}
+
+TEST_F(MpiTool, WritesFrequenciesThatYield) {
+  const std::size_t count = make_shape("torus,resolution=40").vertex_count();
+  write_calm(folder / "calm.csv", count);
+  const ToolResult result =
+      on(3, {"shape:torus,resolution=40", "--direction", "0.3,0.9,0.2", "--stripes", "30",
+             "--slack", "0.2", "--calm", "calm.csv", "--frames", "2", "--output", "out.pvtp",
+             "--report", "out.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto report = nlohmann::json::parse(content(folder / "out.json"));
+  EXPECT_TRUE(report["frequency_change"].contains("branches_in_calm"));
+  EXPECT_GT(report["frames"]["frequency_halo_bytes"], 0);
+  EXPECT_GE(report["frames"]["frequency_bytes_sent"], report["frames"]["frequency_halo_bytes"]);
+  EXPECT_NE(content(folder / "out.pvtp").find("Name=\"frequency_wanted\""), std::string::npos);
+  std::map<std::uint64_t, float> frequency_of;
+  float most = 1;
+  for (int r = 0; r < 3; ++r) {
+    const LoadedMesh loaded = piece("out_" + std::to_string(r) + ".vtp");
+    const DataArray& ids = array_of(loaded.arrays.points, "global_id");
+    const DataArray& chosen = array_of(loaded.arrays.points, "frequency");
+    const DataArray& wanted = array_of(loaded.arrays.points, "frequency_wanted");
+    for (std::size_t v = 0; v < loaded.mesh.vertex_count(); ++v) {
+      const auto id = value<std::uint64_t>(ids, v);
+      const float ratio = value<float>(chosen, v) / value<float>(wanted, v);
+      most = std::max(most, ratio);
+      EXPECT_LE(ratio, (id % 3 == 0 ? 1.6f : 1.2f) * (1 + 1e-6f));
+      const auto [known, is_new] = frequency_of.emplace(id, value<float>(chosen, v));
+      EXPECT_EQ(known->second, value<float>(chosen, v));
+    }
+  }
+  EXPECT_EQ(frequency_of.size(), count);
+  EXPECT_GT(most, 1.2f);
+}
+
+TEST_F(MpiTool, RefusesCalmThatDoesNotFit) {
+  write_calm(folder / "calm.csv", 7);
+  expect_failure(on(2, {"shape:torus", "--slack", "0.2", "--calm", "calm.csv"}), 1, "calm.csv");
+  expect_failure(on(2, {"shape:torus", "--calm", "calm.csv"}), 2, "--calm");
+  expect_failure(on(2, {"shape:torus", "--slack", "-1"}), 2, "--slack");
+}
+
 TEST_F(MpiTool, MeasuresFrames) {
   const ToolResult result =
       on(2, {"shape:torus,resolution=60", "--frames", "3", "--report", "out.json", "--quiet"});
@@ -169,7 +246,9 @@ TEST_F(MpiTool, MeasuresFrames) {
 }
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
-  expect_failure(on(2, {"shape:torus", "--slack", "0.2"}), 2, "--slack");
+  expect_failure(on(2, {"shape:torus", "--feature-anchor", "1", "--feature-radius", "5%"}), 2,
+                 "--feature-radius");
+  expect_failure(on(2, {"shape:torus", "--frequency-by", "curvature"}), 2, "--frequency-by");
   expect_failure(on(2, {"shape:torus", "--field", "wind.csv"}), 2, "wind.csv");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");

@@ -45,14 +45,18 @@ inline Eigen::Vector3d circulation_of(const std::array<Eigen::Vector3d, 3>& p,
   return c;
 }
 
-inline LeastSquares least_squares(const Mesh& mesh, const WaveSet& waves) {
+/// `weights` is empty or has one per triangle.
+inline LeastSquares least_squares(const Mesh& mesh, const WaveSet& waves,
+                                  std::span<const double> weights = {}) {
   const auto count = static_cast<Eigen::Index>(mesh.vertex_count());
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(count);
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double area = 0, square = 0;
   std::vector<Eigen::Triplet<double>> entries;
   const auto at = [&](Index v) { return mesh.positions[v].cast<double>().eval(); };
-  for (const Triangle& t : mesh.triangles) {
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    const Triangle& t = mesh.triangles[n];
+    const double weight = weights.empty() ? 1 : weights[n];
     const std::array<Eigen::Vector3d, 3> p = {at(t[0]), at(t[1]), at(t[2])};
     std::array<Eigen::Vector3d, 3> d;
     Eigen::Vector3d f;
@@ -68,11 +72,11 @@ inline LeastSquares least_squares(const Mesh& mesh, const WaveSet& waves) {
     for (int m = 0; m < 3; ++m) {
       gradients.col(m) = normal.cross(p[(m + 2) % 3] - p[(m + 1) % 3]) / normal.squaredNorm();
     }
-    const Eigen::Matrix3d terms = c * c.transpose() / a + 0.03 * a * f.asDiagonal() *
-                                                              gradients.transpose() * gradients *
-                                                              f.asDiagonal();
+    const Eigen::Matrix3d terms = weight * c * c.transpose() / a + 0.03 * a * f.asDiagonal() *
+                                                                       gradients.transpose() *
+                                                                       gradients * f.asDiagonal();
     for (int m = 0; m < 3; ++m) {
-      for (int n = 0; n < 3; ++n) entries.emplace_back(t[m], t[n], terms(m, n));
+      for (int k = 0; k < 3; ++k) entries.emplace_back(t[m], t[k], terms(m, k));
       mass[t[m]] += a / 3;
     }
     const Eigen::Vector3d middle = (p[0] + p[1] + p[2]) / 3;

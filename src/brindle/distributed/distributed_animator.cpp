@@ -6,12 +6,16 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed/rank_hierarchy.h"
 #include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/rank_yielding.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
+#include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pattern/quality_sums.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/last_phases.h"
+#include "brindle/pipeline/measured_pattern.h"
+#include "brindle/pipeline/yielding_frames.h"
 #include "brindle/solver.h"
 #include "brindle/waves/wave_check.h"
 
@@ -31,11 +35,16 @@ void check_distributed(const DistributedOptions& options) {
     throw Error("animator options: the phase shift must be aligned or trapezoid");
   }
   if (!options.edge_weights.empty()) {
-    throw Error("animator options: edge weights are not for distributed surfaces");
+    throw Error("animator options: distributed surfaces have no weights by edge; take `weights`");
   }
-  if (options.slack.yields()) {
-    throw Error("animator options: slack is not for distributed surfaces");
-  }
+}
+
+/// Throws on all ranks what it throws on one. Both must live as long.
+Progress on_all(Communicator& ranks, const Progress& progress) {
+  return Progress([&ranks, &progress](std::string_view stage, double fraction) {
+    ranks.together([&] { progress.report(stage, fraction); });
+    return true;
+  });
 }
 
 }  // namespace
@@ -51,6 +60,7 @@ struct DistributedStripeAnimator::State {
   std::vector<ToldWave> told;  ///< by vertex; of own ones and ghosts
   WaveSet input;               ///< the same as arrays
   std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
+  std::vector<float> weights;                        ///< by entry; empty: 1
   std::vector<float> degree;
   std::vector<Complex> last_z;  ///< by slot
   std::vector<Complex> z_by_node;
@@ -58,20 +68,43 @@ struct DistributedStripeAnimator::State {
   std::vector<Complex> z_of_piece;
   Momentum momentum;
 
+  std::shared_ptr<const RankRows> rows;  ///< of frequencies that yield over several ranks
+  YieldingFrames yielding;               ///< of own vertices and ghosts
+  bool has_calm = false;
+  std::vector<float> calm;    ///< by vertex
+  std::vector<float> wanted;  ///< of the last frame, by own vertex and ghost
+  std::vector<float> frequencies_of_piece;
+  FrequencyTraffic frequency_traffic;
+
   Communicator& ranks() const { return *surface->ranks; }
   Level& finest() { return hierarchy->finest(); }
   std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
   bool descends() const { return options.solver == FrameSolver::multilevel || !has_last; }
 
+  void take_slack();
   void take_input(const FrameInput& frame);
+  FrameInput input_of_nodes() const;
+  bool is_kept() const;
+  FrameInput yielded(const Progress& progress);
   void start();
-  FrameResult unchanged_frame() const {
-    FrameResult result;
-    result.z = z_of_piece;
-    result.unchanged = true;
-    return result;
-  }
+  void keep_frequencies();
+  std::vector<float> with_rest(std::span<const float> of_nodes) const;
+  FrameResult unchanged_frame() const;
+  WaveSet last_waves() const;
 };
+
+/// Frequencies yield on all ranks or on none.
+void DistributedStripeAnimator::State::take_slack() {
+  has_calm = ranks().any(!options.slack.calm.empty());
+  calm = owners_values(*surface, options.slack.calm);
+  if (!ranks().any(options.slack.yields())) return;
+  std::shared_ptr<RankRows> peers;
+  if (ranks().size() > 1) {
+    peers = std::make_shared<RankRows>(ranks(), surface->graph, options.gather_below);
+  }
+  yielding = YieldingFrames(YieldingSolver(rank_yielding_setting(*surface, options.slack), peers));
+  rows = std::move(peers);
+}
 
 /// Own waves from the input, ghosts' from their owners.
 void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
@@ -93,6 +126,28 @@ void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
   }
 }
 
+FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
+  const std::size_t nodes = surface->graph.node_count();
+  return {std::span(input.positions).first(nodes), std::span(input.directions).first(nodes),
+          std::span(input.frequencies).first(nodes)};
+}
+
+/// Whether frequencies yield, and the input is the last frame's on all ranks.
+bool DistributedStripeAnimator::State::is_kept() const {
+  return has_last && yielding.yields() && !ranks().any(!yielding.is_kept(input_of_nodes()));
+}
+
+/// The input of own vertices and ghosts with the frequencies to solve for.
+FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
+  if (!yielding.yields()) return input_of_nodes();
+  const std::uint64_t halo_before = rows ? rows->halo_bytes() : 0;
+  const Traffic before = ranks().traffic();
+  const FrameInput result = yielding.yielded(input_of_nodes(), on_all(ranks(), progress));
+  frequency_traffic = {ranks().traffic().since(before).bytes,
+                       rows ? rows->halo_bytes() - halo_before : 0};
+  return result;
+}
+
 /// The finest level, and what frames write to.
 void DistributedStripeAnimator::State::start() {
   if (hierarchy) return;
@@ -103,7 +158,39 @@ void DistributedStripeAnimator::State::start() {
   if (options.cycles > 0) cancellable_waves.reserve(layout.slot_count());
   if (options.solver == FrameSolver::relaxation) momentum.m.resize(layout.slot_count());
   degree.resize(layout.slot_count());
+  if (options.weights == EdgeWeights::cotangent) {
+    const Adjacency& adjacency = *surface->graph.adjacency;
+    weights = sliced_weights(layout, adjacency,
+                             cotangent_weights(triangles_around_own(*surface), adjacency));
+  }
   topology_milliseconds = watch.lap();
+}
+
+/// Values of own vertices and ghosts, and of the rest of the vertices.
+std::vector<float> DistributedStripeAnimator::State::with_rest(
+    std::span<const float> of_nodes) const {
+  std::vector<float> result(of_nodes.begin(), of_nodes.end());
+  result.resize(surface->vertex_count());
+  exchange(ranks(), surface->rest, std::span(result));
+  return result;
+}
+
+void DistributedStripeAnimator::State::keep_frequencies() {
+  const std::span<const float> asked = input_of_nodes().frequencies;
+  wanted.assign(asked.begin(), asked.end());
+  if (!yielding.yields()) return;
+  yielding.keep(input_of_nodes());
+  const std::vector<float> chosen = with_rest(yielding.frequencies());
+  frequencies_of_piece = surface->to_piece(std::span(chosen));
+}
+
+FrameResult DistributedStripeAnimator::State::unchanged_frame() const {
+  FrameResult result;
+  result.z = z_of_piece;
+  result.unchanged = true;
+  result.frequencies = frequencies_of_piece;
+  result.frequency_change = yielding.change();
+  return result;
 }
 
 DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& surface,
@@ -111,7 +198,9 @@ DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& s
     : state_(std::make_unique<State>()) {
   state_->surface = surface.shared();
   state_->ranks().together([&] { check_distributed(options); });
+  check_on_all(*state_->surface, options.slack);
   state_->options = options;
+  state_->take_slack();
   state_->momentum.strength = SolverOptions().momentum;
 }
 
@@ -130,10 +219,13 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
   Stopwatch watch;
   s.take_input(input);
   const double exchange_milliseconds = watch.lap();
+  if (s.is_kept()) return s.unchanged_frame();
+  const FrameInput yielded = s.yielded(progress);
+  const double yield_milliseconds = watch.lap();
   s.start();
   watch.lap();
-  const bool loaded_new = load_waves(s.finest().layout(), s.input.positions, s.input.directions,
-                                     s.input.frequencies, s.next_waves(), s.waves, s.last_z);
+  const bool loaded_new = load_waves(s.finest().layout(), yielded.positions, yielded.directions,
+                                     yielded.frequencies, s.next_waves(), s.waves, s.last_z);
   // To a rank without vertices nothing changes.
   const bool changed = s.ranks().any(loaded_new && s.surface->graph.own > 0);
   if (s.has_last && !changed) return s.unchanged_frame();
@@ -151,6 +243,9 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
   }
   keep();
   result.z = s.z_of_piece;
+  result.frequencies = s.frequencies_of_piece;
+  result.frequency_change = s.yielding.change();
+  result.milliseconds.frequency = yield_milliseconds;
   result.milliseconds.couple += exchange_milliseconds + load_milliseconds;
   result.milliseconds.solve += watch.lap();
   return result;
@@ -183,7 +278,8 @@ FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress
 void DistributedStripeAnimator::couple_next() {
   State& s = *state_;
   Level& finest = s.finest();
-  couple(finest.layout(), s.next_waves(), s.options.phase_shift, {}, finest.couplings, s.degree);
+  couple(finest.layout(), s.next_waves(), s.options.phase_shift, s.weights, finest.couplings,
+         s.degree);
   const bool anchored =
       s.has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
   if (anchored) {
@@ -213,6 +309,7 @@ void DistributedStripeAnimator::keep() {
   exchange(s.ranks(), s.surface->rest, std::span(s.z_by_vertex));
   s.z_of_piece = s.surface->to_piece(std::span<const Complex>(s.z_by_vertex));
   if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
+  s.keep_frequencies();
   s.has_frame = s.has_last = true;
 }
 
@@ -222,7 +319,7 @@ void DistributedStripeAnimator::take_back() {
   if (s.has_frame) {
     Level& finest = s.finest();
     turn_phases(s.waves, s.next_waves(), s.last_z);
-    couple(finest.layout(), s.waves, s.options.phase_shift, {}, finest.couplings, s.degree);
+    couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
     to_slots(finest.layout(), s.z_by_node, finest.z);
   } else {
     // Aggregates follow the couplings of the first frame that comes to its end.
@@ -236,23 +333,30 @@ double DistributedStripeAnimator::energy() const {
   return state_->hierarchy->energy();
 }
 
+/// The last frame's waves, by vertex.
+WaveSet DistributedStripeAnimator::State::last_waves() const {
+  const SlicedLayout& layout = hierarchy->finest().layout();
+  std::vector<ToldWave> of_vertices(surface->vertex_count());
+  for (Index node = 0; node < surface->graph.node_count(); ++node) {
+    const SlicedWave& wave = waves[layout.slot_of[node]];
+    of_vertices[node] = {Vec3(wave.position), Vec3(wave.direction),
+                         yielding.yields() ? yielding.frequencies()[node] : wanted[node]};
+  }
+  exchange(ranks(), surface->rest, std::span(of_vertices));
+  WaveSet result{surface->mesh.positions, {}, {}};
+  for (std::size_t v = 0; v < of_vertices.size(); ++v) {
+    result.positions[v] = of_vertices[v].position;
+    result.directions.push_back(of_vertices[v].direction);
+    result.frequencies.push_back(of_vertices[v].frequency);
+  }
+  return result;
+}
+
 DistributedMeasures DistributedStripeAnimator::measure() const {
   const State& s = *state_;
   if (!s.has_frame) throw Error("animator: there is nothing to measure before the first frame");
   const RankSurface& surface = *s.surface;
-  WaveSet waves{surface.mesh.positions, {}, {}};
-  const auto& layout = s.hierarchy->finest().layout();
-  std::vector<ToldWave> told(surface.vertex_count());
-  for (Index node = 0; node < surface.graph.node_count(); ++node) {
-    const SlicedWave& wave = s.waves[layout.slot_of[node]];
-    told[node] = {Vec3(wave.position), Vec3(wave.direction), s.told[node].frequency};
-  }
-  exchange(s.ranks(), surface.rest, std::span(told));
-  for (std::size_t v = 0; v < told.size(); ++v) {
-    waves.positions[v] = told[v].position;
-    waves.directions.push_back(told[v].direction);
-    waves.frequencies.push_back(told[v].frequency);
-  }
+  WaveSet waves = s.last_waves();
   DistributedMeasures measures;
   const std::vector<CornerPhases> corners =
       corner_phases(surface.mesh.triangles, waves, s.z_by_vertex, s.options.phase_shift);
@@ -262,6 +366,15 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
       count_without_wave(std::span<const Vec3>(waves.directions).first(surface.graph.own));
   measures.quality = quality_of(s.ranks().sum(sums));
   measures.quality.spacing_error_wanted_mean = measures.quality.spacing_error_mean;
+  if (s.yielding.yields()) {
+    waves.frequencies = s.with_rest(s.wanted);
+    measures.quality.spacing_error_wanted_mean =
+        quality_of(s.ranks().sum(quality_sums(mesh, waves, corners))).spacing_error_mean;
+  }
+  if (s.has_calm) {
+    measures.quality.branches_in_calm =
+        s.ranks().sum(count_in_calm(surface.mesh.triangles, corners, s.calm));
+  }
   measures.corners.resize(surface.piece_triangles);
   for (std::size_t t = 0; t < corners.size(); ++t) {
     measures.corners[surface.triangle_of_piece[t]] = corners[t];
@@ -272,6 +385,7 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
 void DistributedStripeAnimator::restart() {
   state_->last_z.clear();
   state_->has_last = false;
+  state_->yielding.restart();
   std::ranges::fill(state_->momentum.m, Complex(0));
 }
 
@@ -285,6 +399,10 @@ std::size_t DistributedStripeAnimator::distributed_levels() const {
 
 std::size_t DistributedStripeAnimator::halo_bytes() const {
   return state_->has_frame ? state_->hierarchy->halo_bytes(state_->options.sweeps) : 0;
+}
+
+FrequencyTraffic DistributedStripeAnimator::frequency_traffic() const {
+  return state_->frequency_traffic;
 }
 
 std::size_t DistributedStripeAnimator::ghost_count() const {

@@ -6,8 +6,10 @@
 #include "brindle/distributed/selection.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
+#include "brindle/geometry/neighborhood.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/pipeline/curvature_anchors.h"
+#include "brindle/pipeline/feature_anchors.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 
@@ -19,8 +21,10 @@ constexpr std::size_t kGatherFieldsBelow = 16384;
 
 void check_distributed_field(const SmoothFieldOptions& options) {
   check(options);
-  if (options.feature_anchor == 0 && options.anchors.empty()) return;
-  throw Error("smooth field: feature anchors and anchors of vertices need the whole surface");
+  const bool reaches_out = options.feature_anchor > 0 && options.feature_radius > 0;
+  if (!reaches_out && options.anchors.empty()) return;
+  throw Error(
+      "smooth field: features with a radius and anchors of vertices need the whole surface");
 }
 
 /// Of own vertices; ghosts' entries mean nothing.
@@ -38,6 +42,14 @@ void add_curvature(const RankSurface& surface, const SmoothFieldOptions& options
   const float scale = kth_smallest(*surface.ranks, difference, surface.vertices * 9 / 10);
   graph.anchor.resize(graph.node_count());
   add_curvature_anchors(graph, surface.normals, curvatures, scale, options);
+}
+
+/// At own vertices, all of whose triangles are here.
+void add_features(const RankSurface& surface, const SmoothFieldOptions& options,
+                  PhaseGraph& graph) {
+  const Mesh mesh = triangles_around_own(surface);
+  graph.anchor.resize(graph.node_count());
+  add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
 }
 
 /// Signs own directions like their neighbours, gives ghosts and the rest those of their owners.
@@ -59,6 +71,7 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   const auto normals = std::span(surface.normals).first(surface.graph.node_count());
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
+  if (options.feature_anchor > 0) add_features(surface, options, graph);
   RankHierarchy hierarchy(ranks, surface.graph, kGatherFieldsBelow);
   load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
   hierarchy.coarsen();

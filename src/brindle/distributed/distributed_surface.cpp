@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -242,6 +243,8 @@ class SurfaceMaker {
     made_.graph.adjacency = std::make_shared<const Adjacency>(std::move(adjacency));
     made_.normals = vertex_normals(made_.mesh, around);
     made_.exchange_all(std::span(made_.normals));
+    made_.ring.assign(made_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_),
+                      made_.mesh.triangles.end());
     made_.mesh.triangles.resize(own_triangles_);
     made_.piece_normals = made_.to_piece(std::span<const Vec3>(made_.normals));
     for (const Index v : made_.vertex_of_piece) {
@@ -294,6 +297,18 @@ class SurfaceMaker {
 };
 
 }  // namespace
+
+Mesh triangles_around_own(const RankSurface& surface) {
+  Mesh mesh;
+  mesh.origin = surface.mesh.origin;
+  mesh.positions = surface.mesh.positions;
+  const auto is_own = [&](Index v) { return v < surface.graph.own; };
+  for (const auto* triangles : {&surface.mesh.triangles, &surface.ring}) {
+    std::ranges::copy_if(*triangles, std::back_inserter(mesh.triangles),
+                         [&](const Triangle& t) { return std::ranges::any_of(t, is_own); });
+  }
+  return mesh;
+}
 
 DistributedSurface::DistributedSurface(SurfacePiece piece, MPI_Comm communicator) {
   auto surface = std::make_shared<RankSurface>();

@@ -18,15 +18,6 @@ bool has_coupling(const Level& level, Index slot) {
   return false;
 }
 
-/// The aggregates of these nodes, ascending, each once; those in none are passed over.
-std::vector<Index> aggregates_of(std::span<const Index> aggregate_of_node) {
-  std::vector<Index> result(aggregate_of_node.begin(), aggregate_of_node.end());
-  std::ranges::sort(result);
-  result.erase(std::ranges::unique(result).begin(), result.end());
-  if (!result.empty() && result.back() == kNone) result.pop_back();
-  return result;
-}
-
 /// Appends aggregates of ghosts, which `of_ghost` numbers from the own ones on, for each ghost.
 void append_ghosts(const RankGraph& graph, const SlicedLayout& layout,
                    std::span<const Index> of_ghost, Index count, Aggregates& aggregates) {
@@ -68,28 +59,13 @@ RankAggregates with_ghosts(Communicator& ranks, const RankGraph& graph, const Le
   for (Index node = 0; node < graph.own; ++node) {
     aggregate[node] = own.aggregate[layout.slot_of[node]];
   }
-  exchange(ranks, graph.halo, std::span(aggregate));
 
   RankAggregates result;
   result.coarse.own = own.count();
-  Index first = own.count();
-  std::vector<Index> of_ghost(graph.ghost_count(), kNone);
-  for (const HaloNeighbor& neighbor : graph.halo) {
-    HaloNeighbor coarse{neighbor.rank, {}, first, 0};
-    for (const Index node : neighbor.sent) coarse.sent.push_back(aggregate[node]);
-    coarse.sent = aggregates_of(coarse.sent);
-    const auto theirs = std::span(aggregate).subspan(neighbor.first, neighbor.count);
-    const std::vector<Index> ghosts = aggregates_of(theirs);
-    for (Index n = 0; n < neighbor.count; ++n) {
-      if (theirs[n] == kNone) continue;
-      const auto place = std::ranges::lower_bound(ghosts, theirs[n]);
-      of_ghost[neighbor.first - graph.own + n] = first + static_cast<Index>(place - ghosts.begin());
-    }
-    coarse.count = static_cast<Index>(ghosts.size());
-    first += coarse.count;
-    result.coarse.halo.push_back(std::move(coarse));
-  }
-  const Index ghosts = first - own.count();
+  result.coarse.halo = halo_of_groups(ranks, graph.halo, own.count(), aggregate);
+  const auto of_ghost = std::span<const Index>(aggregate).subspan(graph.own);
+  Index ghosts = 0;
+  for (const HaloNeighbor& neighbor : result.coarse.halo) ghosts += neighbor.count;
   result.aggregates = std::move(own);
   append_ghosts(graph, layout, of_ghost, ghosts, result.aggregates);
   result.coarse.adjacency =

@@ -1,7 +1,9 @@
 #include "brindle/distributed/rank_graph.h"
 
+#include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "brindle/phases/one_at_a_time.h"
 
@@ -64,6 +66,15 @@ class BorderColorer {
   std::vector<Index> number_;
 };
 
+/// The groups of these nodes, ascending, each once; nodes in none are passed over.
+std::vector<Index> distinct_groups(std::span<const Index> group_of_node) {
+  std::vector<Index> result(group_of_node.begin(), group_of_node.end());
+  std::ranges::sort(result);
+  result.erase(std::ranges::unique(result).begin(), result.end());
+  if (!result.empty() && result.back() == kNone) result.pop_back();
+  return result;
+}
+
 }  // namespace
 
 std::vector<Index> numbers_on_owners(Communicator& ranks, const RankGraph& graph) {
@@ -87,6 +98,29 @@ std::vector<std::uint8_t> border_nodes(const RankGraph& graph) {
     for (const Index node : neighbor.sent) border[node] = 1;
   }
   return border;
+}
+
+NodeHalo halo_of_groups(Communicator& ranks, const NodeHalo& halo, Index own_groups,
+                        std::span<Index> group) {
+  exchange(ranks, halo, group);
+  NodeHalo result;
+  Index first = own_groups;
+  for (const HaloNeighbor& neighbor : halo) {
+    HaloNeighbor coarse{neighbor.rank, {}, first, 0};
+    for (const Index node : neighbor.sent) coarse.sent.push_back(group[node]);
+    coarse.sent = distinct_groups(coarse.sent);
+    const auto theirs = group.subspan(neighbor.first, neighbor.count);
+    const std::vector<Index> ghosts = distinct_groups(theirs);
+    for (Index& of_ghost : theirs) {
+      if (of_ghost == kNone) continue;
+      const auto place = std::ranges::lower_bound(ghosts, of_ghost);
+      of_ghost = first + static_cast<Index>(place - ghosts.begin());
+    }
+    coarse.count = static_cast<Index>(ghosts.size());
+    first += coarse.count;
+    result.push_back(std::move(coarse));
+  }
+  return result;
 }
 
 Coloring rank_coloring(Communicator& ranks, const RankGraph& graph) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "brindle/adjacency.h"
@@ -31,6 +32,12 @@ std::vector<int> owners(const Communicator& ranks, const RankGraph& graph);
 
 /// Which own nodes are ghosts of other ranks.
 std::vector<std::uint8_t> border_nodes(const RankGraph& graph);
+
+/// The halo of a graph whose nodes are groups of another's nodes, within a rank each. `group` has
+/// that of every node, or kNone; own nodes have numbers below `own_groups`, and ghosts get theirs
+/// here: their owners' groups follow the own ones, by owner.
+NodeHalo halo_of_groups(Communicator& ranks, const NodeHalo& halo, Index own_groups,
+                        std::span<Index> group);
 
 /// A colouring of the whole graph: ghosts have the colours that they have on their owners, and
 /// `color_count` is that of all ranks. That of one rank is `greedy_coloring`. Nodes at borders come

@@ -18,8 +18,9 @@ namespace brindle {
 struct RankSurface {
   /// Messages change nothing that a user sees.
   std::unique_ptr<Communicator> ranks;
-  Mesh mesh;                  ///< own triangles
-  std::vector<Vec3> normals;  ///< by vertex
+  Mesh mesh;                   ///< own triangles
+  std::vector<Triangle> ring;  ///< those of other ranks around own vertices
+  std::vector<Vec3> normals;   ///< by vertex
   RankGraph graph;
   NodeHalo rest;                         ///< owners of the rest of the vertices
   std::vector<Index> vertex_of_piece;    ///< for every vertex of the piece
@@ -48,5 +49,9 @@ struct RankSurface {
     return result;
   }
 };
+
+/// All triangles around own vertices, in the order of own triangles and then the ring's; one rank
+/// has those of its piece.
+Mesh triangles_around_own(const RankSurface& surface);
 
 }  // namespace brindle

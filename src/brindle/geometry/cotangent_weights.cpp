@@ -12,10 +12,13 @@ namespace {
 
 constexpr float kLargestCotangent = 10;
 
-std::size_t directed_edge(const Adjacency& neighborhood, Index from, Index to) {
+/// To the edge between them in the row of `to`, if that has it.
+void add_to_edge(const Adjacency& neighborhood, Index from, Index to, float more,
+                 std::vector<float>& weights) {
   const auto row = neighborhood.of(to);
-  return neighborhood.offsets[to] +
-         static_cast<std::size_t>(std::lower_bound(row.begin(), row.end(), from) - row.begin());
+  const auto place = std::lower_bound(row.begin(), row.end(), from);
+  if (place == row.end() || *place != from) return;
+  weights[neighborhood.offsets[to] + static_cast<std::size_t>(place - row.begin())] += more;
 }
 
 /// Cotangent of the angle at `apex` between the directions to a and b; zero without an area.
@@ -34,8 +37,8 @@ std::vector<float> cotangent_weights(const Mesh& mesh, const Adjacency& neighbor
       const Index a = triangle[(m + 1) % 3], b = triangle[(m + 2) % 3];
       const float half =
           0.5f * cotangent(mesh.positions[triangle[m]], mesh.positions[a], mesh.positions[b]);
-      weights[directed_edge(neighborhood, a, b)] += half;
-      weights[directed_edge(neighborhood, b, a)] += half;
+      add_to_edge(neighborhood, a, b, half, weights);
+      add_to_edge(neighborhood, b, a, half, weights);
     }
   }
   parallel_for(weights.size(), [&](std::size_t begin, std::size_t end) {

@@ -14,7 +14,8 @@ PatternQuality quality_of(const Surface& surface, const WaveSet& waves,
                                pattern.phase_shift);
 }
 
-/// Stripes that begin or end where that is unwelcome.
+}  // namespace
+
 std::size_t count_in_calm(std::span<const Triangle> triangles,
                           std::span<const CornerPhases> corners, std::span<const float> calm) {
   std::size_t count = 0;
@@ -26,8 +27,6 @@ std::size_t count_in_calm(std::span<const Triangle> triangles,
   }
   return count;
 }
-
-}  // namespace
 
 void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern) {
   WaveSet& waves = pattern.waves;

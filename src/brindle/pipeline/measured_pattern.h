@@ -1,6 +1,7 @@
 /// What follows from a pattern's phases.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "brindle/stripe_pattern.h"
@@ -10,5 +11,9 @@ namespace brindle {
 /// Renews `corners` and `quality`, the latter also against the frequencies asked for, from the
 /// other parts of the pattern. `calm` is that of a Slack.
 void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern);
+
+/// How many stripes begin or end in triangles where that is unwelcome; `calm` is by vertex.
+std::size_t count_in_calm(std::span<const Triangle> triangles,
+                          std::span<const CornerPhases> corners, std::span<const float> calm);
 
 }  // namespace brindle

@@ -9,8 +9,8 @@
 #include "brindle/base/parallel.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
-#include "brindle/geometry/feature_edges.h"
 #include "brindle/pipeline/curvature_anchors.h"
+#include "brindle/pipeline/feature_anchors.h"
 #include "brindle/pipeline/field_anchors.h"
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
@@ -26,27 +26,6 @@ void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldO
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
   std::nth_element(sorted.begin(), tenth, sorted.end());
   add_curvature_anchors(graph, surface.normals, curvatures, *tenth, options);
-}
-
-/// At every vertex the mean of its features as lines (N = 2): a crease that the triangles follow in
-/// zigzag keeps its direction, and where creases meet across each other they cancel.
-std::vector<Complex> feature_lines(const Surface& surface, float angle_deg) {
-  const Mesh& mesh = surface.mesh;
-  const MeshEdges edges = mesh_edges(mesh, *surface.neighborhood);
-  std::vector<Complex> lines(mesh.vertex_count());
-  std::vector<float> lengths(mesh.vertex_count());
-  for (const auto& [a, b] : feature_edges(mesh, edges, angle_deg)) {
-    const Vec3 edge = mesh.positions[b] - mesh.positions[a];
-    for (const Index i : {a, b}) {
-      const Vec3& normal = surface.normals[i];
-      lines[i] += edge.norm() * representation(tangent_direction(edge, normal), normal, 2);
-      lengths[i] += edge.norm();
-    }
-  }
-  for (Index i = 0; i < lines.size(); ++i) {
-    if (lengths[i] > 0) lines[i] /= lengths[i];
-  }
-  return lines;
 }
 
 void add_anchors(PhaseGraph& graph, const Surface& surface, std::span<const FieldAnchor> anchors,
@@ -65,14 +44,7 @@ void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
         surface, options.feature_angle_deg, options.feature_radius, options.feature_anchor);
     return add_anchors(graph, surface, stroke_anchors(surface, strokes), options.symmetry);
   }
-  const int half_symmetry = options.symmetry / 2;
-  const auto turns = static_cast<float>(half_symmetry);
-  const std::vector<Complex> lines = feature_lines(surface, options.feature_angle_deg);
-  for (Index i = 0; i < graph.node_count(); ++i) {
-    const auto degree = static_cast<float>(graph.adjacency->of(i).size());
-    graph.anchor[i] += std::polar(options.feature_anchor * degree * std::abs(lines[i]),
-                                  turns * std::arg(lines[i]));
-  }
+  add_feature_anchors(graph, surface.mesh, *surface.neighborhood, surface.normals, options);
 }
 
 }  // namespace

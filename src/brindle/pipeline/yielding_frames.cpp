@@ -23,7 +23,7 @@ void refuse_slack(const AnimatorOptions& options) {
 
 YieldingFrames::YieldingFrames(const Surface& surface, const Slack& slack) {
   check(slack, surface.mesh.vertex_count());
-  if (slack.yields()) yielding_.emplace(surface, slack);
+  if (slack.yields()) yielding_.emplace(yielding_setting(surface, slack));
 }
 
 YieldingFrames YieldingFrames::sibling() const {
@@ -33,7 +33,7 @@ YieldingFrames YieldingFrames::sibling() const {
 }
 
 bool YieldingFrames::is_kept(const FrameInput& input) const {
-  return yielding_ && !wanted_.empty() && std::ranges::equal(input.frequencies, wanted_) &&
+  return yielding_ && has_kept_ && std::ranges::equal(input.frequencies, wanted_) &&
          std::ranges::equal(input.directions, directions_, same_bits) &&
          std::ranges::equal(input.positions, positions_, same_bits);
 }
@@ -44,12 +44,13 @@ FrameInput YieldingFrames::yielded(const FrameInput& input, const Progress& prog
   directions_.reserve(input.directions.size());
   wanted_.reserve(input.frequencies.size());
   return {input.positions, input.directions,
-          yielding_->solve(input.positions, input.directions, input.frequencies, progress)};
+          yielding_->solve({input.positions, input.directions, input.frequencies}, progress)};
 }
 
 void YieldingFrames::keep(const FrameInput& input) {
   if (!yielding_) return;
   yielding_->keep();
+  has_kept_ = true;
   change_ = yielding_->change();
   positions_.assign(input.positions.begin(), input.positions.end());
   directions_.assign(input.directions.begin(), input.directions.end());

@@ -3,10 +3,11 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brindle/stripe_animator.h"
-#include "brindle/yielding_frequency.h"
+#include "brindle/waves/yielding_solver.h"
 
 namespace brindle {
 
@@ -22,6 +23,9 @@ class YieldingFrames {
 
   /// The same where there is no slack. Throws Error for slack that `check` refuses.
   YieldingFrames(const Surface& surface, const Slack& slack);
+
+  /// Of a part of a surface, with input of own vertices and others'.
+  explicit YieldingFrames(YieldingSolver solver) : yielding_(std::move(solver)) {}
 
   bool yields() const { return yielding_.has_value(); }
 
@@ -43,7 +47,8 @@ class YieldingFrames {
   const FrequencyChange& change() const { return change_; }
 
  private:
-  std::optional<YieldingFrequency> yielding_;
+  std::optional<YieldingSolver> yielding_;
+  bool has_kept_ = false;
   std::vector<Vec3> positions_, directions_;  ///< kept
   std::vector<float> wanted_;
   FrequencyChange change_;

@@ -1,6 +1,7 @@
 #include "brindle/waves/bounded_multigrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -17,14 +18,15 @@ constexpr int kCoarseVisits = 2;  ///< of a coarser level from each but the fine
 constexpr int kCoarsestSweeps = 8;
 /// Corrections that are constant on aggregates are too short.
 constexpr double kLongestStep = 2;
-constexpr std::size_t kMostChanged = 64;  ///< one node in so many, before levels are summed anew
+constexpr double kMostChanged = 64;  ///< one node in so many, before levels are summed anew
 
 struct EnergySums {
-  double energy = 0, square = 0;
-  std::size_t changed = 0;
+  double energy = 0, square = 0, changed = 0;
   EnergySums operator+(const EnergySums& o) const {
     return {energy + o.energy, square + o.square, changed + o.changed};
   }
+  std::array<double, 3> numbers() const { return {energy, square, changed}; }
+  static EnergySums of(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
 };
 
 /// What the energy does along the correction s and the way m that the last cycle went.
@@ -33,6 +35,8 @@ struct StepSums {
   StepSums operator+(const StepSums& o) const {
     return {rs + o.rs, rm + o.rm, ss + o.ss, sm + o.sm, mm + o.mm};
   }
+  std::array<double, 5> numbers() const { return {rs, rm, ss, sm, mm}; }
+  static StepSums of(const std::array<double, 5>& n) { return {n[0], n[1], n[2], n[3], n[4]}; }
 };
 
 struct StepLengths {
@@ -58,6 +62,13 @@ void for_rows(const RowLevel& rows, const Body& body) {
         for (Index i = static_cast<Index>(begin) * kRowBlock; i < last; ++i) body(i);
       },
       kBlockGrain);
+}
+
+/// The same for others' nodes, too.
+template <class Body>
+void for_places(const RowLevel& rows, const Body& body) {
+  for_rows(rows, body);
+  for (Index i = rows.size(); i < rows.size_with_others(); ++i) body(i);
 }
 
 /// The sum over all rows of what `add(i, sum)` adds.
@@ -86,20 +97,20 @@ float row_product(const RowLevel& rows, const std::vector<float>& values,
 
 }  // namespace
 
-BoundedMultigrid::BoundedMultigrid(std::shared_ptr<const RowLevels> levels)
-    : rows_(std::move(levels)) {
+BoundedMultigrid::BoundedMultigrid(std::shared_ptr<const RowLevels> levels, RowPeers* peers)
+    : rows_(std::move(levels)), peers_(peers) {
   for (const RowLevel& rows : rows_->levels) {
-    const std::size_t size = rows.size();
     Level& level = levels_.emplace_back();
     level.values.resize(rows.columns.size());
-    for (auto* v :
-         {&level.diagonal, &level.inverse, &level.right, &level.x, &level.lower, &level.upper}) {
-      v->resize(size);
-    }
-    level.last.resize(rows.block_count() > 1 ? size : 0);
+    for (auto* v : {&level.diagonal, &level.inverse, &level.right}) v->resize(rows.size());
+    for (auto* v : {&level.x, &level.lower, &level.upper}) v->resize(rows.size_with_others());
+    level.last.resize(rows.block_count() > 1 || peers_ != nullptr ? level.x.size() : 0);
   }
-  for (auto* v : {&residual_, &step_, &free_, &last_x_, &last_residual_})
-    v->resize(levels_[0].x.size());
+  const RowLevel& finest = rows_->levels[0];
+  for (auto* v : {&residual_, &last_residual_}) v->resize(finest.size());
+  for (auto* v : {&step_, &free_, &last_x_}) v->resize(finest.size_with_others());
+  nodes_of_all_ = finest.size();
+  if (peers_ != nullptr) peers_->sum({&nodes_of_all_, 1});
 }
 
 void BoundedMultigrid::prepare() {
@@ -108,6 +119,22 @@ void BoundedMultigrid::prepare() {
   last_energy_ = std::numeric_limits<double>::infinity();
   longest_step_ = kLongestStep;
   has_momentum_ = false;
+}
+
+void BoundedMultigrid::prepare_without_bounds() {
+  weigh(0);
+  std::ranges::fill(free_, 1.0f);
+  sum_all();
+}
+
+void BoundedMultigrid::start_as_coarser() {
+  weigh(0);
+  start_with(kCoarsestSweeps);
+}
+
+void BoundedMultigrid::solve_without_bounds(int visits) {
+  std::ranges::fill(levels_[0].x, 0.0f);
+  for (int n = 0; n < visits; ++n) descend(0);
 }
 
 /// What a residual is divided by: the diagonal, and what the row shares with other blocks.
@@ -147,20 +174,17 @@ void BoundedMultigrid::sum(std::size_t l) {
   weigh(l + 1);
 }
 
+void BoundedMultigrid::sum_all() {
+  for (std::size_t l = 0; !is_coarsest(l); ++l) sum(l);
+  if (peers_ != nullptr && levels_.size() > 1) {
+    peers_->set_coarsest({levels_.back().values, levels_.back().diagonal});
+  }
+}
+
 template <bool kBounded>
-void BoundedMultigrid::sweep(std::size_t l, bool forward) {
+void BoundedMultigrid::relax_block(std::size_t l, std::size_t block, bool forward) {
   const RowLevel& rows = rows_->levels[l];
   Level& level = levels_[l];
-  if (rows.block_count() > 1) {
-    parallel_for(
-        level.x.size(),
-        [&](std::size_t begin, std::size_t end) {
-          std::copy(level.x.begin() + static_cast<std::ptrdiff_t>(begin),
-                    level.x.begin() + static_cast<std::ptrdiff_t>(end),
-                    level.last.begin() + static_cast<std::ptrdiff_t>(begin));
-        },
-        kCopyGrain);
-  }
   const float* const values = level.values.data();
   const float* const last = level.last.data();
   const Index* const columns = rows.columns.data();
@@ -174,36 +198,82 @@ void BoundedMultigrid::sweep(std::size_t l, bool forward) {
     if constexpr (kBounded) now = std::min(std::max(now, level.lower[i]), level.upper[i]);
     x[i] = now;
   };
+  const Index first = static_cast<Index>(block) * kRowBlock;
+  const Index behind = std::min(rows.size(), first + kRowBlock);
+  if (forward) {
+    for (Index i = first; i < behind; ++i) relax(i);
+  } else {
+    for (Index i = behind; i-- > first;) relax(i);
+  }
+}
+
+template <bool kBounded>
+void BoundedMultigrid::relax_blocks(std::size_t l, std::span<const Index> blocks, bool forward) {
   parallel_for(
-      rows.block_count(),
+      blocks.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) relax_block<kBounded>(l, blocks[b], forward);
+      },
+      kBlockGrain);
+}
+
+/// Blocks at borders go first: what has become of them is on its way while the others' turn is.
+template <bool kBounded>
+void BoundedMultigrid::sweep(std::size_t l, bool forward) {
+  Level& level = levels_[l];
+  parallel_for(
+      level.last.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::copy(level.x.begin() + static_cast<std::ptrdiff_t>(begin),
+                  level.x.begin() + static_cast<std::ptrdiff_t>(end),
+                  level.last.begin() + static_cast<std::ptrdiff_t>(begin));
+      },
+      kCopyGrain);
+  if (peers_ != nullptr) {
+    relax_blocks<kBounded>(l, peers_->border_blocks(l), forward);
+    peers_->start(l, level.x);
+    relax_blocks<kBounded>(l, peers_->inner_blocks(l), forward);
+    peers_->finish();
+    return;
+  }
+  parallel_for(
+      rows_->levels[l].block_count(),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t block = begin; block < end; ++block) {
-          const Index first = static_cast<Index>(block) * kRowBlock;
-          const Index behind = std::min(rows.size(), first + kRowBlock);
-          if (forward) {
-            for (Index i = first; i < behind; ++i) relax(i);
-          } else {
-            for (Index i = behind; i-- > first;) relax(i);
-          }
+          relax_block<kBounded>(l, block, forward);
         }
       },
       kBlockGrain);
 }
 
+void BoundedMultigrid::exchange(std::size_t level, std::span<float> by_place) {
+  if (peers_ == nullptr) return;
+  peers_->start(level, by_place);
+  peers_->finish();
+}
+
 /// What level l leaves undone becomes the right side of the next.
-void BoundedMultigrid::restrict_residual(std::size_t l) {
+template <class Residual>
+void BoundedMultigrid::restrict_sums(std::size_t l, const Residual& residual) {
   const RowLevel& fine = rows_->levels[l];
-  const Level& from = levels_[l];
   Level& to = levels_[l + 1];
   for_rows(rows_->levels[l + 1], [&](Index parent) {
     float sum = 0;
-    for (Index i = fine.children[parent]; i < fine.children[parent + 1]; ++i) {
-      sum += l == 0 ? residual_[i] * free_[i]
-                    : from.right[i] - from.diagonal[i] * from.x[i] -
-                          row_product(fine, from.values, from.x, i);
-    }
+    for (Index i = fine.children[parent]; i < fine.children[parent + 1]; ++i) sum += residual(i);
     to.right[parent] = sum;
-    to.x[parent] = 0;
+  });
+  std::ranges::fill(to.x, 0.0f);
+}
+
+void BoundedMultigrid::restrict_free_residual() {
+  restrict_sums(0, [&](Index i) { return residual_[i] * free_[i]; });
+}
+
+void BoundedMultigrid::restrict_residual(std::size_t l) {
+  const RowLevel& fine = rows_->levels[l];
+  const Level& from = levels_[l];
+  restrict_sums(l, [&](Index i) {
+    return from.right[i] - from.diagonal[i] * from.x[i] - row_product(fine, from.values, from.x, i);
   });
 }
 
@@ -225,33 +295,47 @@ void BoundedMultigrid::restrict_bounds(std::size_t l) {
   });
 }
 
-void BoundedMultigrid::start() {
+void BoundedMultigrid::start() { start_with(0); }
+
+void BoundedMultigrid::start_with(int finest_sweeps) {
   std::ranges::fill(free_, 1.0f);
-  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
-    sum(l);
-    restrict_bounds(l);
-  }
+  sum_all();
+  for (std::size_t l = 0; !is_coarsest(l); ++l) restrict_bounds(l);
   std::ranges::fill(levels_.back().x, 1.0f);
-  for (std::size_t l = levels_.size(); l-- > 0;) {
+  const bool is_solved = peers_ != nullptr && levels_.size() > 1;
+  if (is_solved) {
+    const Level& coarsest = levels_.back();
+    peers_->start_coarsest({coarsest.right, coarsest.lower, coarsest.upper}, levels_.back().x);
+  }
+  for (std::size_t l = levels_.size() - (is_solved ? 1 : 0); l-- > 0;) {
     Level& level = levels_[l];
-    if (l + 1 < levels_.size()) {
+    if (!is_coarsest(l)) {
       const RowLevel& rows = rows_->levels[l];
       for_rows(rows, [&](Index i) {
         level.x[i] = level.diagonal[i] > 0 ? levels_[l + 1].x[rows.parent[i]] : 1;
       });
+      exchange(l, level.x);
     }
-    for (int s = 0; s < (l == 0 ? 0 : kCoarsestSweeps); ++s) sweep<true>(l, s % 2 == 0);
+    const int sweeps = l == 0 ? finest_sweeps : kCoarsestSweeps;
+    for (int s = 0; s < sweeps; ++s) sweep<true>(l, s % 2 == 0);
   }
 }
 
 void BoundedMultigrid::correct(std::size_t l) {
   const RowLevel& rows = rows_->levels[l];
   const std::vector<float>& coarse = levels_[l + 1].x;
-  for_rows(rows, [&](Index i) { levels_[l].x[i] += coarse[rows.parent[i]]; });
+  for_places(rows, [&](Index i) { levels_[l].x[i] += coarse[rows.parent[i]]; });
+}
+
+void BoundedMultigrid::visit(std::size_t l, int visits) {
+  if (is_coarsest(l) && peers_ != nullptr) {
+    return peers_->solve_coarsest(levels_[l].right, visits, levels_[l].x);
+  }
+  for (int n = 0; n < visits; ++n) descend(l);
 }
 
 void BoundedMultigrid::descend(std::size_t l) {
-  if (l + 1 == levels_.size()) {
+  if (is_coarsest(l)) {
     for (int s = 0; s < kCoarsestSweeps; ++s) {
       sweep<false>(l, true);
       sweep<false>(l, false);
@@ -260,7 +344,7 @@ void BoundedMultigrid::descend(std::size_t l) {
   }
   sweep<false>(l, true);
   restrict_residual(l);
-  for (int visit = 0; visit < kCoarseVisits; ++visit) descend(l + 1);
+  visit(l + 1, kCoarseVisits);
   correct(l);
   sweep<false>(l, false);
 }
@@ -268,7 +352,7 @@ void BoundedMultigrid::descend(std::size_t l) {
 BoundedMultigrid::Measure BoundedMultigrid::measure() {
   const RowLevel& rows = rows_->levels[0];
   const Level& level = levels_[0];
-  const EnergySums sums = sum_over_rows<EnergySums>(rows, [&](Index i, EnergySums& sum) {
+  const auto own = sum_over_rows<EnergySums>(rows, [&](Index i, EnergySums& sum) {
     const float x = level.x[i];
     const float r =
         level.right[i] - level.diagonal[i] * x - row_product(rows, level.values, level.x, i);
@@ -282,6 +366,7 @@ BoundedMultigrid::Measure BoundedMultigrid::measure() {
     sum.energy -= static_cast<double>(x) * static_cast<double>(r + level.right[i]);
     if (!held) sum.square += static_cast<double>(r) * static_cast<double>(r);
   });
+  const EnergySums sums = over_all(peers_, own);
   changed_ += sums.changed;
   return {sums.energy, std::sqrt(sums.square)};
 }
@@ -295,10 +380,10 @@ void BoundedMultigrid::step() {
   const auto within = [&](float x, Index i) {
     return std::min(std::max(x, level.lower[i]), level.upper[i]);
   };
-  for_rows(rows, [&](Index i) {
+  for_places(rows, [&](Index i) {
     step_[i] = within(level.x[i] + free_[i] * coarse[rows.parent[i]], i) - level.x[i];
   });
-  const StepSums sums = sum_over_rows<StepSums>(rows, [&](Index i, StepSums& sum) {
+  const auto own = sum_over_rows<StepSums>(rows, [&](Index i, StepSums& sum) {
     const double r = residual_[i], s = step_[i];
     sum.rs += s * r;
     sum.ss += s * static_cast<double>(level.diagonal[i] * step_[i] +
@@ -310,17 +395,31 @@ void BoundedMultigrid::step() {
     sum.sm += s * product;
     sum.mm += m * product;
   });
-  const StepLengths lengths = best_lengths(sums, longest_step_);
+  const StepLengths lengths = best_lengths(over_all(peers_, own), longest_step_);
   const auto correction = static_cast<float>(lengths.correction);
   const auto momentum = static_cast<float>(lengths.momentum);
-  for_rows(rows, [&](Index i) {
+  for_places(rows, [&](Index i) {
     const float x = level.x[i];
     const float way = has_momentum_ ? x - last_x_[i] : 0;
     last_x_[i] = x;
-    last_residual_[i] = residual_[i];
     level.x[i] = within(x + correction * step_[i] + momentum * way, i);
   });
+  std::swap(last_residual_, residual_);
   has_momentum_ = true;
+}
+
+/// By the coarser levels. Which nodes are free is on its way while residuals are summed.
+void BoundedMultigrid::correct_finest() {
+  if (peers_ != nullptr) peers_->start(0, free_);
+  restrict_free_residual();
+  if (peers_ != nullptr) peers_->finish();
+  if (!summed_ || changed_ * kMostChanged > nodes_of_all_) {
+    sum_all();
+    summed_ = true;
+    changed_ = 0;
+  }
+  visit(1, 1);
+  step();
 }
 
 BoundedMultigrid::Measure BoundedMultigrid::cycle() {
@@ -332,16 +431,7 @@ BoundedMultigrid::Measure BoundedMultigrid::cycle() {
     has_momentum_ = false;
   }
   last_energy_ = now.energy;
-  if (levels_.size() > 1) {
-    if (!summed_ || changed_ * kMostChanged > free_.size()) {
-      for (std::size_t l = 0; l + 1 < levels_.size(); ++l) sum(l);
-      summed_ = true;
-      changed_ = 0;
-    }
-    restrict_residual(0);
-    descend(1);
-    step();
-  }
+  if (levels_.size() > 1) correct_finest();
   sweep<true>(0, false);
   return now;
 }

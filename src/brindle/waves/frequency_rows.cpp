@@ -29,21 +29,41 @@ struct Moments {
     first += a * at.cast<double>();
     square += a * at.cast<double>().squaredNorm();
   }
+  std::array<double, 5> numbers() const { return {area, square, first[0], first[1], first[2]}; }
+  static Moments of(const std::array<double, 5>& n) { return {n[0], n[1], {n[2], n[3], n[4]}}; }
   double square_of_gyration() const {
     return area > 0 ? std::max(0.0, (square - first.squaredNorm() / area) / area) : 0;
   }
 };
 
-float unit_of(std::span<const float> wanted) {
-  if (wanted.empty()) return 1;
-  const auto squares = parallel_sum<double>(wanted.size(), [&](std::size_t begin, std::size_t end) {
+/// What all frequencies are measured with.
+struct Scale {
+  double squares = 0, count = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of one process, 0 of all others
+
+  std::array<double, 5> numbers() const {
+    return {squares, count, origin[0], origin[1], origin[2]};
+  }
+  static Scale of(const std::array<double, 5>& n) { return {n[0], n[1], {n[2], n[3], n[4]}}; }
+  float unit() const {
+    return count > 0 ? static_cast<float>(1 / std::sqrt(squares / count)) : 1.0f;
+  }
+};
+
+/// `own` vertices have their rows here.
+Scale scale_of(const FrequencyInput& input, std::size_t own, RowPeers* peers) {
+  Scale scale;
+  scale.count = static_cast<double>(own);
+  scale.squares = parallel_sum<double>(own, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      sum += static_cast<double>(wanted[i]) * static_cast<double>(wanted[i]);
+      sum += static_cast<double>(input.wanted[i]) * static_cast<double>(input.wanted[i]);
     }
     return sum;
   });
-  return static_cast<float>(1 / std::sqrt(squares / static_cast<double>(wanted.size())));
+  const bool has_origin = peers == nullptr ? own > 0 : peers->has_first_node();
+  if (has_origin) scale.origin = input.positions[0].cast<double>();
+  return over_all(peers, scale);
 }
 
 /// Triangles side by side, and which of them count.
@@ -55,16 +75,16 @@ struct TriangleLanes {
 };
 
 /// Of `count` triangles from `first`; the lanes behind them repeat the last.
-TriangleLanes gathered(std::span<const Triangle> triangles, std::size_t first, std::size_t count,
-                       const FrequencyInput& input, std::span<const float> weights, float unit) {
+TriangleLanes gathered(const FrequencyTriangles& triangles, std::size_t first, std::size_t count,
+                       const FrequencyInput& input, float unit, const Vec3& origin) {
   const float scale = 1 / unit;  // lengths in periods: their squares stay in the range of floats
   TriangleLanes lanes;
   for (int l = 0; l < kTriangleLanes; ++l) {
     const std::size_t t = first + std::min<std::size_t>(static_cast<std::size_t>(l), count - 1);
     lanes.has_waves[l] = true;
     for (int m = 0; m < 3; ++m) {
-      const Index vertex = triangles[t][m];
-      const Vec3 corner = scale * (input.positions[vertex] - input.positions[0]);
+      const Index vertex = triangles.corners[t][m];
+      const Vec3 corner = scale * (input.positions[vertex] - origin);
       const Vec3& direction = input.directions[vertex];
       for (int k = 0; k < 3; ++k) {
         lanes.corners[m][k][l] = corner[k];
@@ -73,7 +93,7 @@ TriangleLanes gathered(std::span<const Triangle> triangles, std::size_t first, s
       lanes.f[m][l] = unit * input.wanted[vertex];
       lanes.has_waves[l] &= !direction.isZero(0);
     }
-    lanes.weight[l] = weights.empty() ? 1 : weights[t];
+    lanes.weight[l] = triangles.weights.empty() ? 1 : triangles.weights[t];
   }
   return lanes;
 }
@@ -115,33 +135,6 @@ Vec3 middle_of(const std::array<LaneVectors, 3>& corners, int l) {
   return sum / 3;
 }
 
-}  // namespace
-
-void set_terms(std::span<const Triangle> triangles, const FrequencyInput& input,
-               std::span<const float> weights, FrequencyTerms& terms) {
-  const float unit = unit_of(input.wanted);
-  const auto moments_of = [&](std::size_t begin, std::size_t end) {
-    Moments moments;
-    for (std::size_t first = begin; first < end; first += kTriangleLanes) {
-      const std::size_t count = std::min<std::size_t>(kTriangleLanes, end - first);
-      const TriangleLanes lanes = gathered(triangles, first, count, input, weights, unit);
-      const TermLanes found = terms_of(lanes);
-      for (int l = 0; l < static_cast<int>(count); ++l) {
-        const bool counts = lanes.has_waves[l] && found.area[l] > 0;
-        terms.triangles[first + static_cast<std::size_t>(l)] =
-            counts ? found.at(l) : TriangleTerms{};
-        if (counts) moments.add(found.area[l], middle_of(lanes.corners, l));
-      }
-    }
-    return moments;
-  };
-  const double square = parallel_sum<Moments>(triangles.size(), moments_of).square_of_gyration();
-  terms.unit = unit;
-  terms.faithfulness = static_cast<float>(square > 0 ? kFaithfulness / square : 0);
-}
-
-namespace {
-
 bool has_three_vertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
 /// Frequencies are joined along stripes, and hardly across them.
@@ -166,34 +159,41 @@ Index entry_of(const RowLevel& rows, Index row, Index column) {
   return static_cast<Index>(std::find(begin, end, column) - rows.columns.begin());
 }
 
+RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, RowPeers* peers) {
+  const std::vector<float> strengths = stripe_strengths(adjacency, input);
+  return peers == nullptr ? row_levels(adjacency, strengths)
+                          : peers->make_levels(adjacency, strengths);
+}
+
 }  // namespace
 
-FrequencyRows::FrequencyRows(std::span<const Triangle> triangles, std::span<const float> weights,
-                             const Adjacency& adjacency, const FrequencyInput& input)
-    : levels_(std::make_shared<const RowLevels>(
-          row_levels(adjacency, stripe_strengths(adjacency, input)))) {
-  set_triangles(triangles, weights);
+FrequencyRows::FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
+                             const FrequencyInput& input, RowPeers* peers)
+    : levels_(std::make_shared<const RowLevels>(levels_for(adjacency, input, peers))) {
+  set_triangles(triangles);
   set_corners();
 }
 
-void FrequencyRows::set_triangles(std::span<const Triangle> triangles,
-                                  std::span<const float> weights) {
+void FrequencyRows::set_triangles(const FrequencyTriangles& triangles) {
   const std::vector<Index>& place_of = levels_->place_of;
   std::vector<Index> offsets(place_of.size() + 1);
   const auto first_place = [&](const Triangle& t) {
     return std::min({place_of[t[0]], place_of[t[1]], place_of[t[2]]});
   };
-  for (const Triangle& triangle : triangles) {
+  for (const Triangle& triangle : triangles.corners) {
     if (has_three_vertices(triangle)) ++offsets[first_place(triangle) + 1];
   }
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
-  triangles_.resize(offsets.back());
-  weights_.resize(weights.empty() ? 0 : triangles_.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!has_three_vertices(triangles[t])) continue;
-    const Index place = offsets[first_place(triangles[t])]++;
-    triangles_[place] = triangles[t];
-    if (!weights.empty()) weights_[place] = weights[t];
+  const Index count = offsets.back();
+  triangles_.corners.resize(count);
+  triangles_.weights.resize(triangles.weights.empty() ? 0 : count);
+  triangles_.counted.resize(triangles.counted.empty() ? 0 : count);
+  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
+    if (!has_three_vertices(triangles.corners[t])) continue;
+    const Index place = offsets[first_place(triangles.corners[t])]++;
+    triangles_.corners[place] = triangles.corners[t];
+    if (!triangles.weights.empty()) triangles_.weights[place] = triangles.weights[t];
+    if (!triangles.counted.empty()) triangles_.counted[place] = triangles.counted[t];
   }
 }
 
@@ -202,27 +202,58 @@ void FrequencyRows::set_corners() {
   const std::vector<Index>& place_of = levels_->place_of;
   // Counted one place to the right, so that filling moves each offset to where it belongs.
   offsets_.assign(rows.size() + 2, 0);
-  for (const Triangle& triangle : triangles_) {
-    for (const Index vertex : triangle) ++offsets_[place_of[vertex] + 2];
+  const auto& triangles = triangles_.corners;
+  for (const Triangle& triangle : triangles) {
+    for (const Index vertex : triangle) {
+      if (vertex < own()) ++offsets_[place_of[vertex] + 2];
+    }
   }
   for (std::size_t i = 2; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
   corners_.resize(offsets_.back());
-  for (Index t = 0; t < triangles_.size(); ++t) {
+  for (Index t = 0; t < triangles.size(); ++t) {
     for (Index m = 0; m < 3; ++m) {
-      corners_[offsets_[place_of[triangles_[t][m]] + 1]++].corner = 4 * t + m;
+      const Index vertex = triangles[t][m];
+      if (vertex < own()) corners_[offsets_[place_of[vertex] + 1]++].corner = 4 * t + m;
     }
   }
   offsets_.pop_back();
   parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
     for (auto row = static_cast<Index>(begin); row < end; ++row) {
       for (Index k = offsets_[row]; k < offsets_[row + 1]; ++k) {
-        const Triangle& triangle = triangles_[corners_[k].corner / 4];
+        const Triangle& triangle = triangles[corners_[k].corner / 4];
         const Index m = corners_[k].corner % 4;
         corners_[k].next = entry_of(rows, row, place_of[triangle[(m + 1) % 3]]);
         corners_[k].previous = entry_of(rows, row, place_of[triangle[(m + 2) % 3]]);
       }
     }
   });
+}
+
+void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers,
+                              FrequencyTerms& terms) const {
+  const Scale scale = scale_of(input, own(), peers);
+  const float unit = scale.unit();
+  const Vec3 origin = scale.origin.cast<float>();
+  const auto moments_of = [&](std::size_t begin, std::size_t end) {
+    Moments moments;
+    for (std::size_t first = begin; first < end; first += kTriangleLanes) {
+      const std::size_t count = std::min<std::size_t>(kTriangleLanes, end - first);
+      const TriangleLanes lanes = gathered(triangles_, first, count, input, unit, origin);
+      const TermLanes found = terms_of(lanes);
+      for (int l = 0; l < static_cast<int>(count); ++l) {
+        const std::size_t t = first + static_cast<std::size_t>(l);
+        const bool counts = lanes.has_waves[l] && found.area[l] > 0;
+        terms.triangles[t] = counts ? found.at(l) : TriangleTerms{};
+        if (!counts || (!triangles_.counted.empty() && !triangles_.counted[t])) continue;
+        moments.add(found.area[l], middle_of(lanes.corners, l));
+      }
+    }
+    return moments;
+  };
+  const auto own_moments = parallel_sum<Moments>(triangles_.corners.size(), moments_of);
+  const double square = over_all(peers, own_moments).square_of_gyration();
+  terms.unit = unit;
+  terms.faithfulness = static_cast<float>(square > 0 ? kFaithfulness / square : 0);
 }
 
 void FrequencyRows::set(const FrequencyTerms& terms, std::span<const float> wanted,

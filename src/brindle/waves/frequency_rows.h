@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "brindle/mesh.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/row_levels.h"
+#include "brindle/waves/row_peers.h"
 
 namespace brindle {
 
@@ -35,23 +37,33 @@ struct FrequencyTerms {
   float faithfulness = 0;  ///< mu
 };
 
-/// Overwrites `terms`, which has one entry per triangle. `weights` is empty or has the w_T.
-void set_terms(std::span<const Triangle> triangles, const FrequencyInput& input,
-               std::span<const float> weights, FrequencyTerms& terms);
+/// Triangles of a process, in any order.
+struct FrequencyTriangles {
+  std::vector<Triangle> corners;
+  std::vector<float> weights;  ///< w_T; empty: 1
+  /// 1 for those that this process counts; empty: all. A triangle with vertices of several
+  /// processes is known to each of them, and counted by one.
+  std::vector<std::uint8_t> counted;
+};
 
 /// Where terms are added up. Which nodes are merged follows the directions that it is made with.
+/// With peers vertices of others come after the own ones, which have all their triangles here.
 class FrequencyRows {
  public:
-  /// Edges of triangles are edges of `adjacency`. `weights` is empty or has one per triangle.
-  FrequencyRows(std::span<const Triangle> triangles, std::span<const float> weights,
-                const Adjacency& adjacency, const FrequencyInput& input);
+  /// Edges of triangles are edges of `adjacency`.
+  FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
+                const FrequencyInput& input, RowPeers* peers = nullptr);
 
   const std::shared_ptr<const RowLevels>& levels() const { return levels_; }
 
-  /// Those of three vertices, in the order of the rows that they add to, with their weights: what
-  /// `set_terms` is to be given.
-  std::span<const Triangle> triangles() const { return triangles_; }
-  std::span<const float> weights() const { return weights_; }
+  /// Those of three vertices, in the order of the rows that they add to.
+  const FrequencyTriangles& triangles() const { return triangles_; }
+
+  /// How many vertices have rows here.
+  Index own() const { return levels_->levels[0].size(); }
+
+  /// Overwrites `terms`, which has one entry per triangle.
+  void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms) const;
 
   /// Sets the matrix and the right side, but no bounds.
   void set(const FrequencyTerms& terms, std::span<const float> wanted,
@@ -60,15 +72,14 @@ class FrequencyRows {
  private:
   /// A triangle's corner at the row of its vertex.
   struct Corner {
-    Index corner;          ///< 4 t + m: corner m of `triangles_[t]`
+    Index corner;          ///< 4 t + m: corner m of triangle t
     Index next, previous;  ///< the row's entries of the triangle's other vertices
   };
-  void set_triangles(std::span<const Triangle> triangles, std::span<const float> weights);
+  void set_triangles(const FrequencyTriangles& triangles);
   void set_corners();
 
   std::shared_ptr<const RowLevels> levels_;
-  std::vector<Triangle> triangles_;
-  std::vector<float> weights_;
+  FrequencyTriangles triangles_;
   std::vector<Index> offsets_;  ///< per place, of `corners_`
   std::vector<Corner> corners_;
 };

@@ -10,21 +10,7 @@ namespace brindle {
 namespace {
 
 constexpr Index kMembers = 4;
-constexpr Index kFewestNodes = 32;  ///< that are worth another level
 constexpr Index kFree = ~Index{0};
-
-struct StrengthGraph {
-  std::vector<Index> offsets;
-  std::vector<Index> neighbors;
-  std::vector<float> strengths;
-
-  Index size() const { return static_cast<Index>(offsets.size() - 1); }
-};
-
-struct Grouping {
-  std::vector<Index> parent;
-  Index count = 0;
-};
 
 /// The free neighbour that the members are joined to most strongly, or kFree. `sums` is all zero
 /// before and after.
@@ -34,7 +20,7 @@ Index strongest_free(const StrengthGraph& graph, std::span<const Index> members,
   for (const Index i : members) {
     for (Index e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
       const Index j = graph.neighbors[e];
-      if (grouping.parent[j] != kFree) continue;
+      if (j >= graph.size() || grouping.parent[j] != kFree) continue;
       sums[j] += graph.strengths[e];
       if (best == kFree || sums[j] > sums[best]) best = j;
     }
@@ -58,10 +44,14 @@ Index strongest_group(const StrengthGraph& graph, Index node, const Grouping& gr
   return best;
 }
 
-/// Nodes left alone join a neighbour's group; only those without neighbours stay alone.
-Grouping grouped(const StrengthGraph& graph) {
-  Grouping grouping{std::vector<Index>(graph.size(), kFree), 0};
-  std::vector<float> sums(graph.size());
+}  // namespace
+
+/// Nodes left alone join a neighbour's group; only those without neighbours of their own process
+/// stay alone.
+Grouping RowLevelMaker::grouped() const {
+  const StrengthGraph& graph = coarsest();
+  Grouping grouping{std::vector<Index>(graph.size() + graph.others, kFree), 0, 0};
+  std::vector<float> sums(graph.size() + graph.others);
   std::vector<Index> members;
   for (Index start = 0; start < graph.size(); ++start) {
     if (grouping.parent[start] != kFree) continue;
@@ -87,6 +77,8 @@ Grouping grouped(const StrengthGraph& graph) {
   return grouping;
 }
 
+namespace {
+
 /// Nodes sorted by a key below `count`, those of one key in their order: where each key's begin.
 std::vector<Index> sorted_by(std::span<const Index> key, Index count, std::vector<Index>& nodes) {
   std::vector<Index> begin(count + 1);
@@ -100,9 +92,10 @@ std::vector<Index> sorted_by(std::span<const Index> key, Index count, std::vecto
 
 StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping) {
   std::vector<Index> nodes;
-  const std::vector<Index> begin = sorted_by(grouping.parent, grouping.count, nodes);
-  StrengthGraph coarse{{0}, {}, {}};
-  std::vector<Index> entry_of(grouping.count, kFree);
+  const auto own_parents = std::span(grouping.parent).first(fine.size());
+  const std::vector<Index> begin = sorted_by(own_parents, grouping.count, nodes);
+  StrengthGraph coarse{{0}, {}, {}, grouping.others};
+  std::vector<Index> entry_of(grouping.count + grouping.others, kFree);
   for (Index group = 0; group < grouping.count; ++group) {
     const std::size_t first = coarse.neighbors.size();
     for (Index n = begin[group]; n < begin[group + 1]; ++n) {
@@ -141,7 +134,11 @@ Places placed_by_parents(const Grouping& grouping, const Places& coarse, RowLeve
     parent_place[i] = coarse.place_of[grouping.parent[i]];
   }
   Places places;
-  level.children = sorted_by(parent_place, grouping.count, places.node_at);
+  const auto own = std::span(parent_place).first(parent_place.size() - level.others);
+  level.children = sorted_by(own, grouping.count, places.node_at);
+  while (places.node_at.size() < parent_place.size()) {
+    places.node_at.push_back(static_cast<Index>(places.node_at.size()));
+  }
   places.place_of.resize(parent_place.size());
   level.parent.resize(parent_place.size());
   for (Index place = 0; place < places.node_at.size(); ++place) {
@@ -167,12 +164,13 @@ void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level)
       for (Index e = graph.offsets[node]; e < graph.offsets[node + 1]; ++e) {
         row[e - graph.offsets[node]] = places.place_of[graph.neighbors[e]];
       }
-      std::sort(row, row_end, [block](Index a, Index b) {
-        const bool a_outside = a / kRowBlock != block, b_outside = b / kRowBlock != block;
-        return a_outside != b_outside ? b_outside : a < b;
+      const auto is_outside = [&graph, block](Index column) {
+        return column / kRowBlock != block || column >= graph.size();
+      };
+      std::sort(row, row_end, [&](Index a, Index b) {
+        return is_outside(a) != is_outside(b) ? is_outside(b) : a < b;
       });
-      const auto outside =
-          std::find_if(row, row_end, [block](Index column) { return column / kRowBlock != block; });
+      const auto outside = std::find_if(row, row_end, is_outside);
       level.outside[place] = static_cast<Index>(outside - level.columns.begin());
     }
   });
@@ -183,7 +181,7 @@ void set_targets(RowLevel& fine, const RowLevel& coarse) {
   // A list as long as the level for each piece.
   const std::size_t grain = std::max<std::size_t>(kParallelGrain, coarse.size() / 8);
   const auto set = [&](std::size_t begin, std::size_t end) {
-    std::vector<Index> entry_of(coarse.size());
+    std::vector<Index> entry_of(coarse.size_with_others());
     for (auto I = static_cast<Index>(begin); I < end; ++I) {
       for (Index e = coarse.offsets[I]; e < coarse.offsets[I + 1]; ++e) {
         entry_of[coarse.columns[e]] = e;
@@ -199,28 +197,40 @@ void set_targets(RowLevel& fine, const RowLevel& coarse) {
 
 }  // namespace
 
-RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths) {
-  std::vector<StrengthGraph> graphs = {
-      {adjacency.offsets, adjacency.neighbors, {strengths.begin(), strengths.end()}}};
-  std::vector<Grouping> groupings;
-  while (graphs.back().size() > kFewestNodes) {
-    Grouping grouping = grouped(graphs.back());
-    if (grouping.count > graphs.back().size() / 10 * 9) break;
-    graphs.push_back(merged(graphs.back(), grouping));
-    groupings.push_back(std::move(grouping));
-  }
+RowLevelMaker::RowLevelMaker(StrengthGraph finest) { graphs_.push_back(std::move(finest)); }
+
+void RowLevelMaker::merge(Grouping grouping) {
+  graphs_.push_back(merged(graphs_.back(), grouping));
+  groupings_.push_back(std::move(grouping));
+}
+
+RowLevels RowLevelMaker::made() {
   RowLevels result;
-  result.levels.resize(graphs.size());
-  Places places = natural_places(graphs.back().size());
-  for (std::size_t l = graphs.size(); l-- > 0;) {
+  result.levels.resize(graphs_.size());
+  places_of_.resize(graphs_.size());
+  Places places = natural_places(coarsest().size() + coarsest().others);
+  for (std::size_t l = graphs_.size(); l-- > 0;) {
     RowLevel& level = result.levels[l];
-    if (l < groupings.size()) places = placed_by_parents(groupings[l], places, level);
-    set_rows(graphs[l], places, level);
-    if (l < groupings.size()) set_targets(level, result.levels[l + 1]);
+    level.others = graphs_[l].others;
+    if (l < groupings_.size()) places = placed_by_parents(groupings_[l], places, level);
+    places_of_[l] = places.place_of;
+    set_rows(graphs_[l], places, level);
+    if (l < groupings_.size()) set_targets(level, result.levels[l + 1]);
   }
   result.node_at = std::move(places.node_at);
   result.place_of = std::move(places.place_of);
   return result;
+}
+
+RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths) {
+  RowLevelMaker maker(
+      {adjacency.offsets, adjacency.neighbors, {strengths.begin(), strengths.end()}});
+  while (maker.coarsest().size() > kFewestNodes) {
+    Grouping grouping = maker.grouped();
+    if (grouping.count > maker.coarsest().size() / 10 * 9) break;
+    maker.merge(std::move(grouping));
+  }
+  return maker.made();
 }
 
 }  // namespace brindle

@@ -1,0 +1,48 @@
+/// Rows that have become few, and all coarser ones, on rank 0 alone.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/adjacency.h"
+#include "brindle/distributed/communicator.h"
+#include "brindle/distributed/halo.h"
+#include "brindle/waves/bounded_multigrid.h"
+#include "brindle/waves/row_levels.h"
+#include "brindle/waves/row_peers.h"
+
+namespace brindle {
+
+/// All functions must be called by all ranks, with what they have of their own nodes.
+class GatheredRows {
+ public:
+  /// Of the coarsest graph that all ranks hold, whose rows are those of `level`.
+  GatheredRows(Communicator& ranks, const StrengthGraph& graph, const NodeHalo& halo,
+               const RowLevel& level);
+
+  void set(Communicator& ranks, const RowMatrix& matrix);
+
+  /// As the functions of the same names of RowPeers, for own nodes.
+  void solve(Communicator& ranks, std::span<const float> right, int visits, std::span<float> x);
+  void start(Communicator& ranks, const RowProblem& problem, std::span<float> x);
+
+ private:
+  void gather_graph(Communicator& ranks, const StrengthGraph& graph, const NodeHalo& halo,
+                    const RowLevel& level);
+  void find_entries(const Adjacency& adjacency);
+  std::span<float> on_root(std::span<float> (BoundedMultigrid::*part)());
+  std::span<const float> gathered(Communicator& ranks, std::span<const float> own,
+                                  std::span<const Index> first);
+  void take_nodes(Communicator& ranks, std::span<const float> own, std::span<float> by_place);
+  void scatter(Communicator& ranks, std::span<float> own);
+
+  std::vector<Index> first_node_, first_entry_;  ///< of every rank, and the end
+  // On rank 0 alone.
+  std::shared_ptr<const RowLevels> levels_;
+  std::unique_ptr<BoundedMultigrid> multigrid_;
+  std::vector<Index> entry_of_;  ///< the ranks' entries, as they have them -> entry here
+  std::vector<float> all_;       ///< what has come from all ranks, or goes to them
+};
+
+}  // namespace brindle

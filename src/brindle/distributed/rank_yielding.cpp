@@ -1,0 +1,64 @@
+#include "brindle/distributed/rank_yielding.h"
+
+#include <algorithm>
+#include <string>
+
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+/// Of the ranks that have a triangle around an own vertex, the first that owns a vertex of it
+/// counts it. One rank counts all.
+FrequencyTriangles frequency_triangles(const RankSurface& surface) {
+  FrequencyTriangles triangles{triangles_around_own(surface).triangles, {}, {}};
+  if (surface.ranks->size() == 1) return triangles;
+  const std::vector<int> owner = owners(*surface.ranks, surface.graph);
+  for (const auto& [a, b, c] : triangles.corners) {
+    const int first = std::min({owner[a], owner[b], owner[c]});
+    triangles.counted.push_back(first == surface.ranks->rank() ? 1 : 0);
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<float> owners_values(const RankSurface& surface, std::span<const float> of_piece) {
+  if (!surface.ranks->any(!of_piece.empty())) return {};
+  std::vector<float> values(surface.vertex_count());
+  for (std::size_t p = 0; p < of_piece.size(); ++p) {
+    values[surface.vertex_of_piece[p]] = of_piece[p];
+  }
+  surface.exchange_all(std::span(values));
+  return values;
+}
+
+std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& surface,
+                                                             const Slack& slack) {
+  Slack of_vertices = slack;
+  of_vertices.by_vertex = owners_values(surface, slack.by_vertex);
+  of_vertices.calm = owners_values(surface, slack.calm);
+  auto setting = std::make_shared<YieldingSetting>();
+  setting->slack = slack_by_vertex(of_vertices, surface.vertex_count());
+  setting->slack.resize(surface.graph.node_count());
+  exchange(*surface.ranks, surface.graph.halo, std::span(setting->slack));
+  setting->triangles = frequency_triangles(surface);
+  setting->triangles.weights = calm_weights(setting->triangles.corners, of_vertices.calm);
+  setting->adjacency = surface.graph.adjacency;
+  return setting;
+}
+
+void check_on_all(const RankSurface& surface, const Slack& slack) {
+  const std::size_t vertices = surface.vertex_of_piece.size();
+  surface.ranks->together([&] { check(slack, vertices); });
+  for (const auto* list : {&slack.by_vertex, &slack.calm}) {
+    const bool is_given = surface.ranks->any(!list->empty());
+    surface.ranks->together([&] {
+      if (!is_given || !list->empty() || vertices == 0) return;
+      throw Error("slack: other ranks have a number for each vertex, and this one has none; give " +
+                  std::string("one to each vertex of all pieces"));
+    });
+  }
+}
+
+}  // namespace brindle

@@ -1,0 +1,182 @@
+#include "brindle/waves/yielding_solver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kMostCycles = 40;
+constexpr int kMostFrameCycles = 3;
+constexpr double kSmallestGain = 1e-3;  ///< of a cycle, over the energy
+constexpr float kCalmSlack = 2;         ///< slack that full calm adds, over S
+constexpr float kCalmWeight = 9;        ///< weight that it adds
+
+/// Whether a cycle gained so little that no other is worth its time.
+bool is_small(double gain, double energy) { return gain <= kSmallestGain * std::abs(energy); }
+
+struct ChangeSums {
+  double ratio = 0, count = 0, at_bounds = 0;
+  float low = std::numeric_limits<float>::max(), high = 0;
+  ChangeSums operator+(const ChangeSums& o) const {
+    return {ratio + o.ratio, count + o.count, at_bounds + o.at_bounds, std::min(low, o.low),
+            std::max(high, o.high)};
+  }
+};
+
+ChangeSums over_all(RowPeers* peers, const ChangeSums& own) {
+  if (peers == nullptr) return own;
+  std::array<double, 3> sums = {own.ratio, own.count, own.at_bounds};
+  peers->sum(sums);
+  const double low = peers->least(static_cast<double>(own.low));
+  const double high = -peers->least(-static_cast<double>(own.high));
+  return {sums[0], sums[1], sums[2], static_cast<float>(low), static_cast<float>(high)};
+}
+
+}  // namespace
+
+std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<const float> calm) {
+  std::vector<float> weights;
+  if (calm.empty()) return weights;
+  weights.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    weights.push_back(1 + kCalmWeight * std::max({calm[a], calm[b], calm[c]}));
+  }
+  return weights;
+}
+
+std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices) {
+  std::vector<float> result =
+      slack.by_vertex.empty() ? std::vector<float>(vertices, slack.everywhere) : slack.by_vertex;
+  for (std::size_t i = 0; i < slack.calm.size(); ++i) result[i] *= 1 + kCalmSlack * slack.calm[i];
+  return result;
+}
+
+YieldingSolver::YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
+                               std::shared_ptr<RowPeers> peers)
+    : setting_(std::move(setting)), peers_(std::move(peers)) {}
+
+void YieldingSolver::build(const FrequencyInput& input) {
+  auto built = std::make_unique<FrequencyRows>(setting_->triangles, *setting_->adjacency, input,
+                                               peers_.get());
+  multigrid_ = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
+  const std::size_t vertices = setting_->slack.size();
+  terms_.triangles.resize(built->triangles().corners.size());
+  next_.resize(vertices);
+  frequencies_.resize(vertices);
+  kept_.reserve(vertices);
+  rows_ = std::move(built);
+  set_bounds();
+}
+
+void YieldingSolver::set_bounds() {
+  const std::span<float> lower = multigrid_->lower(), upper = multigrid_->upper();
+  for (std::size_t place = 0; place < upper.size(); ++place) {
+    upper[place] = 1 + setting_->slack[rows_->levels()->node_at[place]];
+    lower[place] = 1 / upper[place];
+  }
+}
+
+void YieldingSolver::set_start() {
+  if (starts_) {
+    multigrid_->start();
+  } else {
+    std::ranges::copy(kept_, multigrid_->x().begin());
+  }
+}
+
+/// Until cycles hardly lower the energy.
+void YieldingSolver::relax(const Progress& progress) {
+  const std::span<const float> right = multigrid_->right();
+  auto constant = parallel_sum<double>(right.size(), [&](std::size_t begin, std::size_t end) {
+    double part = 0;
+    for (std::size_t i = begin; i < end; ++i) part += static_cast<double>(right[i]);
+    return part;
+  });
+  if (peers_) peers_->sum({&constant, 1});
+  const int most = starts_ ? kMostCycles : kMostFrameCycles;
+  change_ = {};
+  // A cycle may make little of it and the next one much, above all at the beginning.
+  const int enough = starts_ ? 2 : 1;
+  int small_gains = 0;
+  double first_gradient = 0;
+  double last = std::numeric_limits<double>::max();
+  std::optional<BoundedMultigrid::Measure> end;
+  for (int cycle = 0; cycle < most; ++cycle) {
+    if (starts_) progress.report("frequency", static_cast<double>(cycle) / most);
+    const BoundedMultigrid::Measure measure = multigrid_->cycle();
+    const double energy = measure.energy + constant;
+    if (cycle == 0) first_gradient = measure.projected_gradient;
+    change_.sweeps += 2;
+    small_gains = is_small(last - energy, energy) ? small_gains + 1 : 0;
+    if (small_gains == enough) break;
+    last = energy;
+    // From frame to frame little changes: one cycle may be enough.
+    if (starts_ || cycle > 0) continue;
+    end = multigrid_->measure();
+    if (is_small(measure.energy - end->energy, energy)) break;
+    end.reset();
+  }
+  if (!end) end = multigrid_->measure();
+  const double gradient = end->projected_gradient;
+  change_.residual = first_gradient > 0 ? gradient / first_gradient : 0;
+}
+
+/// Frequencies by vertex, and what has become of them.
+void YieldingSolver::take(std::span<const float> wanted) {
+  BoundedMultigrid& m = *multigrid_;
+  const std::vector<Index>& node_at = rows_->levels()->node_at;
+  const std::size_t own = rows_->own();
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
+    ChangeSums sums;
+    for (std::size_t place = begin; place < end; ++place) {
+      const float x = m.x()[place];
+      next_[node_at[place]] = wanted[node_at[place]] * x;
+      if (!(m.diagonal()[place] > 0)) continue;
+      sums.ratio += static_cast<double>(x);
+      sums.count += 1;
+      sums.at_bounds += x <= m.lower()[place] || x >= m.upper()[place];
+      sums.low = std::min(sums.low, x);
+      sums.high = std::max(sums.high, x);
+    }
+    return sums;
+  };
+  const ChangeSums sums = over_all(peers_.get(), parallel_sum<ChangeSums>(own, sums_of));
+  for (std::size_t other = own; other < wanted.size(); ++other) {
+    next_[other] = wanted[other] * m.x()[other];
+  }
+  if (sums.count == 0) return;
+  change_.ratio_min = static_cast<double>(sums.low);
+  change_.ratio_max = static_cast<double>(sums.high);
+  change_.ratio_mean = sums.ratio / sums.count;
+  change_.share_at_bounds = sums.at_bounds / sums.count;
+}
+
+std::span<const float> YieldingSolver::solve(const FrequencyInput& input,
+                                             const Progress& progress) {
+  if (!settled_) build(input);
+  rows_->set_terms(input, peers_.get(), terms_);
+  rows_->set(terms_, input.wanted, *multigrid_);
+  multigrid_->prepare();
+  set_start();
+  relax(progress);
+  take(input.wanted);
+  return next_;
+}
+
+void YieldingSolver::keep() {
+  const std::span<const float> x = multigrid_->x();
+  kept_.assign(x.begin(), x.end());
+  std::swap(next_, frequencies_);
+  settled_ = true;
+  starts_ = false;
+}
+
+}  // namespace brindle

@@ -1,0 +1,69 @@
+/// Frequencies that yield, for a surface in one process or the part that one of many has.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brindle/adjacency.h"
+#include "brindle/progress.h"
+#include "brindle/waves/bounded_multigrid.h"
+#include "brindle/waves/frequency_rows.h"
+#include "brindle/waves/row_peers.h"
+#include "brindle/yielding_frequency.h"
+
+namespace brindle {
+
+/// S by vertex, larger where it is calm.
+std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices);
+
+/// w_T: calm at the calmest corner counts. Empty without calm.
+std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<const float> calm);
+
+/// What never changes. Vertices of other processes come after the own ones.
+struct YieldingSetting {
+  std::vector<float> slack;  ///< by vertex
+  FrequencyTriangles triangles;
+  std::shared_ptr<const Adjacency> adjacency;
+};
+
+/// Of a whole surface. Throws Error as `check` does.
+std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack);
+
+/// What YieldingFrequency is in one process. With peers all functions but `keep`, `frequencies` and
+/// `change` must be called by all of them, and `progress` has to throw for all or none.
+class YieldingSolver {
+ public:
+  explicit YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
+                          std::shared_ptr<RowPeers> peers = nullptr);
+
+  /// For the same setting, with nothing kept; only without peers.
+  YieldingSolver sibling() const { return YieldingSolver(setting_); }
+
+  /// As those of YieldingFrequency; frequencies are of others' vertices, too.
+  std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
+  void keep();
+  void restart() { starts_ = true; }
+  std::span<const float> frequencies() const { return frequencies_; }
+  const FrequencyChange& change() const { return change_; }
+
+ private:
+  void build(const FrequencyInput& input);
+  void set_bounds();
+  void set_start();
+  void relax(const Progress& progress);
+  void take(std::span<const float> wanted);
+
+  std::shared_ptr<const YieldingSetting> setting_;
+  std::shared_ptr<RowPeers> peers_;
+  std::unique_ptr<FrequencyRows> rows_;  ///< none before the first `solve`
+  std::unique_ptr<BoundedMultigrid> multigrid_;
+  FrequencyTerms terms_;
+  std::vector<float> kept_;                ///< x by place
+  std::vector<float> next_, frequencies_;  ///< by vertex, of the last `solve` and of what was kept
+  FrequencyChange change_;
+  bool settled_ = false;  ///< whether anything was kept since rows were built
+  bool starts_ = true;    ///< whether nothing is kept to start from
+};
+
+}  // namespace brindle
