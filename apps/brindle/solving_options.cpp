@@ -57,6 +57,15 @@ void add_solving_options(CLI::App& app, SolvingOptions& options) {
       ->check(CLI::Range(0, 1024));
 }
 
+AnimatorOptions frame_options(const StripeOptions& stripes) {
+  AnimatorOptions options;
+  options.lambda = stripes.lambda;
+  options.sweeps = stripes.solver.sweeps;
+  options.cycles = stripes.solver.cycles;
+  options.phase_shift = stripes.phase_shift;
+  return options;
+}
+
 StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared) {
   StripeOptions stripes = options.stripes;
   stripes.slack =

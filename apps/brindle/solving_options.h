@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "preparation.h"
 #include "slack_options.h"
@@ -17,6 +18,9 @@ struct SolvingOptions {
 
 /// All options but --solver.
 void add_solving_options(CLI::App& app, SolvingOptions& options);
+
+/// What frames have of them: all but slack and weights.
+AnimatorOptions frame_options(const StripeOptions& stripes);
 
 /// The options for this surface, slack and all. Throws Error if the file of --calm does not fit.
 StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared);

@@ -148,12 +148,7 @@ struct Follower {
 };
 
 AnimatorOptions animator_options(const StripeArguments& arguments, const Preparation& prepared) {
-  const StripeOptions& stripes = arguments.solving.stripes;
-  AnimatorOptions options;
-  options.lambda = stripes.lambda;
-  options.sweeps = stripes.solver.sweeps;
-  options.cycles = stripes.solver.cycles;
-  options.phase_shift = stripes.phase_shift;
+  AnimatorOptions options = frame_options(arguments.solving.stripes);
   options.slack = stripe_options(arguments.solving, prepared).slack;
   return options;
 }

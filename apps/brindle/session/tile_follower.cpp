@@ -8,16 +8,6 @@
 namespace brindle::tool {
 namespace {
 
-AnimatorOptions animator_options(const StripeArguments& arguments) {
-  const StripeOptions& stripes = arguments.solving.stripes;
-  AnimatorOptions options;
-  options.lambda = stripes.lambda;
-  options.sweeps = stripes.solver.sweeps;
-  options.cycles = stripes.solver.cycles;
-  options.phase_shift = stripes.phase_shift;
-  return options;
-}
-
 FrameInput frame_input(const WaveSet& waves) {
   return {waves.positions, waves.directions, waves.frequencies};
 }
@@ -79,10 +69,11 @@ TileFollower::TileFollower(const StripeArguments& arguments,
                            std::shared_ptr<const Preparation> prepared)
     : prepared_(std::move(prepared)) {
   if (arguments.waves.cross) {
-    cross_.emplace(prepared_->surface, animator_options(arguments));
+    cross_.emplace(prepared_->surface, frame_options(arguments.solving.stripes));
   } else {
-    texture_.emplace(prepared_->surface, TextureAnimatorOptions{arguments.texture.oriented,
-                                                                animator_options(arguments)});
+    texture_.emplace(prepared_->surface,
+                     TextureAnimatorOptions{arguments.texture.oriented,
+                                            frame_options(arguments.solving.stripes)});
   }
 }
 

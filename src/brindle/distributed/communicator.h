@@ -1,6 +1,7 @@
 /// This rank among the others: messages between ranks behind a few functions.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -110,5 +111,17 @@ class Communicator {
   std::vector<MPI_Request> requests_;
   Traffic traffic_;
 };
+
+/// What ranks have sent, one behind the other.
+template <class T>
+std::vector<T> joined(const std::vector<std::vector<std::byte>>& parts) {
+  std::vector<T> result;
+  for (const std::vector<std::byte>& part : parts) {
+    const std::size_t before = result.size();
+    result.resize(before + part.size() / sizeof(T));
+    std::ranges::copy(part, std::as_writable_bytes(std::span(result).subspan(before)).begin());
+  }
+  return result;
+}
 
 }  // namespace brindle

@@ -82,17 +82,6 @@ GatheredRows sorted_rows(std::span<const Index> degrees, std::span<const Index> 
   return rows;
 }
 
-template <class T>
-std::vector<T> joined(const std::vector<std::vector<std::byte>>& parts) {
-  std::vector<T> result;
-  for (const std::vector<std::byte>& part : parts) {
-    const std::size_t before = result.size();
-    result.resize(before + part.size() / sizeof(T));
-    std::ranges::copy(part, std::as_writable_bytes(std::span(result).subspan(before)).begin());
-  }
-  return result;
-}
-
 }  // namespace
 
 GatheredLevels::GatheredLevels(Communicator& ranks, const RankGraph& graph, const Level& level,

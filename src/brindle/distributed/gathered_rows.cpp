@@ -14,17 +14,6 @@ std::vector<Index> firsts(Communicator& ranks, Index own) {
   return result;
 }
 
-template <class T>
-std::vector<T> concatenated(const std::vector<std::vector<std::byte>>& parts) {
-  std::vector<T> result;
-  for (const std::vector<std::byte>& part : parts) {
-    const std::size_t before = result.size();
-    result.resize(before + part.size() / sizeof(T));
-    std::ranges::copy(part, std::as_writable_bytes(std::span(result).subspan(before)).begin());
-  }
-  return result;
-}
-
 /// The strengths of a graph's edges in the order of the rows.
 std::vector<float> strengths_by_entry(const StrengthGraph& graph, const RowLevel& level) {
   std::vector<float> result;
@@ -60,10 +49,10 @@ void GatheredRows::gather_graph(Communicator& ranks, const StrengthGraph& graph,
   }
   for (const Index column : level.columns) columns.push_back(number[column]);
   const std::vector<float> strengths = strengths_by_entry(graph, level);
-  const auto all_degrees = concatenated<Index>(ranks.gather(std::as_bytes(std::span(degrees))));
+  const auto all_degrees = joined<Index>(ranks.gather(std::as_bytes(std::span(degrees))));
   Adjacency adjacency;
-  adjacency.neighbors = concatenated<Index>(ranks.gather(std::as_bytes(std::span(columns))));
-  const auto all_strengths = concatenated<float>(ranks.gather(std::as_bytes(std::span(strengths))));
+  adjacency.neighbors = joined<Index>(ranks.gather(std::as_bytes(std::span(columns))));
+  const auto all_strengths = joined<float>(ranks.gather(std::as_bytes(std::span(strengths))));
   ranks.together([&] {
     if (ranks.rank() != 0) return;
     for (const Index degree : all_degrees) {
