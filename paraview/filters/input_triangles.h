@@ -1,0 +1,37 @@
+/// The triangles in what VTK hands over: polygons, cells of grids, blocks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <brindle/mesh.h>
+#include <vtkSmartPointer.h>
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkPolyData;
+
+namespace brindle::paraview {
+
+/// Polygons, a grid's outer cells, or all blocks in one, cut into triangles; cells of other kinds
+/// are left out. Throws Error for what has no surface, and for corners that are no points. `owner`
+/// is whose abort flag VTK's own filters follow.
+vtkSmartPointer<vtkPolyData> triangles_of(vtkDataObject* input, vtkAlgorithm* owner);
+
+/// What of triangles is numbers.
+struct RawMesh {
+  Mesh mesh;
+  std::vector<std::uint8_t>
+      ghosts;                     ///< per triangle: 1 if VTK says that another rank has it; or none
+  std::vector<std::int64_t> ids;  ///< of points in the whole; or none
+};
+
+/// Throws Error for coordinates that are not finite.
+Mesh raw_mesh(vtkPolyData& triangles);
+
+/// The same, with what VTK knows of other ranks.
+RawMesh raw_piece(vtkPolyData& triangles);
+
+bool same(const RawMesh& a, const RawMesh& b);
+
+}  // namespace brindle::paraview

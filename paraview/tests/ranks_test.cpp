@@ -1,0 +1,382 @@
+// Patterns over pieces: every test runs on all ranks.
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <brindle/corner_phases.h>
+#include <brindle/quality.h>
+#include <brindle/stripe_pattern.h>
+#include <vtkFieldData.h>
+#include <vtkMultiProcessController.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "global_numbers.h"
+#include "rank_pieces.h"
+#include "vtkBrindleStripes.h"
+
+namespace brindle::paraview {
+namespace {
+
+enum { kSmooth, kCurvature, kDirection, kArray };
+enum { kStripes, kFrequency, kFrequencyArray, kByArray };
+
+constexpr const char* kTorus = "torus,resolution=40";
+
+double figure(vtkPolyData& output, const char* name) {
+  return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+/// A pattern of the whole from what ranks have of it.
+StripePattern whole_pattern(const Mesh& whole, vtkPolyData& output) {
+  StripePattern pattern;
+  pattern.waves.positions = whole.positions;
+  const Gathered phases(whole.vertex_count(), output, "phase");
+  const Gathered directions(whole.vertex_count(), output, "direction");
+  const Gathered frequencies(whole.vertex_count(), output, "frequency");
+  for (std::size_t v = 0; v < whole.vertex_count(); ++v) {
+    const auto& [x, y, z] = directions.values[v];
+    pattern.waves.directions.emplace_back(x, y, z);
+    const float phase = phases.values[v][0];
+    pattern.solution.z.push_back(std::isnan(phase) ? Complex(1) : std::polar(1.0f, phase));
+    pattern.waves.frequencies.push_back(frequencies.values[v][0]);
+  }
+  pattern.corners =
+      corner_phases(whole.triangles, pattern.waves, pattern.solution.z, pattern.phase_shift);
+  pattern.quality = measure_quality(whole, pattern.waves, pattern.corners);
+  return pattern;
+}
+
+/// Every vertex has one phase, wave, frequency and branch flag, whichever rank is asked, and the
+/// figures are those of the whole.
+void expect_one_pattern(const Mesh& whole, vtkPolyData& output) {
+  std::size_t shared = 0;
+  for (const char* name : {"phase", "sin_phase", "direction", "frequency", "valid", "branch"}) {
+    const Gathered gathered(whole.vertex_count(), output, name);
+    EXPECT_EQ(gathered.different, 0u) << name;
+    EXPECT_EQ(std::ranges::count(gathered.known, 1), static_cast<long>(whole.vertex_count()));
+    shared = gathered.shared;
+  }
+  EXPECT_EQ(shared > 0, rank_count() > 1 && shared > 0);
+  const StripePattern pattern = whole_pattern(whole, output);
+  std::vector<float> branches(whole.vertex_count());
+  for (std::size_t t = 0; t < whole.triangle_count(); ++t) {
+    if (!is_branch(pattern.corners[t].kind)) continue;
+    for (const Index v : whole.triangles[t]) branches[v] = 1;
+  }
+  const Gathered told(whole.vertex_count(), output, "branch");
+  std::size_t wrong = 0;
+  for (std::size_t v = 0; v < branches.size(); ++v) wrong += told.values[v][0] != branches[v];
+  EXPECT_EQ(wrong, 0u) << "branches";
+  if (output.GetNumberOfPoints() == 0) return;
+  EXPECT_EQ(figure(output, "branches"), static_cast<double>(pattern.quality.branches));
+  EXPECT_NEAR(figure(output, "angle_error_mean_deg"), pattern.quality.angle_error_mean_deg, 1e-3);
+  EXPECT_NEAR(figure(output, "spacing_error_mean"), pattern.quality.spacing_error_mean, 1e-5);
+}
+
+/// Stripes of a swirl, without texture coordinates.
+void lay_swirl(vtkBrindleStripes& filter, vtkPolyData* data, float angle = 0) {
+  add_swirl(*data, angle);
+  data->Modified();
+  filter.SetInputData(data);
+  filter.SetField(kArray);
+  choose(filter, 0, "v");
+  filter.SetTextureCoordinates(false);
+  filter.Update();
+}
+
+/// What the library makes of the pieces itself, frame by frame.
+class Twin {
+ public:
+  Twin(const Pieces& pieces, std::vector<std::uint64_t> numbers)
+      : pieces_(pieces),
+        surface_({pieces.own, std::move(numbers), {}}, MPI_COMM_WORLD),
+        animator_(surface_) {}
+
+  std::span<const Complex> frame(float angle, float stripes = 40) {
+    std::vector<Vec3> vectors;
+    for (const Vec3& p : pieces_.own.positions) vectors.push_back(swirl(p, angle));
+    const DirectionField directions = tangent_directions(vectors, surface_.normals());
+    const FrequencyField frequencies(
+        vectors.size(), frequency_of_stripes(stripes, static_cast<float>(surface_.diagonal())));
+    return animator_.frame({pieces_.own.positions, directions, frequencies}).z;
+  }
+
+ private:
+  const Pieces& pieces_;
+  DistributedSurface surface_;
+  DistributedStripeAnimator animator_;
+};
+
+std::vector<std::uint64_t> numbers_by_place(const Pieces& pieces) {
+  const std::vector<Index> first = first_at_each_place(pieces.own.positions);
+  return global_numbers(ranks(), {pieces.own.positions, first, {}}, 1);
+}
+
+TEST(GlobalNumbers, AreThoseOfPlacesOrIds) {
+  for (const Cut& cut : cuts()) {
+    SCOPED_TRACE(cut.name);
+    const Pieces pieces("sphere,resolution=24", cut);
+    const std::vector<Index> first = first_at_each_place(pieces.own.positions);
+    std::vector<std::int64_t> ids(pieces.ids.begin(), pieces.ids.end());
+    EXPECT_EQ(global_numbers(ranks(), {pieces.own.positions, first, ids}, 1), pieces.ids);
+
+    // One number a vertex of the whole, and no number twice.
+    const auto data = pieces.polygons();
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->SetName("number");
+    for (const std::uint64_t n : numbers_by_place(pieces)) numbers->InsertNextValue(double(n));
+    data->GetPointData()->AddArray(numbers);
+    const Gathered gathered(pieces.whole.vertex_count(), *data, "number");
+    EXPECT_EQ(gathered.different, 0u);
+    std::vector<float> each = gathered.first();
+    std::ranges::sort(each);
+    EXPECT_EQ(std::ranges::adjacent_find(each), each.end());
+  }
+}
+
+// Ids of a rank alone, as programs leave them behind, say nothing of the whole.
+TEST(GlobalNumbers, DoNotTrustIdsThatAreNotOfTheWhole) {
+  const Pieces pieces("sphere,resolution=24", cuts()[0]);
+  const std::vector<Index> first = first_at_each_place(pieces.own.positions);
+  const std::vector<std::uint64_t> by_place = numbers_by_place(pieces);
+  std::vector<std::int64_t> own(pieces.ids.size());
+  std::iota(own.begin(), own.end(), 0);
+  const std::vector<std::int64_t> same(own.size(), 7), negative(own.size(), -1);
+  for (const auto& ids : {own, same, negative}) {
+    if (rank_count() == 1 && ids == own) continue;  // which is the whole
+    EXPECT_EQ(global_numbers(ranks(), {pieces.own.positions, first, ids}, 1), by_place);
+  }
+}
+
+// Points that one program wrote twice, differently rounded, are one vertex by their ids.
+TEST(GlobalNumbers, IdsJoinWhatRoundingPutsApart) {
+  Pieces pieces("sphere,resolution=24", cuts()[0]);
+  for (Vec3& p : pieces.own.positions) p *= 1 + 1e-7f * static_cast<float>(rank());
+  const auto data = pieces.polygons(true);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kDirection);
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  const Gathered phases(pieces.whole.vertex_count(), *filter->GetOutput(), "phase");
+  EXPECT_EQ(phases.different, 0u);
+}
+
+TEST(RankStripes, AreTheLibrarysBitForBit) {
+  for (const char* shape : {kTorus, "sphere,resolution=30"}) {
+    for (const Cut& cut : cuts()) {
+      for (const bool with_ids : {false, true}) {
+        SCOPED_TRACE(std::string(shape) + ", " + cut.name);
+        const Pieces pieces(shape, cut);
+        vtkNew<vtkBrindleStripes> filter;
+        lay_swirl(*filter, pieces.polygons(with_ids));
+        Twin twin(pieces, with_ids ? pieces.ids : numbers_by_place(pieces));
+        const std::span<const Complex> z = twin.frame(0);
+        if (!pieces.ids.empty()) expect_phases(*filter->GetOutput(), z);
+        expect_one_pattern(pieces.whole, *filter->GetOutput());
+      }
+    }
+  }
+}
+
+TEST(RankStripes, OfOneRankAreThoseOfOneProcess) {
+  const Pieces pieces(
+      kTorus, {"all", [](const Mesh& mesh) { return std::vector<int>(mesh.triangle_count()); }});
+  vtkNew<vtkBrindleStripes> filter;
+  lay_swirl(*filter, pieces.polygons());
+  if (rank_count() > 1 && rank() > 0) {
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    return;
+  }
+  if (rank_count() > 1) return;
+  const Surface surface = make_surface(pieces.own);
+  std::vector<Vec3> vectors;
+  for (const Vec3& p : pieces.own.positions) vectors.push_back(swirl(p, 0));
+  const float frequency = frequency_of_stripes(40, bounding_box(surface.mesh).diagonal());
+  expect_phases(
+      *filter->GetOutput(),
+      stripe_pattern(surface, tangent_directions(vectors, surface.normals), frequency).solution.z);
+}
+
+/// Arrays that know of no border: of points and cells, vectors, tensors and numbers.
+void add_arrays(vtkPolyData& data) {
+  const auto place = [&](vtkIdType i) {
+    double p[3];
+    data.GetPoint(i, p);
+    return Vec3(float(p[0]), float(p[1]), float(p[2]));
+  };
+  vtkNew<vtkDoubleArray> tensors, numbers;
+  tensors->SetName("tensor");
+  tensors->SetNumberOfComponents(6);
+  numbers->SetName("number");
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    const Vec3 p = place(i);
+    const double row[] = {1.0 + p.x(), 2.0 - p.y(), 0.5 + p.z(), p.y(), p.z(), p.x()};
+    tensors->InsertNextTuple(row);
+    numbers->InsertNextValue(1 + p.squaredNorm());
+  }
+  data.GetPointData()->AddArray(tensors);
+  data.GetPointData()->AddArray(numbers);
+  vtkNew<vtkIdList> corners;
+  data.GetCellData()->AddArray(vectors_by("cells", data.GetNumberOfCells(), [&](vtkIdType cell) {
+    data.GetCellPoints(cell, corners);
+    return swirl(
+        (place(corners->GetId(0)) + place(corners->GetId(1)) + place(corners->GetId(2))) / 3, 0.4f);
+  }));
+}
+
+struct Waves {
+  const char* name;
+  std::function<void(vtkBrindleStripes&)> set;
+};
+
+const std::vector<Waves>& all_waves() {
+  static const std::vector<Waves> all = {
+      {"smooth", [](vtkBrindleStripes& f) { f.SetField(kSmooth); }},
+      {"curvature", [](vtkBrindleStripes& f) { f.SetField(kCurvature); }},
+      {"direction",
+       [](vtkBrindleStripes& f) {
+         f.SetField(kDirection);
+         f.SetDirection(1, 2, 3);
+         f.SetRotate(20);
+       }},
+      {"cells",
+       [](vtkBrindleStripes& f) {
+         f.SetField(kArray);
+         choose(f, 0, "cells", false);
+       }},
+      {"tensors",
+       [](vtkBrindleStripes& f) {
+         f.SetField(kArray);
+         choose(f, 0, "tensor");
+       }},
+      {"numbers of points",
+       [](vtkBrindleStripes& f) {
+         f.SetField(kDirection);
+         f.SetFrequencySource(kByArray);
+         choose(f, 1, "number");
+       }},
+      {"lengths of cells' vectors",
+       [](vtkBrindleStripes& f) {
+         f.SetField(kDirection);
+         f.SetFrequencySource(kFrequencyArray);
+         choose(f, 1, "cells", false);
+       }},
+  };
+  return all;
+}
+
+TEST(RankStripes, HaveOnePhaseWhereverTheWavesComeFrom) {
+  for (const Cut& cut : cuts()) {
+    const Pieces pieces("trefoil,resolution=24", cut);
+    const auto data = pieces.polygons();
+    add_arrays(*data);
+    for (const Waves& waves : all_waves()) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + waves.name);
+      vtkNew<vtkBrindleStripes> filter;
+      filter->SetInputData(data);
+      filter->SetTextureCoordinates(false);
+      waves.set(*filter);
+      Errors errors(*filter);
+      filter->Update();
+      ASSERT_TRUE(errors.messages.empty()) << errors.messages[0];
+      expect_one_pattern(pieces.whole, *filter->GetOutput());
+    }
+  }
+}
+
+// Frequencies and directions of cells are those that one process finds in the whole.
+TEST(RankStripes, HaveTheWavesOfOneProcess) {
+  const Mesh mesh = make_shape("trefoil,resolution=24");
+  const Pieces all(
+      mesh, {"all", [](const Mesh& m) { return std::vector<int>(m.triangle_count(), rank()); }});
+  for (const Cut& cut : cuts()) {
+    const Pieces pieces(mesh, cut);
+    for (const Waves& waves : all_waves()) {
+      if (waves.name == std::string("smooth") || waves.name == std::string("curvature")) continue;
+      SCOPED_TRACE(std::string(cut.name) + ", " + waves.name);
+      vtkNew<vtkBrindleStripes> filter, alone;
+      const auto run = [&](vtkBrindleStripes& one, const Pieces& part) {
+        const auto data = part.polygons();
+        add_arrays(*data);
+        one.SetInputData(data);
+        one.SetTextureCoordinates(false);
+        waves.set(one);
+        one.Update();
+      };
+      run(*filter, pieces);
+      {
+        vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+        vtkMultiProcessController::SetGlobalController(nullptr);
+        run(*alone, all);
+        vtkMultiProcessController::SetGlobalController(controller);
+      }
+      const Gathered f(mesh.vertex_count(), *filter->GetOutput(), "frequency");
+      const Gathered d(mesh.vertex_count(), *filter->GetOutput(), "direction");
+      const std::vector<float> frequencies = numbers(*alone->GetOutput(), "frequency");
+      const std::vector<float> directions = numbers(*alone->GetOutput(), "direction");
+      double worst = 0;
+      for (std::size_t i = 0; i < all.ids.size(); ++i) {
+        const std::uint64_t v = all.ids[i];
+        worst = std::max(worst, double(std::abs(f.values[v][0] / frequencies[i] - 1)));
+        const Vec3 a(d.values[v].data()), b(&directions[3 * i]);
+        worst = std::max(worst, double(std::min((a - b).norm(), (a + b).norm())));
+      }
+      EXPECT_LT(worst, 1e-4);
+    }
+  }
+}
+
+/// How far a stripe's coordinate is from the middle, in stripes: the same for U and 1 - U.
+float from_middle(float u) { return std::abs(u - std::floor(u) - 0.5f); }
+
+// What is drawn on both sides of a border is one stripe.
+TEST(RankStripes, TextureCoordinatesAgreeAtBorders) {
+  for (const Cut& cut : cuts()) {
+    SCOPED_TRACE(cut.name);
+    const Pieces pieces("trefoil,resolution=24", cut);
+    const auto data = pieces.polygons();
+    add_arrays(*data);
+    for (const Waves& waves : all_waves()) {
+      SCOPED_TRACE(waves.name);
+      vtkNew<vtkBrindleStripes> filter;
+      filter->SetInputData(data);
+      waves.set(*filter);
+      filter->Update();
+      vtkPolyData& output = *filter->GetOutput();
+      vtkNew<vtkFloatArray> middles;
+      middles->SetName("from middle");
+      // Points at barycentres are no vertices of the whole; their numbers are carried from one.
+      for (vtkIdType i = 0; i < output.GetNumberOfPoints(); ++i) {
+        const auto v =
+            static_cast<std::size_t>(output.GetPointData()->GetArray("whole")->GetComponent(i, 0));
+        Vec3 p(Eigen::Vector3d(output.GetPoint(i)).cast<float>());
+        const bool is_vertex = p == pieces.whole.positions[v];
+        const bool valid = output.GetPointData()->GetArray("valid")->GetComponent(i, 0) != 0;
+        const float u = float(output.GetPointData()->GetTCoords()->GetComponent(i, 0));
+        middles->InsertNextValue(is_vertex && valid ? from_middle(u) : NAN);
+      }
+      output.GetPointData()->AddArray(middles);
+      // Against the phases, which are the same on all ranks.
+      const std::vector<float> sines = numbers(output, "sin_phase");
+      std::size_t compared = 0;
+      vtkNew<vtkIdList> corners;
+      for (vtkIdType t = 0; t < output.GetNumberOfCells(); ++t) {
+        output.GetCellPoints(t, corners);
+        for (vtkIdType k = 0; k < 3; ++k) {
+          const vtkIdType i = corners->GetId(k);
+          const float middle = middles->GetValue(i);
+          if (std::isnan(middle) || std::isnan(sines[static_cast<std::size_t>(i)])) continue;
+          const float phase = 2 * std::numbers::pi_v<float> * (0.5f - middle - 0.25f);
+          if (output.GetPointData()->GetTCoords()->GetComponent(i, 0) == 0) continue;
+          ASSERT_NEAR(std::sin(phase), sines[static_cast<std::size_t>(i)], 2e-4);
+          ++compared;
+        }
+      }
+      EXPECT_EQ(compared > 0, output.GetNumberOfCells() > 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brindle::paraview
