@@ -36,7 +36,7 @@ def parts(source):
     """A surface in pieces, which the ranks hold, with the number of the rank at its points."""
     pieces = pv.RedistributeDataSet(Input=pv.Triangulate(Input=source))
     pieces.GenerateGlobalCellIds = 0
-    return pv.ProcessIds(Input=pieces)
+    return pv.ProcessIdScalars(Input=pieces)
 
 
 def array(data, name):
@@ -53,14 +53,14 @@ def check_shared_points():
     stripes.UpdatePipeline()
     data = servermanager.Fetch(stripes)
     points = vtk_to_numpy(data.GetPoints().GetData())
-    ranks, phases = array(data, "PointProcessIds"), array(data, "phase")
+    ranks, phases = array(data, "ProcessId"), array(data, "phase")
     check(len(np.unique(ranks)) == rank_count(), f"{rank_count()} ranks have parts")
     _, place, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
     order = np.lexsort((ranks, place))
     same = place[order][1:] == place[order][:-1]
     across = same & (ranks[order][1:] != ranks[order][:-1])
     apart = np.abs(np.angle(np.exp(1j * (phases[order][1:] - phases[order][:-1]))))[same]
-    check(across.sum() > 50 * (rank_count() - 1), f"{across.sum()} points are shared by ranks")
+    check(across.sum() >= 50 * (rank_count() - 1), f"{across.sum()} points are shared by ranks")
     check(not np.nanmax(apart, initial=0) > 0, "and have the same phases, to the bit")
 
 
@@ -169,9 +169,10 @@ def main():
     check_shared_points()
     check_plane(options)
     check_picture(options)
-    print(f"{len(failures)} wrong" if failures else "all is well")
-    return 1 if failures else 0
+    print(f"{len(failures)} wrong" if failures else "all is well", flush=True)
+    if failures:
+        sys.exit(1)  # without ending MPI, which mpirun takes for a failure whatever the code
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

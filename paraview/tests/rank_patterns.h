@@ -13,14 +13,12 @@
 #include <brindle/stripe_pattern.h>
 #include <vtkFieldData.h>
 
+#include "filter_runs.h"
 #include "global_numbers.h"
 #include "rank_pieces.h"
 #include "vtkBrindleStripes.h"
 
 namespace brindle::paraview {
-
-enum { kSmooth, kCurvature, kDirection, kArray };
-enum { kStripes, kFrequency, kFrequencyArray, kByArray };
 
 inline double figure(vtkPolyData& output, const char* name) {
   return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);

@@ -22,6 +22,13 @@ inline Ranks ranks() { return Ranks(MPI_COMM_WORLD); }
 inline int rank() { return ranks().rank(); }
 inline int rank_count() { return ranks().size(); }
 
+/// Sums over all ranks.
+inline double sum(double value) {
+  double total = 0;
+  for (const double other : ranks().all(value)) total += other;
+  return total;
+}
+
 /// Which rank has a triangle.
 struct Cut {
   const char* name;
