@@ -31,19 +31,6 @@ vtkSmartPointer<vtkPolyData> filtered(Filter& filter, vtkDataObject* input, vtkA
   return filter.GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner) {
-  if (auto* polygons = vtkPolyData::SafeDownCast(input)) return polygons;
-  if (vtkCompositeDataSet::SafeDownCast(input) != nullptr) {
-    vtkNew<vtkCompositeDataGeometryFilter> outside;
-    return filtered(*outside, input, owner);
-  }
-  if (vtkDataSet::SafeDownCast(input) != nullptr) {
-    vtkNew<vtkDataSetSurfaceFilter> outside;
-    return filtered(*outside, input, owner);
-  }
-  throw Error("the input has no surface");
-}
-
 /// Throws Error for cells that name points which do not exist: VTK's own filters would look there.
 void check_corners(vtkPolyData& data) {
   for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
@@ -93,8 +80,21 @@ std::vector<std::int64_t> ids_of(vtkPolyData& triangles) {
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> triangles_of(vtkDataObject* input, vtkAlgorithm* owner) {
-  vtkSmartPointer<vtkPolyData> polygons = polygons_of(input, owner);
+vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner) {
+  if (auto* polygons = vtkPolyData::SafeDownCast(input)) return polygons;
+  if (vtkCompositeDataSet::SafeDownCast(input) != nullptr) {
+    vtkNew<vtkCompositeDataGeometryFilter> outside;
+    return filtered(*outside, input, owner);
+  }
+  if (vtkDataSet::SafeDownCast(input) != nullptr) {
+    vtkNew<vtkDataSetSurfaceFilter> outside;
+    return filtered(*outside, input, owner);
+  }
+  throw Error("the input has no surface");
+}
+
+vtkSmartPointer<vtkPolyData> triangles_of(vtkSmartPointer<vtkPolyData> polygons,
+                                          vtkAlgorithm* owner) {
   if (polygons->GetNumberOfPoints() == 0 || are_triangles(*polygons)) return polygons;
   check_corners(*polygons);
   vtkNew<vtkTriangleFilter> cut;

@@ -13,10 +13,14 @@ class vtkPolyData;
 
 namespace brindle::paraview {
 
-/// Polygons, a grid's outer cells, or all blocks in one, cut into triangles; cells of other kinds
-/// are left out. Throws Error for what has no surface, and for corners that are no points. `owner`
-/// is whose abort flag VTK's own filters follow.
-vtkSmartPointer<vtkPolyData> triangles_of(vtkDataObject* input, vtkAlgorithm* owner);
+/// Polygons, a grid's outer cells, or all blocks in one. Throws Error for what has no surface.
+/// `owner` is whose abort flag VTK's own filters follow.
+vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner);
+
+/// The same cut into triangles; cells of other kinds are left out. Throws Error for corners that
+/// are no points.
+vtkSmartPointer<vtkPolyData> triangles_of(vtkSmartPointer<vtkPolyData> polygons,
+                                          vtkAlgorithm* owner);
 
 /// What of triangles is numbers.
 struct RawMesh {

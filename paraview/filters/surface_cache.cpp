@@ -16,6 +16,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "global_numbers.h"
+#include "rank_walls.h"
 #include "vtk_arrays.h"
 
 namespace brindle::paraview {
@@ -156,7 +157,10 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
 const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm* owner,
                                              const Ranks& ranks) {
   vtkSmartPointer<vtkPolyData> triangles;
-  ranks.together([&] { triangles = with_points(triangles_of(input, owner)); });
+  ranks.together([&] { triangles = polygons_of(input, owner); });
+  const bool grid = is_grid(input) || triangles->GetNumberOfCells() == 0;
+  if (!ranks.alone() && ranks.every(grid)) triangles = without_walls(triangles, ranks);
+  ranks.together([&] { triangles = with_points(triangles_of(triangles, owner)); });
   if (!ranks.any(triangles->GetNumberOfPoints() > 0)) return nullptr;
   if (!ranks.any(triangles->GetNumberOfPolys() > 0)) {
     throw Error("the input has points, but no surface: stripes need polygons");

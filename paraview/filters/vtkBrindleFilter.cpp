@@ -15,7 +15,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include "filter_run.h"
 #include "pattern_series.h"
@@ -126,18 +125,6 @@ double vtkBrindleFilter::GetSolveMilliseconds() const {
 int vtkBrindleFilter::FillInputPortInformation(int, vtkInformation* info) {
   // Whole composite data, not block by block: stripes run on from one block to the next.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
-  return 1;
-}
-
-/// Of grids in pieces the surface of the whole is asked for: without ghosts, pieces have walls.
-int vtkBrindleFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                          vtkInformationVector*) {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* input = inputs[0]->GetInformationObject(0);
-  const bool is_polygons = vtkPolyData::GetData(inputs[0]) != nullptr;
-  if (is_polygons || input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) <= 1) return 1;
-  const int asked = input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(asked, 1));
   return 1;
 }
 

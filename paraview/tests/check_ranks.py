@@ -43,9 +43,11 @@ def array(data, name):
     return vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
-def check_shared_points():
-    """Points at one place have one phase, whichever ranks have them."""
-    torus = parts(pv.Superquadric(Toroidal=1, ThetaResolution=256, PhiResolution=128))
+def check_shared_points(folder):
+    """Points at one place have one phase, whichever ranks have them; of files in pieces."""
+    path = os.path.join(folder, f"pieces_{rank_count()}.pvtp")
+    pv.SaveData(path, proxy=parts(pv.Superquadric(Toroidal=1, ThetaResolution=256, PhiResolution=128)))
+    torus = pv.ProcessIdScalars(Input=pv.OpenDataFile(path))
     field = pv.Calculator(Input=torus, ResultArrayName="v",
                           Function="coordsY*iHat-coordsX*jHat+0.4*kHat")
     stripes = BrindleStripes(Input=field, Field="Array", Stripes=40, TextureCoordinates=0)
@@ -166,7 +168,7 @@ def main():
     options = parser.parse_args()
     os.makedirs(options.folder, exist_ok=True)
     pv.LoadPlugin(os.path.abspath(options.plugin), remote=False, ns=globals())
-    check_shared_points()
+    check_shared_points(options.folder)
     check_plane(options)
     check_picture(options)
     print(f"{len(failures)} wrong" if failures else "all is well", flush=True)
