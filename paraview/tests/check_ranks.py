@@ -46,7 +46,8 @@ def array(data, name):
 def check_shared_points(folder):
     """Points at one place have one phase, whichever ranks have them; of files in pieces."""
     path = os.path.join(folder, f"pieces_{rank_count()}.pvtp")
-    pv.SaveData(path, proxy=parts(pv.Superquadric(Toroidal=1, ThetaResolution=256, PhiResolution=128)))
+    torus = parts(pv.Superquadric(Toroidal=1, ThetaResolution=256, PhiResolution=128))
+    pv.SaveData(path, proxy=BrindleStripes(Input=torus, TextureCoordinates=0))
     torus = pv.ProcessIdScalars(Input=pv.OpenDataFile(path))
     field = pv.Calculator(Input=torus, ResultArrayName="v",
                           Function="coordsY*iHat-coordsX*jHat+0.4*kHat")
@@ -105,10 +106,22 @@ def bars(row):
     return places + level[places] / (level[places] - level[places + 1])
 
 
+def rows_of_bars(image):
+    """Borders of bars in some rows of a picture, without those at its sides."""
+    return [bars(image[y])[1:-1] for y in range(0, SIZE[1], 40)]
+
+
+def farthest_from_one_shift(rows, others, width):
+    """By how many bars the borders in two pictures lie apart, but for a shift of all."""
+    moves = np.concatenate([(a[:8] - b[:8]) / width for a, b in zip(rows, others)])
+    turns = np.exp(2j * np.pi * moves)
+    return np.abs(np.angle(turns / turns.mean())).max() / (2 * np.pi)
+
+
 def check_plane(options):
     """Straight bars of known width run on over the borders, and are those of one rank."""
-    plane = parts(pv.Plane(XResolution=120, YResolution=90, Origin=[-2, -1.5, 0], Point1=[2, -1.5, 0],
-                           Point2=[-2, 1.5, 0]))
+    plane = parts(pv.Plane(XResolution=120, YResolution=90, Origin=[-2, -1.5, 0],
+                           Point1=[2, -1.5, 0], Point2=[-2, 1.5, 0]))
     stripes = BrindleStripes(Input=plane, Field="Direction", Direction=[3, 1, 0], Frequency=8)
     stripes.SpacingBy = "Frequency"
     view = new_view([0.5, 0, 0])
@@ -118,20 +131,16 @@ def check_plane(options):
     view.CameraParallelScale = 0.4
     shown = draw_striped(stripes, view)
     shown.Ambient, shown.Diffuse = 1, 0
-    image = pixels(view, os.path.join(options.folder, f"plane_{rank_count()}.png"))[..., 0]
+    picture = os.path.join(options.folder, "plane_{}.png")
+    rows = rows_of_bars(pixels(view, picture.format(rank_count()))[..., 0])
     wanted = SIZE[1] / 0.8 / 16 * np.sqrt(10) / 3
-    rows = [bars(image[y])[1:-1] for y in range(0, SIZE[1], 40)]
     worst = max(np.abs(np.diff(row) - wanted).max() for row in rows)
     check(min(len(row) for row in rows) > 10 and worst < 1.5,
           f"bars are {wanted:.1f} pixels wide everywhere, but for {worst:.2f}")
     if options.against:
-        other = read_pixels(os.path.join(options.folder, f"plane_{options.against}.png"))[..., 0]
-        count = min(len(rows[0]), len(bars(other[0])[1:-1]))
-        moves = [(bars(other[y])[1:-1][:8] - bars(image[y])[1:-1][:8]) for y in range(0, SIZE[1], 40)]
-        periods = np.concatenate(moves) / (2 * wanted)
-        turn = np.exp(2j * np.pi * periods * 2)
-        apart = np.abs(np.angle(turn / turn.mean())).max() / (2 * np.pi)
-        check(count > 10 and apart < 0.1, f"and are those of {options.against} ranks but for a shift: {apart:.3f}")
+        others = rows_of_bars(read_pixels(picture.format(options.against))[..., 0])
+        apart = farthest_from_one_shift(rows, others, wanted)
+        check(apart < 0.05, f"and those of {options.against} ranks but for a shift: {apart:.3f}")
     pv.Delete(view)
 
 
@@ -155,7 +164,8 @@ def check_picture(options):
     if options.against:
         other = read_pixels(os.path.join(options.folder, f"torus_{options.against}.png"))
         apart = np.abs(image.astype(int) - other.astype(int)).max(axis=2) > 40
-        check(apart.mean() < 1e-3, f"{100 * apart.mean():.3f} % of the pixels are others with {options.against} ranks")
+        check(apart.mean() < 1e-3, f"{100 * apart.mean():.3f} % of the pixels are others with "
+                                   f"{options.against} ranks")
     pv.Delete(view)
 
 
@@ -164,7 +174,8 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("plugin")
     parser.add_argument("--folder", required=True, help="for pictures and data")
-    parser.add_argument("--against", type=int, help="compare with what so many ranks have left there")
+    parser.add_argument("--against", type=int,
+                        help="compare with what so many ranks have left there")
     options = parser.parse_args()
     os.makedirs(options.folder, exist_ok=True)
     pv.LoadPlugin(os.path.abspath(options.plugin), remote=False, ns=globals())
