@@ -9,6 +9,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataGeometryFilter.h>
+#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -68,6 +69,23 @@ std::vector<std::uint8_t> ghosts_of(vtkPolyData& triangles) {
   return ghosts;
 }
 
+bool has_ghosts(vtkDataObject* leaf) {
+  auto* data = vtkDataSet::SafeDownCast(leaf);
+  return data != nullptr && data->GetCellGhostArray() != nullptr;
+}
+
+/// The same data with flags that say of no cell that it is a ghost.
+vtkSmartPointer<vtkDataSet> without_ghosts(vtkDataSet& data) {
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfValues(data.GetNumberOfCells());
+  flags->Fill(0);
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data.NewInstance());
+  copy->ShallowCopy(&data);
+  copy->GetCellData()->AddArray(flags);
+  return copy;
+}
+
 std::vector<std::int64_t> ids_of(vtkPolyData& triangles) {
   std::vector<std::int64_t> ids;
   vtkDataArray* found = triangles.GetPointData()->GetGlobalIds();
@@ -79,6 +97,26 @@ std::vector<std::int64_t> ids_of(vtkPolyData& triangles) {
 }
 
 }  // namespace
+
+vtkSmartPointer<vtkDataObject> with_ghosts_of_all(vtkDataObject* input) {
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
+  if (blocks == nullptr) return input;
+  bool any = false;
+  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
+    any = any || has_ghosts(block->GetCurrentDataObject());
+  }
+  if (!any) return input;
+  auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(blocks->NewInstance());
+  copy->CopyStructure(blocks);
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
+    vtkDataObject* leaf = block->GetCurrentDataObject();
+    auto* data = vtkDataSet::SafeDownCast(leaf);
+    const bool lacks = data != nullptr && !has_ghosts(leaf);
+    copy->SetDataSet(block, lacks ? without_ghosts(*data).Get() : leaf);
+  }
+  return copy;
+}
 
 vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner) {
   if (auto* polygons = vtkPolyData::SafeDownCast(input)) return polygons;

@@ -13,6 +13,10 @@ class vtkPolyData;
 
 namespace brindle::paraview {
 
+/// Blocks of which each says what cells are ghosts, if one does: of arrays that not all blocks have
+/// nothing is left when they become one. Other data as they are.
+vtkSmartPointer<vtkDataObject> with_ghosts_of_all(vtkDataObject* input);
+
 /// Polygons, a grid's outer cells, or all blocks in one. Throws Error for what has no surface.
 /// `owner` is whose abort flag VTK's own filters follow.
 vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner);

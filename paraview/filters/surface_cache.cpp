@@ -157,7 +157,10 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
 const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm* owner,
                                              const Ranks& ranks) {
   vtkSmartPointer<vtkPolyData> triangles;
-  ranks.together([&] { triangles = polygons_of(input, owner); });
+  ranks.together([&] {
+    triangles =
+        ranks.alone() ? polygons_of(input, owner) : polygons_of(with_ghosts_of_all(input), owner);
+  });
   const bool grid = is_grid(input) || triangles->GetNumberOfCells() == 0;
   if (!ranks.alone() && ranks.every(grid)) triangles = without_walls(triangles, ranks);
   ranks.together([&] { triangles = with_points(triangles_of(triangles, owner)); });

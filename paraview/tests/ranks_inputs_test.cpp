@@ -66,10 +66,9 @@ TEST(RankGhosts, AreSeenAndNotCounted) {
 }
 
 /// A beam of hexahedra, cut across for the ranks, with numbers of its points in the whole.
-vtkSmartPointer<vtkUnstructuredGrid> beam(bool whole) {
+vtkSmartPointer<vtkUnstructuredGrid> beam() {
   constexpr int kLong = 24, kSide = 8;
-  const int size = whole ? 1 : rank_count(), mine = whole ? 0 : rank();
-  const int first = kLong * mine / size, last = kLong * (mine + 1) / size;
+  const int first = kLong * rank() / rank_count(), last = kLong * (rank() + 1) / rank_count();
   vtkNew<vtkPoints> points;
   vtkNew<vtkIdTypeArray> numbers;
   numbers->SetName("whole");
@@ -107,12 +106,9 @@ double own_cells(vtkPolyData& data) {
 // The surface of a grid is that of the whole, and not the walls between ranks.
 TEST(RankGrids, HaveTheSurfaceOfTheWhole) {
   const double faces = 2.0 * (8 * 8 + 2 * 8 * 24);
-  for (const bool ghosts : {false, true}) {
-    SCOPED_TRACE(ghosts ? "ghosts" : "no ghosts");
-    vtkSmartPointer<vtkUnstructuredGrid> grid = beam(false);
-    if (ghosts) grid = with_ghosts(grid.Get());
+  const auto check = [&](vtkDataObject* data) {
     vtkNew<vtkBrindleStripes> filter;
-    filter->SetInputData(grid);
+    filter->SetInputData(data);
     filter->SetField(kDirection);
     filter->SetDirection(1, 0.3, 0.2);
     filter->SetTextureCoordinates(false);
@@ -124,6 +120,15 @@ TEST(RankGrids, HaveTheSurfaceOfTheWhole) {
     const Gathered phases(25 * 9 * 9, output, "phase");
     EXPECT_EQ(phases.different, 0u);
     EXPECT_EQ(phases.shared > 0, rank_count() > 1);
+  };
+  for (const bool ghosts : {false, true}) {
+    SCOPED_TRACE(ghosts ? "ghosts" : "no ghosts");
+    vtkSmartPointer<vtkUnstructuredGrid> grid = beam();
+    if (ghosts) grid = with_ghosts(grid.Get());
+    check(grid);
+    vtkNew<vtkMultiBlockDataSet> block;
+    block->SetBlock(0, grid);
+    check(block);
   }
 }
 
@@ -160,6 +165,34 @@ TEST(RankBlocks, AreOneSurface) {
   filter->Update();
   ASSERT_NE(filter->GetOutput(), nullptr);
   expect_one_pattern(pieces.whole, *filter->GetOutput());
+}
+
+// Ghosts of some blocks, between ranks and between blocks of one rank, and none of others.
+TEST(RankBlocks, HaveGhostsOrNot) {
+  const Pieces pieces(kShape, cuts()[0]);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto block = [&](unsigned which) {
+    Pieces part = pieces;
+    const std::size_t half = part.own.triangles.size() / 2;
+    const auto middle = part.own.triangles.begin() + static_cast<std::ptrdiff_t>(half);
+    which == 0 ? part.own.triangles.erase(middle, part.own.triangles.end())
+               : part.own.triangles.erase(part.own.triangles.begin(), middle);
+    return part.polygons(true);
+  };
+  blocks->SetBlock(0, block(0));
+  blocks->SetBlock(1, block(1));
+  const auto some = with_ghosts(blocks.Get());
+  const auto ghosts = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  ghosts->SetBlock(0, some->GetBlock(0));
+  ghosts->SetBlock(1, block(1));
+  for (vtkMultiBlockDataSet* data : {blocks.Get(), some.Get(), ghosts.Get()}) {
+    vtkNew<vtkBrindleStripes> filter;
+    filter->SetInputData(data);
+    filter->SetField(kDirection);
+    filter->SetTextureCoordinates(false);
+    filter->Update();
+    expect_one_pattern(pieces.whole, *filter->GetOutput());
+  }
 }
 
 TEST(RankStripesFarFromZero, StandWhereTheyDid) {
