@@ -71,15 +71,15 @@ def in_pieces(surface):
     return pv.ProcessIdScalars(Input=pieces)
 
 
-def moving_vectors(path):
+def moving_vectors(options):
     """A surface with an array of vectors, velocity, that change with time."""
-    if path:
-        surface = pv.OpenDataFile(path)
+    if options.surface:
+        surface = pv.OpenDataFile(options.surface)
     else:
         surface = pv.Superquadric(Toroidal=1, ThetaResolution=400, PhiResolution=200)
     points = vtk_to_numpy(servermanager.Fetch(surface).GetPoints().GetData())
     middle = points.mean(axis=0)
-    if rank_count() > 1:
+    if rank_count() > 1 or options.show_ranks:
         surface = in_pieces(surface)
     return pv.ProgrammableFilter(
         Input=surface, RequestInformationScript=TIMES,
@@ -198,7 +198,7 @@ def main():
     if options.plugin:
         pv.LoadPlugin(os.path.abspath(options.plugin), remote=False, ns=globals())
     size = [int(side) for side in options.size.split("x")]
-    vectors = moving_vectors(options.surface)
+    vectors = moving_vectors(options)
     vectors.UpdatePipeline()
     print(f"{vectors.GetDataInformation().GetNumberOfPoints()} points, {rank_count()} ranks, "
           f"{options.size}; milliseconds")
