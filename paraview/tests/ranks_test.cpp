@@ -49,6 +49,26 @@ TEST(GlobalNumbers, DoNotTrustIdsThatAreNotOfTheWhole) {
   }
 }
 
+// Points at one place are one vertex, as in one process, whatever ids they have.
+TEST(GlobalNumbers, PlacesJoinWhatIdsPutApart) {
+  const Pieces pieces("sphere,resolution=24", cuts()[1]);
+  const std::vector<Index> first = first_at_each_place(pieces.own.positions);
+  std::vector<std::int64_t> ids;
+  for (const std::uint64_t id : pieces.ids) {
+    ids.push_back(static_cast<std::int64_t>(id + pieces.whole.vertex_count() * unsigned(rank())));
+  }
+  const auto data = pieces.polygons();
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("number");
+  for (const std::uint64_t n : global_numbers(ranks(), {pieces.own.positions, first, ids}, 1)) {
+    numbers->InsertNextValue(double(n));
+  }
+  data->GetPointData()->AddArray(numbers);
+  const Gathered gathered(pieces.whole.vertex_count(), *data, "number");
+  EXPECT_EQ(gathered.different, 0u);
+  EXPECT_EQ(gathered.shared > 0, rank_count() > 1);
+}
+
 // Points that one program wrote twice, differently rounded, are one vertex by their ids.
 TEST(GlobalNumbers, IdsJoinWhatRoundingPutsApart) {
   Pieces pieces("sphere,resolution=24", cuts()[0]);
