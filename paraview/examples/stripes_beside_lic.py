@@ -3,7 +3,9 @@
 
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython stripes_beside_lic.py
         [--plugin Brindle.so] [--surface FILE] [--stripes N] [--size 1200x900]
-        [--output STRIPES.png --output LIC.png] [--session STRIPES.pvsm]
+        [--output STRIPES.png --output LIC.png] [--session STRIPES.pvsm] [--show-ranks]
+
+Or with `mpirun -n 2 pvbatch` instead of `pvpython`: the ranks then share the surface.
 
 Vectors swirl over a surface, by default a torus, and turn with time. Stripes run along them and are
 the denser the longer they are. Prints a table, the surface alone in its first row: milliseconds for a
@@ -17,7 +19,12 @@ import os
 import statistics
 import time
 
+import numpy as np
+from paraview import servermanager
 from paraview import simple as pv
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+RANK_COLORS = [[0.93, 0.9, 0.83], [0.72, 0.83, 0.9], [0.93, 0.77, 0.72], [0.78, 0.88, 0.74]]
 
 VECTORS = """
 import numpy as np
@@ -29,9 +36,8 @@ now = information.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()) \\
 surface = self.GetInputDataObject(0, 0)
 output = self.GetOutputDataObject(0)
 output.ShallowCopy(surface)
-points = inputs[0].Points
-points = np.asarray(points) - np.asarray(points).mean(axis=0)
-points = points / np.abs(points).max()
+points = np.asarray(inputs[0].Points) if surface.GetNumberOfPoints() > 0 else np.zeros((0, 3))
+points = (points - np.array(MIDDLE, dtype=points.dtype)) / points.dtype.type(SIZE)
 angle = 0.05 * now
 x, y, z = points.T
 swirl = np.stack((np.cos(angle) - y + 0.4 * np.sin(4 * z), np.sin(angle) + x, 0.6 * np.cos(3 * x)), 1)
@@ -54,15 +60,31 @@ information.Append(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), steps[-1])
 """
 
 
-def moving_vectors(path):
+def rank_count():
+    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+
+
+def in_pieces(surface):
+    """The surface in pieces, one a rank, with the number of the rank at their points."""
+    pieces = pv.RedistributeDataSet(Input=surface)
+    pieces.GenerateGlobalCellIds = 0
+    return pv.ProcessIdScalars(Input=pieces)
+
+
+def moving_vectors(options):
     """A surface with an array of vectors, velocity, that change with time."""
-    if path:
-        surface = pv.OpenDataFile(path)
+    if options.surface:
+        surface = pv.OpenDataFile(options.surface)
     else:
         surface = pv.Superquadric(Toroidal=1, ThetaResolution=400, PhiResolution=200)
+    points = vtk_to_numpy(servermanager.Fetch(surface).GetPoints().GetData())
+    middle = points.mean(axis=0)
+    if rank_count() > 1 or options.show_ranks:
+        surface = in_pieces(surface)
     return pv.ProgrammableFilter(
         Input=surface, RequestInformationScript=TIMES,
         Script="from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline\n"
+        f"MIDDLE, SIZE = {[float(m) for m in middle]}, {float(np.abs(points - middle).max())}\n"
         + VECTORS)
 
 
@@ -75,8 +97,17 @@ def new_view(size):
     return view
 
 
-def show_stripes(vectors, stripes, view):
-    pattern = BrindleStripes(Input=vectors, Field="Array", Stripes=stripes)
+def color_ranks(shown, view):
+    pv.ColorBy(shown, ("POINTS", "ProcessId"))
+    colors = pv.GetColorTransferFunction("ProcessId")
+    colors.ColorSpace = "RGB"
+    colors.RGBPoints = [x for rank in range(rank_count() + 1)
+                        for x in (rank, *RANK_COLORS[rank % len(RANK_COLORS)])]
+    shown.SetScalarBarVisibility(view, False)
+
+
+def show_stripes(vectors, options, view):
+    pattern = BrindleStripes(Input=vectors, Field="Array", Stripes=options.stripes)
     pattern.Vectors = ["POINTS", "velocity"]
     pattern.StripesRun = "Along the Field"
     pattern.SpacingBy = "Stripes Times Factor by Array"
@@ -87,6 +118,8 @@ def show_stripes(vectors, stripes, view):
     pv.ColorBy(shown, ("POINTS", None))
     shown.DiffuseColor = shown.AmbientColor = [0.93, 0.9, 0.83]
     shown.StripeColor = [0.11, 0.2, 0.35]
+    if options.show_ranks:
+        color_ranks(shown, view)
     return pattern
 
 
@@ -154,6 +187,8 @@ def arguments():
     parser.add_argument("--up", default="0,0,1", help="what is above in pictures, x,y,z")
     parser.add_argument("--output", action="append", default=[],
                         help="a picture of the stripes, and again, one of the LIC")
+    parser.add_argument("--show-ranks", action="store_true",
+                        help="colour stripes' surface by the rank that has it")
     parser.add_argument("--session", help="ParaView's session with the stripes")
     return parser.parse_args()
 
@@ -163,12 +198,13 @@ def main():
     if options.plugin:
         pv.LoadPlugin(os.path.abspath(options.plugin), remote=False, ns=globals())
     size = [int(side) for side in options.size.split("x")]
-    vectors = moving_vectors(options.surface)
+    vectors = moving_vectors(options)
     vectors.UpdatePipeline()
-    print(f"{vectors.GetDataInformation().GetNumberOfPoints()} points, {options.size}; milliseconds")
+    print(f"{vectors.GetDataInformation().GetNumberOfPoints()} points, {rank_count()} ranks, "
+          f"{options.size}; milliseconds")
     print(f"{'':16}{'first':>8}{'view':>8}{'vectors':>8}")
     ways = (("surface", lambda view: show_plain(vectors, view)),
-            ("stripes", lambda view: show_stripes(vectors, options.stripes, view)),
+            ("stripes", lambda view: show_stripes(vectors, options, view)),
             ("Surface LIC", lambda view: show_lic(vectors, view)))
     pictures = dict(zip(("stripes", "Surface LIC"), options.output))
     for name, show in ways:

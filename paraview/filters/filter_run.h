@@ -5,10 +5,12 @@
 #include <brindle/progress.h>
 
 #include "pattern_series.h"
+#include "ranks.h"
 #include "surface_cache.h"
 #include "vtkBrindleFilter.h"
 
 struct vtkBrindleFilter::Run {
+  brindle::paraview::Ranks ranks;
   const brindle::paraview::InputSurface* input = nullptr;
   brindle::WaveSet waves;
   brindle::paraview::SeriesOptions options;
@@ -16,8 +18,16 @@ struct vtkBrindleFilter::Run {
   brindle::paraview::PatternSeries* series = nullptr;
   std::function<brindle::Progress(double, double)> progress;  ///< of a share of the run
 
-  /// The pattern of the waves.
+  /// Collective over ranks. Says what is done from here to there; throws Cancelled on all ranks if
+  /// one is told to stop.
+  void begin(double from, double to, const char* stage) const {
+    ranks.together([&] { progress(from, to).report(stage, 0); });
+  }
+
+  brindle::paraview::PatternSurface surface() const { return {input->surface, input->piece}; }
+
+  /// The pattern of the waves. Collective.
   const brindle::StripePattern& pattern() {
-    return series->next(input->surface, waves, options, follows, progress(0.4, 0.8));
+    return series->next(surface(), waves, options, follows, progress(0.4, 0.8));
   }
 };

@@ -4,11 +4,14 @@
 #include <memory>
 #include <optional>
 
+#include <brindle/distributed_stripes.h>
 #include <brindle/phase_graph.h>
 #include <brindle/progress.h>
 #include <brindle/stripe_animator.h>
 #include <brindle/stripe_pattern.h>
 #include <brindle/surface.h>
+
+#include "rank_piece.h"
 
 namespace brindle::paraview {
 
@@ -19,18 +22,28 @@ struct SeriesOptions {
   bool operator==(const SeriesOptions&) const = default;
 };
 
-/// Whether vertices and triangles of both surfaces are the same, wherever they stand.
-bool same_connectivity(const Surface& a, const Surface& b);
+/// A surface, or a piece of one.
+struct PatternSurface {
+  std::shared_ptr<const Surface> surface;
+  std::shared_ptr<const RankPiece> piece;  ///< null if this process is alone
+};
 
-/// Lays patterns as `stripe_pattern` and StripeAnimator do. A pattern that follows another renews
-/// what depends on the waves; what depends on the connectivity stays.
+/// Whether vertices and triangles of both surfaces are the same, wherever they stand, and, of
+/// pieces, other ranks' parts in them.
+bool same_connectivity(const PatternSurface& a, const PatternSurface& b);
+
+/// Lays patterns as `stripe_pattern` and StripeAnimator do, over several ranks as
+/// DistributedStripeAnimator does. A pattern that follows another renews what depends on the waves;
+/// what depends on the connectivity stays.
 class PatternSeries {
  public:
   /// The pattern of these waves, valid until the next call. It follows the last one if `follows`
   /// says so and the surface's connectivity and the options are the same; otherwise it is that of
   /// `stripe_pattern`, whatever came before. The same waves on the same cells as last time give
-  /// the pattern of last time. Throws what StripeAnimator does, and then forgets the last pattern.
-  const StripePattern& next(std::shared_ptr<const Surface> surface, WaveSet waves,
+  /// the pattern of last time. Collective over ranks; a piece's pattern has phases of all its
+  /// vertices and triangles, ghosts included, and the quality of the whole. Throws what
+  /// StripeAnimator does, and then forgets the last pattern.
+  const StripePattern& next(const PatternSurface& surface, WaveSet waves,
                             const SeriesOptions& options, bool follows,
                             const Progress& progress = {});
 
@@ -42,14 +55,19 @@ class PatternSeries {
   double solve_milliseconds() const { return solve_milliseconds_; }
 
  private:
-  bool fits(const Surface& surface, const SeriesOptions& options) const;
+  bool fits(const PatternSurface& surface, const SeriesOptions& options) const;
   bool has_pattern_of(const WaveSet& waves) const;
-  void start(const Surface& surface, const SeriesOptions& options);
+  void start(const PatternSurface& surface, const SeriesOptions& options);
+  void forget();
   void solve(WaveSet waves, const Progress& progress);
+  FrameResult solve_frame(const WaveSet& waves, const Progress& progress);
+  double energy() const;
+  void measure(StripePattern& made) const;
 
-  std::shared_ptr<const Surface> surface_;
+  PatternSurface surface_;
   SeriesOptions options_;
   std::optional<StripeAnimator> animator_;
+  std::optional<DistributedStripeAnimator> ranks_animator_;  ///< of pieces
   StripePattern pattern_;
   int solvers_made_ = 0;
   int patterns_followed_ = 0;

@@ -1,8 +1,10 @@
 #include "stripe_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -64,9 +66,27 @@ class CornerPoints {
   std::unordered_map<std::uint64_t, Index> ids_;
 };
 
+/// Says of branches what all ranks know; without other ranks, what is said already.
+void set_branches(std::vector<DataArray>& arrays, const TexturedMesh& textured,
+                  const std::vector<float>& branches) {
+  std::vector<float> flags = carried_values(textured, branches, 1);
+  for (float& flag : flags) flag = std::floor(flag);  // a barycentre is at one if all corners are
+  const auto found = std::ranges::find(arrays, "branch", &DataArray::name);
+  if (found != arrays.end()) *found = make_data_array("branch", 1, flags);  // no point, no array
+}
+
 }  // namespace
 
-StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern) {
+std::vector<float> branches_at_vertices(const InputSurface& input, const StripePattern& pattern) {
+  std::vector<float> flags = tool::branches_at_vertices(input.surface->mesh, pattern.corners);
+  if (!input.piece) return flags;
+  input.piece->owners().sum(std::span(flags));
+  for (float& flag : flags) flag = std::min(flag, 1.0f);
+  return flags;
+}
+
+StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern,
+                            const std::vector<float>& branches) {
   StripeSurface surface;
   for (Index p = 0; p < input.vertex_of_point.size(); ++p) surface.sources.push_back(whole_row(p));
   surface.triangles = input.points_of_triangle;
@@ -74,12 +94,13 @@ StripeSurface plain_surface(const InputSurface& input, const StripePattern& patt
   surface.branches = tool::branches_in_triangles(pattern, "branch");
   std::vector<DataArray> arrays;
   tool::add_waves(arrays, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
-                  kMissing, tool::branches_at_vertices(input.surface->mesh, pattern.corners));
+                  kMissing, branches);
   surface.point_arrays = rows_of(arrays, input.vertex_of_point);
   return surface;
 }
 
-StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern) {
+StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern,
+                               const std::vector<float>& branches) {
   // All fields that filters make, or take, have signs: those of neighbours agree where they can.
   const TexturedMesh textured =
       texture_coordinates(*input.surface, pattern, pattern.phase_shift, true);
@@ -101,6 +122,7 @@ StripeSurface textured_surface(const InputSurface& input, const StripePattern& p
   }
   std::vector<DataArray> arrays;
   tool::add_carried_waves(arrays, textured, input.surface->mesh, pattern, "", kMissing);
+  set_branches(arrays, textured, branches);
   surface.point_arrays = rows_of(arrays, points.vertices);
   return surface;
 }

@@ -22,11 +22,17 @@ struct StripeSurface {
   std::vector<float> coordinates;       ///< U and V per point (texture_coordinates.h), or none
 };
 
-/// The input's points and triangles, those without area left out.
-StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern);
+/// Collective over ranks: 1 at the corners of triangles, of any rank, in which a stripe begins or
+/// ends.
+std::vector<float> branches_at_vertices(const InputSurface& input, const StripePattern& pattern);
+
+/// The input's points and triangles, those without area left out. `branches` is as above.
+StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern,
+                            const std::vector<float>& branches);
 
 /// The same with copies of points along seams, and with triangles in which stripes begin or end
 /// split at their barycentres, so that U, across the stripes, is linear in every triangle.
-StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern);
+StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern,
+                               const std::vector<float>& branches);
 
 }  // namespace brindle::paraview

@@ -1,19 +1,21 @@
-/// The surface in what VTK hands over: polygons, cells of grids, blocks.
+/// The surface in what VTK hands over, kept as long as it is the same.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <brindle/data_arrays.h>
 #include <brindle/mesh.h>
-#include <brindle/progress.h>
 #include <brindle/surface.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
+
+#include "input_triangles.h"
+#include "rank_piece.h"
+#include "ranks.h"
 
 class vtkAlgorithm;
 class vtkDataArray;
@@ -22,7 +24,8 @@ class vtkPolyData;
 
 namespace brindle::paraview {
 
-/// A surface, and what its vertices and triangles were in VTK's data.
+/// A surface, and what its vertices and triangles were in VTK's data. Over several ranks that of
+/// this rank's points and triangles, ghosts included, with the normals of the whole.
 struct InputSurface {
   vtkSmartPointer<vtkPolyData> triangles;  ///< cells are triangles, without others
   std::shared_ptr<const Surface> surface;  ///< vertex i stands where point i of `triangles` does
@@ -31,10 +34,14 @@ struct InputSurface {
   std::vector<Index> cell_of_triangle;       ///< triangles without area are left out
   std::vector<Triangle> points_of_triangle;  ///< at its corners
   bool joined = false;                       ///< whether any point stands where another one does
+  std::shared_ptr<const RankPiece> piece;    ///< null if this process is alone
 
   /// The array of that name, with a row per vertex: of cells (`of_points` false) the mean around
-  /// it. Throws Error for an array that is not there or holds no numbers.
+  /// it. Collective over ranks. Throws Error for an array that is not there or holds no numbers.
   DataArray array(const std::string& name, bool of_points) const;
+
+ private:
+  DataArray rows_of_piece(const std::string& name, bool of_points) const;
 };
 
 /// Keeps the last input's surface for the next, if points and cells are the same: unchanged since,
@@ -44,8 +51,9 @@ class SurfaceCache {
   /// The surface of polygons, of a grid's outer cells, or of all blocks in one; of blocks arrays
   /// count that all of them have. Null if there are no points. Valid until the next call. Throws
   /// Error if there is no triangle that has an area, and for coordinates that are not finite.
-  /// `owner` is whose abort flag VTK's own filters follow.
-  const InputSurface* surface_of(vtkDataObject* input, vtkAlgorithm* owner);
+  /// `owner` is whose abort flag VTK's own filters follow. Collective over ranks, which together
+  /// have one surface; to any of them there may be nothing.
+  const InputSurface* surface_of(vtkDataObject* input, vtkAlgorithm* owner, const Ranks& ranks);
 
   /// How many times a surface was derived.
   int surfaces_made() const { return surfaces_made_; }
@@ -59,10 +67,11 @@ class SurfaceCache {
     bool operator==(const Stamp&) const = default;
   };
 
-  void derive(const Mesh& raw);
+  bool read(vtkPolyData& triangles, const Ranks& ranks);
+  void derive(vtkPolyData& triangles, const Ranks& ranks);
 
   InputSurface current_;
-  Mesh raw_;  ///< before points at one place were joined
+  RawMesh raw_;  ///< before points at one place were joined
   Stamp stamp_;
   int surfaces_made_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "vtkBrindleCurves.h"
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <brindle/curves.h>
@@ -15,6 +16,7 @@
 
 #include "filter_run.h"
 #include "outputs.h"
+#include "own_part.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
 
@@ -43,6 +45,27 @@ void add_line_arrays(const brindle::Polylines& lines, vtkCellData& cells) {
   cells.AddArray(bp::vtk_array(make_data_array("length", 1, lengths)));
 }
 
+/// Lines of the pattern on this rank's own triangles.
+brindle::StripeCurves own_curves(bp::OwnPart& own, const brindle::StripePattern& pattern, bool join,
+                                 double minimum_length) {
+  if (own.is_empty()) return {};
+  brindle::CurveOptions options;
+  options.join = join;
+  brindle::StripeCurves curves =
+      brindle::stripe_curves(*own.surface().surface, own.pattern(pattern), options);
+  return minimum_length > 0 ? brindle::longer_than(curves, minimum_length) : curves;
+}
+
+void fill(const bp::InputSurface& own, const brindle::Polylines& lines,
+          const brindle::PatternQuality& quality, vtkPolyData* output) {
+  output->SetPoints(bp::placed_points(*own.triangles, lines.points, lines.origin));
+  output->SetLines(line_cells(lines));
+  output->GetPointData()->SetNormals(bp::vtk_array(make_data_array("normal", lines.normals)));
+  add_line_arrays(lines, *output->GetCellData());
+  bp::carry_to_places(own, lines.places, *output->GetPointData());
+  bp::add_figures(quality, *output->GetFieldData());
+}
+
 }  // namespace
 
 vtkStandardNewMacro(vtkBrindleCurves);
@@ -50,23 +73,25 @@ vtkStandardNewMacro(vtkBrindleCurves);
 vtkBrindleCurves::vtkBrindleCurves() = default;
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
-void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
+/// What needs whole lines: over several ranks those of one pattern end where its pieces do.
+void vtkBrindleCurves::CheckOptions(bool alone) const {
   if (!std::isfinite(this->MinimumLength) || this->MinimumLength < 0) {
     throw brindle::Error("Minimum Length must be 0 or above");
   }
-  const brindle::StripePattern& pattern = run.pattern();
-  run.progress(0.8, 0.9).report("curves", 0);
-  brindle::CurveOptions options;
-  options.join = this->Join;
-  brindle::StripeCurves curves = brindle::stripe_curves(*run.input->surface, pattern, options);
-  if (this->MinimumLength > 0) curves = brindle::longer_than(curves, this->MinimumLength);
-  const brindle::Polylines& lines = curves.lines;
+  if (alone || (!this->Join && this->MinimumLength == 0)) return;
+  throw brindle::Error(std::string(this->Join ? "Join" : "Minimum Length") +
+                       " needs whole lines, which end at the borders between ranks; turn it off, "
+                       "or run ParaView with one rank");
+}
 
-  run.progress(0.9, 1).report("arrays", 0);
-  output->SetPoints(bp::placed_points(*run.input->triangles, lines.points, lines.origin));
-  output->SetLines(line_cells(lines));
-  output->GetPointData()->SetNormals(bp::vtk_array(make_data_array("normal", lines.normals)));
-  add_line_arrays(lines, *output->GetCellData());
-  bp::carry_to_places(*run.input, lines.places, *output->GetPointData());
-  bp::add_figures(pattern.quality, *output->GetFieldData());
+void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
+  run.ranks.together([&] { this->CheckOptions(run.ranks.alone()); });
+  const brindle::StripePattern& pattern = run.pattern();
+  run.ranks.together([&] {
+    run.progress(0.8, 0.9).report("curves", 0);
+    bp::OwnPart own(*run.input);
+    const brindle::StripeCurves curves = own_curves(own, pattern, this->Join, this->MinimumLength);
+    run.progress(0.9, 1).report("arrays", 0);
+    fill(own.surface(), curves.lines, pattern.quality, output);
+  });
 }

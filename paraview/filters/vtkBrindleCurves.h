@@ -28,6 +28,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
   void Fill(Run& run, vtkPolyData* output) override;
 
  private:
+  void CheckOptions(bool alone) const;
+
   bool Join = false;
   double MinimumLength = 0;
 };

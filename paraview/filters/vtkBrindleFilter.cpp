@@ -18,6 +18,7 @@
 
 #include "filter_run.h"
 #include "pattern_series.h"
+#include "ranks.h"
 #include "surface_cache.h"
 #include "wave_settings.h"
 
@@ -35,18 +36,19 @@ struct vtkBrindleFilter::State {
   bp::PatternSeries series;
   /// Of `made_surface`, with `made_settings`: smooth fields take longer than patterns.
   brindle::DirectionField made_directions;
-  std::shared_ptr<const brindle::Surface> made_surface;
+  bp::PatternSurface made_surface;
   std::pair<int, int> made_settings;
   std::optional<double> last_time;
   vtkMTimeType settings_time = 0;  ///< of the filter, in the last run
 
-  const brindle::DirectionField& directions(const std::shared_ptr<const brindle::Surface>& surface,
+  /// Collective over ranks, which all have a new surface if one of them has.
+  const brindle::DirectionField& directions(const bp::PatternSurface& surface,
                                             const bp::WaveSettings& settings) {
     const std::pair<int, int> wanted = {static_cast<int>(settings.field),
                                         static_cast<int>(settings.curvature_direction)};
-    if (made_surface != surface || made_settings != wanted) {
-      made_surface.reset();
-      made_directions = bp::made_directions(*surface, settings);
+    if (made_surface.surface != surface.surface || made_settings != wanted) {
+      made_surface = {};
+      made_directions = bp::made_directions(*surface.surface, settings, surface.piece.get());
       made_settings = wanted;
       made_surface = surface;
     }
@@ -75,11 +77,17 @@ struct vtkBrindleFilter::State {
 
 namespace {
 
-/// The time of the data, if it belongs to a series.
-std::optional<double> time_of(vtkDataObject* data) {
+/// Collective: the time of the data, if they belong to a series; that of the lowest rank that knows
+/// it.
+std::optional<double> time_of(vtkDataObject* data, const bp::Ranks& ranks) {
   vtkInformation* information = data->GetInformation();
-  if (information->Has(vtkDataObject::DATA_TIME_STEP()) == 0) return std::nullopt;
-  return information->Get(vtkDataObject::DATA_TIME_STEP());
+  const bool knows = information->Has(vtkDataObject::DATA_TIME_STEP()) != 0;
+  const double own = knows ? information->Get(vtkDataObject::DATA_TIME_STEP())
+                           : std::numeric_limits<double>::quiet_NaN();
+  for (const double time : ranks.all(own)) {
+    if (!std::isnan(time)) return time;
+  }
+  return std::nullopt;
 }
 
 /// The array that is chosen for a use, if one is.
@@ -126,8 +134,9 @@ int vtkBrindleFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   output->Initialize();
   if (this->Stopped) this->SetAbortExecute(0);  // it was obeyed; nobody else takes it back
   this->Stopped = false;
+  Run run;
   try {
-    Run run;
+    run.ranks = bp::Ranks::of_controller();
     run.progress = [this](double begin, double end) {
       return brindle::Progress([this, begin, end](std::string_view, double fraction) {
         const double done = begin + (end - begin) * std::clamp(fraction, 0.0, 1.0);
@@ -139,39 +148,44 @@ int vtkBrindleFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   } catch (const brindle::Cancelled&) {
     output->Initialize();
     this->Stopped = true;
+  } catch (const brindle::Error& error) {
+    this->Fail(output, error.what());
   } catch (const std::bad_alloc&) {
     this->Fail(output, "there is not enough memory");
+    this->EndIfOthersWait(run);
   } catch (const std::exception& error) {
     this->Fail(output, error.what());
+    this->EndIfOthersWait(run);
   }
   return 1;
 }
 
 /// False if there is nothing to do.
 bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
-  if (input == nullptr) return false;
+  if (run.ranks.any(input == nullptr)) return false;
   State& state = *this->Internals;
-  run.progress(0, 0.1).report("surface", 0);
-  run.input = state.surfaces.surface_of(input, this);
-  run.progress(0.1, 0.4).report("field", 0);
+  run.begin(0, 0.1, "surface");
+  run.input = state.surfaces.surface_of(input, this, run.ranks);
+  run.begin(0.1, 0.4, "field");
   if (run.input == nullptr) return false;
 
-  const bp::WaveSettings settings = State::settings_of(*this);
+  bp::WaveSettings settings;
+  run.ranks.together([&] { settings = State::settings_of(*this); });
   std::optional<brindle::DataArray> vectors, frequencies;
   if (settings.field == bp::FieldSource::array) vectors = chosen_array(*this, 0, *run.input);
   if (settings.needs_frequency_array()) frequencies = chosen_array(*this, 1, *run.input);
   brindle::DirectionField made;
-  if (settings.is_made()) made = state.directions(run.input->surface, settings);
+  if (settings.is_made()) made = state.directions(run.surface(), settings);
   run.waves = bp::make_waves(*run.input->surface, settings, std::move(made), pointer_to(vectors),
-                             pointer_to(frequencies));
+                             pointer_to(frequencies), run.input->piece.get());
   run.options = {number(this->Slack), number(this->TimeAnchor)};
   run.series = &state.series;
 
   // What a step shows must not depend on how settings came about, nor, played from the start, on
   // what was shown before: only time that goes on is followed.
-  const std::optional<double> time = time_of(input);
-  run.follows = time && state.last_time && *time > *state.last_time && this->TimeAnchor > 0 &&
-                state.settings_time == this->GetMTime();
+  const std::optional<double> time = time_of(input, run.ranks);
+  run.follows = run.ranks.every(time && state.last_time && *time > *state.last_time &&
+                                this->TimeAnchor > 0 && state.settings_time == this->GetMTime());
   state.last_time = time;
   state.settings_time = this->GetMTime();
   return true;
@@ -180,6 +194,12 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
 void vtkBrindleFilter::Fail(vtkPolyData* output, const char* message) {
   output->Initialize();
   vtkErrorMacro(<< message);
+}
+
+/// All errors that ranks can agree on are theirs together. Of others the rest know nothing, and
+/// would wait for ever.
+void vtkBrindleFilter::EndIfOthersWait(const Run& run) {
+  if (!run.ranks.alone()) run.ranks.abort();
 }
 
 void vtkBrindleFilter::PrintSelf(ostream& os, vtkIndent indent) {

@@ -10,7 +10,8 @@
 #include "BrindleFiltersModule.h"  // export macro
 
 /// Takes polygons, or the surface of grids and of blocks, and lays waves over it. Input array 0 is
-/// the field, array 1 the frequency; both may belong to points or cells.
+/// the field, array 1 the frequency; both may belong to points or cells. The ranks of VTK's global
+/// controller have one surface and run together.
 class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkBrindleFilter, vtkPolyDataAlgorithm);
@@ -78,7 +79,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 
-  /// Makes the output of a run. May throw brindle::Error; the output is then emptied.
+  /// Makes the output of a run. Over several ranks all are in it together: what one of them throws,
+  /// all throw. May throw brindle::Error; the output is then emptied.
   virtual void Fill(Run& run, vtkPolyData* output) = 0;
 
  private:
@@ -86,6 +88,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
 
   bool Prepare(vtkDataObject* input, Run& run);
   void Fail(vtkPolyData* output, const char* message);
+  void EndIfOthersWait(const Run& run);
 
   int Field = 0;
   int CurvatureDirection = 0;

@@ -17,6 +17,7 @@
 
 #include "filter_run.h"
 #include "outputs.h"
+#include "own_part.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
 
@@ -80,6 +81,14 @@ std::vector<brindle::TrianglePoint> places_of(const std::vector<Sample>& samples
   return places;
 }
 
+void fill(const bp::InputSurface& own, const std::vector<Sample>& samples, vtkPolyData* output) {
+  output->SetPoints(bp::placed_points(
+      *own.triangles, each<brindle::Vec3>(samples, &Sample::position), own.surface->mesh.origin));
+  output->SetVerts(vertex_cells(samples.size()));
+  add_sample_arrays(samples, *output->GetPointData());
+  bp::carry_to_places(own, places_of(samples), *output->GetPointData());
+}
+
 }  // namespace
 
 vtkStandardNewMacro(vtkBrindleSamples);
@@ -88,21 +97,22 @@ vtkBrindleSamples::vtkBrindleSamples() : Second(std::make_unique<Crossing>()) {}
 vtkBrindleSamples::~vtkBrindleSamples() = default;
 
 void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
-  if (!std::isfinite(this->CrossingFactor) || this->CrossingFactor <= 0) {
+  run.ranks.together([&] {
+    if (std::isfinite(this->CrossingFactor) && this->CrossingFactor > 0) return;
     throw brindle::Error("Crossing Factor must be above 0");
-  }
-  const brindle::Surface& surface = *run.input->surface;
-  brindle::WaveSet crossing = crossing_waves(surface, run.waves, this->CrossingFactor);
+  });
+  brindle::WaveSet crossing = crossing_waves(*run.input->surface, run.waves, this->CrossingFactor);
   const brindle::StripePattern& u = run.pattern();
   const brindle::StripePattern& v = this->Second->series.next(
-      run.input->surface, std::move(crossing), run.options, run.follows, run.progress(0.7, 0.8));
-  run.progress(0.8, 0.9).report("samples", 0);
-  const std::vector<Sample> samples = brindle::stripe_samples(surface, u, v);
-
-  run.progress(0.9, 1).report("arrays", 0);
-  output->SetPoints(bp::placed_points(
-      *run.input->triangles, each<brindle::Vec3>(samples, &Sample::position), surface.mesh.origin));
-  output->SetVerts(vertex_cells(samples.size()));
-  add_sample_arrays(samples, *output->GetPointData());
-  bp::carry_to_places(*run.input, places_of(samples), *output->GetPointData());
+      run.surface(), std::move(crossing), run.options, run.follows, run.progress(0.7, 0.8));
+  run.ranks.together([&] {
+    run.progress(0.8, 0.9).report("samples", 0);
+    bp::OwnPart own(*run.input);
+    std::vector<Sample> samples;
+    if (!own.is_empty()) {
+      samples = brindle::stripe_samples(*own.surface().surface, own.pattern(u), own.pattern(v));
+    }
+    run.progress(0.9, 1).report("arrays", 0);
+    fill(own.surface(), samples, output);
+  });
 }

@@ -1,5 +1,7 @@
 #include "vtkBrindleStripes.h"
 
+#include <vector>
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -19,14 +21,11 @@ vtkStandardNewMacro(vtkBrindleStripes);
 vtkBrindleStripes::vtkBrindleStripes() = default;
 vtkBrindleStripes::~vtkBrindleStripes() = default;
 
-void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
-  const brindle::StripePattern& pattern = run.pattern();
-  run.progress(0.8, 0.9).report("texture coordinates", 0);
-  const bp::StripeSurface surface = this->TextureCoordinates
-                                        ? bp::textured_surface(*run.input, pattern)
-                                        : bp::plain_surface(*run.input, pattern);
-  run.progress(0.9, 1).report("arrays", 0);
-  vtkPolyData& from = *run.input->triangles;
+namespace {
+
+void fill(const bp::InputSurface& input, const bp::StripeSurface& surface,
+          const brindle::PatternQuality& quality, vtkPolyData* output) {
+  vtkPolyData& from = *input.triangles;
   output->SetPoints(bp::blended_points(from, surface.sources));
   output->SetPolys(bp::triangle_cells(surface.triangles));
 
@@ -40,5 +39,20 @@ void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
   output->GetCellData()->AddArray(bp::vtk_array(surface.branches));
   bp::carry(*from.GetCellData(), bp::whole_rows(surface.cells), *output->GetCellData());
   output->GetFieldData()->PassData(from.GetFieldData());
-  bp::add_figures(pattern.quality, *output->GetFieldData());
+  bp::add_figures(quality, *output->GetFieldData());
+}
+
+}  // namespace
+
+void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
+  const brindle::StripePattern& pattern = run.pattern();
+  run.begin(0.8, 0.9, "texture coordinates");
+  const std::vector<float> branches = bp::branches_at_vertices(*run.input, pattern);
+  run.ranks.together([&] {
+    const bp::StripeSurface surface = this->TextureCoordinates
+                                          ? bp::textured_surface(*run.input, pattern, branches)
+                                          : bp::plain_surface(*run.input, pattern, branches);
+    run.progress(0.9, 1).report("arrays", 0);
+    fill(*run.input, surface, pattern.quality, output);
+  });
 }

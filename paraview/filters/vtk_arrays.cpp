@@ -104,6 +104,15 @@ vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array) {
   return made;
 }
 
+std::vector<double> doubles_of(const DataArray& array) {
+  const vtkSmartPointer<vtkDataArray> copy = vtk_array(array);
+  std::vector<double> numbers;
+  for (vtkIdType row = 0; row < copy->GetNumberOfTuples(); ++row) {
+    for (int c = 0; c < array.components; ++c) numbers.push_back(copy->GetComponent(row, c));
+  }
+  return numbers;
+}
+
 void carry(vtkDataSetAttributes& from, std::span<const RowBlend> blends, vtkDataSetAttributes& to) {
   vtkNew<vtkIdList> rows;
   rows->SetNumberOfIds(static_cast<vtkIdType>(blends.size()));

@@ -23,6 +23,9 @@ DataArray data_array_of(vtkDataArray& array);
 /// The same array in VTK's form.
 vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array);
 
+/// Its numbers, row by row.
+std::vector<double> doubles_of(const DataArray& array);
+
 /// Copies all arrays of `from`, text as well, with a row per blend: means of floating-point
 /// numbers, of others the row with the largest weight, of equal ones the first (as `blended`).
 /// What `to` has by the same name stays, and arrays that are too short are left out. Scalars,

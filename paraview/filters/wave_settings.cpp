@@ -1,11 +1,20 @@
 #include "wave_settings.h"
 
+#include <array>
+#include <limits>
+#include <memory>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include <brindle/adjacency.h>
 #include <brindle/error.h>
 #include <brindle/frequency_field.h>
 #include <brindle/smooth_field.h>
+
+#include "vtk_arrays.h"
 
 namespace brindle::paraview {
 namespace {
@@ -19,10 +28,70 @@ DirectionField array_directions(const Surface& surface, const WaveSettings& sett
   return tensor_field_of(surface, *vectors, settings.tensor_axis).directions;
 }
 
+/// What the whole surface says where a piece does not know it.
+struct Whole {
+  float diagonal = 0;
+  std::optional<std::array<double, 2>> extent;  ///< of the numbers that frequencies follow
+};
+
+/// The smallest and the largest number, or length of a vector, of own vertices that have
+/// neighbours; the first above the second if there are none.
+std::array<double, 2> own_extent(const Surface& surface, const DataArray& array,
+                                 const RankPiece& piece) {
+  const std::span<const std::uint8_t> is_own = piece.surface().is_own();
+  std::vector<Index> rows;
+  for (Index v = 0; v < is_own.size(); ++v) {
+    if (is_own[v] != 0 && !surface.neighborhood->of(v).empty()) rows.push_back(v);
+  }
+  const DataArray counted = rows_of(array, rows);
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (nonfinite_rows(counted) == counted.rows()) return {kNone, -kNone};
+  const ArrayFigures figures = measure_array(counted);
+  return {figures.minimum, figures.maximum};
+}
+
+Whole whole_of(const Surface& surface, const WaveSettings& settings, const DataArray* frequencies,
+               const RankPiece* piece) {
+  if (piece == nullptr) return {bounding_box(surface.mesh).diagonal(), std::nullopt};
+  Whole whole{static_cast<float>(piece->surface().diagonal()), std::nullopt};
+  // Settings are the same on all ranks, and so is whether there is an array.
+  if (settings.frequency_source != FrequencySource::by_array || frequencies == nullptr)
+    return whole;
+  std::array<double, 2> extent{};
+  piece->ranks().together([&] { extent = own_extent(surface, *frequencies, *piece); });
+  whole.extent = piece->extent(extent);
+  return whole;
+}
+
+/// As `frequencies_by` gives them where the numbers of the whole have that extent: two vertices
+/// more, each other's neighbours, which have the smallest and the largest number, and alone count.
+FrequencyField frequencies_within(const DataArray& array, std::array<double, 2> extent,
+                                  float frequency, const FrequencyRange& range) {
+  std::vector<double> numbers = doubles_of(array);
+  for (const double end : extent) {
+    numbers.push_back(end);
+    numbers.resize(numbers.size() + static_cast<std::size_t>(array.components) - 1);
+  }
+  const DataArray more = make_data_array(array.name, array.components, numbers);
+  Adjacency pair;
+  const auto count = static_cast<Index>(more.rows());
+  pair.offsets.assign(count + 1, 0);
+  pair.offsets[count - 1] = 1;
+  pair.offsets[count] = 2;
+  pair.neighbors = {count - 1, count - 2};
+  Surface surface;
+  surface.mesh.positions.assign(count, Vec3::Zero());
+  surface.neighborhood = std::make_shared<const Adjacency>(std::move(pair));
+  FrequencyField frequencies = frequencies_by(surface, more, frequency, range);
+  frequencies.resize(count - 2);
+  return frequencies;
+}
+
 FrequencyField make_frequencies(const Surface& surface, const WaveSettings& settings,
-                                const DirectionField& directions, const DataArray* frequencies) {
+                                const Whole& whole, const DirectionField& directions,
+                                const DataArray* frequencies) {
   const auto along_diagonal = [&] {
-    return frequency_of_stripes(settings.stripes, bounding_box(surface.mesh).diagonal());
+    return frequency_of_stripes(settings.stripes, whole.diagonal);
   };
   if (settings.needs_frequency_array() && frequencies == nullptr) {
     throw Error("choose an array for the frequency");
@@ -31,6 +100,9 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
     case FrequencySource::array:
       return frequencies_of(*frequencies, directions);
     case FrequencySource::by_array:
+      if (whole.extent) {
+        return frequencies_within(*frequencies, *whole.extent, along_diagonal(), settings.range);
+      }
       return frequencies_by(surface, *frequencies, along_diagonal(), settings.range);
     case FrequencySource::per_length:
       return constant_frequency_field(settings.frequency, surface.mesh.vertex_count());
@@ -40,18 +112,9 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
   return constant_frequency_field(along_diagonal(), surface.mesh.vertex_count());
 }
 
-}  // namespace
-
-DirectionField made_directions(const Surface& surface, const WaveSettings& settings) {
-  SmoothFieldOptions options;
-  if (settings.field == FieldSource::curvature) options.curvature_anchor = kCurvatureAnchor;
-  options.curvature_direction = settings.curvature_direction;
-  return smooth_direction_field(surface, options);
-}
-
-WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
-                   const DataArray* vectors, const DataArray* frequencies) {
-  DirectionField directions = std::move(made);
+WaveSet local_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
+                    DirectionField directions, const DataArray* vectors,
+                    const DataArray* frequencies) {
   if (settings.field == FieldSource::direction) {
     directions = projected_direction_field(settings.direction, surface.normals);
   } else if (settings.field == FieldSource::array) {
@@ -61,9 +124,35 @@ WaveSet make_waves(const Surface& surface, const WaveSettings& settings, Directi
     directions =
         rotated(directions, surface.normals, settings.turn_deg * std::numbers::pi_v<float> / 180);
   }
-  FrequencyField chosen = make_frequencies(surface, settings, directions, frequencies);
+  FrequencyField chosen = make_frequencies(surface, settings, whole, directions, frequencies);
   if (settings.needs_frequency_array()) drop_waves_without_frequency(directions, chosen);
   return {surface.mesh.positions, std::move(directions), std::move(chosen)};
+}
+
+}  // namespace
+
+DirectionField made_directions(const Surface& surface, const WaveSettings& settings,
+                               const RankPiece* piece) {
+  SmoothFieldOptions options;
+  if (settings.field == FieldSource::curvature) options.curvature_anchor = kCurvatureAnchor;
+  options.curvature_direction = settings.curvature_direction;
+  if (piece != nullptr) return smooth_direction_field(piece->surface(), options);
+  return smooth_direction_field(surface, options);
+}
+
+WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
+                   const DataArray* vectors, const DataArray* frequencies, const RankPiece* piece) {
+  const Whole whole = whole_of(surface, settings, frequencies, piece);
+  if (piece == nullptr) {
+    return local_waves(surface, settings, whole, std::move(made), vectors, frequencies);
+  }
+  WaveSet waves;
+  piece->ranks().together([&] {
+    waves = local_waves(surface, settings, whole, std::move(made), vectors, frequencies);
+  });
+  piece->owners().from_owners(std::span(waves.directions));
+  piece->owners().from_owners(std::span(waves.frequencies));
+  return waves;
 }
 
 }  // namespace brindle::paraview

@@ -9,6 +9,8 @@
 #include <brindle/surface.h>
 #include <brindle/tensor_field.h>
 
+#include "rank_piece.h"
+
 namespace brindle::paraview {
 
 /// Where directions come from.
@@ -41,14 +43,19 @@ struct WaveSettings {
   }
 };
 
-/// The directions of FieldSource::smooth and ::curvature, before `turn_deg`.
-DirectionField made_directions(const Surface& surface, const WaveSettings& settings);
+/// The directions of FieldSource::smooth and ::curvature, before `turn_deg`; with a piece,
+/// collective, those of the whole at its vertices.
+DirectionField made_directions(const Surface& surface, const WaveSettings& settings,
+                               const RankPiece* piece = nullptr);
 
 /// Waves of all vertices. `made` has what `made_directions` gave where the settings ask for it;
 /// `vectors` (3 numbers a row, 2 in the plane, or a tensor's 6 or 9) and `frequencies` have a row
 /// per vertex and are null where the settings do not ask for them. There is no wave where an array
-/// is not finite. Throws Error for what arrays and numbers cannot be.
+/// is not finite. With a piece, collective: the whole's diagonal and numbers count, and a vertex of
+/// several ranks has the wave that its owner says. Throws Error for what arrays and numbers cannot
+/// be.
 WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
-                   const DataArray* vectors, const DataArray* frequencies);
+                   const DataArray* vectors, const DataArray* frequencies,
+                   const RankPiece* piece = nullptr);
 
 }  // namespace brindle::paraview

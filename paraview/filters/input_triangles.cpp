@@ -1,0 +1,159 @@
+#include "input_triangles.h"
+
+#include <algorithm>
+#include <string>
+
+#include <brindle/data_arrays.h>
+#include <brindle/error.h>
+#include <vtkAlgorithm.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataGeometryFilter.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "vtk_arrays.h"
+
+namespace brindle::paraview {
+namespace {
+
+template <class Filter>
+vtkSmartPointer<vtkPolyData> filtered(Filter& filter, vtkDataObject* input, vtkAlgorithm* owner) {
+  filter.SetContainerAlgorithm(owner);
+  filter.SetInputDataObject(input);
+  filter.Update();
+  return filter.GetOutput();
+}
+
+/// Throws Error for cells that name points which do not exist: VTK's own filters would look there.
+void check_corners(vtkPolyData& data) {
+  for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
+    if (cells == nullptr || cells->GetNumberOfConnectivityIds() == 0) continue;
+    double range[2];
+    cells->GetConnectivityArray()->GetRange(range);
+    if (range[0] >= 0 && range[1] < static_cast<double>(data.GetNumberOfPoints())) continue;
+    const auto wrong = static_cast<vtkIdType>(range[0] < 0 ? range[0] : range[1]);
+    throw Error("a polygon has the corner " + std::to_string(wrong) + ", but there are " +
+                std::to_string(data.GetNumberOfPoints()) + " points");
+  }
+}
+
+/// Whether every cell is a triangle.
+bool are_triangles(vtkPolyData& data) {
+  return data.GetNumberOfCells() == data.GetNumberOfPolys() &&
+         data.GetPolys()->IsHomogeneous() == 3;
+}
+
+/// Numbers of cells' corners in rows of three.
+DataArray corners_of(vtkPolyData& data) {
+  DataArray corners = data_array_of(*data.GetPolys()->GetConnectivityArray());
+  corners.components = 3;
+  return corners;
+}
+
+/// 1 for triangles that VTK marks as another process's.
+std::vector<std::uint8_t> ghosts_of(vtkPolyData& triangles) {
+  std::vector<std::uint8_t> ghosts;
+  vtkUnsignedCharArray* flags = triangles.GetCellGhostArray();
+  if (flags == nullptr) return ghosts;
+  for (vtkIdType cell = 0; cell < triangles.GetNumberOfCells(); ++cell) {
+    ghosts.push_back((flags->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0 ? 1 : 0);
+  }
+  return ghosts;
+}
+
+bool has_ghosts(vtkDataObject* leaf) {
+  auto* data = vtkDataSet::SafeDownCast(leaf);
+  return data != nullptr && data->GetCellGhostArray() != nullptr;
+}
+
+/// The same data with flags that say of no cell that it is a ghost.
+vtkSmartPointer<vtkDataSet> without_ghosts(vtkDataSet& data) {
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(vtkDataSetAttributes::GhostArrayName());
+  flags->SetNumberOfValues(data.GetNumberOfCells());
+  flags->Fill(0);
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data.NewInstance());
+  copy->ShallowCopy(&data);
+  copy->GetCellData()->AddArray(flags);
+  return copy;
+}
+
+std::vector<std::int64_t> ids_of(vtkPolyData& triangles) {
+  std::vector<std::int64_t> ids;
+  vtkDataArray* found = triangles.GetPointData()->GetGlobalIds();
+  if (found == nullptr || found->GetNumberOfComponents() != 1) return ids;
+  for (vtkIdType point = 0; point < found->GetNumberOfTuples(); ++point) {
+    ids.push_back(static_cast<std::int64_t>(found->GetVariantValue(point).ToLongLong()));
+  }
+  return ids;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkDataObject> with_ghosts_of_all(vtkDataObject* input) {
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
+  if (blocks == nullptr) return input;
+  bool any = false;
+  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
+    any = any || has_ghosts(block->GetCurrentDataObject());
+  }
+  if (!any) return input;
+  auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(blocks->NewInstance());
+  copy->CopyStructure(blocks);
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
+    vtkDataObject* leaf = block->GetCurrentDataObject();
+    auto* data = vtkDataSet::SafeDownCast(leaf);
+    const bool lacks = data != nullptr && !has_ghosts(leaf);
+    copy->SetDataSet(block, lacks ? without_ghosts(*data).Get() : leaf);
+  }
+  return copy;
+}
+
+vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner) {
+  if (auto* polygons = vtkPolyData::SafeDownCast(input)) return polygons;
+  if (vtkCompositeDataSet::SafeDownCast(input) != nullptr) {
+    vtkNew<vtkCompositeDataGeometryFilter> outside;
+    return filtered(*outside, input, owner);
+  }
+  if (vtkDataSet::SafeDownCast(input) != nullptr) {
+    vtkNew<vtkDataSetSurfaceFilter> outside;
+    return filtered(*outside, input, owner);
+  }
+  throw Error("the input has no surface");
+}
+
+vtkSmartPointer<vtkPolyData> triangles_of(vtkSmartPointer<vtkPolyData> polygons,
+                                          vtkAlgorithm* owner) {
+  if (polygons->GetNumberOfPoints() == 0 || are_triangles(*polygons)) return polygons;
+  check_corners(*polygons);
+  vtkNew<vtkTriangleFilter> cut;
+  cut->PassVertsOff();
+  cut->PassLinesOff();
+  return filtered(*cut, polygons, owner);
+}
+
+Mesh raw_mesh(vtkPolyData& data) {
+  const DataArray positions = data_array_of(*data.GetPoints()->GetData());
+  return make_mesh(positions.view(), corners_of(data).view());
+}
+
+RawMesh raw_piece(vtkPolyData& triangles) {
+  if (triangles.GetNumberOfPoints() == 0) return {};
+  return {raw_mesh(triangles), ghosts_of(triangles), ids_of(triangles)};
+}
+
+bool same(const RawMesh& a, const RawMesh& b) {
+  return a.mesh.positions == b.mesh.positions && a.mesh.triangles == b.mesh.triangles &&
+         a.mesh.origin == b.mesh.origin && a.ghosts == b.ghosts && a.ids == b.ids;
+}
+
+}  // namespace brindle::paraview

@@ -1,0 +1,123 @@
+// What filters refuse, and how they end.
+#include <limits>
+
+#include "filter_runs.h"
+
+namespace brindle::paraview {
+namespace {
+
+TEST(BrindleStripes, SaysWhatIsWrong) {
+  const auto has = [](const std::string& message, const char* part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  const auto data = swirling("sphere,resolution=12");
+  vtkNew<vtkFloatArray> number;
+  number->SetName("number");
+  number->SetNumberOfTuples(data->GetNumberOfPoints());
+  number->Fill(-1);
+  data->GetPointData()->AddArray(number);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  has(only_error(*filter), "choose an array");
+  choose(*filter, 0, "w");
+  has(only_error(*filter), "'w'");
+  choose(*filter, 0, "number");
+  has(only_error(*filter), "'number'");
+  choose(*filter, 0, "v");
+  filter->SetStripes(0);
+  has(only_error(*filter), "above zero");
+  filter->SetStripes(std::numeric_limits<double>::quiet_NaN());
+  has(only_error(*filter), "above zero");
+  filter->SetStripes(20);
+  filter->SetSlack(-1);
+  has(only_error(*filter), "lack");
+  filter->SetSlack(0);
+  filter->SetTimeAnchor(-1);
+  has(only_error(*filter), "lambda");
+  filter->SetTimeAnchor(0.025);
+  filter->SetFrequencySource(kFrequencyArray);
+  choose(*filter, 1, "number");
+  has(only_error(*filter), "'number'");
+  filter->SetFrequencySource(kStripes);
+  filter->SetField(kDirection);
+  filter->SetDirection(0, 0, 0);
+  has(only_error(*filter), "0,0,0");
+  filter->SetField(kArray);
+  Errors none(*filter);
+  filter->Update();
+  EXPECT_TRUE(none.messages.empty()) << none.messages[0];
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0);
+}
+
+TEST(BrindleStripes, RefusesSurfacesThatAreNone) {
+  const auto message = [](vtkDataObject* data) {
+    vtkNew<vtkBrindleStripes> filter;
+    filter->SetInputData(data);
+    return only_error(*filter);
+  };
+  auto nan = polygons_of(make_shape("sphere,resolution=12"));
+  nan->GetPoints()->SetPoint(5, 0, std::numeric_limits<double>::quiet_NaN(), 0);
+  EXPECT_NE(message(nan).find('5'), std::string::npos);
+
+  auto out_of_range = polygons_of(make_shape("sphere,resolution=12"));
+  out_of_range->GetPolys()->InsertNextCell({0, 1, 1000000});
+  EXPECT_NE(message(out_of_range).find("1000000"), std::string::npos);
+  out_of_range->GetPolys()->InsertNextCell({0, 1, 2, 3});  // which VTK cuts into triangles
+  EXPECT_NE(message(out_of_range).find("1000000"), std::string::npos);
+
+  auto points = polygons_of(make_shape("sphere,resolution=12"));
+  points->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  EXPECT_NE(message(points).find("polygons"), std::string::npos);
+
+  Mesh flat;
+  flat.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  flat.triangles = {{0, 1, 2}};
+  EXPECT_NE(message(polygons_of(flat)).find("area"), std::string::npos);
+}
+
+TEST(BrindleStripes, HasNothingToSayOfNothing) {
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+  Errors errors(*filter);
+  filter->Update();
+  EXPECT_TRUE(errors.messages.empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(BrindleStripes, StopsWhenItIsAsked) {
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(swirling("torus,resolution=40"));
+  double last = 0;
+  bool ordered = true, stop = false;
+  struct Watch {
+    double& last;
+    bool &ordered, &stop;
+  } watch{last, ordered, stop};
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void* progress) {
+    auto& seen = *static_cast<Watch*>(data);
+    const double now = *static_cast<double*>(progress);
+    seen.ordered = seen.ordered && now >= seen.last && now <= 1;
+    seen.last = now;
+    if (seen.stop && now > 0.3) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  });
+  filter->AddObserver(vtkCommand::ProgressEvent, command);
+  Errors errors(*filter);
+  stop = true;
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(errors.messages.empty()) << "asking to stop is no error";
+
+  stop = false;
+  last = 0;
+  ordered = true;
+  filter->SetStripes(41);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(ordered);
+}
+
+}  // namespace
+}  // namespace brindle::paraview

@@ -1,0 +1,67 @@
+/// Runs of the filters, and the library's own of the same.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <brindle/direction_field.h>
+#include <brindle/stripe_pattern.h>
+
+#include "vtkBrindleStripes.h"
+#include "vtk_surfaces.h"
+
+namespace brindle::paraview {
+
+enum { kSmooth, kCurvature, kDirection, kArray };
+enum { kStripes, kFrequency, kFrequencyArray, kByArray };
+
+inline vtkSmartPointer<vtkPolyData> swirling(const char* shape, float angle = 0) {
+  auto data = polygons_of(make_shape(shape));
+  add_swirl(*data, angle);
+  return data;
+}
+
+/// The library's own pattern of the vectors.
+inline StripePattern expected(vtkPolyData& data, const Surface& surface, float stripes,
+                              float slack) {
+  DirectionField directions = tangent_directions(
+      [&] {
+        std::vector<Vec3> vectors;
+        const std::vector<float> v = numbers(data, "v");
+        for (std::size_t i = 0; i < v.size(); i += 3)
+          vectors.emplace_back(v[i], v[i + 1], v[i + 2]);
+        return vectors;
+      }(),
+      surface.normals);
+  StripeOptions options;
+  options.slack = slack;
+  const float diagonal = bounding_box(surface.mesh).diagonal();
+  return stripe_pattern(surface, std::move(directions), frequency_of_stripes(stripes, diagonal),
+                        options);
+}
+
+inline double area(vtkPolyData& data) {
+  double sum = 0;
+  for (vtkIdType t = 0; t < data.GetNumberOfPolys(); ++t) {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    data.GetPolys()->GetCellAtId(t, count, points);
+    Eigen::Vector3d p[3];
+    for (int k = 0; k < 3; ++k) data.GetPoint(points[k], p[k].data());
+    sum += (p[1] - p[0]).cross(p[2] - p[0]).norm() / 2;
+  }
+  return sum;
+}
+
+/// What a filter says, once, of an input or a setting that cannot be; its output is then empty.
+inline std::string only_error(vtkBrindleFilter& filter) {
+  Errors errors(filter);
+  filter.Update();
+  EXPECT_EQ(errors.messages.size(), 1u);
+  EXPECT_EQ(filter.GetOutput()->GetNumberOfPoints(), 0);
+  return errors.messages.empty() ? "" : errors.messages[0];
+}
+
+}  // namespace brindle::paraview

@@ -1,0 +1,220 @@
+// What filters take: grids, blocks, polygons, arrays of any type.
+#include <algorithm>
+#include <cmath>
+
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkUnstructuredGrid.h>
+
+#include "filter_runs.h"
+
+namespace brindle::paraview {
+namespace {
+
+TEST(BrindleStripes, TakesGridsAsTheirSurface) {
+  const auto data = swirling("torus,resolution=24");
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(data->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, data->GetPolys());
+  grid->GetPointData()->ShallowCopy(data->GetPointData());
+  vtkNew<vtkBrindleStripes> of_grid, of_polygons;
+  of_grid->SetInputData(grid);
+  of_polygons->SetInputData(data);
+  for (vtkBrindleStripes* filter : {of_grid.Get(), of_polygons.Get()}) {
+    filter->SetField(kArray);
+    choose(*filter, 0, "v");
+    filter->Update();
+  }
+  EXPECT_NEAR(
+      of_grid->GetOutput()->GetFieldData()->GetArray("angle_error_mean_deg")->GetComponent(0, 0),
+      of_polygons->GetOutput()
+          ->GetFieldData()
+          ->GetArray("angle_error_mean_deg")
+          ->GetComponent(0, 0),
+      0.1);
+  EXPECT_NEAR(area(*of_grid->GetOutput()), area(*data), 1e-6);
+}
+
+TEST(BrindleStripes, TakesBlocksForOneSurface) {
+  const Mesh whole = make_shape("torus,resolution=32");
+  Mesh halves[2] = {whole, whole};
+  for (int side : {0, 1}) {
+    std::erase_if(halves[side].triangles, [&](const Triangle& t) {
+      const float x =
+          whole.positions[t[0]].x() + whole.positions[t[1]].x() + whole.positions[t[2]].x();
+      return (x > 0) == (side == 0);
+    });
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned side : {0u, 1u}) {
+    auto half = polygons_of(halves[side]);
+    add_swirl(*half, 0);
+    if (side == 1)
+      half->GetPointData()->AddArray(
+          vectors_by("one", half->GetNumberOfPoints(), [](vtkIdType) { return Vec3(1, 2, 3); }));
+    blocks->SetBlock(side, half);
+  }
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(blocks);
+  filter->SetField(kArray);
+  choose(*filter, 0, "v");
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  ASSERT_NE(output, nullptr);
+  const auto n = static_cast<std::size_t>(whole.vertex_count());
+  const std::vector<float> phases = numbers(*output, "phase");
+  ASSERT_EQ(phases.size(), 2 * n);
+  const Surface surface = make_surface(whole);
+  auto data = polygons_of(whole);
+  add_swirl(*data, 0);
+  // One pattern, as of the whole: both blocks' points at one place have one phase.
+  for (std::size_t v = 0; v < n; ++v) {
+    ASSERT_EQ(std::isnan(phases[v]), std::isnan(phases[v + n]));
+    if (!std::isnan(phases[v])) {
+      ASSERT_EQ(phases[v], phases[v + n]);
+    }
+  }
+  const StripePattern pattern = expected(*data, surface, 40, 0);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (std::isnan(phases[v])) continue;
+    ASSERT_NEAR(std::abs(std::polar(1.0f, phases[v]) - pattern.solution.z[v]), 0, 1e-3);
+  }
+  EXPECT_EQ(output->GetPointData()->HasArray("one"), 0) << "not all blocks have it";
+
+  Errors errors(*filter);
+  choose(*filter, 0, "one");
+  filter->Modified();
+  filter->Update();
+  ASSERT_EQ(errors.messages.size(), 1u);
+  EXPECT_NE(errors.messages[0].find("'one'"), std::string::npos);
+}
+
+TEST(BrindleStripes, TakesFieldsOfCells) {
+  const Mesh mesh = make_shape("sphere,resolution=24");
+  const auto data = polygons_of(mesh);
+  data->GetCellData()->AddArray(
+      vectors_by("cells", data->GetNumberOfCells(), [](vtkIdType) { return Vec3(0, 0, 2); }));
+  vtkNew<vtkBrindleStripes> by_cells, by_direction;
+  by_cells->SetInputData(data);
+  by_cells->SetField(kArray);
+  choose(*by_cells, 0, "cells", false);
+  by_direction->SetInputData(data);
+  by_direction->SetField(kDirection);
+  by_cells->Update();
+  by_direction->Update();
+  const std::vector<float> a = numbers(*by_cells->GetOutput(), "direction");
+  const std::vector<float> b = numbers(*by_direction->GetOutput(), "direction");
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-6f);
+}
+
+TEST(BrindleStripes, FollowsFrequenciesOfAnArray) {
+  const auto data = swirling("sphere,resolution=24");
+  vtkNew<vtkFloatArray> wanted;
+  wanted->SetName("f");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    wanted->InsertNextValue(3 + float(data->GetPoint(i)[2]));
+  }
+  data->GetPointData()->AddArray(wanted);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetFrequencySource(kFrequencyArray);
+  choose(*filter, 1, "f");
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  EXPECT_EQ(numbers(*filter->GetOutput(), "frequency"), numbers(*data, "f"));
+
+  filter->SetFrequencySource(kByArray);
+  filter->SetFrequencyRange(0.5, 2);
+  filter->SetStripes(10);
+  filter->Update();
+  const std::vector<float> f = numbers(*filter->GetOutput(), "frequency");
+  const auto [low, high] = std::minmax_element(f.begin(), f.end());
+  EXPECT_NEAR(*high / *low, 4, 1e-4);
+}
+
+// Whatever type numbers have, they are those numbers.
+TEST(BrindleStripes, TakesFieldsOfAnyType) {
+  const auto data = polygons_of(make_shape("sphere,resolution=16"));
+  const vtkIdType rows = data->GetNumberOfPoints();
+  std::vector<float> expected_directions;
+  for (const int type :
+       {VTK_DOUBLE, VTK_FLOAT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_LONG,
+        VTK_LONG_LONG, VTK_ID_TYPE, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_UNSIGNED_INT,
+        VTK_UNSIGNED_LONG, VTK_UNSIGNED_LONG_LONG}) {
+    const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    array->SetName("v");
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(rows);
+    for (vtkIdType i = 0; i < rows; ++i) {
+      array->SetTuple3(i, 1 + double(i % 3), double(i % 5), 2 + double(i % 7));
+    }
+    data->GetPointData()->AddArray(array);
+    vtkNew<vtkBrindleStripes> filter;
+    filter->SetInputData(data);
+    filter->SetField(kArray);
+    choose(*filter, 0, "v");
+    filter->SetTextureCoordinates(false);
+    filter->Update();
+    const std::vector<float> directions = numbers(*filter->GetOutput(), "direction");
+    if (expected_directions.empty()) expected_directions = directions;
+    EXPECT_EQ(directions, expected_directions) << array->GetClassName();
+  }
+}
+
+// As programs leave behind that change points and forget arrays.
+TEST(BrindleStripes, LeavesShortArraysOut) {
+  const auto data = swirling("sphere,resolution=12");
+  data->GetPointData()->AddArray(vectors_by("short", 5, [](vtkIdType) { return Vec3(1, 0, 0); }));
+  vtkNew<vtkIntArray> unnamed;
+  unnamed->SetNumberOfComponents(2);
+  unnamed->SetNumberOfTuples(data->GetNumberOfPoints());
+  unnamed->Fill(3);
+  data->GetPointData()->AddArray(unnamed);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->HasArray("short"), 0);
+  filter->SetField(kArray);
+  choose(*filter, 0, "short");
+  EXPECT_NE(only_error(*filter).find("'short'"), std::string::npos);
+}
+
+TEST(BrindleStripes, CutsPolygonsAndLeavesLinesOut) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads, lines;
+  constexpr int kSide = 12;
+  for (int y = 0; y <= kSide; ++y) {
+    for (int x = 0; x <= kSide; ++x) points->InsertNextPoint(x, y, 0);
+  }
+  for (vtkIdType y = 0; y < kSide; ++y) {
+    for (vtkIdType x = 0; x < kSide; ++x) {
+      const vtkIdType p = y * (kSide + 1) + x;
+      quads->InsertNextCell({p, p + 1, p + kSide + 2, p + kSide + 1});
+    }
+  }
+  lines->InsertNextCell({0, 1});
+  data->SetPoints(points);
+  data->SetPolys(quads);
+  data->SetLines(lines);
+  vtkNew<vtkFloatArray> cells;
+  cells->SetName("cell");
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) cells->InsertNextValue(float(i));
+  data->GetCellData()->AddArray(cells);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kDirection);
+  filter->SetDirection(1, 0, 0);
+  filter->SetStripes(6);
+  filter->Update();
+  vtkPolyData& output = *filter->GetOutput();
+  EXPECT_EQ(output.GetNumberOfCells(), 2 * kSide * kSide);
+  EXPECT_EQ(output.GetCellData()->GetArray("cell")->GetComponent(0, 0), 1) << "0 is the line";
+}
+
+}  // namespace
+}  // namespace brindle::paraview

@@ -1,0 +1,204 @@
+// Ranks when time goes on, and when something is wrong.
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "rank_patterns.h"
+#include "vtkBrindleCurves.h"
+
+namespace brindle::paraview {
+namespace {
+
+constexpr const char* kShape = "torus,resolution=40";
+
+class RankSeries : public testing::Test {
+ protected:
+  RankSeries() : pieces(kShape, cuts()[0]), data(pieces.polygons()) {}
+
+  void show(double time, float angle) {
+    set_time(*data, time);
+    lay_swirl(*filter, data, angle);
+  }
+  void expect(std::span<const Complex> z) { expect_phases(*filter->GetOutput(), z); }
+
+  Pieces pieces;
+  vtkSmartPointer<vtkPolyData> data;
+  vtkNew<vtkBrindleStripes> filter;
+};
+
+TEST_F(RankSeries, FramesFollowAndNothingIsBuiltAgain) {
+  Twin twin(pieces, numbers_by_place(pieces));
+  for (int step = 0; step < 4; ++step) {
+    show(step, 0.1f * static_cast<float>(step));
+    expect(twin.frame(0.1f * static_cast<float>(step)));
+    EXPECT_EQ(filter->GetSurfacesMade(), 1);
+    EXPECT_EQ(filter->GetSolversMade(), 1);
+    EXPECT_EQ(filter->GetPatternsFollowed(), step);
+    expect_one_pattern(pieces.whole, *filter->GetOutput());
+  }
+}
+
+TEST_F(RankSeries, GoingBackStartsAfresh) {
+  for (const int step : {0, 1, 2, 1}) show(step, 0.1f * static_cast<float>(step));
+  expect(Twin(pieces, numbers_by_place(pieces)).frame(0.1f));
+  EXPECT_EQ(filter->GetPatternsFollowed(), 2);
+}
+
+// Whatever only one rank has seen, all do: a mesh read again, moved points, a time nobody else has.
+TEST_F(RankSeries, WhatIsNewToOneRankIsNewToAll) {
+  show(0, 0);
+  if (rank() == 0) data->ShallowCopy(pieces.polygons());
+  show(1, 0.1f);
+  EXPECT_EQ(filter->GetSurfacesMade(), 1) << "read again with the same numbers";
+  EXPECT_EQ(filter->GetPatternsFollowed(), 1);
+  // All copies of a vertex move, wherever they are; on ranks without it nothing does.
+  const auto found = std::ranges::find(pieces.ids, 100u);
+  if (found != pieces.ids.end()) {
+    Pieces moved = pieces;
+    moved.own.positions[static_cast<std::size_t>(found - pieces.ids.begin())] *= 1.001f;
+    data->ShallowCopy(moved.polygons());
+  }
+  show(2, 0.2f);
+  EXPECT_EQ(filter->GetSurfacesMade(), 2);
+  EXPECT_EQ(filter->GetSolversMade(), 1);
+  EXPECT_EQ(filter->GetPatternsFollowed(), 2);
+  expect_one_pattern(pieces.whole, *filter->GetOutput());
+}
+
+// Two ranks' points part: cells are as they were, but the surface is another one.
+TEST_F(RankSeries, SurfacesThatTearAreOthers) {
+  show(0, 0);
+  Pieces torn = pieces;
+  for (Vec3& p : torn.own.positions) p.z() += 3 * static_cast<float>(rank());
+  data->ShallowCopy(torn.polygons());
+  show(1, 0.1f);
+  EXPECT_EQ(filter->GetSolversMade(), rank_count() > 1 ? 2 : 1);
+}
+
+void has(const std::string& message, const char* part) {
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+TEST(RankErrors, OfOneRankAreEverybodys) {
+  const Pieces pieces(kShape, cuts()[0]);
+  const int last = rank_count() - 1;
+  const auto good = pieces.polygons();
+  add_swirl(*good, 0);
+  const auto changed = [&](const std::function<void(vtkPolyData&)>& change) {
+    vtkNew<vtkPolyData> data;
+    data->DeepCopy(good);
+    if (rank() == last) change(*data);
+    return vtkSmartPointer<vtkPolyData>(data.Get());
+  };
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetField(kArray);
+  filter->SetTextureCoordinates(false);
+  choose(*filter, 0, "v");
+  const auto message = [&](const std::function<void(vtkPolyData&)>& change) {
+    filter->SetInputData(changed(change));
+    return only_error(*filter);
+  };
+  const auto runs = [&] {
+    filter->SetInputData(good);
+    Errors errors(*filter);
+    filter->Update();
+    EXPECT_TRUE(errors.messages.empty());
+    expect_one_pattern(pieces.whole, *filter->GetOutput());
+  };
+  has(message([](vtkPolyData& d) { d.GetPointData()->RemoveArray("v"); }), "'v'");
+  has(message([](vtkPolyData& d) {
+        d.GetPoints()->SetPoint(5, 0, std::numeric_limits<double>::quiet_NaN(), 0);
+      }),
+      "vertex 5");
+  runs();
+  has(message([](vtkPolyData& d) { d.GetPolys()->InsertNextCell({0, 1, 1000000}); }), "1000000");
+  if (rank_count() > 1) {
+    const std::string wide = message([](vtkPolyData& d) {
+      vtkNew<vtkFloatArray> array;
+      array->SetName("v");
+      array->SetNumberOfComponents(9);
+      array->SetNumberOfTuples(d.GetNumberOfPoints());
+      array->Fill(1);
+      d.GetPointData()->AddArray(array);
+    });
+    has(wide, "on another");
+    has(message([](vtkPolyData& d) { d.GetPointData()->RemoveArray("v"); }),
+        ("rank " + std::to_string(last)).c_str());
+  }
+  runs();
+}
+
+TEST(RankErrors, RefuseWhatRanksCannotDoTogether) {
+  const Pieces pieces(kShape, cuts()[0]);
+  vtkNew<vtkBrindleStripes> stripes;
+  stripes->SetInputData(pieces.polygons());
+  stripes->SetSlack(0.25);
+  vtkNew<vtkBrindleCurves> join, longer;
+  join->SetInputData(pieces.polygons());
+  join->SetJoin(true);
+  longer->SetInputData(pieces.polygons());
+  longer->SetMinimumLength(0.5);
+  if (rank_count() > 1) {
+    has(only_error(*stripes), "slack");
+    has(only_error(*join), "Join");
+    has(only_error(*longer), "Minimum Length");
+    return;
+  }
+  for (vtkBrindleFilter* filter :
+       {static_cast<vtkBrindleFilter*>(stripes), static_cast<vtkBrindleFilter*>(join),
+        static_cast<vtkBrindleFilter*>(longer)}) {
+    filter->Update();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(RankErrors, NothingIsNoErrorAndPointsAloneAre) {
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+  Errors errors(*filter);
+  filter->Update();
+  EXPECT_TRUE(errors.messages.empty());
+  auto points = polygons_of(make_shape("sphere,resolution=12"));
+  points->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  filter->SetInputData(rank() == 0 ? points : vtkSmartPointer<vtkPolyData>::New());
+  has(only_error(*filter), "polygons");
+}
+
+// Points without cells on one rank are no reason to refuse what another has.
+TEST(RankErrors, PointsBesideASurfaceAreNone) {
+  const Pieces pieces(kShape, cuts()[5]);
+  const auto data = pieces.polygons();
+  if (rank() == 0 && rank_count() > 1) data->ShallowCopy(polygons_of(pieces.whole));
+  if (rank() == 0 && rank_count() > 1) data->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kDirection);
+  Errors errors(*filter);
+  filter->Update();
+  EXPECT_TRUE(errors.messages.empty());
+  EXPECT_EQ(sum(double(filter->GetOutput()->GetNumberOfPolys())) > 0, true);
+}
+
+TEST(RankErrors, OneRankThatIsStoppedStopsAll) {
+  const Pieces pieces(kShape, cuts()[0]);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(pieces.polygons());
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback([](vtkObject* caller, unsigned long, void*, void* progress) {
+    if (rank() == 0 && *static_cast<double*>(progress) >= 0.1) {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  });
+  const unsigned long watch = filter->AddObserver(vtkCommand::ProgressEvent, command);
+  Errors errors(*filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(errors.messages.empty()) << "asking to stop is no error";
+  filter->RemoveObserver(watch);
+  filter->Modified();
+  filter->Update();
+  EXPECT_GT(sum(double(filter->GetOutput()->GetNumberOfPoints())), 0);
+}
+
+}  // namespace
+}  // namespace brindle::paraview
