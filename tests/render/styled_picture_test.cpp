@@ -8,6 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/glyphs.h"
 #include "brindle/shapes.h"
+#include "progress_reports.h"
 #include "render/test_drawings.h"
 
 namespace brindle {
