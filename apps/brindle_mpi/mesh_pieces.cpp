@@ -7,6 +7,7 @@
 
 #include "brindle/distributed/partition.h"
 #include "brindle/error.h"
+#include "pvtp_pieces.h"
 
 namespace brindle::tool {
 namespace {
@@ -69,6 +70,7 @@ PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
 }  // namespace
 
 ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
+  if (is_pvtp(options.mesh)) return read_pvtp_pieces(ranks, options.mesh, listener);
   PackedPieces packed(static_cast<std::size_t>(ranks.size()));
   std::array<double, 3> origin{};
   std::size_t joined = 0;

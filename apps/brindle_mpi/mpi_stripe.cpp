@@ -21,6 +21,7 @@
 #include "pattern_arrays.h"
 #include "piece_output.h"
 #include "progress_display.h"
+#include "pvtp_pieces.h"
 #include "report.h"
 #include "used_files.h"
 #include "wave_figures.h"
@@ -143,7 +144,11 @@ DataArrays arrays_of(const SurfacePiece& piece, const WaveSet& waves, std::span<
 
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> inputs, outputs;
-  if (!is_shape(arguments.surface)) inputs.push_back({"MESH", arguments.surface.mesh});
+  if (is_pvtp(arguments.surface.mesh)) {
+    inputs = files_of_pvtp(ranks, arguments.surface.mesh);
+  } else if (!is_shape(arguments.surface)) {
+    inputs.push_back({"MESH", arguments.surface.mesh});
+  }
   if (!arguments.output.empty()) {
     outputs.push_back({"--output", arguments.output});
     for (int r = 0; r < ranks.size(); ++r) {
