@@ -1,12 +1,15 @@
 #include "mesh_pieces.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brindle/distributed/partition.h"
+#include "brindle/distributed/subdivided_piece.h"
 #include "brindle/error.h"
+#include "brindle/shapes.h"
 #include "pvtp_pieces.h"
 
 namespace brindle::tool {
@@ -16,7 +19,9 @@ namespace {
 LoadedSurface load_whole(const SurfaceOptions& options, JobListener& listener) {
   refuse_points(options, "stripe");
   listener.stage("loading " + options.mesh);
-  LoadedSurface loaded = load_mesh(options, listener.progress());
+  SurfaceOptions coarse = options;
+  coarse.subdivide = 0;  // what ranks do with their pieces
+  LoadedSurface loaded = load_mesh(coarse, listener.progress());
   listener.note(describe(loaded));
   return loaded;
 }
@@ -67,10 +72,20 @@ PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
   return packed;
 }
 
-}  // namespace
+/// Nothing for shapes that are made whole alone.
+std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOptions& options) {
+  if (!is_shape(options)) return std::nullopt;
+  try {
+    auto part = make_shape_part(shape_spec(options), ranks.rank(), ranks.size());
+    if (!part) return std::nullopt;
+    return ReadPiece{{std::move(part->mesh), std::move(part->vertex_ids), {}}, 0};
+  } catch (const Error& error) {
+    throw CLI::ValidationError("MESH", error.what());
+  }
+}
 
-ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
-  if (is_pvtp(options.mesh)) return read_pvtp_pieces(ranks, options.mesh, listener);
+/// Rank 0 reads or makes the whole and sends the others their pieces.
+ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
   PackedPieces packed(static_cast<std::size_t>(ranks.size()));
   std::array<double, 3> origin{};
   std::size_t joined = 0;
@@ -91,6 +106,23 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobList
   result.piece.mesh.origin = {x, y, z};
   result.vertices_joined = ranks.all(joined)[0];
   return result;
+}
+
+}  // namespace
+
+ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
+  ReadPiece read;
+  if (is_pvtp(options.mesh)) {
+    read = read_pvtp_pieces(ranks, options.mesh, listener);
+  } else if (auto made = make_piece(ranks, options)) {
+    read = std::move(*made);
+  } else {
+    read = cut_piece(ranks, options, listener);
+  }
+  if (options.subdivide > 0) {
+    read.piece = subdivided_piece(ranks, std::move(read.piece), options.subdivide);
+  }
+  return read;
 }
 
 }  // namespace brindle::tool

@@ -1,4 +1,4 @@
-/// A mesh that rank 0 reads and the others get pieces of.
+/// The pieces of a mesh that ranks read, make, or get from rank 0.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,10 @@ struct ReadPiece {
   std::size_t vertices_joined = 0;
 };
 
-/// Rank 0 reads or makes the mesh, cuts it along a Hilbert curve and sends the pieces. Throws on
-/// all ranks CLI::ValidationError for a shape that is not spelt right, and Error for a file that
-/// cannot be read or has no triangles.
+/// Collective. Ranks read the pieces of a .pvtp and make their parts of shapes that can be made in
+/// parts (`make_shape_part`). Any other mesh rank 0 reads or makes, cuts along a Hilbert curve and
+/// sends. Pieces are then subdivided. Throws on all ranks CLI::ValidationError for a shape that is
+/// not spelt right, and Error for a file that cannot be read or has no triangles.
 ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener);
 
 }  // namespace brindle::tool
