@@ -40,22 +40,27 @@ void check_extension(const std::string& option, const std::string& path, const c
 
 }  // namespace
 
-void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
-  check_field_options(command, arguments.waves);
-  check_field(arguments.waves);
-  check_solving_options(command, arguments.solving);
+void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
+                     const SolvingOptions& solving) {
+  check_field_options(command, waves);
+  check_field(waves);
+  check_solving_options(command, solving);
   refuse_given(
       command,
       {"--feature-anchor", "--strokes", "--frequency-by", "--field-mesh", "--weights", "--slack"},
       "it needs the whole surface in one process; 'brindle stripe' has it");
-  if (!arguments.waves.arrays.frequency.empty()) {
+  if (!waves.arrays.frequency.empty()) {
     throw CLI::ValidationError("--frequency",
                                "arrays need the whole surface in one process; give a number");
   }
-  if (arguments.solving.stripes.phase_shift == PhaseShiftKind::common_source) {
+  if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {
     throw CLI::ValidationError("--phase-shift",
                                "common_source is for one process; take aligned or trapezoid");
   }
+}
+
+void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
+  check_mpi_waves(command, arguments.waves, arguments.solving);
   check_extension("--output", arguments.output, ".pvtp");
   check_extension("--report", arguments.report, ".json");
 }
