@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "array_source.h"
+#include "brindle/base/array_numbers.h"
 #include "brindle/distributed/partition.h"
 #include "brindle/distributed/subdivided_piece.h"
 #include "brindle/error.h"
@@ -56,20 +58,39 @@ struct PackedPieces {
   std::vector<std::vector<std::uint64_t>> ids;
   std::vector<std::vector<Position>> positions;
   std::vector<std::vector<Triangle>> triangles;
+  std::vector<std::vector<std::vector<std::byte>>> arrays;  ///< of every array
 
-  explicit PackedPieces(std::size_t ranks) : ids(ranks), positions(ranks), triangles(ranks) {}
+  PackedPieces(std::size_t ranks, std::size_t array_count)
+      : ids(ranks),
+        positions(ranks),
+        triangles(ranks),
+        arrays(array_count, std::vector<std::vector<std::byte>>(ranks)) {}
 };
 
-PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
-  PackedPieces packed(ranks);
+PackedPieces pack_pieces(const Mesh& mesh, std::span<const DataArray> arrays, std::size_t ranks) {
+  PackedPieces packed(ranks, arrays.size());
   const std::vector<int> rank_of_triangle = partition_by_curve(mesh, static_cast<int>(ranks));
   for (std::size_t r = 0; r < ranks; ++r) {
     SurfacePiece piece = piece_of(mesh, rank_of_triangle, static_cast<int>(r));
+    const std::vector<Index> rows(piece.vertex_ids.begin(), piece.vertex_ids.end());
+    for (std::size_t a = 0; a < arrays.size(); ++a) {
+      packed.arrays[a][r] = rows_of(arrays[a], rows).bytes;
+    }
     packed.ids[r] = std::move(piece.vertex_ids);
     for (const Vec3& p : piece.mesh.positions) packed.positions[r].push_back({p.x(), p.y(), p.z()});
     packed.triangles[r] = std::move(piece.mesh.triangles);
   }
   return packed;
+}
+
+/// Arrays of points by the names that were asked for.
+std::vector<DataArray> arrays_named(const DataArrays& arrays, const std::vector<std::string>& names,
+                                    const std::string& file) {
+  std::vector<DataArray> found;
+  for (const std::string& name : names) {
+    found.push_back(as_doubles(array_named({arrays.points, {}}, name, file), name));
+  }
+  return found;
 }
 
 /// Nothing for shapes that are made whole alone.
@@ -85,15 +106,19 @@ std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOpti
 }
 
 /// Rank 0 reads or makes the whole and sends the others their pieces.
-ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
-  PackedPieces packed(static_cast<std::size_t>(ranks.size()));
+ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options,
+                    const std::vector<std::string>& names, JobListener& listener) {
+  PackedPieces packed(static_cast<std::size_t>(ranks.size()), names.size());
+  std::vector<int> components(names.size());
   std::array<double, 3> origin{};
   std::size_t joined = 0;
   on_first_rank(ranks, [&] {
     const LoadedSurface loaded = load_whole(options, listener);
     joined = loaded.repair.vertices_joined;
     for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
-    packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
+    const std::vector<DataArray> arrays = arrays_named(loaded.arrays, names, options.mesh);
+    for (std::size_t a = 0; a < names.size(); ++a) components[a] = arrays[a].components;
+    packed = pack_pieces(loaded.mesh, arrays, static_cast<std::size_t>(ranks.size()));
   });
   ReadPiece result;
   result.piece.vertex_ids = ranks.swap_lists(packed.ids)[0];
@@ -105,19 +130,29 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, JobListe
   const auto [x, y, z] = ranks.all(origin)[0];
   result.piece.mesh.origin = {x, y, z};
   result.vertices_joined = ranks.all(joined)[0];
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    result.arrays.push_back({names[a], NumberType::float64, ranks.all(components[a])[0],
+                             ranks.swap_lists(packed.arrays[a])[0]});
+  }
   return result;
 }
 
 }  // namespace
 
-ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
+DataArray as_doubles(const DataArray& array, const std::string& name) {
+  return make_data_array(name, array.components, doubles_of(array.view()));
+}
+
+ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options,
+                     const std::vector<std::string>& arrays, JobListener& listener) {
   ReadPiece read;
   if (is_pvtp(options.mesh)) {
-    read = read_pvtp_pieces(ranks, options.mesh, listener);
+    read = read_pvtp_pieces(ranks, options.mesh, arrays, listener);
   } else if (auto made = make_piece(ranks, options)) {
+    arrays_named({}, arrays, options.mesh);  // shapes have none
     read = std::move(*made);
   } else {
-    read = cut_piece(ranks, options, listener);
+    read = cut_piece(ranks, options, arrays, listener);
   }
   if (options.subdivide > 0) {
     read.piece = subdivided_piece(ranks, std::move(read.piece), options.subdivide);

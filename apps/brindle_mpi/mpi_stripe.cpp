@@ -118,14 +118,14 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
     const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
     Stopwatch watch;
-    const ReadPiece read = read_piece(ranks, arguments.surface, display);
+    const ReadPiece read =
+        read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
     const double load_milliseconds = watch.lap();
     stage("neighbourhood and normals");
     const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
     const double topology_milliseconds = watch.lap();
     stage("direction field");
-    PieceWaves waves =
-        make_piece_waves(ranks, surface, read.piece.mesh.positions, arguments.waves, display);
+    PieceWaves waves = make_piece_waves(ranks, surface, read, arguments.waves, display);
     stage("stripes");
     DistributedStripeAnimator animator(surface, animator_options(arguments.solving));
     const WaveSet& w = waves.waves;

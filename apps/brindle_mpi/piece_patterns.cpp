@@ -82,7 +82,7 @@ void add_pattern_options(CLI::App& command, PatternArguments& arguments, const s
 
 void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,
                            Communicator& ranks) {
-  check_mpi_waves(command, arguments.waves, arguments.solving);
+  check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
   refuse_given(
       command, {"--slack"},
       "curves and samples over many processes have none; 'brindle curves' and 'sample' have");
@@ -103,14 +103,14 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
   PiecePatterns patterns;
   Stopwatch watch;
-  patterns.read = read_piece(ranks, arguments.surface, display);
+  patterns.read = read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
   patterns.load = watch.lap();
   stage("neighbourhood and normals");
   patterns.surface.emplace(patterns.read.piece, MPI_COMM_WORLD);
   patterns.topology = watch.lap();
   stage("direction field");
-  PieceWaves waves = make_piece_waves(ranks, *patterns.surface, patterns.read.piece.mesh.positions,
-                                      arguments.waves, display);
+  PieceWaves waves =
+      make_piece_waves(ranks, *patterns.surface, patterns.read, arguments.waves, display);
   patterns.figures = waves.figures;
   patterns.field = waves.milliseconds;
   const auto frequency_v = frequency_of_v(arguments, patterns.surface->diagonal());

@@ -1,11 +1,13 @@
 /// Waves of the pieces of a surface, before they have phases.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_stripes.h"
 #include "job_listener.h"
+#include "mesh_pieces.h"
 #include "solving_options.h"
 #include "wave_figures.h"
 #include "wave_options.h"
@@ -19,9 +21,12 @@ struct PieceWaves {
   double milliseconds = 0;
 };
 
+/// The names of the arrays of points that the options take waves from.
+std::vector<std::string> wanted_arrays(const WaveOptions& options);
+
 /// Collective. As the options ask for; notes what is wrong with them.
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                            std::vector<Vec3> positions, const WaveOptions& options,
+                            const ReadPiece& read, const WaveOptions& options,
                             JobListener& listener);
 
 DistributedOptions animator_options(const SolvingOptions& solving);

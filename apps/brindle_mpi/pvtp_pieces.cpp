@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "array_source.h"
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
@@ -89,6 +90,11 @@ std::vector<std::uint8_t> ghosts_of(std::span<const DataArray> cells, std::size_
   return ghosts;
 }
 
+[[noreturn]] void refuse_components(const std::string& path, const std::string& array) {
+  throw Error(path + ": array " + in_quotes(array) +
+              " has another number of components than in other pieces; export the pieces again");
+}
+
 /// The pieces of one rank, one behind the other.
 struct RankRows {
   std::vector<Eigen::Vector3d> exact;  ///< coordinates of all rows
@@ -99,12 +105,18 @@ struct RankRows {
   std::size_t ghosts = 0;
   std::optional<fs::path> with_ids, without_ids;  ///< one piece of each sort
   std::string left_out;
+  std::vector<DataArray> arrays;  ///< those asked for, a row per row; without pieces no components
 };
 
 /// Reads a rank's pieces.
 class PieceReader {
  public:
-  PieceReader(const fs::path& pvtp, JobListener& listener) : pvtp_(pvtp), listener_(listener) {}
+  PieceReader(const fs::path& pvtp, const std::vector<std::string>& arrays, JobListener& listener)
+      : pvtp_(pvtp), listener_(listener) {
+    for (const std::string& name : arrays) {
+      rows_.arrays.push_back({name, NumberType::float64, 0, {}});
+    }
+  }
 
   RankRows read(int rank, int ranks) {
     list_ = read_pvtp(pvtp_);
@@ -137,11 +149,21 @@ class PieceReader {
     rows_.piece.resize(rows_.exact.size(), static_cast<std::uint32_t>(p));
     rows_.in_ghost.resize(rows_.exact.size());
     add_ids(path, raw.arrays.points);
+    for (DataArray& array : rows_.arrays) {
+      append_rows(as_doubles(array_named({raw.arrays.points, {}}, array.name, path.string()), ""),
+                  path, array);
+    }
     add_triangles(raw, first);
     std::istringstream lines(raw.left_out);
     for (std::string line; std::getline(lines, line);) {
       rows_.left_out += path.string() + ": " + line + "\n";
     }
+  }
+
+  static void append_rows(const DataArray& more, const fs::path& path, DataArray& array) {
+    if (array.components == 0) array.components = more.components;
+    if (array.components != more.components) refuse_components(path.string(), array.name);
+    array.bytes.insert(array.bytes.end(), more.bytes.begin(), more.bytes.end());
   }
 
   void check_room(const fs::path& path, std::size_t more) const {
@@ -213,6 +235,17 @@ Eigen::Vector3d common_origin(Communicator& ranks, std::span<const Eigen::Vector
   return origin_near(box);
 }
 
+/// Those of ranks without pieces have no rows, and components as the others.
+void agree_on_components(Communicator& ranks, const std::string& path, RankRows& rows) {
+  for (DataArray& array : rows.arrays) {
+    const int most = ranks.greatest(array.components);
+    if (ranks.any(array.components != most && array.components != 0)) {
+      refuse_components(path, array.name);
+    }
+    array.components = std::max(1, most);
+  }
+}
+
 void refuse_torn(Communicator& ranks, const PieceReader& reader, const RankRows& rows,
                  const Mesh& mesh) {
   const BoundingBox box = bounding_box({mesh.positions, {}, {}});
@@ -230,8 +263,9 @@ void refuse_torn(Communicator& ranks, const PieceReader& reader, const RankRows&
 
 /// Lets triangles use the first of all rows with one id, and leaves rows that are a vertex of this
 /// rank: used, or alone and in no triangle at all.
+/// Numbers of these rows go to `kept`.
 SurfacePiece joined_piece(Mesh mesh, const std::vector<std::uint64_t>& ids,
-                          std::span<const std::uint8_t> in_ghost) {
+                          std::span<const std::uint8_t> in_ghost, std::vector<Index>& kept) {
   std::vector<Index> order(ids.size()), first(ids.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::ranges::sort(order,
@@ -253,6 +287,7 @@ SurfacePiece joined_piece(Mesh mesh, const std::vector<std::uint64_t>& ids,
   for (Index v = 0; v < ids.size(); ++v) {
     if (!wanted[v]) continue;
     number[v] = static_cast<Index>(piece.vertex_ids.size());
+    kept.push_back(v);
     piece.vertex_ids.push_back(ids[v]);
     piece.mesh.positions.push_back(mesh.positions[v]);
   }
@@ -314,14 +349,16 @@ std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path
   return files;
 }
 
-ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, JobListener& listener) {
-  PieceReader reader(path, listener);
+ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path,
+                           const std::vector<std::string>& arrays, JobListener& listener) {
+  PieceReader reader(path, arrays, listener);
   RankRows rows;
   ranks.together([&] {
     listener.stage("loading " + path);
     rows = reader.read(ranks.rank(), ranks.size());
   });
   const bool ids = have_ids(ranks, rows);
+  agree_on_components(ranks, path, rows);
   Mesh mesh;
   mesh.origin = common_origin(ranks, rows.exact);
   mesh.positions = positions_about(mesh.origin, std::exchange(rows.exact, {}));
@@ -334,7 +371,9 @@ ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, JobList
   ReadPiece result;
   MeshRepair repair;
   ranks.together([&] {
-    result.piece = joined_piece(std::move(mesh), rows.ids, rows.in_ghost);
+    std::vector<Index> kept;
+    result.piece = joined_piece(std::move(mesh), rows.ids, rows.in_ghost, kept);
+    result.arrays = rows_of(rows.arrays, kept);
     repair = repair_mesh(result.piece.mesh);
   });
   if (ranks.sum(result.piece.mesh.triangle_count()) == 0) {

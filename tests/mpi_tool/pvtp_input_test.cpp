@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <sstream>
@@ -5,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/shapes.h"
 #include "mpi_tool/mpi_tool.h"
 
 namespace brindle {
@@ -233,6 +235,76 @@ TEST_F(PvtpInput, DoesNotOverwriteItsPieces) {
   const auto result = on(2, {"other.pvtp", "--output", "in.pvtp"});
   EXPECT_EQ(result.exit_code, 2) << result.err;
   EXPECT_EQ(content(folder / "in_1.vtp"), before);
+}
+
+/// A sphere with vectors round the z axis, a tensor with that axis, and a frequency, in one file.
+void write_arrays(const std::filesystem::path& path) {
+  const Mesh mesh = make_shape("sphere,resolution=14");
+  std::vector<Vec3> vectors;
+  std::vector<double> tensors;
+  std::vector<float> frequencies;
+  for (const Vec3& p : mesh.positions) {
+    const Vec3 round(-p.y(), p.x(), 0);
+    vectors.push_back(3 * round);
+    const Eigen::Matrix3d tensor = (round * round.transpose()).cast<double>();
+    for (const auto& [row, column] : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 2),
+                                      std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)}) {
+      tensors.push_back(tensor(row, column));
+    }
+    frequencies.push_back(p.z() > 0.97f ? NAN : 6 + 2 * p.z());
+  }
+  const std::vector<DataArray> arrays = {make_data_array("round", vectors),
+                                         make_data_array("stress", 6, tensors),
+                                         make_data_array("density", 1, frequencies)};
+  write_mesh(path, mesh, arrays);
+}
+
+/// What 'brindle' and one rank make of a file's arrays is the same; several ranks have the same
+/// directions and frequencies, and so have pieces.
+TEST_F(PvtpInput, TakesWavesFromArraysOfPoints) {
+  write_arrays(folder / "arrays.vtp");
+  write_text(folder / "arrays.pvtp",
+             "<VTKFile type=\"PPolyData\"><PPolyData><Piece Source=\"arrays.vtp\"/></PPolyData>"
+             "</VTKFile>");
+  for (const std::string field : {"array:round", "array:points/stress"}) {
+    const test::Words options = {"--field",  field,     "--frequency", "array:density", "--output",
+                                 "out.pvtp", "--quiet", "--report",    "out.json"};
+    test::Words tool = {"100", BRINDLE_TOOL_ALONE, "stripe", "arrays.vtp"};
+    tool.insert(tool.end(), options.begin(), options.end());
+    tool[9] = "tool.vtp";
+    tool.back() = "tool.json";
+    ASSERT_EQ(test::run_tool(tool, folder).exit_code, 0);
+    const LoadedMesh expected = piece("tool.vtp");
+    for (const char* file : {"arrays.vtp", "arrays.pvtp"}) {
+      test::Words mine = {file};
+      mine.insert(mine.end(), options.begin(), options.end());
+      ASSERT_EQ(on(1, mine).exit_code, 0);
+      const LoadedMesh one = piece("out_0.vtp");
+      for (const char* name : {"phase", "direction", "frequency"}) {
+        EXPECT_EQ(array_of(one.arrays.points, name).bytes,
+                  array_of(expected.arrays.points, name).bytes)
+            << name << " of " << file;
+      }
+      const auto result = on(3, mine);
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      for (const char* key :
+           {"vertices", "vertices_without_wave", "frequency_min", "frequency_max"}) {
+        EXPECT_EQ(report("out.json")[key], report("tool.json")[key]) << key;
+      }
+    }
+  }
+}
+
+TEST_F(PvtpInput, RefusesArraysThatItCannotTake) {
+  write_arrays(folder / "arrays.vtp");
+  expect_failure(on(2, {"arrays.vtp", "--field", "array:rounds"}), 1, "did you mean 'round'");
+  expect_failure(on(2, {"arrays.vtp", "--field", "array:density"}), 1, "density");
+  expect_failure(on(2, {"arrays.vtp", "--field", "array:round", "--tensor", "major"}), 1,
+                 "--tensor");
+  expect_failure(on(2, {"arrays.vtp", "--field", "array:cells/round"}), 2, "those of points");
+  expect_failure(on(2, {"arrays.vtp", "--field", "array:round", "--subdivide", "1"}), 2,
+                 "not interpolated");
+  expect_failure(on(2, {"shape:torus", "--field", "array:round"}), 1, "no array 'round'");
 }
 
 }  // namespace
