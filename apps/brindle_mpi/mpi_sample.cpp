@@ -1,6 +1,6 @@
 #include "mpi_sample.h"
 
-#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <span>
@@ -10,7 +10,6 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/points/point_tree.h"
@@ -18,6 +17,7 @@
 #include "formatted.h"
 #include "option_values.h"
 #include "outputs.h"
+#include "piece_output.h"
 #include "piece_patterns.h"
 #include "report.h"
 #include "written_files.h"
@@ -32,15 +32,16 @@ constexpr const char* kMpiSampleExamples = R"(Examples:
 
 Each rank finds the samples in its own triangles, every one once; rank 0 leaves out those too near to
 others and writes one file by its extension: .csv .ply .vtp. Of several ranks each sample has the
-rank whose triangle it lies in, numbered as in that rank's piece.)";
+rank whose triangle it lies in, numbered as in that rank's piece. Of a .pvtp every rank writes its
+own samples.)";
 
 struct MpiSampleArguments : PatternArguments {
   float min_distance = kDoubleShare;
 };
 
-/// On rank 0: all that are left.
 struct GatheredSamples {
-  std::vector<Sample> samples;
+  std::vector<Sample> own;         ///< of this rank, those that are left
+  std::vector<Sample> samples;     ///< on rank 0: of all ranks
   std::vector<std::int32_t> rank;  ///< whose triangle a sample lies in
   std::size_t doubles = 0;         ///< left out, on all ranks
   std::optional<SampleSpacing> spacing;
@@ -55,6 +56,7 @@ GatheredSamples gather_samples(Communicator& ranks, const PiecePatterns& pattern
   if (PointTree::available()) gathered.doubles = drop_doubles(surface, own, arguments.min_distance);
   const std::vector<std::size_t> counts = ranks.all(own.size());
   gathered.samples = gathered_samples(surface, own);
+  gathered.own = std::move(own);
   if (ranks.rank() != 0) return gathered;
   for (std::size_t r = 0; r < counts.size(); ++r) {
     gathered.rank.insert(gathered.rank.end(), counts[r], static_cast<std::int32_t>(r));
@@ -66,6 +68,28 @@ DataArray frequencies(const char* name, std::span<const Sample> samples, float S
   std::vector<float> values;
   for (const Sample& sample : samples) values.push_back(1 / sample.*spacing);
   return make_data_array(name, 1, values);
+}
+
+std::vector<DataArray> frequency_arrays(std::span<const Sample> samples) {
+  return {frequencies("frequency_u", samples, &Sample::spacing_u),
+          frequencies("frequency_v", samples, &Sample::spacing_v)};
+}
+
+/// Collective.
+void write_sample_pieces(Communicator& ranks, const std::string& path, const Mesh& mesh,
+                         std::span<const Sample> own) {
+  // As `write_samples` has them.
+  DataArrays announced;
+  for (const char* name : {"normal", "direction_u", "direction_v", "barycentric"}) {
+    announced.points.push_back({name, NumberType::float32, 3, {}});
+  }
+  for (const char* name : {"spacing_u", "spacing_v", "frequency_u", "frequency_v"}) {
+    announced.points.push_back({name, NumberType::float32, 1, {}});
+  }
+  announced.points.push_back({"triangle", NumberType::uint32, 1, {}});
+  write_pieces(ranks, path, mesh.origin, announced, [&](const std::filesystem::path& piece) {
+    write_samples(piece, own, mesh.origin, frequency_arrays(own));
+  });
 }
 
 nlohmann::ordered_json to_json(const GatheredSamples& gathered, const PiecePatterns& patterns) {
@@ -96,10 +120,9 @@ void print(std::ostream& out, const GatheredSamples& gathered, const PiecePatter
 void tell(const CLI::App& command, const MpiSampleArguments& arguments,
           const GatheredSamples& gathered, const PiecePatterns& patterns,
           const nlohmann::ordered_json& report, int ranks) {
-  if (!arguments.output.empty()) {
+  if (!arguments.output.empty() && !writes_pieces(arguments)) {
     const std::vector<Sample>& samples = gathered.samples;
-    std::vector<DataArray> arrays = {frequencies("frequency_u", samples, &Sample::spacing_u),
-                                     frequencies("frequency_v", samples, &Sample::spacing_v)};
+    std::vector<DataArray> arrays = frequency_arrays(samples);
     if (ranks > 1) arrays.push_back(make_data_array("rank", 1, gathered.rank));
     write_samples(arguments.output, samples, patterns.read.piece.mesh.origin, arrays);
   }
@@ -113,10 +136,11 @@ void tell(const CLI::App& command, const MpiSampleArguments& arguments,
 }
 
 void check(const CLI::App& command, const MpiSampleArguments& arguments, Communicator& ranks) {
-  if (!arguments.output.empty() && !is_sample_format(arguments.output)) {
+  if (!arguments.output.empty() && !writes_pieces(arguments) &&
+      !is_sample_format(arguments.output)) {
     refuse_output(arguments.output,
-                  "samples over many processes are written as .csv, .ply or .vtp; 'brindle sample' "
-                  "draws");
+                  "samples over many processes are written as .csv, .ply or .vtp, or in pieces as "
+                  ".pvtp; 'brindle sample' draws");
   }
   if (!PointTree::available()) {
     refuse_given(command, {"--min-distance"},
@@ -142,6 +166,10 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
       if (PointTree::available()) gathered.spacing = measure_sample_spacing(gathered.samples);
     });
     extract = watch.lap();
+    if (writes_pieces(arguments)) {
+      ranks.together([&] { display.stage("writing"); });
+      write_sample_pieces(ranks, arguments.output, patterns.read.piece.mesh, gathered.own);
+    }
     if (ranks.rank() == 0 && gathered.samples.empty()) {
       display.note("no samples: nowhere do stripes of both patterns cross; ask for more stripes\n");
     }
@@ -154,7 +182,8 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
 }
 
 void add_mpi_sample_options(CLI::App& command, MpiSampleArguments& arguments) {
-  add_pattern_options(command, arguments, "the samples: .csv .ply .vtp", "FILE");
+  add_pattern_options(command, arguments, "the samples: .csv .ply .vtp, or in pieces as .pvtp",
+                      "FILE");
   add_parsed_option(command, "--min-distance", arguments.min_distance, parse_not_negative_number,
                     "leave out samples nearer to another, in spacings (default 0.25)")
       ->type_name("D");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/resident_memory.h"
+#include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
@@ -15,6 +16,7 @@
 #include "mpi_arguments.h"
 #include "option_values.h"
 #include "outputs.h"
+#include "piece_output.h"
 #include "pvtp_pieces.h"
 #include "report.h"
 #include "used_files.h"
@@ -80,6 +82,10 @@ void add_pattern_options(CLI::App& command, PatternArguments& arguments, const s
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
 
+bool writes_pieces(const PatternArguments& arguments) {
+  return lower_extension(arguments.output) == ".pvtp";
+}
+
 void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,
                            Communicator& ranks) {
   check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
@@ -88,11 +94,15 @@ void check_pattern_options(const CLI::App& command, const PatternArguments& argu
       "curves and samples over many processes have none; 'brindle curves' and 'sample' have");
   std::vector<UsedFile> outputs;
   if (!arguments.output.empty()) outputs.push_back({"--output", arguments.output});
+  for (int r = 0; writes_pieces(arguments) && r < ranks.size(); ++r) {
+    outputs.push_back({"--output", piece_path(arguments.output, r)});
+  }
   if (!arguments.report.empty()) {
     check_report("--report", arguments.report);
     outputs.push_back({"--report", arguments.report});
   }
   check_files(pattern_inputs(ranks, arguments.surface), outputs);
+  if (writes_pieces(arguments)) return check_pieces(ranks, arguments.output);
   ranks.together([&] {
     if (ranks.rank() == 0 && !arguments.output.empty()) check_output_path(arguments.output);
   });

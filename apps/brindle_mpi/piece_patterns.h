@@ -32,6 +32,9 @@ struct PatternArguments {
 void add_pattern_options(CLI::App& command, PatternArguments& arguments, const std::string& what,
                          const std::string& files);
 
+/// Whether --output is a .pvtp, of which every rank writes a piece.
+bool writes_pieces(const PatternArguments& arguments);
+
 /// Throws CLI::ValidationError for options without effect and for files that would get into each
 /// other's way, Error on all ranks if one could not be written.
 void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,

@@ -1,5 +1,11 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -91,6 +97,68 @@ TEST_F(MpiLines, SamplesOfManyRanksSayWhoseTheyAre) {
   for (const int count : seen) EXPECT_GT(count, 0);
 }
 
+/// A place where a curve crosses a border: the edge and the crossing, and where it is.
+using Border = std::tuple<std::int64_t, std::int64_t, std::int32_t>;
+
+/// In a .pvtp every rank has its own lines, whose ends at borders meet those of another one.
+TEST_F(MpiLines, CurvesInPiecesMeetAtBorders) {
+  const Words mine = with(with({"curves"}, kMesh), {"--lines", "both"});
+  const ToolResult result =
+      command_on(3, with(mine, {"--output", "cut.pvtp", "--report", "cut.json"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_EQ(command_on(3, with(mine, {"--report", "whole.json"})).exit_code, 0);
+  std::map<Border, std::vector<std::array<float, 3>>> met;
+  for (int r = 0; r < 3; ++r) {
+    const LoadedPoints piece = read_points(folder / ("cut_" + std::to_string(r) + ".vtp"));
+    const DataArray& edges = test::array_of(piece.arrays, "border_edge");
+    const DataArray& crossings = test::array_of(piece.arrays, "border_crossing");
+    for (std::size_t row = 0; row < edges.rows(); ++row) {
+      const auto [low, high] =
+          test::value<std::array<std::int64_t, 2>>({"", NumberType::uint8, 1, edges.bytes}, row);
+      EXPECT_EQ(low < 0, high <= low);
+      if (low < 0) continue;
+      const Vec3& p = piece.cloud.positions[row];
+      met[{low, high, test::value<std::int32_t>(crossings, row)}].push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  std::size_t crossings = 0;
+  for (const char* family : {"u", "v"}) {
+    const auto cut = report("cut.json")[family], whole = report("whole.json")[family];
+    crossings += cut["border_crossings"].get<std::size_t>();
+    EXPECT_GT(cut["curve_pieces"], whole["curves"]);
+    const double length = whole["length"];
+    EXPECT_NEAR(cut["length"].get<double>(), length, 1e-4 * length);
+  }
+  // U and V may cross one edge both.
+  std::size_t ends = 0;
+  for (const auto& [border, points] : met) {
+    ends += points.size();
+    EXPECT_EQ(points.size() % 2, 0u);
+    for (const auto& point : points) EXPECT_EQ(std::ranges::count(points, point) % 2, 0);
+  }
+  EXPECT_EQ(ends, 2 * crossings);
+  EXPECT_GT(crossings, 20u);
+}
+
+TEST_F(MpiLines, SamplesInPiecesAreThoseOfOneFile) {
+  const Words mine = with({"sample"}, kMesh);
+  ASSERT_EQ(command_on(3, with(mine, {"--output", "cut.pvtp"})).exit_code, 0);
+  ASSERT_EQ(command_on(3, with(mine, {"--output", "all.vtp"})).exit_code, 0);
+  const LoadedPoints all = read_points(folder / "all.vtp");
+  std::vector<Vec3> in_pieces;
+  for (int r = 0; r < 3; ++r) {
+    const std::string name = "cut_" + std::to_string(r) + ".vtp";
+    EXPECT_NE(content(folder / "cut.pvtp").find(name), std::string::npos);
+    const LoadedPoints piece = read_points(folder / name);
+    in_pieces.insert(in_pieces.end(), piece.cloud.positions.begin(), piece.cloud.positions.end());
+    for (const DataArray& array : piece.arrays) {
+      EXPECT_NE(content(folder / "cut.pvtp").find("Name=\"" + array.name + "\""), std::string::npos)
+          << array.name;
+    }
+  }
+  EXPECT_EQ(in_pieces, all.cloud.positions);
+}
+
 TEST_F(MpiLines, RefuseWhatHasNoEffect) {
   const auto refused = [&](const Words& arguments, const std::string& message) {
     expect_failure(command_on(2, arguments), 2, message);
@@ -98,6 +166,7 @@ TEST_F(MpiLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--output", "a.png"}, ".obj, .ply, .vtp or .csv");
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
   refused({"curves", "shape:torus", "--join"}, "--join");
+  refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
   refused({"curves", "shape:torus", "--slack", "0.1"}, "--slack");
   refused({"sample", "shape:torus", "--slack", "0.1"}, "--slack");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
