@@ -32,8 +32,10 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 4 brindle-mpi stripe shape:torus,resolution=512 --output torus.pvtp
   mpirun -n 2 brindle-mpi stripe horse.ply --direction 0.31,0.9,0.27 --report horse.json
   mpirun -n 8 brindle-mpi stripe scan.ply --field curvature --stripes 400 --frames 20
+  mpirun -n 3 brindle-mpi stripe pieces.pvtp --field array:velocity --output stripes.pvtp
 
-Rank 0 reads the mesh and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
+Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula; of other meshes
+rank 0 reads the whole and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
 phase (radians; not a number where there is no wave, and valid is 0), its sine, direction, frequency
 and global_id (the number in the whole mesh) at every vertex, and branch and corner_phase of every
 triangle; FILE.pvtp names them. Where one rank fails, all end with 1 and one message.)";

@@ -53,27 +53,34 @@ TEST_F(MpiTool, WritesPiecesThatFitTogether) {
   EXPECT_GT(shared, 0u);
 }
 
+/// A mesh that rank 0 reads whole, shapes in parts, and triangles that are split.
 TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
-  const Words options = {
-      "shape:vessels,resolution=40", "--field", "curvature", "--along", "--stripes", "25"};
-  Words mine = options, tools = options;
-  mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
-  ASSERT_EQ(on(1, mine).exit_code, 0);
-  tools.insert(tools.begin(), {"100", BRINDLE_TOOL_ALONE, "stripe"});
-  tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
-  ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
-  const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
-  for (const char* name : {"phase", "direction", "frequency"}) {
-    EXPECT_EQ(array_of(one.arrays.points, name).bytes, array_of(other.arrays.points, name).bytes)
-        << name;
-  }
-  EXPECT_EQ(array_of(one.arrays.cells, "corner_phase").bytes,
-            array_of(other.arrays.cells, "corner_phase").bytes);
-  const auto mpi = nlohmann::json::parse(content(folder / "mpi.json"));
-  const auto tool = nlohmann::json::parse(content(folder / "tool.json"));
-  for (const auto& [key, value] : tool.items()) {
-    if (key == "milliseconds" || key == "options") continue;
-    EXPECT_EQ(mpi[key], value) << key;
+  const Words meshes[] = {{"shape:vessels,resolution=40"},
+                          {"shape:torus,resolution=40", "--subdivide", "1"},
+                          {"shape:sphere,resolution=12"},
+                          {"shape:box,resolution=8", "--subdivide", "2"}};
+  for (const Words& mesh : meshes) {
+    Words mine = mesh;
+    mine.insert(mine.end(), {"--field", "curvature", "--along", "--stripes", "25"});
+    Words tools = mine;
+    mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
+    ASSERT_EQ(on(1, mine).exit_code, 0);
+    tools.insert(tools.begin(), {"100", BRINDLE_TOOL_ALONE, "stripe"});
+    tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+    ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
+    const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
+    for (const char* name : {"phase", "direction", "frequency"}) {
+      EXPECT_EQ(array_of(one.arrays.points, name).bytes, array_of(other.arrays.points, name).bytes)
+          << name;
+    }
+    EXPECT_EQ(array_of(one.arrays.cells, "corner_phase").bytes,
+              array_of(other.arrays.cells, "corner_phase").bytes);
+    const auto mpi = nlohmann::json::parse(content(folder / "mpi.json"));
+    const auto tool = nlohmann::json::parse(content(folder / "tool.json"));
+    for (const auto& [key, value] : tool.items()) {
+      if (key == "milliseconds" || key == "options") continue;
+      EXPECT_EQ(mpi[key], value) << key;
+    }
   }
 }
 

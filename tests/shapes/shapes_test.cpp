@@ -275,6 +275,7 @@ TEST(Shapes, HaveNoPartsWhereTheyAreMadeWholeAlone) {
   }
   EXPECT_THROW(make_shape_part("torus", 2, 2), Error);
   EXPECT_THROW(make_shape_part("torus", -1, 2), Error);
+  EXPECT_THROW(make_shape_part("torus", 0, 0), Error);
   EXPECT_THROW(make_shape_part("tours", 0, 2), Error);
 }
 

@@ -419,7 +419,8 @@ Mesh make_shape(std::string_view spec) {
 }
 
 std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts) {
-  if (parts < 1 || part < 0 || part >= parts) {
+  if (parts < 1) throw Error("a shape has one part or more, not " + std::to_string(parts));
+  if (part < 0 || part >= parts) {
     throw Error("shape parts are numbered from 0 to " + std::to_string(parts - 1) +
                 "; there is no part " + std::to_string(part));
   }
