@@ -268,6 +268,28 @@ TEST(DistributedSamples, AreThoseOfTheWholeEachOnOneRank) {
   }
 }
 
+/// Pieces that have all other triangles as ghosts, as visualisation programs give some.
+TEST(DistributedSamples, AndCurvesMindNoGhosts) {
+  const Solved u(wavy_surface("sheets,resolution=16", kAxis, 20)), v = turned_by_90(u);
+  const std::vector<int> ranks = partition_by_curve(u.whole.mesh, rank_count());
+  SurfacePiece piece;
+  piece.mesh = u.whole.mesh;
+  for (std::size_t n = 0; n < u.z.size(); ++n) piece.vertex_ids.push_back(n);
+  for (const int r : ranks) piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
+  const DistributedSurface surface(piece, MPI_COMM_WORLD);
+  const PiecePattern pattern_u{surface, u.whole.waves, u.z}, pattern_v{surface, v.whole.waves, v.z};
+  const StripeCurves joined = joined_curves(surface, piece_curves(pattern_u));
+  const std::vector<Sample> own = wave_samples(pattern_u, pattern_v);
+  for (const Sample& sample : own) EXPECT_EQ(ranks[sample.triangle], rank());
+  const std::vector<Sample> all = gathered_samples(surface, own);
+  if (rank() != 0) return;
+  expect_same_curves(joined, stripe_curves(LiftedWaves(u.pattern())));
+  const LiftedWaves lifted_u(u.pattern()), lifted_v(v.pattern());
+  EXPECT_EQ(compared(all),
+            compared(wave_samples(u.whole.mesh, u.whole.normals, sampled_waves(lifted_u),
+                                  sampled_waves(lifted_v))));
+}
+
 TEST(DistributedSamples, DropDoublesAsOneProcessDoes) {
   const Solved u(wavy_surface("molecule,resolution=25", kAxis, 40)), v = turned_by_90(u);
   const SolvedPiece piece(u, partition_by_curve(u.whole.mesh, rank_count()));

@@ -57,10 +57,8 @@ std::vector<std::vector<std::uint64_t>> totals(const std::vector<std::vector<Cou
   for (std::size_t r = 0; r < asked.size(); ++r) {
     for (const CountedEdge& edge : asked[r]) {
       std::uint64_t total = 0;
-      for (const CountedEdge& one :
-           std::ranges::equal_range(known, edge.ends(), {}, &CountedEdge::ends)) {
-        total += one.triangles;
-      }
+      auto one = std::ranges::lower_bound(known, edge.ends(), {}, &CountedEdge::ends);
+      for (; one != known.end() && one->ends() == edge.ends(); ++one) total += one->triangles;
       answers[r].push_back(total);
     }
   }

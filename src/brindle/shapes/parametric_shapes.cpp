@@ -518,7 +518,8 @@ StripShape sheets_strips(const SheetsShape& shape) {
       [=](std::size_t block, double at) {
         const double height = (at - 0.5) * shape.height;
         if (block == 0) return point(0, 0, height);
-        const double angle = 2 * kPi * static_cast<double>((block - 1) / rows) / shape.count;
+        const std::size_t sheet = (block - 1) / rows;
+        const double angle = 2 * kPi * static_cast<double>(sheet) / shape.count;
         const double distance =
             shape.width * static_cast<double>(number_of(block)) / static_cast<double>(rows);
         return point(distance * std::cos(angle), distance * std::sin(angle), height);
