@@ -19,7 +19,7 @@ using test::MpiTool;
 using test::ToolResult;
 using test::Words;
 
-struct MpiLines : MpiTool {
+struct MpiToolLines : MpiTool {
   nlohmann::json report(const std::string& name) const {
     return nlohmann::json::parse(content(folder / name));
   }
@@ -40,7 +40,7 @@ Words with(const Words& front, const Words& back) {
   return all;
 }
 
-TEST_F(MpiLines, CurvesOfOneRankAreThoseOfTheTool) {
+TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines", "both", "--stripes-v", "12", "--min-length", "10%"};
   const Words mine = with(with({"curves"}, kMesh), options);
   ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
@@ -53,7 +53,7 @@ TEST_F(MpiLines, CurvesOfOneRankAreThoseOfTheTool) {
   }
 }
 
-TEST_F(MpiLines, SamplesOfOneRankAreThoseOfTheTool) {
+TEST_F(MpiToolLines, SamplesOfOneRankAreThoseOfTheTool) {
   const Words mine = with(with({"sample"}, kMesh), {"--stripes-v", "40", "--min-distance", "0.4"});
   ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.csv", "--report", "mpi.json"})).exit_code,
             0);
@@ -66,7 +66,7 @@ TEST_F(MpiLines, SamplesOfOneRankAreThoseOfTheTool) {
 }
 
 /// Stripes across the torus, all of them rings without an end, are whole on any number of ranks.
-TEST_F(MpiLines, RingsAreWholeOnManyRanks) {
+TEST_F(MpiToolLines, RingsAreWholeOnManyRanks) {
   for (const int ranks : {2, 3, 8}) {
     const ToolResult result =
         command_on(ranks, {"curves", "shape:torus,resolution=60", "--field", "curvature",
@@ -83,7 +83,7 @@ TEST_F(MpiLines, RingsAreWholeOnManyRanks) {
   }
 }
 
-TEST_F(MpiLines, SamplesOfManyRanksSayWhoseTheyAre) {
+TEST_F(MpiToolLines, SamplesOfManyRanksSayWhoseTheyAre) {
   const ToolResult result = command_on(3, {"sample", "shape:torus,resolution=60", "--stripes", "20",
                                            "--output", "many.vtp", "--report", "many.json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -101,7 +101,7 @@ TEST_F(MpiLines, SamplesOfManyRanksSayWhoseTheyAre) {
 using Border = std::tuple<std::int64_t, std::int64_t, std::int32_t>;
 
 /// In a .pvtp every rank has its own lines, whose ends at borders meet those of another one.
-TEST_F(MpiLines, CurvesInPiecesMeetAtBorders) {
+TEST_F(MpiToolLines, CurvesInPiecesMeetAtBorders) {
   const Words mine = with(with({"curves"}, kMesh), {"--lines", "both"});
   const ToolResult result =
       command_on(3, with(mine, {"--output", "cut.pvtp", "--report", "cut.json"}));
@@ -140,7 +140,7 @@ TEST_F(MpiLines, CurvesInPiecesMeetAtBorders) {
   EXPECT_GT(crossings, 20u);
 }
 
-TEST_F(MpiLines, SamplesInPiecesAreThoseOfOneFile) {
+TEST_F(MpiToolLines, SamplesInPiecesAreThoseOfOneFile) {
   const Words mine = with({"sample"}, kMesh);
   ASSERT_EQ(command_on(3, with(mine, {"--output", "cut.pvtp"})).exit_code, 0);
   ASSERT_EQ(command_on(3, with(mine, {"--output", "all.vtp"})).exit_code, 0);
@@ -159,7 +159,7 @@ TEST_F(MpiLines, SamplesInPiecesAreThoseOfOneFile) {
   EXPECT_EQ(in_pieces, all.cloud.positions);
 }
 
-TEST_F(MpiLines, RefuseWhatHasNoEffect) {
+TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   const auto refused = [&](const Words& arguments, const std::string& message) {
     expect_failure(command_on(2, arguments), 2, message);
   };
@@ -176,7 +176,7 @@ TEST_F(MpiLines, RefuseWhatHasNoEffect) {
   EXPECT_TRUE(listing().empty());
 }
 
-TEST_F(MpiLines, EndOnAllRanksWhereTheFileCannotBeWritten) {
+TEST_F(MpiToolLines, EndOnAllRanksWhereTheFileCannotBeWritten) {
   expect_failure(command_on(2, {"curves", "shape:torus", "--output", "none/a.vtp"}), 1, "none");
   expect_failure(command_on(2, {"sample", "shape:torus", "--output", "none/a.vtp"}), 1, "none");
 }

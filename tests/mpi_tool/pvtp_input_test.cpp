@@ -17,7 +17,7 @@ using test::content;
 using test::MpiTool;
 using test::write_text;
 
-struct PvtpInput : MpiTool {
+struct MpiToolPvtp : MpiTool {
   nlohmann::json report(const std::string& name) const {
     return nlohmann::json::parse(content(folder / name));
   }
@@ -42,7 +42,7 @@ struct PvtpInput : MpiTool {
 };
 
 /// Pieces lie on the same ranks as before: so their phases have the same bits.
-TEST_F(PvtpInput, ReadsThePiecesThatItWrites) {
+TEST_F(MpiToolPvtp, ReadsThePiecesThatItWrites) {
   write_pieces_of("shape:sheets,resolution=30", 3);
   for (const int ranks : {1, 2, 3, 5}) {
     const auto result = on(ranks, {"in.pvtp", "--direction", "0.3,0.9,0.2", "--stripes", "20",
@@ -67,7 +67,7 @@ TEST_F(PvtpInput, ReadsThePiecesThatItWrites) {
   }
 }
 
-TEST_F(PvtpInput, SubdividesPiecesAsTheWhole) {
+TEST_F(MpiToolPvtp, SubdividesPiecesAsTheWhole) {
   write_pieces_of("shape:mobius,resolution=8", 3);
   ASSERT_EQ(on(2, {"in.pvtp", "--subdivide", "2", "--report", "out.json"}).exit_code, 0);
   ASSERT_EQ(
@@ -139,7 +139,7 @@ std::string pvtp_text(const std::vector<std::string>& pieces, const std::string&
   return text + "</PPolyData>\n</VTKFile>\n";
 }
 
-struct LatticeInput : PvtpInput {
+struct MpiToolLattice : MpiToolPvtp {
   /// Three pieces and an empty one.
   void write_lattice(const std::function<void(LatticePiece&)>& change = {}) const {
     std::filesystem::create_directories(folder / "in");
@@ -169,7 +169,7 @@ struct LatticeInput : PvtpInput {
   }
 };
 
-TEST_F(LatticeInput, OfVtkWithGhostsIsTheWholeOnce) {
+TEST_F(MpiToolLattice, OfVtkWithGhostsIsTheWholeOnce) {
   write_lattice();
   expect_whole_lattice();
   write_lattice([](LatticePiece& piece) { piece.id_name = "numbers_of_mine"; });
@@ -179,7 +179,7 @@ TEST_F(LatticeInput, OfVtkWithGhostsIsTheWholeOnce) {
   expect_whole_lattice();
 }
 
-TEST_F(LatticeInput, WithoutIdsJoinsWhatStandsAtOnePlace) {
+TEST_F(MpiToolLattice, WithoutIdsJoinsWhatStandsAtOnePlace) {
   for (const double offset : {0.0, 123456.7}) {
     write_lattice([&](LatticePiece& piece) { piece.ids = false, piece.offset = offset; });
     expect_whole_lattice();
@@ -188,7 +188,7 @@ TEST_F(LatticeInput, WithoutIdsJoinsWhatStandsAtOnePlace) {
   EXPECT_NE(result.err.find("exactly the same place"), std::string::npos) << result.err;
 }
 
-TEST_F(LatticeInput, RefusesNumbersThatAreNotThoseOfTheWhole) {
+TEST_F(MpiToolLattice, RefusesNumbersThatAreNotThoseOfTheWhole) {
   write_lattice([](LatticePiece& piece) { piece.id_shift = piece.first > 4 ? -20 : 0; });
   expect_refused("stands elsewhere than that of ");
   write_lattice([](LatticePiece& piece) { piece.id_shift = -1; });
@@ -197,7 +197,7 @@ TEST_F(LatticeInput, RefusesNumbersThatAreNotThoseOfTheWhole) {
   expect_refused("in_1.vtp: has no global ids");
 }
 
-TEST_F(LatticeInput, RefusesPiecesThatCannotBeRead) {
+TEST_F(MpiToolLattice, RefusesPiecesThatCannotBeRead) {
   write_lattice();
   std::filesystem::remove(folder / "in" / "in_2.vtp");
   expect_refused("in_2.vtp");
@@ -214,7 +214,7 @@ TEST_F(LatticeInput, RefusesPiecesThatCannotBeRead) {
   expect_refused("no usable triangle");
 }
 
-TEST_F(LatticeInput, RefusesWhatIsNoListOfPieces) {
+TEST_F(MpiToolLattice, RefusesWhatIsNoListOfPieces) {
   expect_refused("in.pvtp: there is no such file");
   write_text(folder / "in.pvtp", "ply\nformat ascii 1.0\n");
   expect_refused("in.pvtp: is no XML");
@@ -227,7 +227,7 @@ TEST_F(LatticeInput, RefusesWhatIsNoListOfPieces) {
   expect_refused("PUnstructuredGrid");
 }
 
-TEST_F(PvtpInput, DoesNotOverwriteItsPieces) {
+TEST_F(MpiToolPvtp, DoesNotOverwriteItsPieces) {
   write_pieces_of("shape:torus,resolution=30", 2);
   const std::string before = content(folder / "in_1.vtp");
   std::string list = content(folder / "in.pvtp");
@@ -261,7 +261,7 @@ void write_arrays(const std::filesystem::path& path) {
 
 /// What 'brindle' and one rank make of a file's arrays is the same; several ranks have the same
 /// directions and frequencies, and so have pieces.
-TEST_F(PvtpInput, TakesWavesFromArraysOfPoints) {
+TEST_F(MpiToolPvtp, TakesWavesFromArraysOfPoints) {
   write_arrays(folder / "arrays.vtp");
   write_text(folder / "arrays.pvtp",
              "<VTKFile type=\"PPolyData\"><PPolyData><Piece Source=\"arrays.vtp\"/></PPolyData>"
@@ -295,7 +295,7 @@ TEST_F(PvtpInput, TakesWavesFromArraysOfPoints) {
   }
 }
 
-TEST_F(PvtpInput, RefusesArraysThatItCannotTake) {
+TEST_F(MpiToolPvtp, RefusesArraysThatItCannotTake) {
   write_arrays(folder / "arrays.vtp");
   expect_failure(on(2, {"arrays.vtp", "--field", "array:rounds"}), 1, "did you mean 'round'");
   expect_failure(on(2, {"arrays.vtp", "--field", "array:density"}), 1, "density");

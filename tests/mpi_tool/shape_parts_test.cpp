@@ -11,7 +11,7 @@ using test::content;
 using test::MpiTool;
 using test::Words;
 
-struct ShapeParts : MpiTool {
+struct MpiToolShapes : MpiTool {
   nlohmann::json report_of(int ranks, Words arguments) const {
     arguments.insert(arguments.end(), {"--direction", "0.3,0.9,0.2", "--threads", "1", "--quiet",
                                        "--report", "out.json"});
@@ -22,7 +22,7 @@ struct ShapeParts : MpiTool {
 };
 
 /// On eight ranks none needs nearly as much as one that has all.
-TEST_F(ShapeParts, NoRankHoldsTheWhole) {
+TEST_F(MpiToolShapes, NoRankHoldsTheWhole) {
   for (const Words& mesh : {Words{"shape:torus,resolution=512"},
                             Words{"shape:torus,resolution=128", "--subdivide", "2"},
                             Words{"shape:trefoil,resolution=45", "--subdivide", "2"}}) {
@@ -37,7 +37,7 @@ TEST_F(ShapeParts, NoRankHoldsTheWhole) {
 }
 
 /// Strips of one shape have borders as long as its rows: ranks have two each.
-TEST_F(ShapeParts, HaveBordersOfTheirRows) {
+TEST_F(MpiToolShapes, HaveBordersOfTheirRows) {
   for (const int ranks : {2, 4, 7}) {
     const auto report = report_of(ranks, {"shape:torus,resolution=200"});
     EXPECT_EQ(report["ranks"]["count"], ranks);
