@@ -19,7 +19,7 @@ constexpr std::string_view kShapePrefix = "shape:";
 
 Mesh make_named_shape(const SurfaceOptions& options) {
   try {
-    return make_shape(std::string_view(options.mesh).substr(kShapePrefix.size()));
+    return make_shape(shape_spec(options));
   } catch (const Error& error) {
     throw CLI::ValidationError("MESH", error.what());
   }
@@ -98,6 +98,10 @@ LoadedPoints load_points(const SurfaceOptions& options) {
 
 bool is_shape(const SurfaceOptions& options) {
   return std::string_view(options.mesh).starts_with(kShapePrefix);
+}
+
+std::string_view shape_spec(const SurfaceOptions& options) {
+  return std::string_view(options.mesh).substr(kShapePrefix.size());
 }
 
 LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress) {

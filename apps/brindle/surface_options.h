@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -44,6 +45,9 @@ LoadedPoints load_points(const SurfaceOptions& options);
 
 /// Whether the mesh is a built-in shape.
 bool is_shape(const SurfaceOptions& options);
+
+/// What follows "shape:".
+std::string_view shape_spec(const SurfaceOptions& options);
 
 /// A mesh that commands work on.
 struct LoadedSurface : LoadedMesh {

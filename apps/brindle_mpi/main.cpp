@@ -1,14 +1,18 @@
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "brindle/version.h"
+#include "mpi_curves.h"
+#include "mpi_sample.h"
 #include "mpi_stripe.h"
 
 namespace brindle::tool {
@@ -59,24 +63,32 @@ ExitCode run(const Command& command) {
   }
 }
 
+/// "stripe " once that was asked for.
+std::string help_of(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? "" : commands.front()->get_name() + " ";
+}
+
 ExitCode parse_and_run(int argc, char** argv) {
   Communicator ranks(MPI_COMM_WORLD);
   CLI::App app{"Lays stripe patterns over surfaces that many processes hold together (MPI).",
                "brindle-mpi"};
   app.set_version_flag("--version", "brindle-mpi " BRINDLE_VERSION, "Print the version and exit");
   app.require_subcommand(1);
-  const Command command = add_mpi_stripe_command(app, ranks);
+  const std::vector<Command> commands = {add_mpi_stripe_command(app, ranks),
+                                         add_mpi_curves_command(app, ranks),
+                                         add_mpi_sample_command(app, ranks)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     if (ranks.rank() == 0) app.exit(success);
     return kDone;
   } catch (const CLI::ParseError& error) {
-    return fail(
-        kWrongUsage,
-        error.what() + std::string("\nbrindle-mpi: 'brindle-mpi stripe --help' tells more"));
+    return fail(kWrongUsage, error.what() + std::string("\nbrindle-mpi: 'brindle-mpi ") +
+                                 help_of(app) + "--help' tells more");
   }
-  return run(command);
+  return run(*std::ranges::find_if(commands,
+                                   [](const Command& command) { return command.app->parsed(); }));
 }
 
 }  // namespace

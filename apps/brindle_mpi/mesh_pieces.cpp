@@ -1,12 +1,18 @@
 #include "mesh_pieces.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "array_source.h"
+#include "brindle/base/array_numbers.h"
 #include "brindle/distributed/partition.h"
+#include "brindle/distributed/subdivided_piece.h"
 #include "brindle/error.h"
+#include "brindle/shapes.h"
+#include "pvtp_pieces.h"
 
 namespace brindle::tool {
 namespace {
@@ -15,7 +21,9 @@ namespace {
 LoadedSurface load_whole(const SurfaceOptions& options, JobListener& listener) {
   refuse_points(options, "stripe");
   listener.stage("loading " + options.mesh);
-  LoadedSurface loaded = load_mesh(options, listener.progress());
+  SurfaceOptions coarse = options;
+  coarse.subdivide = 0;  // what ranks do with their pieces
+  LoadedSurface loaded = load_mesh(coarse, listener.progress());
   listener.note(describe(loaded));
   return loaded;
 }
@@ -50,15 +58,24 @@ struct PackedPieces {
   std::vector<std::vector<std::uint64_t>> ids;
   std::vector<std::vector<Position>> positions;
   std::vector<std::vector<Triangle>> triangles;
+  std::vector<std::vector<std::vector<std::byte>>> arrays;  ///< of every array
 
-  explicit PackedPieces(std::size_t ranks) : ids(ranks), positions(ranks), triangles(ranks) {}
+  PackedPieces(std::size_t ranks, std::size_t array_count)
+      : ids(ranks),
+        positions(ranks),
+        triangles(ranks),
+        arrays(array_count, std::vector<std::vector<std::byte>>(ranks)) {}
 };
 
-PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
-  PackedPieces packed(ranks);
+PackedPieces pack_pieces(const Mesh& mesh, std::span<const DataArray> arrays, std::size_t ranks) {
+  PackedPieces packed(ranks, arrays.size());
   const std::vector<int> rank_of_triangle = partition_by_curve(mesh, static_cast<int>(ranks));
   for (std::size_t r = 0; r < ranks; ++r) {
     SurfacePiece piece = piece_of(mesh, rank_of_triangle, static_cast<int>(r));
+    const std::vector<Index> rows(piece.vertex_ids.begin(), piece.vertex_ids.end());
+    for (std::size_t a = 0; a < arrays.size(); ++a) {
+      packed.arrays[a][r] = rows_of(arrays[a], rows).bytes;
+    }
     packed.ids[r] = std::move(piece.vertex_ids);
     for (const Vec3& p : piece.mesh.positions) packed.positions[r].push_back({p.x(), p.y(), p.z()});
     packed.triangles[r] = std::move(piece.mesh.triangles);
@@ -66,10 +83,33 @@ PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
   return packed;
 }
 
-}  // namespace
+/// Arrays of points by the names that were asked for.
+std::vector<DataArray> arrays_named(const DataArrays& arrays, const std::vector<std::string>& names,
+                                    const std::string& file) {
+  std::vector<DataArray> found;
+  for (const std::string& name : names) {
+    found.push_back(as_doubles(array_named({arrays.points, {}}, name, file), name));
+  }
+  return found;
+}
 
-ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobListener& listener) {
-  PackedPieces packed(static_cast<std::size_t>(ranks.size()));
+/// Nothing for shapes that are made whole alone.
+std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOptions& options) {
+  if (!is_shape(options)) return std::nullopt;
+  try {
+    auto part = make_shape_part(shape_spec(options), ranks.rank(), ranks.size());
+    if (!part) return std::nullopt;
+    return ReadPiece{{std::move(part->mesh), std::move(part->vertex_ids), {}}, 0};
+  } catch (const Error& error) {
+    throw CLI::ValidationError("MESH", error.what());
+  }
+}
+
+/// Rank 0 reads or makes the whole and sends the others their pieces.
+ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options,
+                    const std::vector<std::string>& names, JobListener& listener) {
+  PackedPieces packed(static_cast<std::size_t>(ranks.size()), names.size());
+  std::vector<int> components(names.size());
   std::array<double, 3> origin{};
   std::size_t joined = 0;
   std::vector<Index> vertex_of_row;
@@ -78,7 +118,9 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobList
     joined = loaded.repair.vertices_joined;
     if (options.subdivide == 0) vertex_of_row = loaded.vertex_of_row;
     for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
-    packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
+    const std::vector<DataArray> arrays = arrays_named(loaded.arrays, names, options.mesh);
+    for (std::size_t a = 0; a < names.size(); ++a) components[a] = arrays[a].components;
+    packed = pack_pieces(loaded.mesh, arrays, static_cast<std::size_t>(ranks.size()));
   });
   ReadPiece result;
   result.piece.vertex_ids = ranks.swap_lists(packed.ids)[0];
@@ -91,7 +133,34 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, JobList
   result.piece.mesh.origin = {x, y, z};
   result.vertices_joined = ranks.all(joined)[0];
   result.vertex_of_row = std::move(vertex_of_row);
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    result.arrays.push_back({names[a], NumberType::float64, ranks.all(components[a])[0],
+                             ranks.swap_lists(packed.arrays[a])[0]});
+  }
   return result;
+}
+
+}  // namespace
+
+DataArray as_doubles(const DataArray& array, const std::string& name) {
+  return make_data_array(name, array.components, doubles_of(array.view()));
+}
+
+ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options,
+                     const std::vector<std::string>& arrays, JobListener& listener) {
+  ReadPiece read;
+  if (is_pvtp(options.mesh)) {
+    read = read_pvtp_pieces(ranks, options.mesh, arrays, listener);
+  } else if (auto made = make_piece(ranks, options)) {
+    arrays_named({}, arrays, options.mesh);  // shapes have none
+    read = std::move(*made);
+  } else {
+    read = cut_piece(ranks, options, arrays, listener);
+  }
+  if (options.subdivide > 0) {
+    read.piece = subdivided_piece(ranks, std::move(read.piece), options.subdivide);
+  }
+  return read;
 }
 
 }  // namespace brindle::tool

@@ -2,6 +2,7 @@
 
 #include "brindle/base/file_extension.h"
 #include "command_line.h"
+#include "piece_waves.h"
 
 namespace brindle::tool {
 
@@ -26,11 +27,27 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
 namespace {
 
 void check_field(const WaveOptions& waves) {
-  if (!is_field_file(waves) && !is_array(waves.field)) return;
+  if (!is_field_file(waves)) return;
   throw CLI::ValidationError(
       "--field", "'" + waves.field +
-                     "': over many processes fields are smooth, curvature, raw-curvature or a "
-                     "--direction; 'brindle stripe' takes files and arrays");
+                     "': over many processes fields are smooth, curvature, raw-curvature, an array "
+                     "of points or a --direction; 'brindle stripe' takes files");
+}
+
+void check_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
+  for (const std::string& name : wanted_arrays(waves)) {
+    if (name.starts_with("cells/")) {
+      throw CLI::ValidationError(waves.arrays.frequency == name ? "--frequency" : "--field",
+                                 "'" + name +
+                                     "': over many processes arrays are those of points; 'brindle "
+                                     "stripe' takes those of cells");
+    }
+    if (surface.subdivide > 0) {
+      throw CLI::ValidationError("--subdivide",
+                                 "over many processes the array '" + name +
+                                     "' is not interpolated; 'brindle stripe' does so");
+    }
+  }
 }
 
 void check_extension(const std::string& option, const std::string& path, const char* extension) {
@@ -40,20 +57,22 @@ void check_extension(const std::string& option, const std::string& path, const c
 
 }  // namespace
 
-void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
-  check_field_options(command, arguments.waves);
-  check_field(arguments.waves);
-  check_solving_options(command, arguments.solving);
+void check_mpi_waves(const CLI::App& command, const SurfaceOptions& surface,
+                     const WaveOptions& waves, const SolvingOptions& solving) {
+  check_field_options(command, waves);
+  check_field(waves);
+  check_arrays(surface, waves);
+  check_solving_options(command, solving);
   refuse_given(command, {"--feature-radius", "--strokes", "--frequency-by", "--field-mesh"},
                "it needs the whole surface in one process; 'brindle stripe' has it");
-  if (!arguments.waves.arrays.frequency.empty()) {
-    throw CLI::ValidationError("--frequency",
-                               "arrays need the whole surface in one process; give a number");
-  }
-  if (arguments.solving.stripes.phase_shift == PhaseShiftKind::common_source) {
+  if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {
     throw CLI::ValidationError("--phase-shift",
                                "common_source is for one process; take aligned or trapezoid");
   }
+}
+
+void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
+  check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
   check_extension("--output", arguments.output, ".pvtp");
   check_extension("--report", arguments.report, ".json");
 }

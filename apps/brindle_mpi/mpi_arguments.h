@@ -24,6 +24,11 @@ struct MpiArguments {
 
 void add_mpi_options(CLI::App& command, MpiArguments& arguments);
 
+/// Throws CLI::ValidationError for options of waves and solving without effect, and for those that
+/// need the whole surface in one process.
+void check_mpi_waves(const CLI::App& command, const SurfaceOptions& surface,
+                     const WaveOptions& waves, const SolvingOptions& solving);
+
 /// Throws CLI::ValidationError for options without effect, and for those that need the whole
 /// surface in one process.
 void check_mpi_options(const CLI::App& command, const MpiArguments& arguments);

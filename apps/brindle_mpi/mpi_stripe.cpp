@@ -2,7 +2,6 @@
 
 #include <iostream>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,8 +9,6 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/rank_surface.h"
-#include "brindle/distributed/selection.h"
 #include "brindle/distributed_stripes.h"
 #include "command_line.h"
 #include "mesh_pieces.h"
@@ -21,7 +18,9 @@
 #include "pattern_arrays.h"
 #include "piece_output.h"
 #include "piece_slack.h"
+#include "piece_waves.h"
 #include "progress_display.h"
+#include "pvtp_pieces.h"
 #include "report.h"
 #include "used_files.h"
 #include "wave_figures.h"
@@ -35,88 +34,14 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 2 brindle-mpi stripe horse.ply --direction 0.31,0.9,0.27 --report horse.json
   mpirun -n 8 brindle-mpi stripe scan.ply --field curvature --stripes 400 --frames 20
   mpirun -n 4 brindle-mpi stripe horse.ply --slack 0.25 --output horse.pvtp
+  mpirun -n 3 brindle-mpi stripe pieces.pvtp --field array:velocity --output stripes.pvtp
 
-Rank 0 reads the mesh and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
+Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula; of other meshes
+rank 0 reads the whole and sends the others their pieces. Each rank writes one, FILE_0.vtp and on, with
 phase (radians; not a number where there is no wave, and valid is 0), its sine, direction, frequency
 and global_id (the number in the whole mesh) at every vertex, and branch and corner_phase of every
 triangle; FILE.pvtp names them. With --slack, frequency is the one chosen and frequency_wanted the one
 asked for. Where one rank fails, all end with 1 and one message.)";
-
-/// Waves of the piece's vertices, and what they took.
-struct PieceWaves {
-  WaveSet waves;
-  WaveFigures figures;
-  double milliseconds = 0;
-};
-
-DirectionField make_directions(const DistributedSurface& surface, const WaveOptions& options) {
-  if (options.direction) return projected_direction_field(*options.direction, surface.normals());
-  if (!is_smooth(options)) return curvature_direction_field(surface, options.curvature_direction);
-  SmoothFieldOptions smooth;
-  smooth.curvature_anchor = curvature_anchor(options);
-  smooth.curvature_direction = options.curvature_direction;
-  smooth.feature_anchor = options.feature_anchor;
-  smooth.feature_angle_deg = options.feature_angle_deg;
-  return smooth_direction_field(surface, smooth);
-}
-
-/// The figures of all ranks' waves.
-WaveFigures measure_waves(Communicator& ranks, const DistributedSurface& surface,
-                          std::span<const Vec3> directions, float frequency) {
-  const RankSurface& own = surface.rank_surface();
-  const Surface nodes{own.mesh, own.graph.adjacency, own.normals};
-  WaveSet waves;
-  waves.directions.resize(own.graph.own, Vec3::Zero());
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    const Index v = own.vertex_of_piece[p];
-    if (v < own.graph.own) waves.directions[v] = directions[p];
-  }
-  waves.frequencies.assign(own.graph.own, frequency);
-  WaveTally tally = tally_waves(nodes, waves);
-  tally.used = ranks.sum(tally.used);
-  tally.without_wave = ranks.sum(tally.without_wave);
-  tally.frequency_sum = ranks.sum(tally.frequency_sum);
-  tally.frequency_min = tally.frequency_max = static_cast<double>(frequency);
-  WaveFigures figures = figures_of(tally, surface.diagonal());
-  const std::vector<float> edges(tally.edges_per_period.begin(), tally.edges_per_period.end());
-  const std::size_t count = ranks.sum(edges.size());
-  if (count == 0) return figures;
-  figures.edges_per_period_min = static_cast<double>(kth_smallest(ranks, edges, 0));
-  figures.edges_per_period_median = static_cast<double>(kth_smallest(ranks, edges, count / 2));
-  return figures;
-}
-
-PieceWaves make_waves(Communicator& ranks, const DistributedSurface& surface,
-                      std::vector<Vec3> positions, const WaveOptions& options,
-                      JobListener& listener) {
-  Stopwatch watch;
-  listener.stage("direction field");
-  PieceWaves made;
-  DirectionField directions = make_directions(surface, options);
-  const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
-  if (turn_deg != 0) {
-    directions = rotated(directions, surface.normals(), turn_deg * std::numbers::pi_v<float> / 180);
-  }
-  const float frequency = constant_frequency(static_cast<float>(surface.diagonal()), options);
-  made.figures = measure_waves(ranks, surface, directions, frequency);
-  ranks.together([&] { check_waves(made.figures, source_of(options)); });
-  listener.note(warnings(made.figures, source_of(options)));
-  const std::size_t vertices = positions.size();
-  made.waves = {std::move(positions), std::move(directions),
-                constant_frequency_field(frequency, vertices)};
-  made.milliseconds = watch.lap();
-  return made;
-}
-
-DistributedOptions animator_options(const MpiArguments& arguments) {
-  DistributedOptions options;
-  options.solver = FrameSolver::multilevel;
-  options.phase_shift = arguments.solving.stripes.phase_shift;
-  options.weights = arguments.solving.stripes.weights;
-  options.sweeps = arguments.solving.stripes.solver.sweeps;
-  options.cycles = arguments.solving.stripes.solver.cycles;
-  return options;
-}
 
 /// On all ranks or none.
 bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }
@@ -166,7 +91,11 @@ DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult
 
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> inputs, outputs;
-  if (!is_shape(arguments.surface)) inputs.push_back({"MESH", arguments.surface.mesh});
+  if (is_pvtp(arguments.surface.mesh)) {
+    inputs = files_of_pvtp(ranks, arguments.surface.mesh);
+  } else if (!is_shape(arguments.surface)) {
+    inputs.push_back({"MESH", arguments.surface.mesh});
+  }
   add_slack_files(arguments.solving.slack, inputs);
   if (!arguments.output.empty()) {
     outputs.push_back({"--output", arguments.output});
@@ -212,16 +141,16 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
     const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
     Stopwatch watch;
-    const ReadPiece read = read_piece(ranks, arguments.surface, display);
+    const ReadPiece read =
+        read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
     const double load_milliseconds = watch.lap();
     stage("neighbourhood and normals");
     const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
     const double topology_milliseconds = watch.lap();
     stage("direction field");
-    PieceWaves waves =
-        make_waves(ranks, surface, read.piece.mesh.positions, arguments.waves, display);
+    PieceWaves waves = make_piece_waves(ranks, surface, read, arguments.waves, display);
     stage("stripes");
-    DistributedOptions options = animator_options(arguments);
+    DistributedOptions options = animator_options(arguments.solving);
     options.slack = piece_slack(ranks, arguments.solving.slack, read, surface.vertex_count());
     DistributedStripeAnimator animator(surface, options);
     const WaveSet& w = waves.waves;

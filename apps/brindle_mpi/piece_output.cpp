@@ -25,13 +25,14 @@ void put_arrays(std::ostream& out, std::string_view element, std::span<const Dat
   out << "</" << element << ">\n";
 }
 
-void write_index(const fs::path& pvtp, int ranks, const Mesh& mesh, const DataArrays& arrays) {
+void write_index(const fs::path& pvtp, int ranks, const Eigen::Vector3d& origin,
+                 const DataArrays& arrays) {
   write_file(pvtp, [&](std::ostream& out) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PPolyData\" version=\"1.0\" "
            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n";
     put_arrays(out, "PPointData", arrays.points);
     put_arrays(out, "PCellData", arrays.cells);
-    out << "<PPoints>\n<PDataArray type=\"" << (mesh.origin.isZero(0) ? "Float32" : "Float64")
+    out << "<PPoints>\n<PDataArray type=\"" << (origin.isZero(0) ? "Float32" : "Float64")
         << "\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
     for (int r = 0; r < ranks; ++r) {
       out << "<Piece Source=\"" << xml_text(piece_path(pvtp, r).filename().string()) << "\"/>\n";
@@ -82,11 +83,18 @@ void check_pieces(Communicator& ranks, const fs::path& pvtp) {
 
 void write_pieces(Communicator& ranks, const fs::path& pvtp, const Mesh& mesh,
                   const DataArrays& arrays) {
+  write_pieces(ranks, pvtp, mesh.origin, arrays, [&](const fs::path& piece) {
+    write_mesh(piece, mesh, arrays.points, arrays.cells);
+  });
+}
+
+void write_pieces(Communicator& ranks, const fs::path& pvtp, const Eigen::Vector3d& origin,
+                  const DataArrays& arrays, const std::function<void(const fs::path&)>& write) {
   const TemporaryPiece piece(piece_path(pvtp, ranks.rank()));
-  ranks.together([&] { write_mesh(piece.path(), mesh, arrays.points, arrays.cells); });
+  ranks.together([&] { write(piece.path()); });
   ranks.together([&] { piece.rename(); });
   ranks.together([&] {
-    if (ranks.rank() == 0) write_index(pvtp, ranks.size(), mesh, arrays);
+    if (ranks.rank() == 0) write_index(pvtp, ranks.size(), origin, arrays);
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,11 @@ void check_pieces(Communicator& ranks, const std::filesystem::path& pvtp);
 /// pieces if it is renaming that fails. All ranks have arrays of the same names and types.
 void write_pieces(Communicator& ranks, const std::filesystem::path& pvtp, const Mesh& mesh,
                   const DataArrays& arrays);
+
+/// The same for pieces that `write(path)` writes, with points about `origin`; `arrays`, which may
+/// have no rows, have the names and types of theirs.
+void write_pieces(Communicator& ranks, const std::filesystem::path& pvtp,
+                  const Eigen::Vector3d& origin, const DataArrays& arrays,
+                  const std::function<void(const std::filesystem::path&)>& write);
 
 }  // namespace brindle::tool

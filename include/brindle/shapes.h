@@ -1,6 +1,8 @@
 /// The catalogue of built-in shapes, by name.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,18 @@ namespace BRINDLE_EXPORT brindle {
 /// Throws Error, listing what is known, for an unknown name or parameter, and for a value that is
 /// no number or out of the parameter's range.
 Mesh make_shape(std::string_view spec);
+
+/// A part of a shape. Vertices have the numbers that they have in the whole, and its positions.
+struct ShapePart {
+  Mesh mesh;
+  std::vector<std::uint64_t> vertex_ids;  ///< ascending, one per vertex
+};
+
+/// Part `part` of `parts`, made without the others: all triangles of part 0, then those of part 1
+/// and so on are those of `make_shape`. A part may have no triangle. Nothing for what can be made
+/// whole alone: vessels, molecule, box, and shapes with `noise`. Throws Error as `make_shape`, and
+/// for parts that there are not.
+std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts);
 
 /// All names, in the order in which help lists them.
 std::vector<std::string> shape_names();

@@ -1,104 +1,26 @@
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/tool.h"
 #include "brindle/data_arrays.h"
 #include "brindle/files.h"
 #include "brindle/shapes.h"
+#include "mpi_tool/mpi_tool.h"
 
 namespace brindle {
 namespace {
 
+using test::array_of;
 using test::content;
+using test::MpiTool;
 using test::run_tool;
 using test::ToolResult;
-using Words = std::vector<std::string>;
-
-/// Empty folders; whatever hangs there is ended.
-struct MpiTool : test::ToolTest {
-  static Words mpirun() {
-    Words words = {"100"};
-    std::string word;
-    for (const char c : std::string(BRINDLE_MPIRUN) + "|") {
-      if (c != '|') {
-        word += c;
-      } else {
-        words.push_back(std::exchange(word, ""));
-      }
-    }
-    return words;
-  }
-
-  static std::string joined(const Words& words) {
-    std::string text;
-    for (const std::string& word : words) text += "'" + word + "' ";
-    return text;
-  }
-
-  ToolResult on(int ranks, Words arguments) const {
-    Words words = mpirun();
-    words.insert(words.end(), {"-n", std::to_string(ranks), BRINDLE_MPI_TOOL, "stripe"});
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    return run_tool(words, folder);
-  }
-
-  /// Two ranks; a shell does `before` on the second one.
-  ToolResult with_trouble(const std::string& before, Words arguments,
-                          const Words& of_second) const {
-    Words words = mpirun();
-    words.insert(words.end(), {"-n", "1", BRINDLE_MPI_TOOL, "stripe"});
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    words.insert(words.end(),
-                 {":", "-n", "1", "sh", "-c",
-                  before + " exec '" + BRINDLE_MPI_TOOL + "' stripe " + joined(of_second)});
-    return run_tool(words, folder);
-  }
-
-  /// One message of ours, this exit code, and no file.
-  void expect_failure(const ToolResult& result, int exit_code, const std::string& message) const {
-    EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
-    std::size_t messages = 0;
-    for (std::size_t at = 0; (at = result.err.find("brindle-mpi: ", at)) != std::string::npos;
-         ++at) {
-      const std::size_t end = result.err.find('\n', at);
-      messages += result.err.substr(at, end - at).find("--help") == std::string::npos;
-    }
-    EXPECT_EQ(messages, 1u) << result.err;
-    for (const std::string& name : listing()) {
-      EXPECT_EQ(name.find("pvtp"), std::string::npos) << name;
-      EXPECT_EQ(name.find("tmp"), std::string::npos) << name;
-    }
-  }
-
-  LoadedMesh piece(const std::string& name) const { return read_mesh(folder / name); }
-};
-
-const DataArray& array_of(const std::vector<DataArray>& arrays, const std::string& name) {
-  for (const DataArray& array : arrays) {
-    if (array.name == name) return array;
-  }
-  throw std::runtime_error("no array " + name);
-}
-
-/// The first number of a row.
-template <class Number>
-Number value(const DataArray& array, std::size_t row) {
-  const std::size_t size = sizeof(Number) * static_cast<std::size_t>(array.components);
-  Number number;
-  std::memcpy(&number, array.bytes.data() + row * size, sizeof(Number));
-  return number;
-}
+using test::value;
+using test::Words;
 
 /// Vertices of several pieces have the same phase in all, and all triangles are there once.
 TEST_F(MpiTool, WritesPiecesThatFitTogether) {
@@ -135,27 +57,34 @@ TEST_F(MpiTool, WritesPiecesThatFitTogether) {
   EXPECT_GT(shared, 0u);
 }
 
+/// A mesh that rank 0 reads whole, shapes in parts, and triangles that are split.
 TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
-  const Words options = {
-      "shape:vessels,resolution=40", "--field", "curvature", "--along", "--stripes", "25"};
-  Words mine = options, tools = options;
-  mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
-  ASSERT_EQ(on(1, mine).exit_code, 0);
-  tools.insert(tools.begin(), {"100", BRINDLE_TOOL_ALONE, "stripe"});
-  tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
-  ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
-  const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
-  for (const char* name : {"phase", "direction", "frequency"}) {
-    EXPECT_EQ(array_of(one.arrays.points, name).bytes, array_of(other.arrays.points, name).bytes)
-        << name;
-  }
-  EXPECT_EQ(array_of(one.arrays.cells, "corner_phase").bytes,
-            array_of(other.arrays.cells, "corner_phase").bytes);
-  const auto mpi = nlohmann::json::parse(content(folder / "mpi.json"));
-  const auto tool = nlohmann::json::parse(content(folder / "tool.json"));
-  for (const auto& [key, value] : tool.items()) {
-    if (key == "milliseconds" || key == "options") continue;
-    EXPECT_EQ(mpi[key], value) << key;
+  const Words meshes[] = {{"shape:vessels,resolution=40"},
+                          {"shape:torus,resolution=40", "--subdivide", "1"},
+                          {"shape:sphere,resolution=12"},
+                          {"shape:box,resolution=8", "--subdivide", "2"}};
+  for (const Words& mesh : meshes) {
+    Words mine = mesh;
+    mine.insert(mine.end(), {"--field", "curvature", "--along", "--stripes", "25"});
+    Words tools = mine;
+    mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
+    ASSERT_EQ(on(1, mine).exit_code, 0);
+    tools.insert(tools.begin(), {"100", BRINDLE_TOOL_ALONE, "stripe"});
+    tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+    ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
+    const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
+    for (const char* name : {"phase", "direction", "frequency"}) {
+      EXPECT_EQ(array_of(one.arrays.points, name).bytes, array_of(other.arrays.points, name).bytes)
+          << name;
+    }
+    EXPECT_EQ(array_of(one.arrays.cells, "corner_phase").bytes,
+              array_of(other.arrays.cells, "corner_phase").bytes);
+    const auto mpi = nlohmann::json::parse(content(folder / "mpi.json"));
+    const auto tool = nlohmann::json::parse(content(folder / "tool.json"));
+    for (const auto& [key, value] : tool.items()) {
+      if (key == "milliseconds" || key == "options") continue;
+      EXPECT_EQ(mpi[key], value) << key;
+    }
   }
 }
 

@@ -1,6 +1,9 @@
 #include "brindle/shapes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -220,6 +223,60 @@ TEST(Isosurface, IsTheSameWithOneThreadAndMany) {
   const Mesh one = make_shape("molecule,resolution=30");
   EXPECT_EQ(one.positions, many.positions);
   EXPECT_EQ(one.triangles, many.triangles);
+}
+
+/// Expects that the parts, one after the other, are the whole, to the bit.
+void expect_parts_of(const std::string& spec, int parts) {
+  SCOPED_TRACE(spec + " in " + std::to_string(parts) + " parts");
+  const Mesh whole = make_shape(spec);
+  std::vector<std::array<std::uint64_t, 3>> triangles;
+  std::vector<std::uint8_t> seen(whole.vertex_count());
+  std::size_t most = 0;
+  for (int part = 0; part < parts; ++part) {
+    const auto made = make_shape_part(spec, part, parts);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made->vertex_ids.size(), made->mesh.vertex_count());
+    EXPECT_TRUE(std::ranges::is_sorted(made->vertex_ids, std::less_equal()));
+    std::vector<std::uint8_t> used(made->mesh.vertex_count());
+    for (const auto& [a, b, c] : made->mesh.triangles) {
+      used[a] = used[b] = used[c] = 1;
+      triangles.push_back({made->vertex_ids[a], made->vertex_ids[b], made->vertex_ids[c]});
+    }
+    EXPECT_EQ(std::ranges::count(used, 0), 0);
+    most = std::max(most, made->mesh.triangle_count());
+    for (std::size_t v = 0; v < made->vertex_ids.size(); ++v) {
+      const std::uint64_t id = made->vertex_ids[v];
+      ASSERT_LT(id, whole.vertex_count());
+      seen[id] = 1;
+      ASSERT_EQ(made->mesh.positions[v], whole.positions[id]);
+    }
+  }
+  EXPECT_EQ(std::ranges::count(seen, 0), 0);
+  ASSERT_EQ(triangles.size(), whole.triangle_count());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(triangles[t][c], whole.triangles[t][c]);
+  }
+  EXPECT_LT(most, 2 * whole.triangle_count() / static_cast<std::size_t>(parts) + 1000);
+}
+
+TEST(Shapes, PartsMakeUpTheWhole) {
+  for (const char* spec :
+       {"plane,resolution=31", "cylinder,resolution=40", "tube,resolution=30,bend=0",
+        "sphere,resolution=1", "sphere,resolution=2", "sphere,resolution=17", "torus,resolution=44",
+        "trefoil,resolution=12", "hemisphere,resolution=21", "mobius,resolution=9",
+        "sheets,count=4,resolution=11", "pieces,count=5,resolution=6"}) {
+    for (const int parts : {1, 2, 3, 8, 1000}) expect_parts_of(spec, parts);
+  }
+}
+
+TEST(Shapes, HaveNoPartsWhereTheyAreMadeWholeAlone) {
+  for (const char* spec : {"molecule", "vessels", "box", "torus,noise=0.1"}) {
+    EXPECT_FALSE(make_shape_part(spec, 0, 2)) << spec;
+  }
+  EXPECT_THROW(make_shape_part("torus", 2, 2), Error);
+  EXPECT_THROW(make_shape_part("torus", -1, 2), Error);
+  EXPECT_THROW(make_shape_part("torus", 0, 0), Error);
+  EXPECT_THROW(make_shape_part("tours", 0, 2), Error);
 }
 
 }  // namespace

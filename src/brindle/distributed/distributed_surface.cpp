@@ -70,6 +70,7 @@ class SurfaceMaker {
       : piece_(std::move(piece)), made_(made), ranks_(*made.ranks) {}
 
   void make() {
+    made_.piece_ids = piece_.vertex_ids;
     drop_ghosts();
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();

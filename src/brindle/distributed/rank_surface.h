@@ -24,6 +24,7 @@ struct RankSurface {
   RankGraph graph;
   NodeHalo rest;                         ///< owners of the rest of the vertices
   std::vector<Index> vertex_of_piece;    ///< for every vertex of the piece
+  std::vector<std::uint64_t> piece_ids;  ///< their numbers in the whole
   std::vector<Index> triangle_of_piece;  ///< number in the piece of every own triangle
   std::size_t piece_triangles = 0;       ///< of the piece, ghosts included
   std::vector<Vec3> piece_normals;       ///< by vertex of the piece

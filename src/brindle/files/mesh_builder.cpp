@@ -61,14 +61,16 @@ void MeshBuilder::for_each_polygon(const Use& use) const {
 
 Mesh MeshBuilder::take() { return take({}).mesh; }
 
-RawMesh MeshBuilder::take(DataArrays arrays) {
+RawMesh MeshBuilder::take(DataArrays arrays, std::vector<Eigen::Vector3d>* exact) {
   std::vector<char> used(polygons_.empty() ? 0 : positions_.size(), 0);
   for_each_polygon([&](std::span<const Index> corners) {
     for (const Index corner : corners) used[corner] = 1;
   });
   Mesh mesh;
   mesh.origin = origin_near(positions_, used);
-  mesh.positions = positions_about(mesh.origin, std::exchange(positions_, {}));
+  mesh.positions = positions_about(mesh.origin, positions_);
+  if (exact) *exact = std::move(positions_);
+  positions_ = {};
   std::vector<Index> cell_of_triangle;
   cell_of_triangle.reserve(cells_.size());
   mesh.triangles.reserve(cells_.size());

@@ -38,8 +38,8 @@ class MeshBuilder {
   Mesh take();
 
   /// The same with what the file says of it: `arrays` has a row per vertex and per cell, and the
-  /// result one per vertex and per triangle.
-  RawMesh take(DataArrays arrays);
+  /// result one per vertex and per triangle. `exact` receives the coordinates as they were added.
+  RawMesh take(DataArrays arrays, std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
   template <class Use>

@@ -34,6 +34,11 @@ RawMesh read_raw(const fs::path& path, const Progress& progress) {
   if (kind == ".stl") return {read_stl(path, progress)};
   if (kind == ".gltf" || kind == ".glb") return read_gltf(path, progress);
   if (is_vtk_format(path)) return read_vtk(path, progress);
+  if (kind == ".pvtp") {
+    readable.fail_whole(
+        "names the pieces of a surface, which 'mpirun -n 1 brindle-mpi' reads; or save it in "
+        "ParaView as .vtp");
+  }
   readable.fail_whole("brindle cannot tell the format by the extension '" +
                       path.extension().string() + "'; " + kReadable);
 }

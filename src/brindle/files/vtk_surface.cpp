@@ -232,10 +232,10 @@ std::string VtkSurface::left_out() const {
   return text;
 }
 
-RawMesh VtkSurface::take() {
+RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
   std::string text = left_out();
   DataArrays arrays{point_arrays_.take("points", text), cell_arrays_.take("cells", text)};
-  RawMesh raw = builder_.take(std::move(arrays));
+  RawMesh raw = builder_.take(std::move(arrays), exact);
   raw.left_out = std::move(text);
   raw.normals = std::move(normals_);
   if (volumes_ > 0) {

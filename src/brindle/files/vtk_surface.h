@@ -50,7 +50,8 @@ class VtkSurface {
 
   void add(VtkPiece piece);
 
-  RawMesh take();
+  /// `exact`: as of `MeshBuilder::take`.
+  RawMesh take(std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
   void add_points(const DataArray& points);

@@ -73,10 +73,10 @@ class VtkXmlReader {
         root_(parsed()),
         arrays_(file_, encoding()) {}
 
-  RawMesh read() {
+  RawMesh read(std::vector<Eigen::Vector3d>* exact) {
     VtkSurface surface(file_);
     for_each_piece([&](const Xml& piece) { surface.add(read_piece(piece)); });
-    RawMesh raw = surface.take();
+    RawMesh raw = surface.take(exact);
     raw.left_out += left_out_;
     return raw;
   }
@@ -256,8 +256,9 @@ class VtkXmlReader {
 
 }  // namespace
 
-RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& progress) {
-  return VtkXmlReader(path, progress).read();
+RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& progress,
+                     std::vector<Eigen::Vector3d>* exact) {
+  return VtkXmlReader(path, progress).read(exact);
 }
 
 bool vtk_xml_has_faces(const std::filesystem::path& path) { return VtkXmlReader(path).has_faces(); }
@@ -277,7 +278,8 @@ namespace {
 
 }  // namespace
 
-RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& /*progress*/) {
+RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& /*progress*/,
+                     std::vector<Eigen::Vector3d>* /*exact*/) {
   refuse_vtk(path);
 }
 

@@ -2,8 +2,6 @@
 
 #include <sstream>
 
-#include <Eigen/Geometry>
-
 namespace brindle {
 namespace {
 
@@ -20,6 +18,10 @@ Eigen::Vector3d origin_near(std::span<const Eigen::Vector3d> positions,
     const bool usable = (positions[v].array().abs() <= kLargestCoordinate).all();
     if (counts && usable) box.extend(positions[v]);
   }
+  return origin_near(box);
+}
+
+Eigen::Vector3d origin_near(const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return Eigen::Vector3d::Zero();
   const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   const double diagonal = box.diagonal().norm();

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "brindle/types.h"
 
 namespace brindle {
@@ -19,6 +21,9 @@ inline constexpr double kLargestCoordinate = 1e18;
 /// are not finite or beyond `kLargestCoordinate`.
 Eigen::Vector3d origin_near(std::span<const Eigen::Vector3d> positions,
                             std::span<const char> used = {});
+
+/// The same for positions in that box.
+Eigen::Vector3d origin_near(const Eigen::AlignedBox3d& box);
 
 /// The positions relative to `origin`.
 std::vector<Vec3> positions_about(const Eigen::Vector3d& origin,

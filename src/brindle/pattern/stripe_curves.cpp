@@ -13,6 +13,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/pattern/curve_places.h"
+#include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/run_on.h"
 #include "brindle/waves/orientation.h"
 
@@ -27,22 +28,18 @@ constexpr Link kFirstEnd = 0x80000000;  // beyond: numbers of inner ends, then t
 constexpr Link kNoWave = 0xffffffff;
 constexpr Link kBoundary = 0xfffffffe;
 constexpr Link kNonmanifold = 0xfffffffd;
+constexpr Link kCut = 0xfffffffc;  // goes on in a triangle that is not of this part
 constexpr Link kLastInnerEnd = 0xfffffff0;
 constexpr std::size_t kMostNodes = kFirstEnd / 2;
 
 bool is_slot(Link link) { return link < kFirstEnd; }
 
+/// Whether a curve has nothing there that anybody needs.
+bool is_bare(Link link) { return link > kLastInnerEnd && link != kCut; }
+
 /// Points this near to each other are one, over the size of what they lie on: phases have no digits
 /// to tell them apart, where a curve passes by a vertex.
 constexpr float kSamePlace = 1e-4f;
-
-struct CurvePoint {
-  Vec3 position;
-  Vec3 normal;
-  Vec3 forward;  ///< where the wave there runs; zero in the middle of a triangle
-  float size;    ///< of the edge that it lies on, or of the triangle
-  MeshPoint place;
-};
 
 bool at_same_place(const CurvePoint& a, const CurvePoint& b) {
   return (a.position - b.position).norm() <= kSamePlace * std::max(a.size, b.size);
@@ -143,28 +140,46 @@ struct InnerEnd {
 
 class Tracer {
  public:
-  Tracer(const LiftedWaves& lifted, const CurveOptions& options)
-      : pattern_(lifted.pattern()), options_(options), lifted_(lifted) {}
+  Tracer(const LiftedWaves& lifted, const CurveOptions& options,
+         std::span<const EdgeBeyond> beyond = {})
+      : pattern_(lifted.pattern()), options_(options), lifted_(lifted), beyond_(beyond) {}
 
   StripeCurves trace() {
+    trace_all();
+    return std::move(curves_);
+  }
+
+  /// Where there is something beyond the edges.
+  std::vector<CutCurve> trace_cut() {
+    trace_all();
+    return std::move(cut_curves_);
+  }
+
+ private:
+  void trace_all() {
     if (options_.join) run_on_.emplace(lifted_);
     number_nodes();
     link_triangles();
     find_triangles_of_edges();
     if (!links_.empty()) directions_ = directions_alike(lifted_);
     walk();
-    return std::move(curves_);
   }
 
- private:
+  EdgeBeyond beyond(Index edge) const {
+    return beyond_.empty() ? EdgeBeyond::nothing : beyond_[edge];
+  }
+
+  bool is_nonmanifold(Index edge) const {
+    return pattern_.edges.triangle_counts[edge] > 2 || beyond(edge) == EdgeBeyond::nonmanifold;
+  }
+
   Index crossings(Index edge) const {
     return static_cast<Index>(std::abs(lifted_.edge(edge).peaks));
   }
 
   /// An edge of three triangles or more has nodes for each of them.
   std::size_t copies(Index edge) const {
-    const Index triangles = pattern_.edges.triangle_counts[edge];
-    return triangles > 2 ? triangles : 1;
+    return is_nonmanifold(edge) ? pattern_.edges.triangle_counts[edge] : 1;
   }
 
   void number_nodes() {
@@ -181,14 +196,20 @@ class Tracer {
     links_.resize(count);
     parallel_for(edges, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) {
-        const Index triangles = pattern_.edges.triangle_counts[e];
-        const Link other = triangles == 1 ? kBoundary : triangles > 2 ? kNonmanifold : kNoWave;
+        const Link other = beyond_edge(static_cast<Index>(e));
         for (Index node = first_node_[e]; node < first_node_[e + 1]; ++node) {
           edge_of_node_[node] = static_cast<Index>(e);
           links_[node] = {kNoWave, other};
         }
       }
     });
+  }
+
+  /// What a curve meets on the second side of an edge, as long as it meets no other piece.
+  Link beyond_edge(Index edge) const {
+    if (is_nonmanifold(edge)) return kNonmanifold;
+    if (pattern_.edges.triangle_counts[edge] > 1) return kNoWave;
+    return beyond(edge) == EdgeBeyond::triangle ? kCut : kBoundary;
   }
 
   void find_triangles_of_edges() {
@@ -352,8 +373,7 @@ class Tracer {
     visited_.resize(nodes);
     for (Index node = 0; node < nodes; ++node) {
       for (Link side = 0; side < 2; ++side) {
-        const bool passed_by =
-            links_[node][side] > kLastInnerEnd && links_[node][1 - side] > kLastInnerEnd;
+        const bool passed_by = is_bare(links_[node][side]) && is_bare(links_[node][1 - side]);
         if (visited_[node] || passed_by || is_slot(links_[node][side])) continue;
         walk_open(2 * node + side);
       }
@@ -368,12 +388,14 @@ class Tracer {
   void walk_open(Link slot) {
     std::array<CurveEnd, 2> ends{};
     ends[0] = end_at(links_[slot / 2][slot % 2]);
+    cuts_[0] = cut_at(slot / 2, links_[slot / 2][slot % 2]);
     std::reverse(curve_.begin(), curve_.end());
     while (true) {
       visit(slot / 2);
       const Link next = links_[slot / 2][1 - slot % 2];
       if (!is_slot(next)) {
         ends[1] = end_at(next);
+        cuts_[1] = cut_at(slot / 2, next);
         break;
       }
       slot = next;
@@ -399,22 +421,24 @@ class Tracer {
   CurveEnd end_at(Link link) {
     if (link == kBoundary) return CurveEnd::boundary;
     if (link == kNonmanifold) return CurveEnd::nonmanifold;
-    if (link == kNoWave) return CurveEnd::no_wave;
+    if (link == kNoWave || link == kCut) return CurveEnd::no_wave;
     const InnerEnd& end = inner_ends_[link - kFirstEnd];
     curve_.push_back(end.point);
     curve_.insert(curve_.end(), end.way.begin(), end.way.end());
     return end.reason;
   }
 
+  std::optional<CutCurve::Crossing> cut_at(Index node, Link link) const {
+    if (link != kCut) return std::nullopt;
+    const Index edge = edge_of_node_[node];
+    return CutCurve::Crossing{edge, node - first_node_[edge]};
+  }
+
   void finish(std::array<CurveEnd, 2> ends) {
-    const bool closed = ends[0] == CurveEnd::closed;
-    drop_repeats(curve_, closed);
-    if (!closed || curve_.size() > 2) {
-      if (runs_backward(curve_, closed)) {
-        std::reverse(curve_.begin(), curve_.end());
-        std::swap(ends[0], ends[1]);
-      }
-      if (closed) rotate_to_start(curve_);
+    if (!beyond_.empty()) {
+      cut_curves_.push_back({curve_, ends, cuts_});
+      cuts_ = {};
+    } else if (tidy_curve(curve_, ends)) {
       add_curve(ends);
     }
     curve_.clear();
@@ -445,6 +469,7 @@ class Tracer {
   const WavePattern& pattern_;
   const CurveOptions& options_;
   const LiftedWaves& lifted_;
+  std::span<const EdgeBeyond> beyond_;      // by edge; empty if this is the whole surface
   std::vector<Index> first_node_;           // edges + 1 entries
   std::vector<Index> edge_of_node_;         // nodes on edges; those on cuts come after them
   std::vector<std::array<Link, 2>> links_;  // one per node
@@ -456,10 +481,33 @@ class Tracer {
   std::vector<Vec3> directions_;           // one per vertex, running alike where that can be
   std::vector<std::uint8_t> visited_;      // one per node
   std::vector<CurvePoint> curve_;          // that is being walked
+  std::array<std::optional<CutCurve::Crossing>, 2> cuts_ = {};  // its ends
   StripeCurves curves_;
+  std::vector<CutCurve> cut_curves_;  // instead, where there is something beyond
 };
 
 }  // namespace
+
+bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
+  const bool closed = ends[0] == CurveEnd::closed;
+  drop_repeats(curve, closed);
+  if (closed && curve.size() <= 2) return false;
+  if (runs_backward(curve, closed)) {
+    std::reverse(curve.begin(), curve.end());
+    std::swap(ends[0], ends[1]);
+  }
+  if (closed) rotate_to_start(curve);
+  return true;
+}
+
+std::vector<CutCurve> cut_stripe_curves(const LiftedWaves& waves,
+                                        std::span<const EdgeBeyond> beyond) {
+  if (beyond.size() != waves.pattern().edges.count()) {
+    throw Error("cut curves need to know of every edge what is beyond it");
+  }
+  if (beyond.empty()) return {};
+  return Tracer(waves, {}, beyond).trace_cut();
+}
 
 std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
   std::array<std::size_t, kCurveEndKinds> counts{};

@@ -1,10 +1,13 @@
 #include "brindle/shapes/parametric_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -27,18 +30,26 @@ struct Row {
   std::vector<Index> vertices;
 };
 
-/// Where the vertices of row `number` stand: odd rows are shifted by half an edge, but all reach
-/// from border to border.
-std::vector<double> row_places(int edges, int number) {
-  std::vector<double> at;
-  if (number % 2 == 0) {
-    for (int i = 0; i <= edges; ++i) at.push_back(static_cast<double>(i) / edges);
-    return at;
+/// Odd rows are shifted by half an edge, but all reach from border to border.
+Index row_size(int edges, std::size_t number) {
+  return static_cast<Index>(edges) + (number % 2 == 0 ? 1 : 2);
+}
+
+/// Where vertex i of row `number` stands.
+double row_place(int edges, std::size_t number, Index i) {
+  if (number % 2 == 0) return static_cast<double>(i) / edges;
+  if (i == 0) return 0;
+  return i > static_cast<Index>(edges) ? 1 : (static_cast<double>(i - 1) + 0.5) / edges;
+}
+
+/// Row `number`, whose vertices are `first` and on.
+Row make_row(int edges, std::size_t number, Index first) {
+  Row row;
+  for (Index i = 0; i < row_size(edges, number); ++i) {
+    row.at.push_back(row_place(edges, number, i));
+    row.vertices.push_back(first + i);
   }
-  at.push_back(0);
-  for (int i = 0; i < edges; ++i) at.push_back((i + 0.5) / edges);
-  at.push_back(1);
-  return at;
+  return row;
 }
 
 /// Triangles between two open rows; `upper` lies to the left of `lower`.
@@ -60,47 +71,73 @@ void connect_rows(const Row& lower, const Row& upper, std::vector<Triangle>& tri
   }
 }
 
-template <class Position>
-Row add_row(Mesh& mesh, int edges, int number, const Position& position) {
-  Row row{row_places(edges, number), {}};
-  for (const double at : row.at) {
-    row.vertices.push_back(static_cast<Index>(mesh.positions.size()));
-    mesh.positions.push_back(position(at));
+/// An open lattice: strip s lies between the rows that `rows_of(s)` numbers, the blocks of the
+/// shape. `number_of(row)` says which row of a lattice it is, `position(row, at)` where a vertex
+/// is.
+template <class Position, class Number, class Rows>
+StripShape open_lattice(int edges, std::size_t rows, std::size_t strips, const Number& number_of,
+                        const Rows& rows_of, const Position& position) {
+  StripShape shape;
+  for (std::size_t row = 0; row < rows; ++row) {
+    shape.block_sizes.push_back(row_size(edges, number_of(row)));
   }
-  return row;
+  shape.position = [=](std::size_t row, Index i) {
+    return position(row, row_place(edges, number_of(row), i));
+  };
+  shape.strips = strips;
+  shape.triangles_of = [=](std::size_t strip) {
+    const auto [lower, upper] = rows_of(strip);
+    return std::size_t{row_size(edges, number_of(lower))} + row_size(edges, number_of(upper)) - 2;
+  };
+  shape.blocks_of = [=](std::size_t strip) {
+    const auto [lower, upper] = rows_of(strip);
+    return std::vector<std::size_t>{lower, upper};
+  };
+  shape.add_strip = [=](std::size_t strip, std::span<const Index> first,
+                        std::vector<Triangle>& triangles) {
+    const auto [lower, upper] = rows_of(strip);
+    Row next = make_row(edges, number_of(upper), first[1]);
+    // Back at the first row: after a half turn.
+    if (upper < lower) std::ranges::reverse(next.vertices);
+    connect_rows(make_row(edges, number_of(lower), first[0]), next, triangles);
+  };
+  return shape;
 }
 
 /// A lattice that closes around rows: `ring` has as many vertices in every row, odd ones half an
 /// edge ahead. `position(u, v)` takes u in [0, 1) around a row and v in [0, 1] across rows. With
 /// `closed`, the last row is joined to the first; `rows` is then even.
 template <class Position>
-Mesh ring_lattice(int around, int rows, bool closed, const Position& position) {
-  Mesh mesh;
-  const int row_vertices = closed ? rows : rows + 1;
-  for (int row = 0; row < row_vertices; ++row) {
-    for (int i = 0; i < around; ++i) {
-      const double u = (i + (row % 2 == 0 ? 0.0 : 0.5)) / around;
-      mesh.positions.push_back(position(u, static_cast<double>(row) / rows));
-    }
-  }
-  const auto vertex = [&](int row, int i) {
-    return static_cast<Index>((row % row_vertices) * around + (i % around));
+StripShape ring_lattice(int around, int rows, bool closed, const Position& position) {
+  const auto row_vertices = static_cast<std::size_t>(closed ? rows : rows + 1);
+  const auto ring = static_cast<Index>(around);
+  StripShape shape;
+  shape.block_sizes.assign(row_vertices, ring);
+  shape.position = [=](std::size_t row, Index i) {
+    const double u = (i + (row % 2 == 0 ? 0.0 : 0.5)) / around;
+    return position(u, static_cast<double>(row) / rows);
   };
-  for (int row = 0; row < rows; ++row) {
-    for (int i = 0; i < around; ++i) {
-      const bool even = row % 2 == 0;
-      const Index lower = vertex(row, i), lower_next = vertex(row, i + 1);
-      const Index upper = vertex(row + 1, i), upper_next = vertex(row + 1, i + 1);
-      if (even) {
-        mesh.triangles.push_back({lower, lower_next, upper});
-        mesh.triangles.push_back({lower_next, upper_next, upper});
+  shape.strips = static_cast<std::size_t>(rows);
+  shape.triangles_of = [=](std::size_t) { return std::size_t{2} * ring; };
+  shape.blocks_of = [=](std::size_t row) {
+    return std::vector<std::size_t>{row, (row + 1) % row_vertices};
+  };
+  shape.add_strip = [=](std::size_t row, std::span<const Index> first,
+                        std::vector<Triangle>& triangles) {
+    for (Index i = 0; i < ring; ++i) {
+      const Index next = (i + 1) % ring;
+      const Index lower = first[0] + i, lower_next = first[0] + next;
+      const Index upper = first[1] + i, upper_next = first[1] + next;
+      if (row % 2 == 0) {
+        triangles.push_back({lower, lower_next, upper});
+        triangles.push_back({lower_next, upper_next, upper});
       } else {
-        mesh.triangles.push_back({lower, upper_next, upper});
-        mesh.triangles.push_back({lower, lower_next, upper_next});
+        triangles.push_back({lower, upper_next, upper});
+        triangles.push_back({lower, lower_next, upper_next});
       }
     }
-  }
-  return mesh;
+  };
+  return shape;
 }
 
 int even_row_count(double height, double spacing) {
@@ -132,75 +169,136 @@ constexpr std::array<Triangle, 20> kIcosahedronFaces = {
      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
-/// Builds the vertices of an icosphere, each once, whatever face asks for it.
+Eigen::Vector3d icosahedron_corner(Index c) { return kIcosahedronVertices[c].normalized(); }
+
+/// The blocks of an icosphere, in the order in which its faces need their vertices: corners, then
+/// of every face those of its edges that no face before it has, and its rows.
 class Icosphere {
  public:
-  explicit Icosphere(const SphereShape& shape) : shape_(shape) {
-    for (const Eigen::Vector3d& corner : kIcosahedronVertices) add(corner.normalized());
-  }
-
-  void add_face(const Triangle& face) {
-    const int n = shape_.resolution;
-    std::vector<Index> previous{face[0]};
-    for (int row = 1; row <= n; ++row) {
-      std::vector<Index> current;
-      for (int i = 0; i <= row; ++i) current.push_back(vertex(face, row, i));
-      for (int i = 0; i < row; ++i) {
-        mesh.triangles.push_back({previous[i], current[i], current[i + 1]});
-        if (i + 1 < row) mesh.triangles.push_back({previous[i], current[i + 1], previous[i + 1]});
+  explicit Icosphere(const SphereShape& shape)
+      : shape_(shape), n_(static_cast<Index>(shape.resolution)) {
+    for (Index c = 0; c < kIcosahedronVertices.size(); ++c)
+      blocks_.push_back({.corner = c, .size = 1});
+    for (const Triangle& face : kIcosahedronFaces) {
+      FaceBlocks& of_face = faces_.emplace_back();
+      of_face.edges[0] = edge_block(face[0], face[1]);
+      of_face.edges[1] = edge_block(face[0], face[2]);
+      of_face.first_row = blocks_.size();
+      for (Index row = 2; row < n_; ++row) {
+        blocks_.push_back(
+            {.face = static_cast<Index>(faces_.size() - 1), .row = row, .size = row - 1});
       }
-      previous = std::move(current);
+      of_face.edges[2] = edge_block(face[1], face[2]);
     }
   }
 
-  Mesh mesh;
+  std::vector<Index> block_sizes() const {
+    std::vector<Index> sizes;
+    for (const Block& block : blocks_) sizes.push_back(block.size);
+    return sizes;
+  }
+
+  Vec3 position(std::size_t number, Index i) const {
+    const Block& block = blocks_[number];
+    Eigen::Vector3d direction;
+    if (block.row > 0) {
+      direction = inner(kIcosahedronFaces[block.face], static_cast<int>(block.row),
+                        static_cast<int>(i) + 1);
+    } else if (block.is_edge) {
+      direction = slerp(icosahedron_corner(block.ends[0]), icosahedron_corner(block.ends[1]),
+                        static_cast<double>(i + 1) / n_);
+    } else {
+      direction = icosahedron_corner(block.corner);
+    }
+    return (shape_.radius * direction).cast<float>();
+  }
+
+  std::size_t strips() const { return faces_.size() * n_; }
+  std::size_t triangles_of(std::size_t strip) const { return 2 * row_of(strip) - 1; }
+
+  /// The three corners and edges of the face, and the rows on either side of the strip.
+  std::vector<std::size_t> blocks_of(std::size_t strip) const {
+    const Triangle& face = kIcosahedronFaces[strip / n_];
+    const FaceBlocks& of_face = faces_[strip / n_];
+    std::vector<std::size_t> blocks(face.begin(), face.end());
+    blocks.insert(blocks.end(), of_face.edges.begin(), of_face.edges.end());
+    for (const Index row : {row_of(strip) - 1, row_of(strip)}) {
+      const bool has_inner = row >= 2 && row < n_;
+      blocks.push_back(has_inner ? of_face.first_row + row - 2 : blocks.front());
+    }
+    return blocks;
+  }
+
+  /// Between rows row - 1 and row of a face, counted from its corner 0.
+  void add_strip(std::size_t strip, std::span<const Index> first,
+                 std::vector<Triangle>& triangles) const {
+    const Triangle& face = kIcosahedronFaces[strip / n_];
+    const Index row = row_of(strip);
+    const auto above = [&](Index i) { return vertex(face, first, row - 1, i, first[6]); };
+    const auto below = [&](Index i) { return vertex(face, first, row, i, first[7]); };
+    for (Index i = 0; i < row; ++i) {
+      triangles.push_back({above(i), below(i), below(i + 1)});
+      if (i + 1 < row) triangles.push_back({above(i), below(i + 1), above(i + 1)});
+    }
+  }
 
  private:
-  Index add(const Eigen::Vector3d& direction) {
-    mesh.positions.push_back((shape_.radius * direction).cast<float>());
-    return static_cast<Index>(mesh.positions.size() - 1);
+  struct Block {
+    Index corner = 0;
+    std::array<Index, 2> ends{};  ///< of an edge, the lower number first
+    bool is_edge = false;
+    Index face = 0, row = 0;  ///< of a row within a face
+    Index size = 0;
+  };
+  struct FaceBlocks {
+    std::array<std::size_t, 3> edges{};  ///< from corner 0 to 1, 0 to 2 and 1 to 2
+    std::size_t first_row = 0;           ///< row 2
+  };
+
+  Index row_of(std::size_t strip) const { return static_cast<Index>(strip % n_) + 1; }
+
+  std::size_t edge_block(Index a, Index b) {
+    const std::pair<Index, Index> ends = std::minmax(a, b);
+    const auto [place, is_new] = edges_.emplace(ends, blocks_.size());
+    if (is_new)
+      blocks_.push_back({.ends = {ends.first, ends.second}, .is_edge = true, .size = n_ - 1});
+    return place->second;
   }
 
   /// Vertex i of row `row`, counted from corner 0 towards the edge from corner 1 to corner 2.
-  Index vertex(const Triangle& face, int row, int i) {
+  Index vertex(const Triangle& face, std::span<const Index> first, Index row, Index i,
+               Index first_of_row) const {
+    if (i == 0) return on_edge(face, first, 0, 1, row, first[3]);
+    if (i == row) return on_edge(face, first, 0, 2, row, first[4]);
+    if (row == n_) return on_edge(face, first, 1, 2, i, first[5]);
+    return first_of_row + i - 1;
+  }
+
+  Index on_edge(const Triangle& face, std::span<const Index> first, std::size_t a, std::size_t b,
+                Index step, Index first_of_edge) const {
+    if (step == 0) return first[a];
+    if (step == n_) return first[b];
+    return first_of_edge + (face[a] < face[b] ? step : n_ - step) - 1;
+  }
+
+  /// The mean over the three ways to reach the point along great circles: symmetric in the corners.
+  Eigen::Vector3d inner(const Triangle& face, int row, int i) const {
     const int n = shape_.resolution;
-    if (i == 0) return edge_vertex(face[0], face[1], row);
-    if (i == row) return edge_vertex(face[0], face[2], row);
-    if (row == n) return edge_vertex(face[1], face[2], i);
-    const auto corner = [&](int c) { return kIcosahedronVertices[face[c]].normalized(); };
-    // The mean over the three ways to reach the point along great circles: symmetric in the
-    // corners.
+    const auto corner = [&](int c) { return icosahedron_corner(face[c]); };
     const auto reach = [&](int a, int b, int c, int wb, int wc) {
       const double t = static_cast<double>(wb + wc) / n;
       return slerp(slerp(corner(a), corner(b), t), slerp(corner(a), corner(c), t),
                    static_cast<double>(wc) / (wb + wc));
     };
     const int w0 = n - row, w1 = row - i, w2 = i;
-    return add(
-        (reach(0, 1, 2, w1, w2) + reach(1, 2, 0, w2, w0) + reach(2, 0, 1, w0, w1)).normalized());
-  }
-
-  Index edge_vertex(Index a, Index b, int step) {
-    const int n = shape_.resolution;
-    if (step == 0) return a;
-    if (step == n) return b;
-    if (a > b) {
-      std::swap(a, b);
-      step = n - step;
-    }
-    auto& vertices = edges_[{a, b}];
-    if (vertices.empty()) {
-      for (int i = 1; i < n; ++i) {
-        vertices.push_back(
-            add(slerp(kIcosahedronVertices[a].normalized(), kIcosahedronVertices[b].normalized(),
-                      static_cast<double>(i) / n)));
-      }
-    }
-    return vertices[step - 1];
+    return (reach(0, 1, 2, w1, w2) + reach(1, 2, 0, w2, w0) + reach(2, 0, 1, w0, w1)).normalized();
   }
 
   SphereShape shape_;
-  std::map<std::pair<Index, Index>, std::vector<Index>> edges_;
+  Index n_;
+  std::vector<Block> blocks_;
+  std::vector<FaceBlocks> faces_;
+  std::map<std::pair<Index, Index>, std::size_t> edges_;
 };
 
 /// Point and derivative of the trefoil knot, about two units wide.
@@ -271,47 +369,36 @@ Tube trefoil_frames(double spacing) {
   return tube;
 }
 
-void append(Mesh& mesh, const Mesh& part, const Vec3& offset) {
-  const auto first = static_cast<Index>(mesh.positions.size());
-  for (const Vec3& position : part.positions) mesh.positions.push_back(position + offset);
-  for (const Triangle& t : part.triangles) {
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-}
-
 }  // namespace
 
-Mesh make_plane(const PlaneShape& shape) {
+StripShape plane_strips(const PlaneShape& shape) {
   const double spacing = static_cast<double>(shape.width) / shape.resolution;
   const int rows = row_count(shape.height, spacing);
-  Mesh mesh;
-  Row previous;
-  for (int row = 0; row <= rows; ++row) {
-    Row current = add_row(mesh, shape.resolution, row, [&](double at) {
-      return point((at - 0.5) * shape.width, (static_cast<double>(row) / rows - 0.5) * shape.height,
-                   0);
-    });
-    if (row > 0) connect_rows(previous, current, mesh.triangles);
-    previous = std::move(current);
-  }
-  return mesh;
+  const auto strips = static_cast<std::size_t>(rows);
+  return open_lattice(
+      shape.resolution, strips + 1, strips, [](std::size_t row) { return row; },
+      [](std::size_t strip) { return std::pair(strip, strip + 1); },
+      [=](std::size_t row, double at) {
+        return point((at - 0.5) * shape.width,
+                     (static_cast<double>(row) / rows - 0.5) * shape.height, 0);
+      });
 }
 
-Mesh make_cylinder(const CylinderShape& shape) {
+StripShape cylinder_strips(const CylinderShape& shape) {
   const double spacing = 2 * kPi * shape.radius / shape.resolution;
   return ring_lattice(
-      shape.resolution, row_count(shape.height, spacing), false, [&](double u, double v) {
+      shape.resolution, row_count(shape.height, spacing), false, [=](double u, double v) {
         return point(shape.radius * std::cos(2 * kPi * u), shape.radius * std::sin(2 * kPi * u),
                      (v - 0.5) * shape.height);
       });
 }
 
-Mesh make_tube(const TubeShape& shape) {
+StripShape tube_strips(const TubeShape& shape) {
   const double spacing = 2 * kPi * shape.radius / shape.resolution;
   const double turn = shape.bend_deg * kPi / 180;
   const double straight = turn > 1e-9 ? shape.length / turn : 0;  // the arc's radius
   return ring_lattice(
-      shape.resolution, row_count(shape.length, spacing), false, [&](double u, double v) {
+      shape.resolution, row_count(shape.length, spacing), false, [=](double u, double v) {
         const double r =
             shape.radius * (1 + shape.bulge * std::sin(2 * kPi * v)) * (1 + (shape.taper - 1) * v);
         const double out = r * std::cos(2 * kPi * u), aside = r * std::sin(2 * kPi * u);
@@ -322,19 +409,28 @@ Mesh make_tube(const TubeShape& shape) {
       });
 }
 
-Mesh make_sphere(const SphereShape& shape) {
-  Icosphere sphere(shape);
-  for (const Triangle& face : kIcosahedronFaces) sphere.add_face(face);
-  return std::move(sphere.mesh);
+StripShape sphere_strips(const SphereShape& shape) {
+  const auto sphere = std::make_shared<const Icosphere>(shape);
+  StripShape strips;
+  strips.block_sizes = sphere->block_sizes();
+  strips.position = [sphere](std::size_t block, Index i) { return sphere->position(block, i); };
+  strips.strips = sphere->strips();
+  strips.triangles_of = [sphere](std::size_t strip) { return sphere->triangles_of(strip); };
+  strips.blocks_of = [sphere](std::size_t strip) { return sphere->blocks_of(strip); };
+  strips.add_strip = [sphere](std::size_t strip, std::span<const Index> first,
+                              std::vector<Triangle>& triangles) {
+    sphere->add_strip(strip, first, triangles);
+  };
+  return strips;
 }
 
-Mesh make_torus(const TorusShape& shape) {
+StripShape torus_strips(const TorusShape& shape) {
   const double R = shape.major, r = shape.minor;
   // psi is conformal to the angle along the major circle: d psi = r d theta / (R + r cos theta).
   const double period = 2 * kPi * r / std::sqrt(R * R - r * r);
   const double spacing = 2 * kPi / shape.resolution;
   return ring_lattice(shape.resolution, even_row_count(period, spacing), true,
-                      [&](double u, double v) {
+                      [=](double u, double v) {
                         const double theta = 2 * std::atan2(std::sqrt(R + r) * std::sin(kPi * v),
                                                             std::sqrt(R - r) * std::cos(kPi * v));
                         const double distance = R + r * std::cos(theta);
@@ -343,117 +439,125 @@ Mesh make_torus(const TorusShape& shape) {
                       });
 }
 
-Mesh make_trefoil(const TrefoilShape& shape) {
-  const Tube tube = trefoil_frames(2 * kPi * shape.radius / shape.resolution);
-  const auto rows = static_cast<int>(tube.center.size());
-  return ring_lattice(shape.resolution, rows, true, [&](double u, double v) {
+StripShape trefoil_strips(const TrefoilShape& shape) {
+  const auto tube =
+      std::make_shared<const Tube>(trefoil_frames(2 * kPi * shape.radius / shape.resolution));
+  const auto rows = static_cast<int>(tube->center.size());
+  return ring_lattice(shape.resolution, rows, true, [=](double u, double v) {
     const auto row = static_cast<std::size_t>(std::lround(v * rows));
     const double angle = 2 * kPi * u;
-    return Vec3((tube.center[row] + shape.radius * (std::cos(angle) * tube.normal[row] +
-                                                    std::sin(angle) * tube.binormal[row]))
+    return Vec3((tube->center[row] + shape.radius * (std::cos(angle) * tube->normal[row] +
+                                                     std::sin(angle) * tube->binormal[row]))
                     .cast<float>());
   });
 }
 
-Mesh make_hemisphere(const HemisphereShape& shape) {
-  // Ring k has 4k vertices: along the rim edges are as long as the rings are apart.
-  Mesh mesh;
-  mesh.positions.push_back(point(0, 0, shape.radius));
-  const int rings = shape.resolution;
-  for (int ring = 1; ring <= rings; ++ring) {
-    const double polar = 0.5 * kPi * ring / rings;
-    const auto first = static_cast<Index>(mesh.positions.size());
-    const Index inner_first = first - std::max(1, 4 * (ring - 1));
-    for (int i = 0; i < 4 * ring; ++i) {
-      const double azimuth = 2 * kPi * i / (4 * ring);
-      mesh.positions.push_back(point(shape.radius * std::sin(polar) * std::cos(azimuth),
-                                     shape.radius * std::sin(polar) * std::sin(azimuth),
-                                     ring == rings ? 0.0 : shape.radius * std::cos(polar)));
-    }
-    const auto outer = [&](int i) { return first + static_cast<Index>(i % (4 * ring)); };
-    const auto inner = [&](int i) {
-      return inner_first + static_cast<Index>(i % std::max(1, 4 * (ring - 1)));
-    };
-    for (int quarter = 0; quarter < 4; ++quarter) {
-      for (int i = 0; i < ring; ++i) {
-        const int o = quarter * ring + i, n = quarter * (ring - 1) + i;
-        mesh.triangles.push_back({inner(n), outer(o), outer(o + 1)});
-        if (i + 1 < ring) mesh.triangles.push_back({inner(n), outer(o + 1), inner(n + 1)});
+// Ring k has 4k vertices: along the rim edges are as long as the rings are apart.
+StripShape hemisphere_strips(const HemisphereShape& shape) {
+  const auto rings = static_cast<std::size_t>(shape.resolution);
+  const auto size_of = [](std::size_t ring) {
+    return std::max<Index>(1, static_cast<Index>(4 * ring));
+  };
+  StripShape strips;
+  for (std::size_t ring = 0; ring <= rings; ++ring) strips.block_sizes.push_back(size_of(ring));
+  strips.position = [=](std::size_t ring, Index i) {
+    if (ring == 0) return point(0, 0, shape.radius);
+    const double polar = 0.5 * kPi * static_cast<double>(ring) / static_cast<double>(rings);
+    const double azimuth = 2 * kPi * i / static_cast<double>(4 * ring);
+    return point(shape.radius * std::sin(polar) * std::cos(azimuth),
+                 shape.radius * std::sin(polar) * std::sin(azimuth),
+                 ring == rings ? 0.0 : shape.radius * std::cos(polar));
+  };
+  strips.strips = rings;
+  strips.triangles_of = [](std::size_t strip) { return 4 * (2 * strip + 1); };
+  strips.blocks_of = [](std::size_t strip) { return std::vector<std::size_t>{strip, strip + 1}; };
+  strips.add_strip = [=](std::size_t strip, std::span<const Index> first,
+                         std::vector<Triangle>& triangles) {
+    const auto ring = static_cast<Index>(strip + 1);
+    const auto outer = [&](Index i) { return first[1] + i % size_of(ring); };
+    const auto inner = [&](Index i) { return first[0] + i % size_of(strip); };
+    for (Index quarter = 0; quarter < 4; ++quarter) {
+      for (Index i = 0; i < ring; ++i) {
+        const Index o = quarter * ring + i, n = quarter * (ring - 1) + i;
+        triangles.push_back({inner(n), outer(o), outer(o + 1)});
+        if (i + 1 < ring) triangles.push_back({inner(n), outer(o + 1), inner(n + 1)});
       }
     }
-  }
-  return mesh;
+  };
+  return strips;
 }
 
-Mesh make_mobius(const MobiusShape& shape) {
+StripShape mobius_strips(const MobiusShape& shape) {
   const double spacing = static_cast<double>(shape.width) / shape.resolution;
   const int rows = even_row_count(2 * kPi * shape.radius, spacing);
-  Mesh mesh;
-  Row first, previous;
-  for (int row = 0; row < rows; ++row) {
-    const double angle = 2 * kPi * row / rows;
-    Row current = add_row(mesh, shape.resolution, row, [&](double at) {
-      const double across = (at - 0.5) * shape.width;
-      const double distance = shape.radius + across * std::cos(angle / 2);
-      return point(distance * std::cos(angle), distance * std::sin(angle),
-                   across * std::sin(angle / 2));
-    });
-    if (row == 0) {
-      first = current;
-    } else {
-      connect_rows(previous, current, mesh.triangles);
-    }
-    previous = std::move(current);
-  }
-  // After the half turn the first row comes back reversed.
-  std::reverse(first.vertices.begin(), first.vertices.end());
-  connect_rows(previous, first, mesh.triangles);
-  return mesh;
+  const auto strips = static_cast<std::size_t>(rows);
+  return open_lattice(
+      shape.resolution, strips, strips, [](std::size_t row) { return row; },
+      [=](std::size_t strip) { return std::pair(strip, (strip + 1) % strips); },
+      [=](std::size_t row, double at) {
+        const double angle = 2 * kPi * static_cast<double>(row) / rows;
+        const double across = (at - 0.5) * shape.width;
+        const double distance = shape.radius + across * std::cos(angle / 2);
+        return point(distance * std::cos(angle), distance * std::sin(angle),
+                     across * std::sin(angle / 2));
+      });
 }
 
-Mesh make_sheets(const SheetsShape& shape) {
+StripShape sheets_strips(const SheetsShape& shape) {
   const double spacing = static_cast<double>(shape.width) / shape.resolution;
   const int edges = std::max(1, static_cast<int>(std::lround(shape.height / spacing)));
-  const int rows = row_count(shape.width, spacing);
-  const auto height = [&](double at) { return (at - 0.5) * shape.height; };
-  Mesh mesh;
-  const Row axis = add_row(mesh, edges, 0, [&](double at) { return point(0, 0, height(at)); });
-  for (int sheet = 0; sheet < shape.count; ++sheet) {
-    const double angle = 2 * kPi * sheet / shape.count;
-    Row previous = axis;
-    for (int row = 1; row <= rows; ++row) {
-      const double distance = shape.width * static_cast<double>(row) / rows;
-      Row current = add_row(mesh, edges, row, [&](double at) {
-        return point(distance * std::cos(angle), distance * std::sin(angle), height(at));
+  const auto rows = static_cast<std::size_t>(row_count(shape.width, spacing));
+  const std::size_t strips = rows * static_cast<std::size_t>(shape.count);
+  // Block 0 is the edge that all have in common, row 0 of each sheet.
+  const auto number_of = [=](std::size_t block) { return block == 0 ? 0 : (block - 1) % rows + 1; };
+  return open_lattice(
+      edges, strips + 1, strips, number_of,
+      [=](std::size_t strip) {
+        return std::pair(strip % rows == 0 ? std::size_t{0} : strip, strip + 1);
+      },
+      [=](std::size_t block, double at) {
+        const double height = (at - 0.5) * shape.height;
+        if (block == 0) return point(0, 0, height);
+        const std::size_t sheet = (block - 1) / rows;
+        const double angle = 2 * kPi * static_cast<double>(sheet) / shape.count;
+        const double distance =
+            shape.width * static_cast<double>(number_of(block)) / static_cast<double>(rows);
+        return point(distance * std::cos(angle), distance * std::sin(angle), height);
       });
-      connect_rows(previous, current, mesh.triangles);
-      previous = std::move(current);
-    }
-  }
-  return mesh;
 }
 
-Mesh make_pieces(const PiecesShape& shape) {
+StripShape pieces_strips(const PiecesShape& shape) {
   // Neighbours on a circle of radius 1 - size leave a gap of half their size.
   const double half = std::sin(kPi / std::max(2, shape.count));
   const double size = shape.count < 2 ? 1.0 : std::min(0.5, half / (1.25 + half));
   const auto radius = static_cast<float>(size);
-  const std::array<Mesh, 3> kinds = {
-      make_sphere({.radius = radius, .resolution = shape.resolution}),
-      make_torus({.major = 0.7f * radius,
-                  .minor = 0.3f * radius,
-                  .resolution = std::max(8, 4 * shape.resolution)}),
-      make_cylinder({.radius = 0.6f * radius,
-                     .height = 1.5f * radius,
-                     .resolution = std::max(8, 4 * shape.resolution)})};
-  Mesh mesh;
+  const std::array<StripShape, 3> kinds = {
+      sphere_strips({.radius = radius, .resolution = shape.resolution}),
+      torus_strips({.major = 0.7f * radius,
+                    .minor = 0.3f * radius,
+                    .resolution = std::max(8, 4 * shape.resolution)}),
+      cylinder_strips({.radius = 0.6f * radius,
+                       .height = 1.5f * radius,
+                       .resolution = std::max(8, 4 * shape.resolution)})};
+  std::vector<MovedShape> shapes;
   for (int i = 0; i < shape.count; ++i) {
     const double angle = 2 * kPi * i / shape.count;
     const double distance = shape.count < 2 ? 0.0 : 1 - size;
-    append(mesh, kinds[static_cast<std::size_t>(i % 3)],
-           point(distance * std::cos(angle), distance * std::sin(angle), 0));
+    shapes.push_back({kinds[static_cast<std::size_t>(i % 3)],
+                      point(distance * std::cos(angle), distance * std::sin(angle), 0)});
   }
-  return mesh;
+  return joined_shapes(std::move(shapes));
 }
+
+Mesh make_plane(const PlaneShape& shape) { return mesh_of(plane_strips(shape)); }
+Mesh make_cylinder(const CylinderShape& shape) { return mesh_of(cylinder_strips(shape)); }
+Mesh make_tube(const TubeShape& shape) { return mesh_of(tube_strips(shape)); }
+Mesh make_sphere(const SphereShape& shape) { return mesh_of(sphere_strips(shape)); }
+Mesh make_torus(const TorusShape& shape) { return mesh_of(torus_strips(shape)); }
+Mesh make_trefoil(const TrefoilShape& shape) { return mesh_of(trefoil_strips(shape)); }
+Mesh make_hemisphere(const HemisphereShape& shape) { return mesh_of(hemisphere_strips(shape)); }
+Mesh make_mobius(const MobiusShape& shape) { return mesh_of(mobius_strips(shape)); }
+Mesh make_sheets(const SheetsShape& shape) { return mesh_of(sheets_strips(shape)); }
+Mesh make_pieces(const PiecesShape& shape) { return mesh_of(pieces_strips(shape)); }
 
 }  // namespace brindle

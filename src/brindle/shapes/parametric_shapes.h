@@ -2,9 +2,11 @@
 ///
 /// All are centred at the origin, about two units large, and wound outwards (the plane: towards
 /// +z). Triangles are near equilateral. `resolution` counts the edges along what each shape names.
+/// Each comes whole, or in strips of which parts can be made.
 #pragma once
 
 #include "brindle/mesh.h"
+#include "brindle/shapes/strip_shape.h"
 
 namespace brindle {
 
@@ -14,6 +16,7 @@ struct PlaneShape {
   float height = 2;
   int resolution = 160;  ///< edges along x
 };
+StripShape plane_strips(const PlaneShape& shape = {});
 Mesh make_plane(const PlaneShape& shape = {});
 
 /// The side surface, about the z axis.
@@ -22,6 +25,7 @@ struct CylinderShape {
   float height = 2;
   int resolution = 240;  ///< edges around
 };
+StripShape cylinder_strips(const CylinderShape& shape = {});
 Mesh make_cylinder(const CylinderShape& shape = {});
 
 /// An open tube about an arc in the plane y = 0: a sleeve, a bottle, a horn.
@@ -33,6 +37,7 @@ struct TubeShape {
   float taper = 1;       ///< the radius of the upper end over that of the lower one
   int resolution = 104;  ///< edges around
 };
+StripShape tube_strips(const TubeShape& shape = {});
 Mesh make_tube(const TubeShape& shape = {});
 
 /// An icosahedron, each face divided along great circles.
@@ -40,6 +45,7 @@ struct SphereShape {
   float radius = 1;
   int resolution = 56;  ///< edges along an edge of the icosahedron
 };
+StripShape sphere_strips(const SphereShape& shape = {});
 Mesh make_sphere(const SphereShape& shape = {});
 
 /// Around the z axis. The vertices are a lattice in conformal coordinates, so triangles are near
@@ -49,6 +55,7 @@ struct TorusShape {
   float minor = 0.3f;
   int resolution = 300;  ///< edges along the major circle
 };
+StripShape torus_strips(const TorusShape& shape = {});
 Mesh make_torus(const TorusShape& shape = {});
 
 /// A tube along a trefoil knot, of radius `radius`; the knot's extent in x and y is about 2.
@@ -56,6 +63,7 @@ struct TrefoilShape {
   float radius = 0.16f;
   int resolution = 56;  ///< edges around the tube
 };
+StripShape trefoil_strips(const TrefoilShape& shape = {});
 Mesh make_trefoil(const TrefoilShape& shape = {});
 
 /// The upper half of a sphere, open.
@@ -63,6 +71,7 @@ struct HemisphereShape {
   float radius = 1;
   int resolution = 110;  ///< edges from the pole to the rim
 };
+StripShape hemisphere_strips(const HemisphereShape& shape = {});
 Mesh make_hemisphere(const HemisphereShape& shape = {});
 
 /// A strip of the given width with one half turn, its ends joined: one side, one border.
@@ -71,6 +80,7 @@ struct MobiusShape {
   float width = 0.5f;
   int resolution = 56;  ///< edges across the strip
 };
+StripShape mobius_strips(const MobiusShape& shape = {});
 Mesh make_mobius(const MobiusShape& shape = {});
 
 /// Half-planes that all end in the z axis, at equal angles: its edges have `count` triangles.
@@ -80,6 +90,7 @@ struct SheetsShape {
   float height = 2;
   int resolution = 80;  ///< edges from the common edge outwards
 };
+StripShape sheets_strips(const SheetsShape& shape = {});
 Mesh make_sheets(const SheetsShape& shape = {});
 
 /// Unconnected spheres, tori and cylinders, in turn, on a circle.
@@ -87,6 +98,7 @@ struct PiecesShape {
   int count = 5;
   int resolution = 20;  ///< as of a SphereShape; the others are sampled alike
 };
+StripShape pieces_strips(const PiecesShape& shape = {});
 Mesh make_pieces(const PiecesShape& shape = {});
 
 }  // namespace brindle

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 #include <utility>
+#include <variant>
 
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
@@ -45,7 +46,8 @@ struct Shape {
   std::string_view name;
   std::string_view help;
   std::vector<Parameter> parameters;
-  std::function<Mesh(const Values&)> make;
+  /// Those that have a formula can be made in parts.
+  std::variant<std::function<Mesh(const Values&)>, std::function<StripShape(const Values&)>> make;
 };
 
 Parameter length(std::string_view name, double standard, std::string_view help) {
@@ -72,9 +74,9 @@ Shape plane() {
           {length("width", s.width, "along x"), length("height", s.height, "along y"),
            resolution(s.resolution, 1, 5000, "edges along x")},
           [](const Values& v) {
-            return make_plane({.width = v.real("width"),
-                               .height = v.real("height"),
-                               .resolution = v.whole("resolution")});
+            return plane_strips({.width = v.real("width"),
+                                 .height = v.real("height"),
+                                 .resolution = v.whole("resolution")});
           }};
 }
 
@@ -85,9 +87,9 @@ Shape cylinder() {
           {length("radius", s.radius, "radius"), length("height", s.height, "along z"),
            resolution(s.resolution, 3, 10000, "edges around")},
           [](const Values& v) {
-            return make_cylinder({.radius = v.real("radius"),
-                                  .height = v.real("height"),
-                                  .resolution = v.whole("resolution")});
+            return cylinder_strips({.radius = v.real("radius"),
+                                    .height = v.real("height"),
+                                    .resolution = v.whole("resolution")});
           }};
 }
 
@@ -115,7 +117,7 @@ Shape tube() {
                   "shape 'tube': it would cut into itself; lower bend, radius, bulge or "
                   "taper, or raise length");
             }
-            return make_tube(shape);
+            return tube_strips(shape);
           }};
 }
 
@@ -126,7 +128,7 @@ Shape sphere() {
           {length("radius", s.radius, "radius"),
            resolution(s.resolution, 1, 1500, "edges along an edge of the icosahedron")},
           [](const Values& v) {
-            return make_sphere({.radius = v.real("radius"), .resolution = v.whole("resolution")});
+            return sphere_strips({.radius = v.real("radius"), .resolution = v.whole("resolution")});
           }};
 }
 
@@ -142,21 +144,22 @@ Shape torus() {
               throw Error("shape 'torus': minor must be below major; make one of them " +
                           std::string("smaller or larger"));
             }
-            return make_torus({.major = v.real("major"),
-                               .minor = v.real("minor"),
-                               .resolution = v.whole("resolution")});
+            return torus_strips({.major = v.real("major"),
+                                 .minor = v.real("minor"),
+                                 .resolution = v.whole("resolution")});
           }};
 }
 
 Shape trefoil() {
   const TrefoilShape s;
-  return {"trefoil",
-          "a tube along a trefoil knot",
-          {{"radius", s.radius, 0.01, 0.25, false, "radius of the tube"},
-           resolution(s.resolution, 3, 500, "edges around the tube")},
-          [](const Values& v) {
-            return make_trefoil({.radius = v.real("radius"), .resolution = v.whole("resolution")});
-          }};
+  return {
+      "trefoil",
+      "a tube along a trefoil knot",
+      {{"radius", s.radius, 0.01, 0.25, false, "radius of the tube"},
+       resolution(s.resolution, 3, 500, "edges around the tube")},
+      [](const Values& v) {
+        return trefoil_strips({.radius = v.real("radius"), .resolution = v.whole("resolution")});
+      }};
 }
 
 Shape vessels() {
@@ -235,7 +238,7 @@ Shape hemisphere() {
       {length("radius", s.radius, "radius"),
        resolution(s.resolution, 1, 3000, "edges from pole to rim")},
       [](const Values& v) {
-        return make_hemisphere({.radius = v.real("radius"), .resolution = v.whole("resolution")});
+        return hemisphere_strips({.radius = v.real("radius"), .resolution = v.whole("resolution")});
       }};
 }
 
@@ -253,9 +256,9 @@ Shape mobius() {
             if (v.real("radius") / v.real("width") * v.real("resolution") > 2000) {
               throw Error("shape 'mobius': too many triangles; lower the resolution or the radius");
             }
-            return make_mobius({.radius = v.real("radius"),
-                                .width = v.real("width"),
-                                .resolution = v.whole("resolution")});
+            return mobius_strips({.radius = v.real("radius"),
+                                  .width = v.real("width"),
+                                  .resolution = v.whole("resolution")});
           }};
 }
 
@@ -268,10 +271,10 @@ Shape sheets() {
            length("height", s.height, "along z"),
            resolution(s.resolution, 1, 1000, "edges along the width")},
           [](const Values& v) {
-            return make_sheets({.count = v.whole("count"),
-                                .width = v.real("width"),
-                                .height = v.real("height"),
-                                .resolution = v.whole("resolution")});
+            return sheets_strips({.count = v.whole("count"),
+                                  .width = v.real("width"),
+                                  .height = v.real("height"),
+                                  .resolution = v.whole("resolution")});
           }};
 }
 
@@ -282,7 +285,7 @@ Shape pieces() {
           {{"count", static_cast<double>(s.count), 1, 100, true, "number of pieces"},
            resolution(s.resolution, 2, 300, "edges along an edge of the icosahedron")},
           [](const Values& v) {
-            return make_pieces({.count = v.whole("count"), .resolution = v.whole("resolution")});
+            return pieces_strips({.count = v.whole("count"), .resolution = v.whole("resolution")});
           }};
 }
 
@@ -384,22 +387,48 @@ void check_size(const Shape& shape, const Values& values) {
   if (shape.name == "sheets") proportion("height", "width");
 }
 
-}  // namespace
+struct AskedShape {
+  const Shape& shape;
+  Values values;
+};
 
-Mesh make_shape(std::string_view spec) {
-  std::string_view rest = spec;
-  const Shape& shape = find_shape(take_until(rest, ','));
+AskedShape parse_spec(std::string_view spec) {
+  const Shape& shape = find_shape(take_until(spec, ','));
   Values values(shape.parameters);
-  while (!rest.empty()) {
-    std::string_view value = take_until(rest, ',');
+  while (!spec.empty()) {
+    std::string_view value = take_until(spec, ',');
     const std::string_view name = take_until(value, '=');
     const Parameter& parameter = find_parameter(shape, name);
     values.set(parameter.name, parse_value(shape, parameter, value));
   }
   check_size(shape, values);
-  Mesh mesh = shape.make(values);
+  return {shape, values};
+}
+
+Mesh whole(Mesh mesh) { return mesh; }
+Mesh whole(const StripShape& shape) { return mesh_of(shape); }
+
+}  // namespace
+
+Mesh make_shape(std::string_view spec) {
+  const AskedShape asked = parse_spec(spec);
+  const Values& values = asked.values;
+  Mesh mesh = std::visit([&](const auto& make) { return whole(make(values)); }, asked.shape.make);
   if (values.real("noise") > 0) add_noise(mesh, values.real("noise"), values.seed("noise_seed"));
   return mesh;
+}
+
+std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts) {
+  if (parts < 1) throw Error("a shape has one part or more, not " + std::to_string(parts));
+  if (part < 0 || part >= parts) {
+    throw Error("shape parts are numbered from 0 to " + std::to_string(parts - 1) +
+                "; there is no part " + std::to_string(part));
+  }
+  const AskedShape asked = parse_spec(spec);
+  const auto* strips = std::get_if<std::function<StripShape(const Values&)>>(&asked.shape.make);
+  // Noise depends on the mean length of all edges.
+  if (!strips || asked.values.real("noise") > 0) return std::nullopt;
+  return part_of((*strips)(asked.values), part, parts);
 }
 
 std::vector<std::string> shape_names() {

@@ -1,0 +1,293 @@
+#include "mpi_curves.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/curve_measures.h"
+#include "brindle/files.h"
+#include "command_line.h"
+#include "formatted.h"
+#include "option_values.h"
+#include "outputs.h"
+#include "piece_output.h"
+#include "piece_patterns.h"
+#include "report.h"
+#include "written_files.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kMpiCurvesExamples = R"(Examples:
+  mpirun -n 4 brindle-mpi curves shape:torus,resolution=512 --output torus.vtp
+  mpirun -n 2 brindle-mpi curves pieces.pvtp --lines both --stripes 60 --output grid.obj
+  mpirun -n 8 brindle-mpi curves scan.ply --min-length 2% --output long.csv --report long.json
+
+Each rank follows the stripes' centre lines in its own triangles; rank 0 joins what ends at borders
+and writes one file by its extension: .obj .ply .vtp .csv. A .pvtp has the lines of every rank as
+they are, cut at borders: where one is, border_edge has the numbers of the edge's vertices in the
+whole, and border_crossing counts along it; elsewhere both are -1.)";
+
+enum class CurveLines { u, v, both };
+
+std::optional<CurveLines> parse_lines(std::string_view name) {
+  if (name == "u") return CurveLines::u;
+  if (name == "v") return CurveLines::v;
+  if (name == "both") return CurveLines::both;
+  return std::nullopt;
+}
+
+struct MpiCurvesArguments : PatternArguments {
+  CurveLines lines = CurveLines::u;
+  Length min_length;
+};
+
+/// One of U and V, on rank 0.
+struct JoinedFamily {
+  std::string name;
+  StripeCurves curves;
+  std::array<std::size_t, kCurveEndKinds> ends{};  ///< of all curves
+  std::size_t short_curves = 0;                    ///< left out
+  double energy = 0;
+  std::size_t branches = 0;
+
+  std::size_t end(CurveEnd kind) const { return ends[static_cast<std::size_t>(kind)]; }
+};
+
+/// One of U and V as a rank has it.
+struct CutFamily {
+  std::string name;
+  PieceCurves curves;
+};
+
+/// The border that a line ends at, for every point.
+std::vector<DataArray> border_arrays(const PieceCurves& curves) {
+  std::vector<std::int64_t> edges(2 * curves.lines.points.size(), -1);
+  std::vector<std::int32_t> crossings(curves.lines.points.size(), -1);
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    const std::size_t ends[] = {curves.lines.offsets[line], curves.lines.offsets[line + 1] - 1};
+    for (std::size_t e = 0; e < 2; ++e) {
+      const std::optional<BorderCrossing>& border = curves.borders[line][e];
+      if (!border) continue;
+      edges[2 * ends[e]] = static_cast<std::int64_t>(border->edge[0]);
+      edges[2 * ends[e] + 1] = static_cast<std::int64_t>(border->edge[1]);
+      crossings[ends[e]] = static_cast<std::int32_t>(border->number);
+    }
+  }
+  return {make_data_array("border_edge", 2, edges),
+          make_data_array("border_crossing", 1, crossings)};
+}
+
+/// Collective.
+void write_cut_families(Communicator& ranks, const std::string& path, const Mesh& mesh,
+                        const std::vector<CutFamily>& families) {
+  // As `write_polylines` has them.
+  DataArrays announced;
+  announced.points = border_arrays({});
+  announced.points.push_back(make_data_array("normal", std::span<const Vec3>()));
+  for (const char* name : {"kind", "closed", "length"}) {
+    announced.cells.push_back({name, NumberType::float32, 1, {}});
+  }
+  std::vector<NamedLines> lines;
+  for (const CutFamily& family : families) {
+    lines.push_back({family.name, family.curves.lines, border_arrays(family.curves)});
+  }
+  write_pieces(ranks, path, mesh.origin, announced,
+               [&](const std::filesystem::path& piece) { write_polylines(piece, lines); });
+}
+
+/// Collective. What is known of a family without joining it.
+nlohmann::ordered_json to_json(Communicator& ranks, const CutFamily& family,
+                               const SolvedPattern& solved) {
+  const CurveLengths lengths = curve_lengths(family.curves.lines);
+  std::size_t crossings = 0;
+  for (const auto& borders : family.curves.borders) {
+    crossings += static_cast<std::size_t>(
+        std::ranges::count_if(borders, [](const auto& border) { return border.has_value(); }));
+  }
+  return {{"energy", solved.energy},
+          {"branches", solved.quality.branches},
+          {"curve_pieces", ranks.sum(family.curves.lines.count())},
+          {"border_crossings", ranks.sum(crossings) / 2},
+          {"length", ranks.sum(lengths.closed_length + lengths.open_length)}};
+}
+
+JoinedFamily join_family(const CutFamily& cut, const PiecePatterns& patterns,
+                         const SolvedPattern& solved, const MpiCurvesArguments& arguments) {
+  JoinedFamily family{cut.name, joined_curves(*patterns.surface, cut.curves)};
+  family.ends = family.curves.end_counts();
+  family.energy = solved.energy;
+  family.branches = solved.quality.branches;
+  const float least = arguments.min_length.on(static_cast<float>(patterns.surface->diagonal()));
+  if (least > 0) {
+    const std::size_t all = family.curves.lines.count();
+    family.curves = longer_than(family.curves, static_cast<double>(least));
+    family.short_curves = all - family.curves.lines.count();
+  }
+  return family;
+}
+
+nlohmann::ordered_json to_json(const JoinedFamily& family) {
+  const Polylines& lines = family.curves.lines;
+  const CurveLengths lengths = curve_lengths(lines);
+  return {{"energy", family.energy},
+          {"branches", family.branches},
+          {"curves", lines.count()},
+          {"closed", lengths.closed},
+          {"open", lengths.open},
+          {"short_curves_left_out", family.short_curves},
+          {"points", lines.points.size()},
+          {"length", lengths.closed_length + lengths.open_length},
+          {"ends",
+           {{"total", std::accumulate(family.ends.begin(), family.ends.end(), std::size_t{0})},
+            {"boundary", family.end(CurveEnd::boundary)},
+            {"no_wave", family.end(CurveEnd::no_wave)},
+            {"nonmanifold", family.end(CurveEnd::nonmanifold)},
+            {"branch", family.end(CurveEnd::branch)},
+            {"singularity", family.end(CurveEnd::singularity)}}}};
+}
+
+void print(std::ostream& out, const JoinedFamily& family) {
+  const CurveLengths lengths = curve_lengths(family.curves.lines);
+  out << formatted("%s         %zu curves, %zu of them closed, length %g\n", family.name.c_str(),
+                   family.curves.lines.count(), lengths.closed,
+                   lengths.closed_length + lengths.open_length)
+      << formatted(
+             "          ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu "
+             "beside vertices without wave, %zu at edges of three triangles or more\n",
+             family.end(CurveEnd::boundary), family.end(CurveEnd::branch),
+             family.end(CurveEnd::singularity), family.end(CurveEnd::no_wave),
+             family.end(CurveEnd::nonmanifold));
+  if (family.short_curves > 0) {
+    out << formatted("          %zu shorter curves left out\n", family.short_curves);
+  }
+}
+
+void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communicator& ranks) {
+  if (writes_pieces(arguments)) {
+    refuse_given(
+        command, {"--min-length"},
+        "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
+  } else if (!arguments.output.empty() && !is_polyline_format(arguments.output)) {
+    refuse_output(arguments.output,
+                  "lines over many processes are written as .obj, .ply, .vtp or "
+                  ".csv, or in pieces as .pvtp; 'brindle curves' draws");
+  }
+  if (arguments.lines == CurveLines::u) {
+    refuse_given(command, {"--stripes-v", "--frequency-v"},
+                 "V is not traced; add --lines v or --lines both");
+  }
+  check_pattern_options(command, arguments, ranks);
+}
+
+/// On rank 0. Families are joined, or there are none.
+void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
+          const std::vector<JoinedFamily>& families, const PiecePatterns& patterns,
+          const nlohmann::ordered_json& report) {
+  if (!arguments.output.empty() && !writes_pieces(arguments)) {
+    std::vector<NamedLines> lines;
+    for (const JoinedFamily& family : families) lines.push_back({family.name, family.curves.lines});
+    write_polylines(arguments.output, lines);
+  }
+  write_pattern_report(command, arguments, report);
+  if (arguments.quiet) return;
+  print_waves(std::cout, patterns.figures);
+  for (const JoinedFamily& family : families) print(std::cout, family);
+  for (const char* name : {"u", "v"}) {
+    if (!report.contains(name) || !report[name].contains("curve_pieces")) continue;
+    std::cout << formatted(
+        "%s         %zu pieces of curves, length %g; they cross borders %zu "
+        "times\n",
+        name, report[name]["curve_pieces"].get<std::size_t>(), report[name]["length"].get<double>(),
+        report[name]["border_crossings"].get<std::size_t>());
+  }
+  print_pattern_ranks(std::cout, report);
+  if (!arguments.output.empty()) print_written(std::cout, arguments.output);
+  if (!arguments.report.empty()) print_written(std::cout, arguments.report);
+}
+
+/// What is made of the curves of all ranks.
+struct MadeCurves {
+  std::vector<JoinedFamily> joined;  ///< on rank 0, unless pieces are written
+  nlohmann::ordered_json report;     ///< of families, by their names
+};
+
+MadeCurves make_curves(Communicator& ranks, const PiecePatterns& patterns,
+                       const MpiCurvesArguments& arguments, ProgressDisplay& display) {
+  MadeCurves made;
+  std::vector<CutFamily> families;
+  for (const auto& [name, solved] : {std::pair("u", &patterns.u), std::pair("v", &patterns.v)}) {
+    if (!*solved) continue;
+    families.push_back({name, piece_curves(patterns.piece(**solved, arguments))});
+    if (writes_pieces(arguments)) {
+      made.report[name] = to_json(ranks, families.back(), **solved);
+      continue;
+    }
+    made.joined.push_back(join_family(families.back(), patterns, **solved, arguments));
+    made.report[name] = to_json(made.joined.back());
+    if (made.joined.back().curves.lines.count() > 0) continue;
+    display.note(std::string(name) + ": no curves; ask for more stripes, or for shorter ones\n");
+  }
+  if (writes_pieces(arguments)) {
+    ranks.together([&] { display.stage("writing"); });
+    write_cut_families(ranks, arguments.output, patterns.read.piece.mesh, families);
+  }
+  return made;
+}
+
+void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments,
+                    Communicator& ranks) {
+  check(command, arguments, ranks);
+  const ThreadLimit threads(arguments.solving.threads);
+  PiecePatterns patterns;
+  MadeCurves made;
+  double extract = 0;
+  {
+    ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
+    patterns = make_piece_patterns(ranks, arguments, arguments.lines != CurveLines::v,
+                                   arguments.lines != CurveLines::u, display);
+    ranks.together([&] { display.stage("curves"); });
+    Stopwatch watch;
+    made = make_curves(ranks, patterns, arguments, display);
+    extract = watch.lap();
+  }
+  nlohmann::ordered_json report = to_json(ranks, patterns, extract);
+  report.update(made.report);
+  ranks.together([&] {
+    if (ranks.rank() == 0) tell(command, arguments, made.joined, patterns, report);
+  });
+}
+
+void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
+  add_pattern_options(command, arguments,
+                      "the curves: whole as .obj .ply .vtp .csv, in pieces as .pvtp", "FILE");
+  add_named_option(command, "--lines", arguments.lines, parse_lines, "u|v|both",
+                   "across the field (u, default), along it (v: stripes of the field turned by 90 "
+                   "degrees), or both");
+  add_parsed_option(command, "--min-length", arguments.min_length, parse_length,
+                    "leave out shorter curves")
+      ->type_name("L|P%");
+}
+
+}  // namespace
+
+Command add_mpi_curves_command(CLI::App& app, Communicator& ranks) {
+  return add_command<MpiCurvesArguments>(
+      app, "curves", "Trace the stripes of a surface that all ranks hold together as lines",
+      kMpiCurvesExamples, add_mpi_curves_options,
+      [&ranks](const CLI::App& command, const MpiCurvesArguments& arguments) {
+        run_mpi_curves(command, arguments, ranks);
+      });
+}
+
+}  // namespace brindle::tool

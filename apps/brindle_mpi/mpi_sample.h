@@ -1,0 +1,12 @@
+/// `brindle-mpi sample`.
+#pragma once
+
+#include "brindle/distributed/communicator.h"
+#include "commands.h"
+
+namespace brindle::tool {
+
+/// `ranks` must live until the command has run, which is collective.
+Command add_mpi_sample_command(CLI::App& app, Communicator& ranks);
+
+}  // namespace brindle::tool

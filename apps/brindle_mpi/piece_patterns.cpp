@@ -1,0 +1,189 @@
+#include "piece_patterns.h"
+
+#include <algorithm>
+#include <numbers>
+#include <ostream>
+#include <utility>
+
+#include "bench/resident_memory.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/frequency_field.h"
+#include "command_line.h"
+#include "formatted.h"
+#include "mpi_arguments.h"
+#include "option_values.h"
+#include "outputs.h"
+#include "piece_output.h"
+#include "piece_slack.h"
+#include "pvtp_pieces.h"
+#include "report.h"
+#include "used_files.h"
+
+namespace brindle::tool {
+namespace {
+
+std::optional<float> frequency_of_v(const PatternArguments& arguments, double diagonal) {
+  if (!arguments.stripes_v) return arguments.frequency_v;
+  return frequency_of_stripes(*arguments.stripes_v, static_cast<float>(diagonal));
+}
+
+/// U's waves turned, with V's own frequency if it has one.
+WaveSet waves_across(const WaveSet& u, const DistributedSurface& surface,
+                     std::optional<float> frequency) {
+  WaveSet v = u;
+  v.directions = rotated(u.directions, surface.normals(), std::numbers::pi_v<float> / 2);
+  if (frequency) v.frequencies = constant_frequency_field(*frequency, v.positions.size());
+  return v;
+}
+
+SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
+                    const SolvingOptions& solving, const Progress& progress) {
+  DistributedOptions options = animator_options(solving);
+  options.slack =
+      piece_slack(ranks, solving.slack, patterns.read, patterns.surface->vertex_count());
+  DistributedStripeAnimator animator(*patterns.surface, options);
+  SolvedPattern solved;
+  const FrameResult frame =
+      animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
+  solved.z.assign(frame.z.begin(), frame.z.end());
+  patterns.topology += animator.topology_milliseconds();
+  patterns.couple += frame.milliseconds.couple;
+  patterns.solve += frame.milliseconds.sum + frame.milliseconds.solve;
+  Stopwatch watch;
+  solved.quality = animator.measure().quality;
+  solved.energy = animator.energy();
+  patterns.pattern += watch.lap();
+  solved.waves = std::move(waves);
+  if (!frame.frequencies.empty()) {
+    solved.waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
+  }
+  return solved;
+}
+
+std::vector<UsedFile> pattern_inputs(Communicator& ranks, const PatternArguments& arguments) {
+  const SurfaceOptions& surface = arguments.surface;
+  std::vector<UsedFile> inputs;
+  if (is_pvtp(surface.mesh)) {
+    inputs = files_of_pvtp(ranks, surface.mesh);
+  } else if (!is_shape(surface)) {
+    inputs.push_back({"MESH", surface.mesh});
+  }
+  add_slack_files(arguments.solving.slack, inputs);
+  return inputs;
+}
+
+}  // namespace
+
+void add_pattern_options(CLI::App& command, PatternArguments& arguments, const std::string& what,
+                         const std::string& files) {
+  add_surface_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  CLI::Option* stripes =
+      add_parsed_option(command, "--stripes-v", arguments.stripes_v, parse_positive_number,
+                        "V: as --stripes (default: U's frequency)")
+          ->type_name("N");
+  add_parsed_option(command, "--frequency-v", arguments.frequency_v, parse_positive_number,
+                    "V: as --frequency")
+      ->type_name("F")
+      ->excludes(stripes);
+  add_solving_options(command, arguments.solving);
+  command.add_option("-o,--output", arguments.output, what)->type_name(files);
+  command.add_option("--report", arguments.report, "write the report here")->type_name("FILE.json");
+  command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+}
+
+bool writes_pieces(const PatternArguments& arguments) {
+  return lower_extension(arguments.output) == ".pvtp";
+}
+
+void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,
+                           Communicator& ranks) {
+  check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
+  std::vector<UsedFile> outputs;
+  if (!arguments.output.empty()) outputs.push_back({"--output", arguments.output});
+  for (int r = 0; writes_pieces(arguments) && r < ranks.size(); ++r) {
+    outputs.push_back({"--output", piece_path(arguments.output, r)});
+  }
+  if (!arguments.report.empty()) {
+    check_report("--report", arguments.report);
+    outputs.push_back({"--report", arguments.report});
+  }
+  check_files(pattern_inputs(ranks, arguments), outputs);
+  if (writes_pieces(arguments)) return check_pieces(ranks, arguments.output);
+  ranks.together([&] {
+    if (ranks.rank() == 0 && !arguments.output.empty()) check_output_path(arguments.output);
+  });
+}
+
+PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& arguments,
+                                  bool with_u, bool with_v, ProgressDisplay& display) {
+  const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
+  PiecePatterns patterns;
+  Stopwatch watch;
+  patterns.read = read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
+  patterns.load = watch.lap();
+  stage("neighbourhood and normals");
+  patterns.surface.emplace(patterns.read.piece, MPI_COMM_WORLD);
+  patterns.topology = watch.lap();
+  stage("direction field");
+  PieceWaves waves =
+      make_piece_waves(ranks, *patterns.surface, patterns.read, arguments.waves, display);
+  patterns.figures = waves.figures;
+  patterns.field = waves.milliseconds;
+  const auto frequency_v = frequency_of_v(arguments, patterns.surface->diagonal());
+  WaveSet across;
+  if (with_v) across = waves_across(waves.waves, *patterns.surface, frequency_v);
+  const auto make = [&](WaveSet& set) {
+    stage("stripes");
+    return solve(ranks, patterns, std::move(set), arguments.solving, display.progress());
+  };
+  if (with_u) patterns.u = make(waves.waves);
+  if (with_v) patterns.v = make(across);
+  std::size_t branches = 0;
+  for (const auto& solved : {&patterns.u, &patterns.v}) {
+    if (*solved) branches = std::max(branches, (*solved)->quality.branches);
+  }
+  display.note(branch_warning(patterns.figures, branches, patterns.surface->triangle_count()));
+  return patterns;
+}
+
+nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& patterns,
+                               double extract_milliseconds) {
+  const DistributedSurface& surface = *patterns.surface;
+  const Traffic traffic = surface.traffic();
+  const auto memory = resident_memory();
+  const auto bytes = ranks.sum(traffic.bytes);
+  const auto most = ranks.greatest(memory ? memory->peak : std::size_t{0});
+  nlohmann::ordered_json json = {{"vertices", surface.vertex_count()},
+                                 {"triangles", surface.triangle_count()},
+                                 {"edges", surface.edge_count()},
+                                 {"vertices_joined", patterns.read.vertices_joined},
+                                 {"threads", ThreadLimit::current()}};
+  json.update(to_json(patterns.figures, std::nullopt));
+  json["ranks"] = {{"count", ranks.size()}, {"bytes_sent", bytes}, {"memory_peak_most", most}};
+  json["milliseconds"] = {{"load", patterns.load},          {"field", patterns.field},
+                          {"topology", patterns.topology},  {"couple", patterns.couple},
+                          {"solve", patterns.solve},        {"pattern", patterns.pattern},
+                          {"extract", extract_milliseconds}};
+  return json;
+}
+
+void write_pattern_report(const CLI::App& command, const PatternArguments& arguments,
+                          const nlohmann::ordered_json& report) {
+  if (arguments.report.empty()) return;
+  nlohmann::ordered_json json = invocation_of(command);
+  json.update(report);
+  write_json(arguments.report, json);
+}
+
+void print_pattern_ranks(std::ostream& out, const nlohmann::ordered_json& report) {
+  out << formatted("ranks     %d; %.3f MB sent, memory %.0f MB at most\n",
+                   report["ranks"]["count"].get<int>(),
+                   1e-6 * report["ranks"]["bytes_sent"].get<double>(),
+                   1e-6 * report["ranks"]["memory_peak_most"].get<double>());
+}
+
+}  // namespace brindle::tool

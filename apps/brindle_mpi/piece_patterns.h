@@ -1,0 +1,78 @@
+/// One or two patterns over the pieces of a surface: what `brindle-mpi curves` and `sample` share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "brindle/distributed/communicator.h"
+#include "brindle/distributed_pattern.h"
+#include "brindle/distributed_stripes.h"
+#include "mesh_pieces.h"
+#include "piece_waves.h"
+#include "progress_display.h"
+
+namespace brindle::tool {
+
+struct PatternArguments {
+  SurfaceOptions surface;
+  WaveOptions waves;
+  SolvingOptions solving;
+  std::optional<float> stripes_v;    ///< along the diagonal; U's frequency if neither is given
+  std::optional<float> frequency_v;  ///< stripes per unit length
+  std::string output;                ///< empty: none
+  std::string report;                ///< .json; empty: none
+  bool quiet = false;
+};
+
+/// All options; `what` says what --output is, `files` which extensions it has.
+void add_pattern_options(CLI::App& command, PatternArguments& arguments, const std::string& what,
+                         const std::string& files);
+
+/// Whether --output is a .pvtp, of which every rank writes a piece.
+bool writes_pieces(const PatternArguments& arguments);
+
+/// Throws CLI::ValidationError for options without effect and for files that would get into each
+/// other's way, Error on all ranks if one could not be written.
+void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,
+                           Communicator& ranks);
+
+/// A solved pattern of a piece.
+struct SolvedPattern {
+  WaveSet waves;
+  std::vector<Complex> z;
+  double energy = 0;
+  PatternQuality quality;
+};
+
+struct PiecePatterns {
+  ReadPiece read;
+  std::optional<DistributedSurface> surface;
+  WaveFigures figures;
+  std::optional<SolvedPattern> u, v;
+  double load = 0, field = 0, topology = 0, couple = 0, solve = 0, pattern = 0;  ///< milliseconds
+
+  PiecePattern piece(const SolvedPattern& solved, const PatternArguments& arguments) const {
+    return {*surface, solved.waves, solved.z, arguments.solving.stripes.phase_shift};
+  }
+};
+
+/// Collective. Reads, lays and solves the patterns asked for; V is U turned by 90 degrees.
+PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& arguments,
+                                  bool with_u, bool with_v, ProgressDisplay& display);
+
+/// Collective. Keys of reports: the surface, the waves, what ranks sent, and how long it took.
+nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& patterns,
+                               double extract_milliseconds);
+
+/// On rank 0. Where the report comes from, then its keys, to its file.
+void write_pattern_report(const CLI::App& command, const PatternArguments& arguments,
+                          const nlohmann::ordered_json& report);
+
+/// On rank 0: a line for people on ranks.
+void print_pattern_ranks(std::ostream& out, const nlohmann::ordered_json& report);
+
+}  // namespace brindle::tool

@@ -1,0 +1,34 @@
+/// Waves of the pieces of a surface, before they have phases.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brindle/distributed/communicator.h"
+#include "brindle/distributed_stripes.h"
+#include "job_listener.h"
+#include "mesh_pieces.h"
+#include "solving_options.h"
+#include "wave_figures.h"
+#include "wave_options.h"
+
+namespace brindle::tool {
+
+/// Waves of the piece's vertices, and what they took.
+struct PieceWaves {
+  WaveSet waves;
+  WaveFigures figures;
+  double milliseconds = 0;
+};
+
+/// The names of the arrays of points that the options take waves from.
+std::vector<std::string> wanted_arrays(const WaveOptions& options);
+
+/// Collective. As the options ask for; notes what is wrong with them.
+PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
+                            const ReadPiece& read, const WaveOptions& options,
+                            JobListener& listener);
+
+DistributedOptions animator_options(const SolvingOptions& solving);
+
+}  // namespace brindle::tool

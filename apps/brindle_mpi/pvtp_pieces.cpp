@@ -1,0 +1,391 @@
+#include "pvtp_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "array_source.h"
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/base/printable.h"
+#include "brindle/distributed/shared_places.h"
+#include "brindle/error.h"
+#include "brindle/files/pvtp_file.h"
+#include "brindle/files/vtk_xml_file.h"
+#include "brindle/geometry/local_positions.h"
+
+namespace brindle::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What Brindle, VTK and other programs call the numbers of points in the whole.
+constexpr std::array<std::string_view, 6> kIdNames = {
+    "global_id", "globalpointids", "globalnodeids", "globalnodeid", "vtkglobalids", "globalids"};
+
+/// Vertices of one number farther apart than this, over the diagonal, are two: wrong numbers. What
+/// programs round differently on two pieces is far nearer.
+constexpr double kMostTorn = 1e-4;
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+const DataArray* find_ids(const PieceList& list, std::span<const DataArray> arrays) {
+  if (!list.global_ids.empty()) {
+    if (const DataArray* named = find_array(arrays, list.global_ids)) return named;
+  }
+  for (const std::string_view name : kIdNames) {
+    for (const DataArray& array : arrays) {
+      if (lower(array.name) == name) return &array;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::uint64_t> numbers_of(const fs::path& piece, const DataArray& ids) {
+  if (ids.components != 1 || is_floating(ids.type)) {
+    throw Error(piece.string() + ": array " + in_quotes(ids.name) +
+                " should number the vertices and holds no whole numbers; write it as Int64");
+  }
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(ids.rows());
+  for_each_number(ids.view(), [&](std::size_t row, std::size_t, auto number) {
+    if (number < 0) {
+      throw Error(piece.string() + ": array " + in_quotes(ids.name) + " has " +
+                  std::to_string(static_cast<std::int64_t>(number)) + " for point " +
+                  std::to_string(row) + "; numbers of vertices are not below zero");
+    }
+    numbers.push_back(static_cast<std::uint64_t>(number));
+  });
+  return numbers;
+}
+
+/// For every triangle whether another piece has it: VTK's type of ghosts has a bit for these, and
+/// once had their layer instead.
+std::vector<std::uint8_t> ghosts_of(std::span<const DataArray> cells, std::size_t triangles) {
+  constexpr double kDuplicate = 1;
+  std::vector<std::uint8_t> ghosts(triangles);
+  if (const DataArray* types = find_array(cells, "vtkGhostType");
+      types && !is_floating(types->type)) {
+    for_each_number(types->view(), [&](std::size_t row, std::size_t, auto type) {
+      ghosts[row] = std::fmod(static_cast<double>(type), 2 * kDuplicate) >= kDuplicate;
+    });
+  } else if (const DataArray* layers = find_array(cells, "vtkGhostLevels")) {
+    for_each_number(layers->view(),
+                    [&](std::size_t row, std::size_t, auto layer) { ghosts[row] = layer > 0; });
+  }
+  return ghosts;
+}
+
+[[noreturn]] void refuse_components(const std::string& path, const std::string& array) {
+  throw Error(path + ": array " + in_quotes(array) +
+              " has another number of components than in other pieces; export the pieces again");
+}
+
+/// The pieces of one rank, one behind the other.
+struct RankRows {
+  std::vector<Eigen::Vector3d> exact;  ///< coordinates of all rows
+  std::vector<std::uint64_t> ids;      ///< of all rows, or none
+  std::vector<std::uint32_t> piece;    ///< that a row is of, by its number in the .pvtp
+  std::vector<std::uint8_t> in_ghost;  ///< by row: a ghost triangle uses it
+  std::vector<Triangle> triangles;     ///< of rows, without ghosts
+  std::size_t ghosts = 0;
+  std::optional<fs::path> with_ids, without_ids;  ///< one piece of each sort
+  std::string left_out;
+  std::vector<DataArray> arrays;  ///< those asked for, a row per row; without pieces no components
+};
+
+/// Reads a rank's pieces.
+class PieceReader {
+ public:
+  PieceReader(const fs::path& pvtp, const std::vector<std::string>& arrays, JobListener& listener)
+      : pvtp_(pvtp), listener_(listener) {
+    for (const std::string& name : arrays) {
+      rows_.arrays.push_back({name, NumberType::float64, 0, {}});
+    }
+  }
+
+  RankRows read(int rank, int ranks) {
+    list_ = read_pvtp(pvtp_);
+    const std::size_t count = list_.pieces.size();
+    const auto begin_of = [&](int r) {
+      return count * static_cast<std::size_t>(r) / static_cast<std::size_t>(ranks);
+    };
+    for (std::size_t p = begin_of(rank); p < begin_of(rank + 1); ++p) add(p);
+    return std::move(rows_);
+  }
+
+  std::size_t piece_count() const { return list_.pieces.size(); }
+  const fs::path& piece(std::size_t p) const { return list_.pieces[p]; }
+
+ private:
+  void add(std::size_t p) {
+    const fs::path& path = list_.pieces[p];
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
+      throw Error(pvtp_.string() + ": names the piece " + in_quotes(path.string()) +
+                  ", which is not there; keep all pieces where the .pvtp has them");
+    }
+    std::vector<Eigen::Vector3d> exact;
+    const RawMesh raw = read_vtk_xml(path, listener_.progress(), &exact);
+    if (exact.empty()) return;
+    check_piece_arrays(path, list_, raw.arrays);
+    check_room(path, exact.size());
+    const auto first = static_cast<Index>(rows_.exact.size());
+    rows_.exact.insert(rows_.exact.end(), exact.begin(), exact.end());
+    rows_.piece.resize(rows_.exact.size(), static_cast<std::uint32_t>(p));
+    rows_.in_ghost.resize(rows_.exact.size());
+    add_ids(path, raw.arrays.points);
+    for (DataArray& array : rows_.arrays) {
+      append_rows(as_doubles(array_named({raw.arrays.points, {}}, array.name, path.string()), ""),
+                  path, array);
+    }
+    add_triangles(raw, first);
+    std::istringstream lines(raw.left_out);
+    for (std::string line; std::getline(lines, line);) {
+      rows_.left_out += path.string() + ": " + line + "\n";
+    }
+  }
+
+  static void append_rows(const DataArray& more, const fs::path& path, DataArray& array) {
+    if (array.components == 0) array.components = more.components;
+    if (array.components != more.components) refuse_components(path.string(), array.name);
+    array.bytes.insert(array.bytes.end(), more.bytes.begin(), more.bytes.end());
+  }
+
+  void check_room(const fs::path& path, std::size_t more) const {
+    if (rows_.exact.size() + more < std::numeric_limits<Index>::max() / 6) return;
+    throw Error(path.string() +
+                ": with it a rank has more points than brindle can number; take more ranks");
+  }
+
+  void add_ids(const fs::path& path, std::span<const DataArray> arrays) {
+    const DataArray* ids = find_ids(list_, arrays);
+    (ids ? rows_.with_ids : rows_.without_ids) = path;
+    if (!ids) return;
+    const std::vector<std::uint64_t> numbers = numbers_of(path, *ids);
+    rows_.ids.insert(rows_.ids.end(), numbers.begin(), numbers.end());
+  }
+
+  void add_triangles(const RawMesh& raw, Index first) {
+    const auto ghosts = ghosts_of(raw.arrays.cells, raw.mesh.triangle_count());
+    for (std::size_t t = 0; t < ghosts.size(); ++t) {
+      Triangle triangle = raw.mesh.triangles[t];
+      for (Index& v : triangle) v += first;
+      rows_.ghosts += ghosts[t];
+      if (!ghosts[t]) {
+        rows_.triangles.push_back(triangle);
+        continue;
+      }
+      for (const Index v : triangle) rows_.in_ghost[v] = 1;
+    }
+  }
+
+  fs::path pvtp_;
+  JobListener& listener_;
+  PieceList list_;
+  RankRows rows_;
+};
+
+/// Either all pieces have ids or none.
+bool have_ids(Communicator& ranks, const RankRows& rows) {
+  const bool any = ranks.any(rows.with_ids.has_value());
+  ranks.together([&] {
+    if (!any || !rows.without_ids) return;
+    throw Error(rows.without_ids->string() +
+                ": has no global ids of its points, which other pieces have; export the pieces "
+                "again, all with them or all without");
+  });
+  return any;
+}
+
+/// Where the floats of all ranks have their zero: as if one process had read all pieces.
+Eigen::Vector3d common_origin(Communicator& ranks, std::span<const Eigen::Vector3d> exact) {
+  std::array<double, 6> corners;  // lower, and upper turned round
+  corners.fill(std::numeric_limits<double>::infinity());
+  for (const Eigen::Vector3d& p : exact) {
+    if (!(p.array().abs() <= kLargestCoordinate).all()) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double coordinate = p[static_cast<Eigen::Index>(k)];
+      corners[k] = std::min(corners[k], coordinate);
+      corners[k + 3] = std::min(corners[k + 3], -coordinate);
+    }
+  }
+  for (const auto& other : ranks.all(corners)) {
+    for (std::size_t k = 0; k < 6; ++k) corners[k] = std::min(corners[k], other[k]);
+  }
+  Eigen::AlignedBox3d box;
+  if (corners[0] <= -corners[3]) {
+    box.extend(Eigen::Vector3d(corners[0], corners[1], corners[2]));
+    box.extend(-Eigen::Vector3d(corners[3], corners[4], corners[5]));
+  }
+  return origin_near(box);
+}
+
+/// Those of ranks without pieces have no rows, and components as the others.
+void agree_on_components(Communicator& ranks, const std::string& path, RankRows& rows) {
+  for (DataArray& array : rows.arrays) {
+    const int most = ranks.greatest(array.components);
+    if (ranks.any(array.components != most && array.components != 0)) {
+      refuse_components(path, array.name);
+    }
+    array.components = std::max(1, most);
+  }
+}
+
+void refuse_torn(Communicator& ranks, const PieceReader& reader, const RankRows& rows,
+                 const Mesh& mesh) {
+  const BoundingBox box = bounding_box({mesh.positions, {}, {}});
+  const auto distance = static_cast<float>(
+      kMostTorn * static_cast<double>(ranks.greatest(mesh.positions.empty() ? 0 : box.diagonal())));
+  const auto torn = find_torn_vertex(ranks, rows.ids, mesh.positions, rows.piece, distance);
+  if (!torn) return;
+  const std::string first = reader.piece(torn->label).string(),
+                    second = reader.piece(torn->other_label).string();
+  throw Error(second + ": its point with the global id " + std::to_string(torn->id) +
+              " stands elsewhere than that of " + (first == second ? "another row" : first) +
+              "; ids must be numbers in the whole surface: in ParaView, apply the filter Generate "
+              "Global Ids, or leave the array out");
+}
+
+/// Lets triangles use the first of all rows with one id, and leaves rows that are a vertex of this
+/// rank: used, or alone and in no triangle at all.
+/// Numbers of these rows go to `kept`.
+SurfacePiece joined_piece(Mesh mesh, const std::vector<std::uint64_t>& ids,
+                          std::span<const std::uint8_t> in_ghost, std::vector<Index>& kept) {
+  std::vector<Index> order(ids.size()), first(ids.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order,
+                    [&](Index a, Index b) { return std::pair(ids[a], a) < std::pair(ids[b], b); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool again = i > 0 && ids[order[i]] == ids[order[i - 1]];
+    first[order[i]] = again ? first[order[i - 1]] : order[i];
+  }
+  std::vector<std::uint8_t> wanted(ids.size());
+  for (Index v = 0; v < ids.size(); ++v) {
+    wanted[v] = first[v] == v && !in_ghost[v] && mesh.positions[v].allFinite();
+  }
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& v : triangle) wanted[v = first[v]] = 1;
+  }
+  SurfacePiece piece;
+  piece.mesh.origin = mesh.origin;
+  std::vector<Index> number(ids.size());
+  for (Index v = 0; v < ids.size(); ++v) {
+    if (!wanted[v]) continue;
+    number[v] = static_cast<Index>(piece.vertex_ids.size());
+    kept.push_back(v);
+    piece.vertex_ids.push_back(ids[v]);
+    piece.mesh.positions.push_back(mesh.positions[v]);
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    piece.mesh.triangles.push_back({number[a], number[b], number[c]});
+  }
+  return piece;
+}
+
+MeshRepair sum_of(Communicator& ranks, const MeshRepair& own) {
+  MeshRepair sum;
+  for (const MeshRepair& other : ranks.all(own)) {
+    sum.vertices_not_finite += other.vertices_not_finite;
+    sum.triangles_out_of_range += other.triangles_out_of_range;
+    sum.triangles_not_finite += other.triangles_not_finite;
+    sum.triangles_degenerate += other.triangles_degenerate;
+    sum.triangles_duplicate += other.triangles_duplicate;
+  }
+  return sum;
+}
+
+/// All ranks' text on rank 0.
+std::string gathered_text(Communicator& ranks, const std::string& own) {
+  std::string text;
+  for (const auto& bytes : ranks.gather(std::as_bytes(std::span(own)))) {
+    text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  }
+  return text;
+}
+
+std::string describe_pieces(const std::string& path, std::size_t pieces, int ranks,
+                            std::size_t ghosts, bool ids) {
+  std::string text;
+  if (pieces < static_cast<std::size_t>(ranks)) {
+    text += path + ": has " + std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces") +
+            " for " + std::to_string(ranks) +
+            " ranks: " + std::to_string(static_cast<std::size_t>(ranks) - pieces) +
+            " of them have none\n";
+  }
+  if (!ids) {
+    text +=
+        path + ": has no global ids: points at exactly the same place are taken for one vertex\n";
+  }
+  if (ghosts > 0) {
+    text += std::to_string(ghosts) + " ghost triangles: left out, other pieces have them\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_pvtp(const std::string& mesh) { return lower_extension(mesh) == ".pvtp"; }
+
+std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path) {
+  std::vector<UsedFile> files = {{"MESH", path}};
+  ranks.together([&] {
+    for (const fs::path& piece : read_pvtp(path).pieces) files.push_back({"MESH", piece});
+  });
+  return files;
+}
+
+ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path,
+                           const std::vector<std::string>& arrays, JobListener& listener) {
+  PieceReader reader(path, arrays, listener);
+  RankRows rows;
+  ranks.together([&] {
+    listener.stage("loading " + path);
+    rows = reader.read(ranks.rank(), ranks.size());
+  });
+  const bool ids = have_ids(ranks, rows);
+  agree_on_components(ranks, path, rows);
+  Mesh mesh;
+  mesh.origin = common_origin(ranks, rows.exact);
+  mesh.positions = positions_about(mesh.origin, std::exchange(rows.exact, {}));
+  mesh.triangles = std::move(rows.triangles);
+  if (ids) {
+    refuse_torn(ranks, reader, rows, mesh);
+  } else {
+    rows.ids = numbers_by_place(ranks, mesh.positions);
+  }
+  ReadPiece result;
+  MeshRepair repair;
+  ranks.together([&] {
+    std::vector<Index> kept;
+    result.piece = joined_piece(std::move(mesh), rows.ids, rows.in_ghost, kept);
+    result.arrays = rows_of(rows.arrays, kept);
+    repair = repair_mesh(result.piece.mesh);
+  });
+  if (ranks.sum(result.piece.mesh.triangle_count()) == 0) {
+    throw Error(path +
+                ": has no usable triangle; export the pieces again, as a surface with faces");
+  }
+  const std::size_t ghosts = ranks.sum(rows.ghosts);
+  listener.note(describe_pieces(path, reader.piece_count(), ranks.size(), ghosts, ids));
+  listener.note(describe_origin(result.piece.mesh.origin));
+  listener.note(gathered_text(ranks, rows.left_out));
+  listener.note(describe(sum_of(ranks, repair)));
+  return result;
+}
+
+}  // namespace brindle::tool

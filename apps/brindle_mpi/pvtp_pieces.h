@@ -1,0 +1,28 @@
+/// A surface in pieces, of which every rank reads its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brindle/distributed/communicator.h"
+#include "job_listener.h"
+#include "mesh_pieces.h"
+#include "used_files.h"
+
+namespace brindle::tool {
+
+/// Whether a mesh is named that comes in pieces.
+bool is_pvtp(const std::string& mesh);
+
+/// Collective. The .pvtp and its pieces, which no output may overwrite. Throws Error on all ranks
+/// if it cannot be read.
+std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path);
+
+/// Collective. Deals the pieces of a .pvtp to ranks in contiguous runs. Vertices of one global id
+/// are one vertex; without such ids those at exactly the same place are. Ghost triangles are left
+/// out, since other pieces have them. Throws Error on all ranks, with one message, for a file that
+/// cannot be read, for pieces that do not fit together, and for those that lack one of `arrays`.
+ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path,
+                           const std::vector<std::string>& arrays, JobListener& listener);
+
+}  // namespace brindle::tool

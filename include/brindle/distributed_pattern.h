@@ -1,0 +1,75 @@
+/// What follows from a pattern that many processes hold: curves and samples. Needs a build with
+/// BRINDLE_MPI.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brindle/curves.h"
+#include "brindle/distributed_surface.h"
+#include "brindle/export.h"
+#include "brindle/phase_graph.h"
+#include "brindle/samples.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// A solved pattern, as frames have it: entries per vertex of the piece. What counts of a vertex is
+/// what its owner says. What it refers to must outlive the call that it is handed to.
+struct PiecePattern {
+  const DistributedSurface& surface;
+  const WaveSet& waves;
+  std::span<const Complex> z;
+  PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+};
+
+/// Where a curve crosses the border of a piece.
+struct BorderCrossing {
+  std::array<std::uint64_t, 2> edge;  ///< the numbers of its ends in the whole, the lower one first
+  std::uint32_t number;               ///< along the edge, from that end
+
+  auto operator<=>(const BorderCrossing&) const = default;
+};
+
+/// The curves of one rank's triangles, cut at the borders of its piece.
+struct PieceCurves {
+  /// All points, also those that a whole curve passes over as too near to others. Of a curve that
+  /// comes from a triangle without a wave on this side of a border, the point there alone.
+  Polylines lines;
+  /// Why ends are ends, as of StripeCurves. Where `borders` has a crossing it is none: exactly one
+  /// end on another rank has the same crossing, and its point has the same bits.
+  std::vector<std::array<CurveEnd, 2>> ends;
+  std::vector<std::array<std::optional<BorderCrossing>, 2>> borders;
+  std::vector<Vec3> forward;  ///< per point where the wave runs; zero where that is not known
+  std::vector<float> sizes;   ///< per point the length of the edge that it lies on
+};
+
+/// Collective. The stripes' centre lines in this rank's triangles. Throws Error on all ranks for
+/// patterns whose parts do not match the piece.
+PieceCurves piece_curves(const PiecePattern& pattern);
+
+/// Collective. All ranks' curves, whole, on rank 0; nothing elsewhere. Lines are sent, and no
+/// triangles. They are those of `brindle::stripe_curves` with the same phases: the same ends, and
+/// but for which of several points at one place are passed over, the same points. Of one rank they
+/// have its bits. Curves of more ranks than one may run the other way, and closed ones start
+/// elsewhere. Places on the mesh are not known.
+StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves);
+
+/// Collective. Samples where the peaks of two patterns cross, in this rank's triangles, whose
+/// numbers are those of the piece. Every sample of the whole surface is one rank's: what lies on
+/// edges and vertices is found once.
+std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v);
+
+/// Collective. As `drop_doubles` of all ranks' samples, in the order of ranks. Returns how many are
+/// left out on all ranks. Rank 0 needs memory for all samples.
+std::size_t drop_doubles(const DistributedSurface& surface, std::vector<Sample>& samples,
+                         float share = kDoubleShare);
+
+/// Collective. All ranks' samples on rank 0, in the order of ranks; nothing elsewhere.
+std::vector<Sample> gathered_samples(const DistributedSurface& surface,
+                                     std::span<const Sample> samples);
+
+}  // namespace brindle

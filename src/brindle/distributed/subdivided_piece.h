@@ -1,0 +1,14 @@
+/// Subdivision of a surface that no rank has whole.
+#pragma once
+
+#include "brindle/distributed/communicator.h"
+#include "brindle/distributed_surface.h"
+
+namespace brindle {
+
+/// What `subdivide` makes of the whole, piece by piece: every rank has the triangles of its own. If
+/// vertices are numbered from 0 on without gaps, midpoints have the numbers that they have there;
+/// they follow the greatest number in any case. Throws Error on all ranks, as `subdivide` does.
+SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, int times);
+
+}  // namespace brindle

@@ -1,0 +1,309 @@
+#include "brindle/distributed_pattern.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/error.h"
+#include "brindle/geometry/mesh_edges.h"
+#include "brindle/pattern/sampling.h"
+#include "brindle/pattern/stripe_curves.h"
+#include "brindle/stripe_pattern.h"
+#include "ranks.h"
+#include "test_meshes.h"
+
+namespace brindle {
+namespace {
+
+using namespace testing_support;
+
+/// A surface with phases that one process solved, the same on all ranks.
+struct Solved {
+  WavySurface whole;
+  std::vector<Complex> z;
+  MeshEdges edges;
+
+  explicit Solved(WavySurface surface) : whole(std::move(surface)) {
+    z = stripe_pattern(make_surface(whole.mesh), whole.waves).solution.z;
+    edges = mesh_edges(whole.mesh, *whole.neighborhood);
+  }
+
+  WavePattern pattern() const { return {whole.mesh, edges, whole.normals, whole.waves, z}; }
+};
+
+/// The same phases on the piece of a rank.
+struct SolvedPiece {
+  Parts parts;
+  DistributedSurface surface;
+  WaveSet waves;
+  std::vector<Complex> z;
+
+  SolvedPiece(const Solved& solved, const std::vector<int>& rank_of_triangle)
+      : parts(solved.whole, rank_of_triangle),
+        surface(parts.surface()),
+        waves(parts.of_piece(solved.whole.waves)),
+        z(parts.of_piece(solved.z)) {}
+
+  PiecePattern pattern() const { return {surface, waves, z}; }
+};
+
+/// Waves of every vertex in a ball are taken away.
+WavySurface with_hole(WavySurface surface, float radius) {
+  const Vec3 centre = surface.mesh.positions[0];
+  for (std::size_t v = 0; v < surface.mesh.vertex_count(); ++v) {
+    if ((surface.mesh.positions[v] - centre).norm() < radius) {
+      surface.waves.directions[v].setZero();
+    }
+  }
+  return surface;
+}
+
+std::vector<Solved> solved_surfaces() {
+  std::vector<Solved> surfaces;
+  for (const char* shape :
+       {"torus,resolution=50", "trefoil,resolution=20", "molecule,resolution=25",
+        "pieces,resolution=8", "sheets,resolution=20", "mobius,resolution=12"}) {
+    surfaces.emplace_back(wavy_surface(shape, kAxis, 24));
+  }
+  surfaces.emplace_back(with_hole(wavy_surface("sphere,resolution=16", kAxis, 24), 0.5f));
+  surfaces.emplace_back(wavy_surface("plane,resolution=30", kAxis, 60));  // several peaks an edge
+  return surfaces;
+}
+
+struct Line {
+  bool closed;
+  double length;
+
+  auto operator<=>(const Line&) const = default;
+};
+
+std::vector<Line> sorted_lines(const StripeCurves& curves) {
+  std::vector<Line> lines;
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    lines.push_back({curves.lines.closed[line] != 0, length_of(curves.lines, line)});
+  }
+  std::ranges::sort(lines);
+  return lines;
+}
+
+double total_length(const StripeCurves& curves) {
+  double total = 0;
+  for (const Line& line : sorted_lines(curves)) total += line.length;
+  return total;
+}
+
+/// Points by their coordinates, to the bit.
+std::multimap<std::tuple<float, float, float>, Vec3> points_of(const Polylines& lines) {
+  std::multimap<std::tuple<float, float, float>, Vec3> points;
+  for (std::size_t i = 0; i < lines.points.size(); ++i) {
+    const Vec3& p = lines.points[i];
+    points.emplace(std::tuple(p.x(), p.y(), p.z()), lines.normals[i]);
+  }
+  return points;
+}
+
+void expect_same_curves(const StripeCurves& joined, const StripeCurves& expected) {
+  ASSERT_EQ(joined.lines.count(), expected.lines.count());
+  EXPECT_EQ(joined.end_counts(), expected.end_counts());
+  EXPECT_NEAR(total_length(joined), total_length(expected), 1e-6 * total_length(expected));
+  const auto lines = sorted_lines(joined), others = sorted_lines(expected);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].closed, others[i].closed);
+    EXPECT_NEAR(lines[i].length, others[i].length, 1e-4);
+  }
+  // Of points at one place another one may be left.
+  const auto known = points_of(expected.lines);
+  std::size_t others_left = 0;
+  for (const auto& [point, normal] : points_of(joined.lines)) others_left += !known.contains(point);
+  EXPECT_LE(1000 * others_left, known.size());
+}
+
+TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
+  std::array<std::size_t, kCurveEndKinds> ends{};
+  for (const Solved& solved : solved_surfaces()) {
+    const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()));
+    ASSERT_GT(expected.lines.count(), 0u);
+    for (std::size_t kind = 0; kind < ends.size(); ++kind)
+      ends[kind] += expected.end_counts()[kind];
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices");
+      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+      const StripeCurves joined = joined_curves(piece.surface, piece_curves(piece.pattern()));
+      if (rank() == 0) {
+        expect_same_curves(joined, expected);
+      } else {
+        EXPECT_EQ(joined.lines.count(), 0u);
+      }
+    }
+  }
+  // All sorts of ends have been there.
+  EXPECT_EQ(std::ranges::count(std::span(ends).subspan(1), 0u), 0);
+}
+
+TEST(DistributedCurves, OfOneRankHaveTheBitsOfTheLibrary) {
+  if (rank_count() > 1) GTEST_SKIP() << "of one rank";
+  for (const Solved& solved : solved_surfaces()) {
+    const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()));
+    const SolvedPiece piece(solved, std::vector<int>(solved.whole.mesh.triangle_count(), 0));
+    const StripeCurves joined = joined_curves(piece.surface, piece_curves(piece.pattern()));
+    EXPECT_EQ(joined.lines.points, expected.lines.points);
+    EXPECT_EQ(joined.lines.normals, expected.lines.normals);
+    EXPECT_EQ(joined.lines.offsets, expected.lines.offsets);
+    EXPECT_EQ(joined.lines.closed, expected.lines.closed);
+    EXPECT_EQ(joined.ends, expected.ends);
+  }
+}
+
+/// A crossing of a border as ranks compare it.
+struct ComparedEnd {
+  BorderCrossing crossing;
+  std::array<float, 3> point;
+  int rank;
+};
+
+/// Every end at a border has one partner, on another rank, at the same place to the bit.
+TEST(DistributedCurves, BalanceAtBorders) {
+  std::size_t crossings = 0;
+  for (const Solved& solved : solved_surfaces()) {
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices");
+      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+      const PieceCurves curves = piece_curves(piece.pattern());
+      std::vector<ComparedEnd> ends;
+      for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+        const auto points = curves.lines.points_of(line);
+        for (std::size_t e = 0; e < 2; ++e) {
+          if (!curves.borders[line][e]) continue;
+          const Vec3& p = e == 0 ? points.front() : points.back();
+          ends.push_back({*curves.borders[line][e], {p.x(), p.y(), p.z()}, rank()});
+        }
+      }
+      Communicator& ranks = *piece.surface.rank_surface().ranks;
+      const auto lists = ranks.gather(std::as_bytes(std::span(ends)));
+      std::map<BorderCrossing, std::vector<ComparedEnd>> all;
+      for (const auto& bytes : lists) {
+        std::vector<ComparedEnd> list(bytes.size() / sizeof(ComparedEnd));
+        if (!list.empty()) std::memcpy(list.data(), bytes.data(), bytes.size());
+        for (const ComparedEnd& end : list) all[end.crossing].push_back(end);
+      }
+      std::size_t unbalanced = 0;
+      for (const auto& [crossing, both] : all) {
+        unbalanced +=
+            both.size() != 2 || both[0].rank == both[1].rank || both[0].point != both[1].point;
+      }
+      EXPECT_EQ(unbalanced, 0u);
+      crossings += all.size();
+    }
+  }
+  if (rank() == 0) {
+    EXPECT_EQ(crossings > 1000, rank_count() > 1);
+  }
+}
+
+TEST(DistributedCurves, RefuseOnAllRanksAPatternThatDoesNotMatch) {
+  const Solved solved(wavy_surface("torus,resolution=20", kAxis, 12));
+  const SolvedPiece piece(solved, partition_by_curve(solved.whole.mesh, rank_count()));
+  std::vector<Complex> z = piece.z;
+  if (rank() == rank_count() - 1) z.pop_back();
+  EXPECT_THROW(piece_curves({piece.surface, piece.waves, z}), Error);
+}
+
+/// V crosses U.
+Solved turned_by_90(const Solved& solved) {
+  WavySurface other = solved.whole;
+  other.waves.directions = rotated(other.waves.directions, other.normals, 1.5707964f);
+  return Solved(std::move(other));
+}
+
+/// What does not depend on which rank a sample is of.
+struct ComparedSample {
+  std::array<float, 3> position, barycentric;
+
+  auto operator<=>(const ComparedSample&) const = default;
+};
+
+std::vector<ComparedSample> compared(std::span<const Sample> samples) {
+  std::vector<ComparedSample> result;
+  for (const Sample& s : samples) {
+    result.push_back({{s.position.x(), s.position.y(), s.position.z()},
+                      {s.barycentric.x(), s.barycentric.y(), s.barycentric.z()}});
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+TEST(DistributedSamples, AreThoseOfTheWholeEachOnOneRank) {
+  for (const Solved& u : solved_surfaces()) {
+    const Solved v = turned_by_90(u);
+    const LiftedWaves lifted_u(u.pattern()), lifted_v(v.pattern());
+    const std::vector<Sample> expected = wave_samples(
+        u.whole.mesh, u.whole.normals, sampled_waves(lifted_u), sampled_waves(lifted_v));
+    ASSERT_GT(expected.size(), 0u);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(u.z.size()) + " vertices");
+      const SolvedPiece piece(u, cut.rank_of_triangle(u.whole.mesh));
+      const WaveSet waves_v = piece.parts.of_piece(v.whole.waves);
+      const std::vector<Complex> z_v = piece.parts.of_piece(v.z);
+      const std::vector<Sample> own = wave_samples(piece.pattern(), {piece.surface, waves_v, z_v});
+      for (const Sample& sample : own) {
+        ASSERT_LT(sample.triangle, piece.parts.piece.mesh.triangle_count());
+        const auto& corners = piece.parts.piece.mesh.triangles[sample.triangle];
+        Vec3 there = Vec3::Zero();
+        for (int m = 0; m < 3; ++m) {
+          there += sample.barycentric[m] * piece.parts.piece.mesh.positions[corners[m]];
+        }
+        EXPECT_LT((there - sample.position).norm(), 1e-5f);
+      }
+      const std::vector<Sample> all = gathered_samples(piece.surface, own);
+      if (rank() != 0) continue;
+      EXPECT_EQ(compared(all), compared(expected));
+      if (rank_count() == 1) {
+        EXPECT_EQ(all.size(), expected.size());
+        EXPECT_EQ(all.front().normal, expected.front().normal);
+      }
+    }
+  }
+}
+
+/// Pieces that have all other triangles as ghosts, as visualisation programs give some.
+TEST(DistributedSamples, AndCurvesMindNoGhosts) {
+  const Solved u(wavy_surface("sheets,resolution=16", kAxis, 20)), v = turned_by_90(u);
+  const std::vector<int> ranks = partition_by_curve(u.whole.mesh, rank_count());
+  SurfacePiece piece;
+  piece.mesh = u.whole.mesh;
+  for (std::size_t n = 0; n < u.z.size(); ++n) piece.vertex_ids.push_back(n);
+  for (const int r : ranks) piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
+  const DistributedSurface surface(piece, MPI_COMM_WORLD);
+  const PiecePattern pattern_u{surface, u.whole.waves, u.z}, pattern_v{surface, v.whole.waves, v.z};
+  const StripeCurves joined = joined_curves(surface, piece_curves(pattern_u));
+  const std::vector<Sample> own = wave_samples(pattern_u, pattern_v);
+  for (const Sample& sample : own) EXPECT_EQ(ranks[sample.triangle], rank());
+  const std::vector<Sample> all = gathered_samples(surface, own);
+  if (rank() != 0) return;
+  expect_same_curves(joined, stripe_curves(LiftedWaves(u.pattern())));
+  const LiftedWaves lifted_u(u.pattern()), lifted_v(v.pattern());
+  EXPECT_EQ(compared(all),
+            compared(wave_samples(u.whole.mesh, u.whole.normals, sampled_waves(lifted_u),
+                                  sampled_waves(lifted_v))));
+}
+
+TEST(DistributedSamples, DropDoublesAsOneProcessDoes) {
+  const Solved u(wavy_surface("molecule,resolution=25", kAxis, 40)), v = turned_by_90(u);
+  const SolvedPiece piece(u, partition_by_curve(u.whole.mesh, rank_count()));
+  const WaveSet waves_v = piece.parts.of_piece(v.whole.waves);
+  const std::vector<Complex> z_v = piece.parts.of_piece(v.z);
+  std::vector<Sample> own = wave_samples(piece.pattern(), {piece.surface, waves_v, z_v});
+  std::vector<Sample> expected = gathered_samples(piece.surface, own);
+  const std::size_t dropped = drop_doubles(piece.surface, own);
+  const std::vector<Sample> left = gathered_samples(piece.surface, own);
+  EXPECT_GT(dropped, 0u);
+  if (rank() != 0) return;
+  EXPECT_EQ(drop_doubles(expected), dropped);
+  EXPECT_EQ(compared(left), compared(expected));
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,116 @@
+// Pieces that no rank has cut from a whole: made, numbered by place, subdivided.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "brindle/distributed/shared_places.h"
+#include "brindle/distributed/subdivided_piece.h"
+#include "brindle/error.h"
+#include "ranks.h"
+
+namespace brindle {
+namespace {
+
+using namespace testing_support;
+
+/// Expects that the pieces of all ranks together are the whole, to the bit.
+void expect_pieces_of(const Mesh& whole, const SurfacePiece& piece) {
+  ASSERT_EQ(piece.vertex_ids.size(), piece.mesh.vertex_count());
+  std::vector<int> count(whole.vertex_count()), all(count.size());
+  for (std::size_t v = 0; v < piece.vertex_ids.size(); ++v) {
+    ASSERT_LT(piece.vertex_ids[v], whole.vertex_count());
+    ASSERT_EQ(piece.mesh.positions[v], whole.positions[piece.vertex_ids[v]]);
+    count[piece.vertex_ids[v]] = 1;
+  }
+  MPI_Allreduce(count.data(), all.data(), static_cast<int>(all.size()), MPI_INT, MPI_MAX,
+                MPI_COMM_WORLD);
+  EXPECT_EQ(all, std::vector<int>(all.size(), 1));
+  std::map<std::array<std::uint64_t, 3>, std::size_t> number;
+  for (std::size_t t = 0; t < whole.triangle_count(); ++t) {
+    const auto& [a, b, c] = whole.triangles[t];
+    number[{a, b, c}] = t;
+  }
+  std::vector<int> mine(whole.triangle_count()), of_all(mine.size());
+  for (const auto& [a, b, c] : piece.mesh.triangles) {
+    const auto found = number.find({piece.vertex_ids[a], piece.vertex_ids[b], piece.vertex_ids[c]});
+    ASSERT_NE(found, number.end());
+    ++mine[found->second];
+  }
+  MPI_Allreduce(mine.data(), of_all.data(), static_cast<int>(mine.size()), MPI_INT, MPI_SUM,
+                MPI_COMM_WORLD);
+  EXPECT_EQ(of_all, std::vector<int>(of_all.size(), 1));
+}
+
+TEST(SubdividedPiece, IsThatOfTheWholeHoweverItIsCut) {
+  Communicator ranks(MPI_COMM_WORLD);
+  for (const char* shape : {"sheets,resolution=6", "sphere,resolution=5", "mobius,resolution=3"}) {
+    const Mesh whole = make_shape(shape);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(shape) + ", " + cut.name);
+      const SurfacePiece piece = piece_of(whole, cut.rank_of_triangle(whole), rank());
+      for (const int times : {0, 1, 3}) {
+        expect_pieces_of(subdivide(whole, times), subdivided_piece(ranks, piece, times));
+      }
+    }
+  }
+}
+
+TEST(SubdividedPiece, OfAShapeMadeInPartsIsThatOfTheShape) {
+  Communicator ranks(MPI_COMM_WORLD);
+  auto part = make_shape_part("torus,resolution=20", rank(), rank_count());
+  ASSERT_TRUE(part);
+  const SurfacePiece piece{std::move(part->mesh), std::move(part->vertex_ids), {}};
+  expect_pieces_of(subdivide(make_shape("torus,resolution=20"), 2),
+                   subdivided_piece(ranks, piece, 2));
+}
+
+TEST(SubdividedPiece, RefusesWhatCannotBeNumbered) {
+  Communicator ranks(MPI_COMM_WORLD);
+  const Mesh whole = make_shape("sphere,resolution=2");
+  SurfacePiece piece = piece_of(whole, partition_by_curve(whole, rank_count()), rank());
+  EXPECT_THROW(subdivided_piece(ranks, piece, 30), Error);
+  EXPECT_THROW(subdivided_piece(ranks, piece, -1), Error);
+  if (rank() == rank_count() - 1) piece.vertex_ids.back() = ~std::uint64_t{0};
+  EXPECT_THROW(subdivided_piece(ranks, piece, 1), Error);
+}
+
+/// Rows without numbers get those that they have in all ranks' rows, one after the other.
+TEST(SharedPlaces, NumberVerticesByWhereTheyStand) {
+  Communicator ranks(MPI_COMM_WORLD);
+  const Mesh whole = make_shape("box,resolution=12");
+  std::vector<Vec3> rows;
+  std::vector<std::uint64_t> first_rows;
+  for (int r = 0; r < rank_count(); ++r) {
+    first_rows.push_back(rows.size());
+    const SurfacePiece piece = piece_of(whole, partition_by_curve(whole, rank_count()), r);
+    rows.insert(rows.end(), piece.mesh.positions.begin(), piece.mesh.positions.end());
+    rows.emplace_back(0.0f, NAN, 0.0f);
+    rows.emplace_back(r % 2 == 0 ? 0.0f : -0.0f, 7.0f, 0.0f);
+  }
+  first_rows.push_back(rows.size());
+  const std::vector<Index> expected = first_at_each_place(rows);
+  const std::uint64_t begin = first_rows[static_cast<std::size_t>(rank())],
+                      end = first_rows[static_cast<std::size_t>(rank()) + 1];
+  const auto numbers = numbers_by_place(ranks, std::span(rows).subspan(begin, end - begin));
+  ASSERT_EQ(numbers.size(), end - begin);
+  for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], expected[begin + i]);
+}
+
+TEST(SharedPlaces, FindVerticesThatAreTorn) {
+  Communicator ranks(MPI_COMM_WORLD);
+  const std::vector<std::uint64_t> ids = {5, 9, 1000};
+  std::vector<Vec3> positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(NAN, 0, 0)};
+  const std::vector<std::uint32_t> labels(3, static_cast<std::uint32_t>(rank()));
+  EXPECT_FALSE(find_torn_vertex(ranks, ids, positions, labels, 0));
+  if (rank_count() == 1) return;
+  if (rank() == rank_count() - 1) positions[1].x() = 1.5f;
+  EXPECT_FALSE(find_torn_vertex(ranks, ids, positions, labels, 0.6f));
+  const auto torn = find_torn_vertex(ranks, ids, positions, labels, 0.4f);
+  ASSERT_TRUE(torn);
+  EXPECT_EQ(torn->id, 9u);
+  EXPECT_EQ(torn->label, 0u);
+  EXPECT_EQ(torn->other_label, static_cast<std::uint32_t>(rank_count() - 1));
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "mpi_tool/mpi_tool.h"
+
+namespace brindle {
+namespace {
+
+using test::content;
+using test::MpiTool;
+using test::ToolResult;
+using test::Words;
+
+struct MpiToolLines : MpiTool {
+  nlohmann::json report(const std::string& name) const {
+    return nlohmann::json::parse(content(folder / name));
+  }
+
+  /// What 'brindle' makes of the same.
+  void run_alone(Words arguments) const {
+    arguments.insert(arguments.begin(), {"100", BRINDLE_TOOL_ALONE});
+    const ToolResult result = test::run_tool(arguments, folder);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+};
+
+const Words kMesh = {"shape:vessels,resolution=40", "--field", "curvature", "--stripes", "25"};
+
+Words with(const Words& front, const Words& back) {
+  Words all = front;
+  all.insert(all.end(), back.begin(), back.end());
+  return all;
+}
+
+TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
+  const Words options = {"--lines", "both", "--stripes-v", "12", "--min-length", "10%"};
+  const Words mine = with(with({"curves"}, kMesh), options);
+  ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
+            0);
+  run_alone(with(mine, {"--output", "tool.obj", "--report", "tool.json"}));
+  EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj"));
+  for (const char* family : {"u", "v"}) {
+    const auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
+    for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
+  }
+}
+
+TEST_F(MpiToolLines, SamplesOfOneRankAreThoseOfTheTool) {
+  const Words mine = with(with({"sample"}, kMesh), {"--stripes-v", "40", "--min-distance", "0.4"});
+  ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.csv", "--report", "mpi.json"})).exit_code,
+            0);
+  run_alone(with(mine, {"--output", "tool.csv", "--report", "tool.json"}));
+  EXPECT_EQ(content(folder / "mpi.csv"), content(folder / "tool.csv"));
+  for (const char* key : {"samples", "doubles_left_out", "branches_u", "branches_v",
+                          "nearest_neighbour", "vertices", "edges"}) {
+    EXPECT_EQ(report("mpi.json")[key], report("tool.json")[key]) << key;
+  }
+}
+
+/// Stripes across the torus, all of them rings without an end, are whole on any number of ranks.
+TEST_F(MpiToolLines, RingsAreWholeOnManyRanks) {
+  for (const int ranks : {2, 3, 8}) {
+    const ToolResult result =
+        command_on(ranks, {"curves", "shape:torus,resolution=60", "--field", "curvature",
+                           "--curvature-direction", "min", "--stripes", "20", "--output",
+                           "rings.csv", "--report", "rings.json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto u = report("rings.json")["u"];
+    EXPECT_EQ(u["ends"]["total"], 2 * u["open"].get<std::size_t>());
+    EXPECT_GT(u["curves"], 0);
+    EXPECT_EQ(report("rings.json")["ranks"]["count"], ranks);
+    EXPECT_GT(content(folder / "rings.csv").size(), 1000u);
+    // A ring round the tube is no shorter than its circle.
+    EXPECT_GT(u["length"].get<double>(), 0.9 * u["closed"].get<double>() * 2 * M_PI * 0.3);
+  }
+}
+
+TEST_F(MpiToolLines, SamplesOfManyRanksSayWhoseTheyAre) {
+  const ToolResult result = command_on(3, {"sample", "shape:torus,resolution=60", "--stripes", "20",
+                                           "--output", "many.vtp", "--report", "many.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const LoadedPoints samples = read_points(folder / "many.vtp");
+  EXPECT_EQ(samples.cloud.positions.size(), report("many.json")["samples"]);
+  const DataArray& ranks = test::array_of(samples.arrays, "rank");
+  int seen[3] = {};
+  for (std::size_t row = 0; row < ranks.rows(); ++row) {
+    ++seen[test::value<std::int32_t>(ranks, row)];
+  }
+  for (const int count : seen) EXPECT_GT(count, 0);
+}
+
+/// A place where a curve crosses a border: the edge and the crossing, and where it is.
+using Border = std::tuple<std::int64_t, std::int64_t, std::int32_t>;
+
+/// In a .pvtp every rank has its own lines, whose ends at borders meet those of another one.
+TEST_F(MpiToolLines, CurvesInPiecesMeetAtBorders) {
+  const Words mine = with(with({"curves"}, kMesh), {"--lines", "both"});
+  const ToolResult result =
+      command_on(3, with(mine, {"--output", "cut.pvtp", "--report", "cut.json"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_EQ(command_on(3, with(mine, {"--report", "whole.json"})).exit_code, 0);
+  std::map<Border, std::vector<std::array<float, 3>>> met;
+  for (int r = 0; r < 3; ++r) {
+    const LoadedPoints piece = read_points(folder / ("cut_" + std::to_string(r) + ".vtp"));
+    const DataArray& edges = test::array_of(piece.arrays, "border_edge");
+    const DataArray& crossings = test::array_of(piece.arrays, "border_crossing");
+    for (std::size_t row = 0; row < edges.rows(); ++row) {
+      const auto [low, high] =
+          test::value<std::array<std::int64_t, 2>>({"", NumberType::uint8, 1, edges.bytes}, row);
+      EXPECT_EQ(low < 0, high <= low);
+      if (low < 0) continue;
+      const Vec3& p = piece.cloud.positions[row];
+      met[{low, high, test::value<std::int32_t>(crossings, row)}].push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  std::size_t crossings = 0;
+  for (const char* family : {"u", "v"}) {
+    const auto cut = report("cut.json")[family], whole = report("whole.json")[family];
+    crossings += cut["border_crossings"].get<std::size_t>();
+    EXPECT_GT(cut["curve_pieces"], whole["curves"]);
+    const double length = whole["length"];
+    EXPECT_NEAR(cut["length"].get<double>(), length, 1e-4 * length);
+  }
+  // U and V may cross one edge both.
+  std::size_t ends = 0;
+  for (const auto& [border, points] : met) {
+    ends += points.size();
+    EXPECT_EQ(points.size() % 2, 0u);
+    for (const auto& point : points) EXPECT_EQ(std::ranges::count(points, point) % 2, 0);
+  }
+  EXPECT_EQ(ends, 2 * crossings);
+  EXPECT_GT(crossings, 20u);
+}
+
+TEST_F(MpiToolLines, SamplesInPiecesAreThoseOfOneFile) {
+  const Words mine = with({"sample"}, kMesh);
+  ASSERT_EQ(command_on(3, with(mine, {"--output", "cut.pvtp"})).exit_code, 0);
+  ASSERT_EQ(command_on(3, with(mine, {"--output", "all.vtp"})).exit_code, 0);
+  const LoadedPoints all = read_points(folder / "all.vtp");
+  std::vector<Vec3> in_pieces;
+  for (int r = 0; r < 3; ++r) {
+    const std::string name = "cut_" + std::to_string(r) + ".vtp";
+    EXPECT_NE(content(folder / "cut.pvtp").find(name), std::string::npos);
+    const LoadedPoints piece = read_points(folder / name);
+    in_pieces.insert(in_pieces.end(), piece.cloud.positions.begin(), piece.cloud.positions.end());
+    for (const DataArray& array : piece.arrays) {
+      EXPECT_NE(content(folder / "cut.pvtp").find("Name=\"" + array.name + "\""), std::string::npos)
+          << array.name;
+    }
+  }
+  EXPECT_EQ(in_pieces, all.cloud.positions);
+}
+
+TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
+  const auto refused = [&](const Words& arguments, const std::string& message) {
+    expect_failure(command_on(2, arguments), 2, message);
+  };
+  refused({"curves", "shape:torus", "--output", "a.png"}, ".obj, .ply, .vtp or .csv");
+  refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
+  refused({"curves", "shape:torus", "--join"}, "--join");
+  refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
+  refused({"curves", "shape:torus", "--slack", "0.1"}, "--slack");
+  refused({"sample", "shape:torus", "--slack", "0.1"}, "--slack");
+  refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
+  refused({"sample", "shape:torus", "--field", "wind.csv"}, "wind.csv");
+  refused({"sample", "shape:nothing"}, "unknown shape");
+  expect_failure(command_on(2, {"curves", "nothing.pvtp", "--output", "a.vtp"}), 1, "nothing.pvtp");
+  EXPECT_TRUE(listing().empty());
+}
+
+TEST_F(MpiToolLines, EndOnAllRanksWhereTheFileCannotBeWritten) {
+  expect_failure(command_on(2, {"curves", "shape:torus", "--output", "none/a.vtp"}), 1, "none");
+  expect_failure(command_on(2, {"sample", "shape:torus", "--output", "none/a.vtp"}), 1, "none");
+}
+
+}  // namespace
+}  // namespace brindle

@@ -1,0 +1,102 @@
+/// Runs brindle-mpi as a user would, over several ranks.
+#pragma once
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "apps/tool.h"
+#include "brindle/data_arrays.h"
+#include "brindle/files.h"
+
+namespace brindle::test {
+
+using Words = std::vector<std::string>;
+
+/// Empty folders; whatever hangs there is ended.
+struct MpiTool : ToolTest {
+  static Words mpirun() {
+    Words words = {"100"};
+    std::string word;
+    for (const char c : std::string(BRINDLE_MPIRUN) + "|") {
+      if (c != '|') {
+        word += c;
+      } else {
+        words.push_back(std::exchange(word, ""));
+      }
+    }
+    return words;
+  }
+
+  static std::string joined(const Words& words) {
+    std::string text;
+    for (const std::string& word : words) text += "'" + word + "' ";
+    return text;
+  }
+
+  ToolResult on(int ranks, Words arguments) const {
+    arguments.insert(arguments.begin(), "stripe");
+    return command_on(ranks, arguments);
+  }
+
+  /// As `on`, with a command in front.
+  ToolResult command_on(int ranks, const Words& arguments) const {
+    Words words = mpirun();
+    words.insert(words.end(), {"-n", std::to_string(ranks), BRINDLE_MPI_TOOL});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_tool(words, folder);
+  }
+
+  /// Two ranks; a shell does `before` on the second one.
+  ToolResult with_trouble(const std::string& before, Words arguments,
+                          const Words& of_second) const {
+    Words words = mpirun();
+    words.insert(words.end(), {"-n", "1", BRINDLE_MPI_TOOL, "stripe"});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    words.insert(words.end(),
+                 {":", "-n", "1", "sh", "-c",
+                  before + " exec '" + BRINDLE_MPI_TOOL + "' stripe " + joined(of_second)});
+    return run_tool(words, folder);
+  }
+
+  /// One message of ours, this exit code, and no file.
+  void expect_failure(const ToolResult& result, int exit_code, const std::string& message) const {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    std::size_t messages = 0;
+    for (std::size_t at = 0; (at = result.err.find("brindle-mpi: ", at)) != std::string::npos;
+         ++at) {
+      const std::size_t end = result.err.find('\n', at);
+      messages += result.err.substr(at, end - at).find("--help") == std::string::npos;
+    }
+    EXPECT_EQ(messages, 1u) << result.err;
+    for (const std::string& name : listing()) {
+      EXPECT_EQ(name.find("pvtp"), std::string::npos) << name;
+      EXPECT_EQ(name.find("tmp"), std::string::npos) << name;
+    }
+  }
+
+  LoadedMesh piece(const std::string& name) const { return read_mesh(folder / name); }
+};
+
+inline const DataArray& array_of(const std::vector<DataArray>& arrays, const std::string& name) {
+  for (const DataArray& array : arrays) {
+    if (array.name == name) return array;
+  }
+  throw std::runtime_error("no array " + name);
+}
+
+/// The first number of a row.
+template <class Number>
+Number value(const DataArray& array, std::size_t row) {
+  const std::size_t size = sizeof(Number) * static_cast<std::size_t>(array.components);
+  Number number;
+  std::memcpy(&number, array.bytes.data() + row * size, sizeof(Number));
+  return number;
+}
+
+}  // namespace brindle::test
