@@ -509,6 +509,7 @@ TEST(StyledPicture, IsCancelledBetweenSurfacesAndDrawnAsEverThen) {
        .between = BetweenStrokes::discarded},
       {.mesh = sheets.back.mesh, .strokes = {strokes_of(sheets.back)}}};
   const StyledOptions options = styled_options();
+  const HeadlessContext context;
   StyledRenderer renderer;
   renderer.upload(surfaces);
   testing_support::Reports all;

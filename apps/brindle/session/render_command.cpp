@@ -34,8 +34,8 @@ Examples:
   brindle render session.json --output horse.vtp --output horse_report.json
 
 Files by extension: .png the picture; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
-those of 'brindle stripe'. Of a session that shows curves or samples, all but .json are those of
-'brindle curves' or 'brindle sample'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
+those of 'brindle stripe'. If a session shows curves or samples, all but .json are those of 'brindle
+curves' or 'brindle sample'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
 
 struct RenderArguments {
   std::string session;
