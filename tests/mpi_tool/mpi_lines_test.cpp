@@ -42,26 +42,31 @@ Words with(const Words& front, const Words& back) {
 
 TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines", "both", "--stripes-v", "12", "--min-length", "10%"};
-  const Words mine = with(with({"curves"}, kMesh), options);
-  ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
-            0);
-  run_alone(with(mine, {"--output", "tool.obj", "--report", "tool.json"}));
-  EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj"));
-  for (const char* family : {"u", "v"}) {
-    const auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
-    for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
+  for (const Words& more : {Words{}, Words{"--slack", "0.2"}}) {
+    const Words mine = with(with(with({"curves"}, kMesh), options), more);
+    ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
+              0);
+    run_alone(with(mine, {"--output", "tool.obj", "--report", "tool.json"}));
+    EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj"));
+    for (const char* family : {"u", "v"}) {
+      const auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
+      for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
+    }
   }
 }
 
 TEST_F(MpiToolLines, SamplesOfOneRankAreThoseOfTheTool) {
-  const Words mine = with(with({"sample"}, kMesh), {"--stripes-v", "40", "--min-distance", "0.4"});
-  ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.csv", "--report", "mpi.json"})).exit_code,
-            0);
-  run_alone(with(mine, {"--output", "tool.csv", "--report", "tool.json"}));
-  EXPECT_EQ(content(folder / "mpi.csv"), content(folder / "tool.csv"));
-  for (const char* key : {"samples", "doubles_left_out", "branches_u", "branches_v",
-                          "nearest_neighbour", "vertices", "edges"}) {
-    EXPECT_EQ(report("mpi.json")[key], report("tool.json")[key]) << key;
+  const Words options = {"--stripes-v", "40", "--min-distance", "0.4"};
+  for (const Words& more : {Words{}, Words{"--slack", "0.2"}}) {
+    const Words mine = with(with(with({"sample"}, kMesh), options), more);
+    ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.csv", "--report", "mpi.json"})).exit_code,
+              0);
+    run_alone(with(mine, {"--output", "tool.csv", "--report", "tool.json"}));
+    EXPECT_EQ(content(folder / "mpi.csv"), content(folder / "tool.csv"));
+    for (const char* key : {"samples", "doubles_left_out", "branches_u", "branches_v",
+                            "nearest_neighbour", "vertices", "edges"}) {
+      EXPECT_EQ(report("mpi.json")[key], report("tool.json")[key]) << key;
+    }
   }
 }
 
@@ -167,8 +172,7 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
   refused({"curves", "shape:torus", "--join"}, "--join");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
-  refused({"curves", "shape:torus", "--slack", "0.1"}, "--slack");
-  refused({"sample", "shape:torus", "--slack", "0.1"}, "--slack");
+  refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
   refused({"sample", "shape:torus", "--field", "wind.csv"}, "wind.csv");
   refused({"sample", "shape:nothing"}, "unknown shape");
