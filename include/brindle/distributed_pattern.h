@@ -37,7 +37,8 @@ struct BorderCrossing {
 /// The curves of one rank's triangles, cut at the borders of its piece.
 struct PieceCurves {
   /// All points, also those that a whole curve passes over as too near to others. Of a curve that
-  /// comes from a triangle without a wave on this side of a border, the point there alone.
+  /// comes from a triangle without a wave on this side of a border, the point there alone. Places
+  /// are in the triangles of the piece, by their numbers there.
   Polylines lines;
   /// Why ends are ends, as of StripeCurves. Where `borders` has a crossing it is none: exactly one
   /// end on another rank has the same crossing, and its point has the same bits.

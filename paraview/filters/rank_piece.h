@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include <brindle/distributed_pattern.h>
 #include <brindle/distributed_surface.h>
 #include <brindle/mesh.h>
+#include <brindle/stripe_pattern.h>
 
 #include "owner_exchange.h"
 #include "ranks.h"
@@ -25,6 +27,11 @@ class RankPiece {
   const OwnerExchange& owners() const { return owners_; }
   /// One per triangle: 1 if it is another rank's.
   std::span<const std::uint8_t> ghosts() const { return ghosts_; }
+
+  /// A pattern of this piece's vertices, as the library asks for it; valid as long as both are.
+  PiecePattern part_of(const StripePattern& pattern) const {
+    return {surface_, pattern.waves, pattern.solution.z, pattern.phase_shift};
+  }
 
   /// Whether vertices have the same owners, and triangles are ghosts, as in the other one.
   bool is_shared_like(const RankPiece& other) const;

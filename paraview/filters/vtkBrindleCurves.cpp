@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <brindle/curves.h>
@@ -16,7 +17,7 @@
 
 #include "filter_run.h"
 #include "outputs.h"
-#include "own_part.h"
+#include "piece_lines.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
 
@@ -45,24 +46,24 @@ void add_line_arrays(const brindle::Polylines& lines, vtkCellData& cells) {
   cells.AddArray(bp::vtk_array(make_data_array("length", 1, lengths)));
 }
 
-/// Lines of the pattern on this rank's own triangles.
-brindle::StripeCurves own_curves(bp::OwnPart& own, const brindle::StripePattern& pattern, bool join,
-                                 double minimum_length) {
-  if (own.is_empty()) return {};
+/// Lines of one process.
+brindle::Polylines whole_lines(const brindle::Surface& surface,
+                               const brindle::StripePattern& pattern, bool join,
+                               double minimum_length) {
   brindle::CurveOptions options;
   options.join = join;
-  brindle::StripeCurves curves =
-      brindle::stripe_curves(*own.surface().surface, own.pattern(pattern), options);
-  return minimum_length > 0 ? brindle::longer_than(curves, minimum_length) : curves;
+  brindle::StripeCurves curves = brindle::stripe_curves(surface, pattern, options);
+  if (minimum_length > 0) curves = brindle::longer_than(curves, minimum_length);
+  return std::move(curves.lines);
 }
 
-void fill(const bp::InputSurface& own, const brindle::Polylines& lines,
+void fill(const bp::InputSurface& input, const brindle::Polylines& lines,
           const brindle::PatternQuality& quality, vtkPolyData* output) {
-  output->SetPoints(bp::placed_points(*own.triangles, lines.points, lines.origin));
+  output->SetPoints(bp::placed_points(*input.triangles, lines.points, lines.origin));
   output->SetLines(line_cells(lines));
   output->GetPointData()->SetNormals(bp::vtk_array(make_data_array("normal", lines.normals)));
   add_line_arrays(lines, *output->GetCellData());
-  bp::carry_to_places(own, lines.places, *output->GetPointData());
+  bp::carry_to_places(input, lines.places, *output->GetPointData());
   bp::add_figures(quality, *output->GetFieldData());
 }
 
@@ -73,25 +74,27 @@ vtkStandardNewMacro(vtkBrindleCurves);
 vtkBrindleCurves::vtkBrindleCurves() = default;
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
-/// What needs whole lines: over several ranks those of one pattern end where its pieces do.
+/// What needs whole lines: over several ranks they are cut where pieces end.
 void vtkBrindleCurves::CheckOptions(bool alone) const {
   if (!std::isfinite(this->MinimumLength) || this->MinimumLength < 0) {
     throw brindle::Error("Minimum Length must be 0 or above");
   }
   if (alone || (!this->Join && this->MinimumLength == 0)) return;
   throw brindle::Error(std::string(this->Join ? "Join" : "Minimum Length") +
-                       " needs whole lines, which end at the borders between ranks; turn it off, "
-                       "or run ParaView with one rank");
+                       " needs whole lines, which are cut at the borders between ranks; turn it "
+                       "off, or run ParaView with one rank");
 }
 
 void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   run.ranks.together([&] { this->CheckOptions(run.ranks.alone()); });
   const brindle::StripePattern& pattern = run.pattern();
+  run.begin(0.8, 0.9, "curves");
+  const bp::RankPiece* piece = run.input->piece.get();
+  const brindle::Polylines lines =
+      piece != nullptr ? bp::piece_lines(*piece, pattern)
+                       : whole_lines(*run.input->surface, pattern, this->Join, this->MinimumLength);
   run.ranks.together([&] {
-    run.progress(0.8, 0.9).report("curves", 0);
-    bp::OwnPart own(*run.input);
-    const brindle::StripeCurves curves = own_curves(own, pattern, this->Join, this->MinimumLength);
     run.progress(0.9, 1).report("arrays", 0);
-    fill(own.surface(), curves.lines, pattern.quality, output);
+    fill(*run.input, lines, pattern.quality, output);
   });
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <brindle/direction_field.h>
+#include <brindle/distributed_pattern.h>
 #include <brindle/error.h>
 #include <brindle/samples.h>
 #include <vtkCellArray.h>
@@ -17,7 +18,6 @@
 
 #include "filter_run.h"
 #include "outputs.h"
-#include "own_part.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
 
@@ -40,6 +40,16 @@ brindle::WaveSet crossing_waves(const brindle::Surface& surface, const brindle::
       brindle::rotated(waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
   for (float& frequency : crossing.frequencies) frequency *= static_cast<float>(factor);
   return crossing;
+}
+
+/// Those of one process, or of this rank's own triangles; on all ranks no sample is there twice.
+std::vector<Sample> crossings_of(const bp::InputSurface& input, const brindle::StripePattern& u,
+                                 const brindle::StripePattern& v) {
+  if (!input.piece) return brindle::stripe_samples(*input.surface, u, v);
+  std::vector<Sample> samples =
+      brindle::wave_samples(input.piece->part_of(u), input.piece->part_of(v));
+  brindle::drop_doubles(input.piece->surface(), samples);
+  return samples;
 }
 
 /// One cell per point.
@@ -81,12 +91,13 @@ std::vector<brindle::TrianglePoint> places_of(const std::vector<Sample>& samples
   return places;
 }
 
-void fill(const bp::InputSurface& own, const std::vector<Sample>& samples, vtkPolyData* output) {
-  output->SetPoints(bp::placed_points(
-      *own.triangles, each<brindle::Vec3>(samples, &Sample::position), own.surface->mesh.origin));
+void fill(const bp::InputSurface& input, const std::vector<Sample>& samples, vtkPolyData* output) {
+  output->SetPoints(bp::placed_points(*input.triangles,
+                                      each<brindle::Vec3>(samples, &Sample::position),
+                                      input.surface->mesh.origin));
   output->SetVerts(vertex_cells(samples.size()));
   add_sample_arrays(samples, *output->GetPointData());
-  bp::carry_to_places(own, places_of(samples), *output->GetPointData());
+  bp::carry_to_places(input, places_of(samples), *output->GetPointData());
 }
 
 }  // namespace
@@ -105,14 +116,10 @@ void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
   const brindle::StripePattern& u = run.pattern();
   const brindle::StripePattern& v = this->Second->series.next(
       run.surface(), std::move(crossing), run.options, run.follows, run.progress(0.7, 0.8));
+  run.begin(0.8, 0.9, "samples");
+  const std::vector<Sample> samples = crossings_of(*run.input, u, v);
   run.ranks.together([&] {
-    run.progress(0.8, 0.9).report("samples", 0);
-    bp::OwnPart own(*run.input);
-    std::vector<Sample> samples;
-    if (!own.is_empty()) {
-      samples = brindle::stripe_samples(*own.surface().surface, own.pattern(u), own.pattern(v));
-    }
     run.progress(0.9, 1).report("arrays", 0);
-    fill(own.surface(), samples, output);
+    fill(*run.input, samples, output);
   });
 }

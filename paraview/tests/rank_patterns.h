@@ -82,24 +82,48 @@ inline void lay_swirl(vtkBrindleStripes& filter, vtkPolyData* data, float angle 
 /// What the library makes of the pieces itself, frame by frame.
 class Twin {
  public:
-  Twin(const Pieces& pieces, std::vector<std::uint64_t> numbers)
+  Twin(const Pieces& pieces, std::vector<std::uint64_t> numbers, float slack = 0)
       : pieces_(pieces),
         surface_({pieces.own, std::move(numbers), {}}, MPI_COMM_WORLD),
-        animator_(surface_) {}
+        animator_(surface_, with_slack(slack)) {}
 
-  std::span<const Complex> frame(float angle, float stripes = 40) {
-    std::vector<Vec3> vectors;
-    for (const Vec3& p : pieces_.own.positions) vectors.push_back(swirl(p, angle));
-    const DirectionField directions = tangent_directions(vectors, surface_.normals());
-    const FrequencyField frequencies(
-        vectors.size(), frequency_of_stripes(stripes, static_cast<float>(surface_.diagonal())));
-    return animator_.frame({pieces_.own.positions, directions, frequencies}).z;
+  std::span<const Complex> frame(float angle) {
+    last_ = pattern(angle);
+    return last_.solution.z;
   }
 
+  /// The next frame, of the swirl turned about the normals.
+  StripePattern pattern(float angle, float turn = 0) {
+    std::vector<Vec3> vectors;
+    for (const Vec3& p : pieces_.own.positions) vectors.push_back(swirl(p, angle));
+    StripePattern made;
+    made.waves.positions = pieces_.own.positions;
+    made.waves.directions = tangent_directions(vectors, surface_.normals());
+    if (turn != 0) made.waves.directions = rotated(made.waves.directions, surface_.normals(), turn);
+    made.waves.frequencies.assign(
+        vectors.size(), frequency_of_stripes(40, static_cast<float>(surface_.diagonal())));
+    const FrameResult frame =
+        animator_.frame({made.waves.positions, made.waves.directions, made.waves.frequencies});
+    made.solution.z.assign(frame.z.begin(), frame.z.end());
+    if (frame.frequencies.empty()) return made;
+    made.frequencies_wanted = made.waves.frequencies;
+    made.waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
+    return made;
+  }
+
+  DistributedMeasures measure() const { return animator_.measure(); }
+
  private:
+  static DistributedOptions with_slack(float slack) {
+    DistributedOptions options;
+    options.slack = slack;
+    return options;
+  }
+
   const Pieces& pieces_;
   DistributedSurface surface_;
   DistributedStripeAnimator animator_;
+  StripePattern last_;
 };
 
 inline std::vector<std::uint64_t> numbers_by_place(const Pieces& pieces) {

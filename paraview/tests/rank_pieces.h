@@ -10,8 +10,10 @@
 #include <vector>
 
 #include <brindle/distributed_stripes.h>
+#include <vtkGhostCellsGenerator.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "ranks.h"
 #include "vtk_surfaces.h"
@@ -114,6 +116,26 @@ struct Pieces {
     return data;
   }
 };
+
+/// The same data with a layer of ghosts, as ParaView's Ghost Cells makes it.
+template <class Data>
+vtkSmartPointer<Data> with_ghosts(Data* data) {
+  vtkNew<vtkGhostCellsGenerator> generator;
+  generator->SetInputData(data);
+  generator->SetBuildIfRequired(false);
+  generator->SetNumberOfGhostLayers(1);
+  generator->Update();
+  return Data::SafeDownCast(generator->GetOutputDataObject(0));
+}
+
+inline long ghost_count(vtkDataSet& data) {
+  vtkUnsignedCharArray* flags = data.GetCellGhostArray();
+  long count = 0;
+  for (vtkIdType i = 0; flags != nullptr && i < flags->GetNumberOfTuples(); ++i) {
+    count += (flags->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+  }
+  return count;
+}
 
 /// A row of numbers for every vertex of a whole, from the ranks that have it.
 class Gathered {

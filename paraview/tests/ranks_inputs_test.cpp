@@ -1,67 +1,48 @@
-// What comes to ranks, and curves and samples of it.
-#include <brindle/samples.h>
-#include <vtkGhostCellsGenerator.h>
+// What comes to ranks.
 #include <vtkMultiBlockDataSet.h>
 #include <vtkRTAnalyticSource.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include "rank_patterns.h"
-#include "vtkBrindleCurves.h"
-#include "vtkBrindleSamples.h"
 
 namespace brindle::paraview {
 namespace {
 
 constexpr const char* kShape = "torus,resolution=40";
 
-/// The same data with a layer of ghosts, as ParaView's Ghost Cells makes it.
-template <class Data>
-vtkSmartPointer<Data> with_ghosts(Data* data) {
-  vtkNew<vtkGhostCellsGenerator> generator;
-  generator->SetInputData(data);
-  generator->SetBuildIfRequired(false);
-  generator->SetNumberOfGhostLayers(1);
-  generator->Update();
-  return Data::SafeDownCast(generator->GetOutputDataObject(0));
-}
-
-long ghost_count(vtkDataSet& data) {
-  vtkUnsignedCharArray* flags = data.GetCellGhostArray();
-  long count = 0;
-  for (vtkIdType i = 0; flags != nullptr && i < flags->GetNumberOfTuples(); ++i) {
-    count += (flags->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-  }
-  return count;
-}
-
 // A layer of what other ranks have changes nothing, and stays what it was.
 TEST(RankGhosts, AreSeenAndNotCounted) {
   for (const std::size_t which : {0u, 1u}) {
-    const Cut& cut = cuts()[which];
-    SCOPED_TRACE(cut.name);
-    const Pieces pieces(kShape, cut);
-    vtkNew<vtkBrindleStripes> plain, ghosts;
-    const auto data = pieces.polygons(true);
-    lay_swirl(*plain, data);
-    const auto more = with_ghosts(data.Get());
-    const long given = ghost_count(*more);
-    EXPECT_EQ(sum(double(given)) > 0, rank_count() > 1);
-    lay_swirl(*ghosts, more);
-    vtkPolyData& output = *ghosts->GetOutput();
-    expect_one_pattern(pieces.whole, output);
-    const Gathered a(pieces.whole.vertex_count(), *plain->GetOutput(), "phase");
-    const Gathered b(pieces.whole.vertex_count(), output, "phase");
-    EXPECT_EQ(a.values, b.values);
-    for (const char* name : {"branches", "angle_error_mean_deg", "spacing_error_mean"}) {
-      EXPECT_EQ(figure(output, name), figure(*plain->GetOutput(), name)) << name;
+    for (const double slack : {0.0, 0.25}) {
+      const Cut& cut = cuts()[which];
+      SCOPED_TRACE(std::string(cut.name) + ", slack " + std::to_string(slack));
+      const Pieces pieces(kShape, cut);
+      vtkNew<vtkBrindleStripes> plain, ghosts;
+      plain->SetSlack(slack);
+      ghosts->SetSlack(slack);
+      const auto data = pieces.polygons(true);
+      lay_swirl(*plain, data);
+      const auto more = with_ghosts(data.Get());
+      const long given = ghost_count(*more);
+      EXPECT_EQ(sum(double(given)) > 0, rank_count() > 1);
+      lay_swirl(*ghosts, more);
+      vtkPolyData& output = *ghosts->GetOutput();
+      expect_one_pattern(pieces.whole, output);
+      for (const char* name : {"phase", "frequency"}) {
+        const Gathered a(pieces.whole.vertex_count(), *plain->GetOutput(), name);
+        const Gathered b(pieces.whole.vertex_count(), output, name);
+        EXPECT_EQ(a.values, b.values) << name;
+      }
+      for (const char* name : {"branches", "angle_error_mean_deg", "spacing_error_mean"}) {
+        EXPECT_EQ(figure(output, name), figure(*plain->GetOutput(), name)) << name;
+      }
+      EXPECT_EQ(ghost_count(output), given) << "the output keeps ghosts";
+      EXPECT_EQ(output.GetNumberOfCells(), more->GetNumberOfCells());
+      ghosts->SetTextureCoordinates(true);
+      ghosts->Update();
+      EXPECT_GE(ghost_count(*ghosts->GetOutput()), given);
+      EXPECT_NE(ghosts->GetOutput()->GetPointData()->GetTCoords(), nullptr);
     }
-    EXPECT_EQ(ghost_count(output), given) << "the output keeps ghosts";
-    EXPECT_EQ(output.GetNumberOfCells(), more->GetNumberOfCells());
-    ghosts->SetTextureCoordinates(true);
-    ghosts->Update();
-    EXPECT_GE(ghost_count(*ghosts->GetOutput()), given);
-    EXPECT_NE(ghosts->GetOutput()->GetPointData()->GetTCoords(), nullptr);
   }
 }
 
@@ -214,60 +195,6 @@ TEST(RankStripesFarFromZero, StandWhereTheyDid) {
   EXPECT_EQ(phases.shared > 0, rank_count() > 1);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     ASSERT_NEAR(filter->GetOutput()->GetPoint(i)[0], data->GetPoint(i)[0], 1e-6);
-  }
-}
-
-/// This rank's pattern of the whole, from all ranks' stripes.
-StripePattern stripes_of(const Pieces& pieces, vtkPolyData* data, double turn) {
-  vtkNew<vtkBrindleStripes> stripes;
-  stripes->SetRotate(turn);
-  lay_swirl(*stripes, data);
-  return whole_pattern(pieces.whole, *stripes->GetOutput());
-}
-
-// Lines of one pattern: together as long as those of the whole, ghosts or not.
-TEST(RankCurves, AreThoseOfOnePattern) {
-  const Pieces pieces(kShape, cuts()[0]);
-  const Surface surface = make_surface(pieces.whole);
-  for (const bool ghosts : {false, true}) {
-    SCOPED_TRACE(ghosts ? "ghosts" : "no ghosts");
-    auto data = pieces.polygons(true);
-    if (ghosts) data = with_ghosts(data.Get());
-    const StripePattern pattern = stripes_of(pieces, data, 0);
-    const StripeCurves whole = stripe_curves(surface, pattern);
-    double wanted = 0;
-    for (std::size_t line = 0; line < whole.lines.count(); ++line) {
-      wanted += length_of(whole.lines, line);
-    }
-    vtkNew<vtkBrindleCurves> filter;
-    filter->SetInputData(data);
-    filter->SetField(kArray);
-    choose(*filter, 0, "v");
-    filter->Update();
-    double length = 0;
-    vtkDataArray* lengths = filter->GetOutput()->GetCellData()->GetArray("length");
-    for (vtkIdType i = 0; lengths != nullptr && i < lengths->GetNumberOfTuples(); ++i) {
-      length += lengths->GetComponent(i, 0);
-    }
-    EXPECT_NEAR(sum(length) / wanted, 1, 1e-4);
-  }
-}
-
-TEST(RankSamples, AreThoseOfOnePattern) {
-  const Pieces pieces(kShape, cuts()[0]);
-  const Surface surface = make_surface(pieces.whole);
-  for (const bool ghosts : {false, true}) {
-    SCOPED_TRACE(ghosts ? "ghosts" : "no ghosts");
-    auto data = pieces.polygons(true);
-    if (ghosts) data = with_ghosts(data.Get());
-    const StripePattern u = stripes_of(pieces, data, 0), v = stripes_of(pieces, data, 90);
-    const auto wanted = static_cast<double>(stripe_samples(surface, u, v).size());
-    vtkNew<vtkBrindleSamples> filter;
-    filter->SetInputData(data);
-    filter->SetField(kArray);
-    choose(*filter, 0, "v");
-    filter->Update();
-    EXPECT_NEAR(sum(double(filter->GetOutput()->GetNumberOfPoints())) / wanted, 1, 0.01);
   }
 }
 

@@ -65,6 +65,52 @@ TEST_F(RankSeries, WhatIsNewToOneRankIsNewToAll) {
   expect_one_pattern(pieces.whole, *filter->GetOutput());
 }
 
+/// What yields is that of the library: phases, frequencies, those asked for, and the figures.
+void expect_yielding(vtkPolyData& output, Twin& twin, const StripePattern& pattern) {
+  const PatternQuality quality = twin.measure().quality;
+  if (output.GetNumberOfPoints() == 0) return;
+  expect_phases(output, pattern.solution.z);
+  EXPECT_EQ(numbers(output, "frequency"), pattern.waves.frequencies);
+  EXPECT_EQ(numbers(output, "frequency_wanted"), pattern.frequencies_wanted);
+  EXPECT_NE(pattern.waves.frequencies, pattern.frequencies_wanted);
+  EXPECT_EQ(figure(output, "branches"), static_cast<double>(quality.branches));
+  EXPECT_EQ(figure(output, "angle_error_mean_deg"), quality.angle_error_mean_deg);
+  EXPECT_EQ(figure(output, "spacing_error_mean"), quality.spacing_error_mean);
+}
+
+TEST(RankSlack, IsTheLibrarysBitForBit) {
+  for (const Cut& cut : cuts()) {
+    SCOPED_TRACE(cut.name);
+    const Pieces pieces(kShape, cut);
+    const auto data = pieces.polygons();
+    vtkNew<vtkBrindleStripes> filter;
+    filter->SetSlack(0.25);
+    Twin twin(pieces, numbers_by_place(pieces), 0.25f);
+    for (int step = 0; step < 2; ++step) {
+      const float angle = 0.1f * static_cast<float>(step);
+      set_time(*data, step);
+      lay_swirl(*filter, data, angle);
+      expect_yielding(*filter->GetOutput(), twin, twin.pattern(angle));
+      expect_one_pattern(pieces.whole, *filter->GetOutput());
+      const Gathered wanted(pieces.whole.vertex_count(), *filter->GetOutput(), "frequency_wanted");
+      EXPECT_EQ(wanted.different, 0u);
+      EXPECT_EQ(filter->GetPatternsFollowed(), step);
+    }
+  }
+}
+
+// What slack is for.
+TEST(RankSlack, LeavesFewerBranches) {
+  const Pieces pieces(kShape, cuts()[0]);
+  vtkNew<vtkBrindleStripes> stiff, yielding;
+  yielding->SetSlack(0.5);
+  lay_swirl(*stiff, pieces.polygons());
+  lay_swirl(*yielding, pieces.polygons());
+  EXPECT_EQ(stiff->GetOutput()->GetPointData()->GetArray("frequency_wanted"), nullptr);
+  if (pieces.ids.empty()) return;
+  EXPECT_LT(figure(*yielding->GetOutput(), "branches"), figure(*stiff->GetOutput(), "branches"));
+}
+
 // Two ranks' points part: cells are as they were, but the surface is another one.
 TEST_F(RankSeries, SurfacesThatTearAreOthers) {
   show(0, 0);
@@ -130,23 +176,17 @@ TEST(RankErrors, OfOneRankAreEverybodys) {
 
 TEST(RankErrors, RefuseWhatRanksCannotDoTogether) {
   const Pieces pieces(kShape, cuts()[0]);
-  vtkNew<vtkBrindleStripes> stripes;
-  stripes->SetInputData(pieces.polygons());
-  stripes->SetSlack(0.25);
   vtkNew<vtkBrindleCurves> join, longer;
   join->SetInputData(pieces.polygons());
   join->SetJoin(true);
   longer->SetInputData(pieces.polygons());
   longer->SetMinimumLength(0.5);
   if (rank_count() > 1) {
-    has(only_error(*stripes), "slack");
     has(only_error(*join), "Join");
     has(only_error(*longer), "Minimum Length");
     return;
   }
-  for (vtkBrindleFilter* filter :
-       {static_cast<vtkBrindleFilter*>(stripes), static_cast<vtkBrindleFilter*>(join),
-        static_cast<vtkBrindleFilter*>(longer)}) {
+  for (vtkBrindleCurves* filter : {join.Get(), longer.Get()}) {
     filter->Update();
     EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   }

@@ -203,6 +203,46 @@ TEST(DistributedCurves, BalanceAtBorders) {
   }
 }
 
+/// How far the point of a triangle is from where it should be.
+float distance_in(const Mesh& mesh, Index triangle, const std::array<double, 3>& barycentric,
+                  const Vec3& point) {
+  Eigen::Vector3d there = Eigen::Vector3d::Zero();
+  for (std::size_t m = 0; m < 3; ++m) {
+    there += barycentric[m] * mesh.positions[mesh.triangles[triangle][m]].cast<double>();
+  }
+  return static_cast<float>((there - point.cast<double>()).norm());
+}
+
+/// The farthest that the ends of segments are from the triangles in which they are said to run;
+/// all of them this rank's.
+float farthest_from_places(const Polylines& lines, const SurfacePiece& piece) {
+  float worst = 0;
+  for (std::size_t line = 0; line < lines.count(); ++line) {
+    for (Index i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i) {
+      const bool last = i + 1 == lines.offsets[line + 1];
+      const Index next = !last ? i + 1 : lines.closed[line] ? lines.offsets[line] : i;
+      const auto& [triangle, barycentric] = lines.places[i];
+      EXPECT_EQ(piece.ghost_triangles.empty() ? 0 : piece.ghost_triangles[triangle], 0);
+      worst = std::max({worst, distance_in(piece.mesh, triangle, barycentric, lines.points[i]),
+                        distance_in(piece.mesh, triangle, lines.arrivals[i], lines.points[next])});
+    }
+  }
+  return worst;
+}
+
+TEST(DistributedCurves, HavePlacesInTheTrianglesOfThePiece) {
+  for (const Solved& solved : solved_surfaces()) {
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices");
+      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+      const Polylines lines = piece_curves(piece.pattern()).lines;
+      ASSERT_EQ(lines.places.size(), lines.points.size());
+      ASSERT_EQ(lines.arrivals.size(), lines.points.size());
+      EXPECT_LT(farthest_from_places(lines, piece.parts.piece), 1e-5f);
+    }
+  }
+}
+
 TEST(DistributedCurves, RefuseOnAllRanksAPatternThatDoesNotMatch) {
   const Solved solved(wavy_surface("torus,resolution=20", kAxis, 12));
   const SolvedPiece piece(solved, partition_by_curve(solved.whole.mesh, rank_count()));
@@ -278,7 +318,9 @@ TEST(DistributedSamples, AndCurvesMindNoGhosts) {
   for (const int r : ranks) piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
   const DistributedSurface surface(piece, MPI_COMM_WORLD);
   const PiecePattern pattern_u{surface, u.whole.waves, u.z}, pattern_v{surface, v.whole.waves, v.z};
-  const StripeCurves joined = joined_curves(surface, piece_curves(pattern_u));
+  const PieceCurves curves = piece_curves(pattern_u);
+  EXPECT_LT(farthest_from_places(curves.lines, piece), 1e-5f);
+  const StripeCurves joined = joined_curves(surface, curves);
   const std::vector<Sample> own = wave_samples(pattern_u, pattern_v);
   for (const Sample& sample : own) EXPECT_EQ(ranks[sample.triangle], rank());
   const std::vector<Sample> all = gathered_samples(surface, own);

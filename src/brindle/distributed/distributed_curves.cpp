@@ -18,7 +18,8 @@ std::optional<BorderCrossing> border_crossing(const RankTriangles& triangles,
   return BorderCrossing{{triangles.ids[a], triangles.ids[b]}, cut->number};
 }
 
-PieceCurves with_ids(const std::vector<CutCurve>& curves, const RankTriangles& triangles) {
+PieceCurves with_ids(const std::vector<CutCurve>& curves, const RankTriangles& triangles,
+                     const std::vector<Index>& triangle_of_piece) {
   PieceCurves result;
   result.lines.origin = triangles.mesh.origin;
   for (const CutCurve& curve : curves) {
@@ -29,10 +30,15 @@ PieceCurves with_ids(const std::vector<CutCurve>& curves, const RankTriangles& t
       result.sizes.push_back(point.size);
     }
     result.lines.offsets.push_back(static_cast<Index>(result.lines.points.size()));
-    result.lines.closed.push_back(curve.ends[0] == CurveEnd::closed);
+    const bool closed = curve.ends[0] == CurveEnd::closed;
+    add_places(triangles.mesh, curve.points, closed, result.lines);
+    result.lines.closed.push_back(closed);
     result.ends.push_back(curve.ends);
     result.borders.push_back(
         {border_crossing(triangles, curve.cuts[0]), border_crossing(triangles, curve.cuts[1])});
+  }
+  for (TrianglePoint& place : result.lines.places) {
+    place.triangle = triangle_of_piece[place.triangle];
   }
   return result;
 }
@@ -185,7 +191,7 @@ PieceCurves piece_curves(const PiecePattern& pattern) {
   PieceCurves curves;
   surface.ranks->together([&] {
     const LiftedWaves lifted(wave_pattern(triangles, waves, pattern.phase_shift));
-    curves = with_ids(cut_stripe_curves(lifted, beyond), triangles);
+    curves = with_ids(cut_stripe_curves(lifted, beyond), triangles, surface.triangle_of_piece);
   });
   return curves;
 }

@@ -25,6 +25,9 @@ struct CurvePoint {
 /// a closed one start where all do. Returns whether enough is left to be a curve.
 bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends);
 
+/// Adds the places of a curve's points, and where their segments arrive.
+void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed, Polylines& lines);
+
 /// What the rest of the surface has at an edge of the part.
 enum class EdgeBeyond : std::uint8_t {
   nothing,

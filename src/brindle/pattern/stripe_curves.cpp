@@ -447,23 +447,14 @@ class Tracer {
   void add_curve(const std::array<CurveEnd, 2>& ends) {
     Polylines& lines = curves_.lines;
     const bool closed = ends[0] == CurveEnd::closed;
-    for (std::size_t i = 0; i < curve_.size(); ++i) {
-      lines.points.push_back(curve_[i].position);
-      lines.normals.push_back(curve_[i].normal);
-      const bool last = !closed && i + 1 == curve_.size();
-      add_place(curve_[last && i > 0 ? i - 1 : i].place,
-                curve_[last ? i : (i + 1) % curve_.size()].place, last);
+    for (const CurvePoint& point : curve_) {
+      lines.points.push_back(point.position);
+      lines.normals.push_back(point.normal);
     }
+    add_places(pattern_.mesh, curve_, closed, lines);
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
     lines.closed.push_back(closed);
     curves_.ends.push_back(ends);
-  }
-
-  /// Of the segment's first point, or of its last one.
-  void add_place(const MeshPoint& from, const MeshPoint& to, bool last) {
-    const PlacedSegment segment = placed_segment(pattern_.mesh, from, to);
-    curves_.lines.places.push_back({segment.triangle, last ? segment.to : segment.from});
-    curves_.lines.arrivals.push_back(segment.to);
   }
 
   const WavePattern& pattern_;
@@ -498,6 +489,18 @@ bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
   }
   if (closed) rotate_to_start(curve);
   return true;
+}
+
+void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed,
+                Polylines& lines) {
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const bool last = !closed && i + 1 == curve.size();
+    const MeshPoint& from = curve[last && i > 0 ? i - 1 : i].place;
+    const MeshPoint& to = curve[last ? i : (i + 1) % curve.size()].place;
+    const PlacedSegment segment = placed_segment(mesh, from, to);
+    lines.places.push_back({segment.triangle, last ? segment.to : segment.from});
+    lines.arrivals.push_back(segment.to);
+  }
 }
 
 std::vector<CutCurve> cut_stripe_curves(const LiftedWaves& waves,
