@@ -48,14 +48,16 @@ GalleryItem glyphs_item() {
       "glyphs",
       "arrows and ellipses packed by a scalar",
       make_glyphs,
-      {{"arrows", "arrows along a flow, larger and farther apart where it is faster",
+      {{"arrows",
+        "arrows along a flow, larger and farther apart where it is faster",
         "sample {surface=flow.vtp} --field {field=array:velocity} --stripes 36 "
         "--frequency-by {values=array:speed} --frequency-range 0.6,1.7,inverse --glyph arrow "
         "--glyph-size 0.95 --color-by {values=array:speed} --legend speed "
         "--colors #22252b,#f1ece1,#ffffff --up z --camera 35,10,0.93",
         "640x570",
         {"stripes", "frequency-range", "glyph-size", "glyph"}},
-       {"ellipses", "ellipses whose axes are the principal stresses of an artery's wall",
+       {"ellipses",
+        "ellipses whose axes are the principal stresses of an artery's wall",
         "sample {file=aneurysm.vtp} --field {file=stress.csv} --glyph ellipse --glyph-size 0.95 "
         "--color-by array:first --color-range 60,220 "
         "--legend 'first principal stress in kPa' --colors #22252b,#f1ece1,#ffffff --up z "

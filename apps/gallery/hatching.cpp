@@ -28,7 +28,8 @@ GalleryItem hatching_item() {
             "--camera 35,10,0.93",
             "640x700",
             {"stripes", "direction", "line-width"}},
-           {"strokes", "strokes of a brush that cross the outline",
+           {"strokes",
+            "strokes of a brush that cross the outline",
             "sample {surface=hare.vtp} --field {field=curvature} --stripes 90 --stripes-v 36 "
             "--glyph stroke --glyph-size 1.15 --colors #22252b,#f4ecdc,#f4ecdc --up z "
             "--camera 35,10,0.93",
