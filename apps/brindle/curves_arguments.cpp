@@ -16,10 +16,23 @@ std::optional<TracedWaves> parse_traced(std::string_view name) {
   return std::nullopt;
 }
 
-void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
-  add_named_option(command, "--lines", arguments.traced, parse_traced, "u|v|both",
+}  // namespace
+
+void add_lines_option(CLI::App& command, TracedWaves& traced) {
+  add_named_option(command, "--lines", traced, parse_traced, "u|v|both",
                    "across the field (u, default), along it (v: stripes of the field turned by 90 "
                    "degrees), or both");
+}
+
+void add_min_length_option(CLI::App& command, Length& min_length) {
+  add_parsed_option(command, "--min-length", min_length, parse_length, "leave out shorter curves")
+      ->type_name("L|P%");
+}
+
+namespace {
+
+void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
+  add_lines_option(command, arguments.traced);
   add_parsed_option(command, "--offset", arguments.offset, parse_number,
                     "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
       ->type_name("P");
@@ -27,9 +40,7 @@ void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
       "--join", arguments.join,
       "join curves that end in the same triangle in pairs, and let others run on into their "
       "neighbours");
-  add_parsed_option(command, "--min-length", arguments.min_length, parse_length,
-                    "leave out shorter curves")
-      ->type_name("L|P%");
+  add_min_length_option(command, arguments.min_length);
   add_parsed_option(command, "--simplify", arguments.simplify, parse_length,
                     "leave out points up to this far from the curve")
       ->type_name("L|P%");
@@ -59,7 +70,7 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_making_options(command, arguments.making);
   command
       .add_option(
-          "--wales", arguments.wales,
+          "--wales", arguments.second.wales,
           "V: exactly N stripes round a surface with one way round, as the wales of a sleeve")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
@@ -77,7 +88,7 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
   if (arguments.traced == TracedWaves::v) {
     refuse_given(command, {"--winding", "--anchor-boundary"}, "U is not traced; leave out --lines");
   }
-  if (arguments.wales > 0) {
+  if (arguments.second.wales > 0) {
     refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v"},
                  "--wales says how many stripes of V there are, and where they run");
   }

@@ -27,7 +27,6 @@ struct CurvesArguments {
   SecondWaveOptions second;
   SolvingOptions solving;
   MakingOptions making;
-  int wales = 0;
   std::shared_ptr<PictureOptions> picture;
   TracedWaves traced = TracedWaves::u;
   float offset = 0;
@@ -41,6 +40,10 @@ struct CurvesArguments {
 };
 
 enum class CurveOutput { lines, tubes, drawing, picture, report };
+
+/// --lines and --min-length, which lines of many processes have, too.
+void add_lines_option(CLI::App& command, TracedWaves& traced);
+void add_min_length_option(CLI::App& command, Length& min_length);
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
 

@@ -28,14 +28,6 @@ std::string why_no_curves(const CurveFamily& family) {
          " are shorter than --min-length\n";
 }
 
-// Of V: windings are those of U, but for what --wales counts.
-MakingOptions making_of_v(const CurvesArguments& arguments) {
-  MakingOptions making;
-  making.merge_branches = arguments.making.merge_branches;
-  if (arguments.wales > 0) making.windings = {{"", arguments.wales}};
-  return making;
-}
-
 void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily& family,
                  JobListener& listener) {
   const float diagonal = bounding_box(mesh).diagonal();
@@ -53,14 +45,11 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
 
 // Solved, noted and traced.
 CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, const char* name,
-                      WaveSet waves, JobListener& listener) {
+                      WaveSet waves, const MakingOptions& wanted, JobListener& listener) {
   const Surface& surface = job.prepared.surface;
   MakingFigures making;
-  StripePattern pattern = name == std::string("v")
-                              ? pattern_of_v(arguments, surface, std::move(waves), job.options,
-                                             listener.progress(), making)
-                              : make_pattern(surface, std::move(waves), job.options,
-                                             arguments.making, listener.progress(), making);
+  StripePattern pattern =
+      make_pattern(surface, std::move(waves), job.options, wanted, listener.progress(), making);
   measure_windings(surface, pattern, making);
   listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
                                surface.mesh.triangle_count()));
@@ -98,19 +87,11 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
   return family;
 }
 
-WaveSet waves_of_v(const CurvesArguments& arguments, const FirstWaves& first,
-                   JobListener& listener) {
-  WaveSet v = make_second_waves(first, arguments.second);
-  if (arguments.wales > 0) v = waves_round(first.surface, v.directions, {"", arguments.wales});
-  if (is_other(arguments.second)) noted_waves(first.surface, v, "the field of V", listener);
-  return v;
-}
-
-StripePattern pattern_of_v(const CurvesArguments& arguments, const Surface& surface, WaveSet waves,
-                           const StripeOptions& options, const Progress& progress,
-                           MakingFigures& figures) {
-  return make_pattern(surface, std::move(waves), options, making_of_v(arguments), progress,
-                      figures);
+MakingOptions making_of_v(const CurvesArguments& arguments) {
+  MakingOptions making;
+  making.merge_branches = arguments.making.merge_branches;
+  if (arguments.second.wales > 0) making.windings = {{"", arguments.second.wales}};
+  return making;
 }
 
 CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listener) {
@@ -123,13 +104,14 @@ CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listene
   job.edges = mesh_edges(prepared.surface.mesh, *prepared.surface.neighborhood);
   job.edges_milliseconds = watch.lap();
   WaveSet v;
-  if (arguments.traced != TracedWaves::u)
-    v = waves_of_v(arguments, first_waves(prepared), listener);
-  const auto add = [&](const char* name, WaveSet& waves) {
-    job.families.push_back(family_of(arguments, job, name, std::move(waves), listener));
+  if (arguments.traced != TracedWaves::u) {
+    v = make_second_waves(first_waves(prepared), arguments.second, listener);
+  }
+  const auto add = [&](const char* name, WaveSet& waves, const MakingOptions& making) {
+    job.families.push_back(family_of(arguments, job, name, std::move(waves), making, listener));
   };
-  if (arguments.traced != TracedWaves::v) add("u", prepared.waves);
-  if (arguments.traced != TracedWaves::u) add("v", v);
+  if (arguments.traced != TracedWaves::v) add("u", prepared.waves, arguments.making);
+  if (arguments.traced != TracedWaves::u) add("v", v, making_of_v(arguments));
   return job;
 }
 

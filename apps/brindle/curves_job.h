@@ -49,14 +49,8 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
                           const MeshEdges& edges, std::string name, StripePattern pattern,
                           CurveFigures figures, JobListener& listener);
 
-/// V's waves, of the surface's.
-WaveSet waves_of_v(const CurvesArguments& arguments, const FirstWaves& first,
-                   JobListener& listener);
-
-/// The stripes along them.
-StripePattern pattern_of_v(const CurvesArguments& arguments, const Surface& surface, WaveSet waves,
-                           const StripeOptions& options, const Progress& progress,
-                           MakingFigures& figures);
+/// What is asked of V: windings are those of U, but for what --wales counts.
+MakingOptions making_of_v(const CurvesArguments& arguments);
 
 CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listener);
 

@@ -58,9 +58,27 @@ void print_measures(std::ostream& out, const CurveFamily& family) {
 
 }  // namespace
 
+nlohmann::ordered_json ends_to_json(const CurveEnds& ends) {
+  const auto end = [&](CurveEnd kind) { return ends[static_cast<std::size_t>(kind)]; };
+  return {{"total", std::accumulate(ends.begin(), ends.end(), std::size_t{0})},
+          {"boundary", end(CurveEnd::boundary)},
+          {"no_wave", end(CurveEnd::no_wave)},
+          {"nonmanifold", end(CurveEnd::nonmanifold)},
+          {"branch", end(CurveEnd::branch)},
+          {"singularity", end(CurveEnd::singularity)}};
+}
+
+std::string line_of_ends(const CurveEnds& ends) {
+  const auto end = [&](CurveEnd kind) { return ends[static_cast<std::size_t>(kind)]; };
+  return formatted(
+      "ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu beside vertices "
+      "without wave, %zu at edges of three triangles or more\n",
+      end(CurveEnd::boundary), end(CurveEnd::branch), end(CurveEnd::singularity),
+      end(CurveEnd::no_wave), end(CurveEnd::nonmanifold));
+}
+
 nlohmann::ordered_json to_json(const CurveFamily& family) {
   const Polylines& lines = family.curves.lines;
-  const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
   nlohmann::ordered_json json = {
       {"energy", family.pattern.solution.energy},
       {"branches", family.pattern.quality.branches},
@@ -71,13 +89,7 @@ nlohmann::ordered_json to_json(const CurveFamily& family) {
       {"short_curves_left_out", family.short_curves},
       {"points", lines.points.size()},
       {"length", total_length(lines)},
-      {"ends",
-       {{"total", std::accumulate(family.ends.begin(), family.ends.end(), std::size_t{0})},
-        {"boundary", end(CurveEnd::boundary)},
-        {"no_wave", end(CurveEnd::no_wave)},
-        {"nonmanifold", end(CurveEnd::nonmanifold)},
-        {"branch", end(CurveEnd::branch)},
-        {"singularity", end(CurveEnd::singularity)}}},
+      {"ends", ends_to_json(family.ends)},
       {"joined_ends", family.curves.joined_ends},
       {"ends_at_neighbours", family.curves.ends_at_neighbors},
       {"edges_with_jogs", family.jogs}};
@@ -128,16 +140,11 @@ nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& pictu
 void print(std::ostream& out, const CurvesJob& job) {
   print_waves(out, job.prepared.figures);
   for (const CurveFamily& family : job.families) {
-    const auto end = [&](CurveEnd kind) { return family.ends[static_cast<std::size_t>(kind)]; };
     const Polylines& lines = family.curves.lines;
     out << formatted("%s  %zu curves, %zu of them closed, of %zu points, length %g\n",
                      family.name.c_str(), lines.count(), closed_count(lines), lines.points.size(),
                      total_length(lines))
-        << formatted(
-               "   ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu beside "
-               "vertices without wave, %zu at edges of three triangles or more\n",
-               end(CurveEnd::boundary), end(CurveEnd::branch), end(CurveEnd::singularity),
-               end(CurveEnd::no_wave), end(CurveEnd::nonmanifold));
+        << "   " << line_of_ends(family.ends);
     if (family.curves.joined_ends + family.curves.ends_at_neighbors > 0) {
       out << formatted("   %zu more ends joined in pairs, %zu run on into neighbours\n",
                        family.curves.joined_ends, family.curves.ends_at_neighbors);

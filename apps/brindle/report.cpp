@@ -258,4 +258,11 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
   }
 }
 
+nlohmann::ordered_json to_json(const SampleSpacing& spacing) {
+  return {{"measured", spacing.samples},
+          {"mean", spacing.mean},
+          {"deviation", spacing.deviation},
+          {"isolated_double_share", spacing.double_share}};
+}
+
 }  // namespace brindle::tool

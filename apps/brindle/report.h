@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brindle/cross_texture.h"
+#include "brindle/samples.h"
 #include "brindle/texture_pattern.h"
 #include "frequency_report.h"
 #include "preparation_figures.h"
@@ -80,6 +81,9 @@ std::string_view kind_of(const Mesh& mesh);
 /// How dense the waves are and how many are missing, for any report.
 nlohmann::ordered_json to_json(const WaveFigures& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
+
+/// How evenly samples lie, for the key "nearest_neighbour".
+nlohmann::ordered_json to_json(const SampleSpacing& spacing);
 
 /// A line for people about what `Device::description` gives; empty for the processor.
 std::string device_line(const nlohmann::ordered_json& description);

@@ -13,14 +13,18 @@
 
 namespace brindle::tool {
 
+void add_min_distance_option(CLI::App& command, float& min_distance) {
+  add_parsed_option(command, "--min-distance", min_distance, parse_not_negative_number,
+                    "leave out samples nearer to another, in spacings (default 0.25)")
+      ->type_name("D");
+}
+
 void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_point_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
   add_second_wave_options(command, arguments.second);
-  add_parsed_option(command, "--min-distance", arguments.min_distance, parse_not_negative_number,
-                    "leave out samples nearer to another, in spacings (default 0.25)")
-      ->type_name("D");
+  add_min_distance_option(command, arguments.min_distance);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);

@@ -51,12 +51,7 @@ nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& pictu
   };
   add_frequency("frequency_change_u", job.u);
   add_frequency("frequency_change_v", job.v);
-  if (job.taken.spacing) {
-    json["nearest_neighbour"] = {{"measured", job.taken.spacing->samples},
-                                 {"mean", job.taken.spacing->mean},
-                                 {"deviation", job.taken.spacing->deviation},
-                                 {"isolated_double_share", job.taken.spacing->double_share}};
-  }
+  if (job.taken.spacing) json["nearest_neighbour"] = tool::to_json(*job.taken.spacing);
   json["milliseconds"] = {
       {"load", job.prepared.load_milliseconds},
       {"field", job.prepared.field_milliseconds},

@@ -17,9 +17,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kNoSamples =
-    "no samples: nowhere do stripes of both patterns cross; ask for more stripes\n";
-
 WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surface,
                          const MeshEdges& edges, const StripePattern& pattern) {
   return {surface.mesh,       edges,
@@ -61,20 +58,13 @@ TakenSamples taken_samples(const SampleArguments& arguments, const Surface& surf
   return taken;
 }
 
-WaveSet waves_of_v(const SampleArguments& arguments, const FirstWaves& first,
-                   JobListener& listener) {
-  WaveSet v = make_second_waves(first, arguments.second);
-  if (is_other(arguments.second)) noted_waves(first.surface, v, "the field of V", listener);
-  return v;
-}
-
 SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listener) {
   SampleJob job;
   Preparation& prepared = job.prepared;
   prepared =
       prepare(arguments.surface, arguments.waves, listener, viewpoint_of(*arguments.picture));
   const Surface& surface = prepared.surface;
-  WaveSet waves_v = waves_of_v(arguments, first_waves(prepared), listener);
+  WaveSet waves_v = make_second_waves(first_waves(prepared), arguments.second, listener);
   const StripeOptions options = stripe_options(arguments.solving, prepared);
   job.u = stripe_pattern(surface, std::move(prepared.waves), options, listener.progress());
   job.v = stripe_pattern(surface, std::move(waves_v), options, listener.progress());
@@ -149,10 +139,14 @@ DataArray frequencies_of(const char* name, std::span<const Sample> samples,
 
 }  // namespace
 
+std::vector<DataArray> frequency_arrays(std::span<const Sample> samples) {
+  return {frequencies_of("frequency_u", samples, &Sample::spacing_u),
+          frequencies_of("frequency_v", samples, &Sample::spacing_v)};
+}
+
 void write_all_samples(const std::string& path, const Mesh& mesh, const DataArrays& input,
                        std::span<const Sample> samples, JobListener& listener) {
-  std::vector<DataArray> arrays = {frequencies_of("frequency_u", samples, &Sample::spacing_u),
-                                   frequencies_of("frequency_v", samples, &Sample::spacing_v)};
+  std::vector<DataArray> arrays = frequency_arrays(samples);
   const DataArrays held = held_beside(kSampleColumns, path, input, listener);
   std::vector<DataArray> carried = mesh.triangles.empty()
                                        ? rows_of(held.points, points_of(samples))

@@ -12,6 +12,9 @@
 
 namespace brindle::tool {
 
+inline constexpr const char* kNoSamples =
+    "no samples: nowhere do stripes of both patterns cross; ask for more stripes\n";
+
 /// Where two patterns cross.
 struct TakenSamples {
   std::vector<Sample> samples;
@@ -33,14 +36,13 @@ struct SampleJob {
 TakenSamples taken_samples(const SampleArguments& arguments, const Surface& surface,
                            const StripePattern& u, const StripePattern& v, JobListener& listener);
 
-/// V's waves, of the surface's.
-WaveSet waves_of_v(const SampleArguments& arguments, const FirstWaves& first,
-                   JobListener& listener);
-
 SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listener);
 
 /// Discs at samples, as pictures without glyphs show them. Coordinates are relative to `origin`.
 Ornament discs_of(std::span<const Sample> samples, const Eigen::Vector3d& origin);
+
+/// `frequency_u` and `frequency_v`, which samples have as spacings.
+std::vector<DataArray> frequency_arrays(std::span<const Sample> samples);
 
 /// With the input's arrays there. Throws Error if the file cannot be written.
 void write_all_samples(const std::string& path, const Mesh& mesh, const DataArrays& input,

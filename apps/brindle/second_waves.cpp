@@ -6,6 +6,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
+#include "brindle/windings.h"
 #include "option_values.h"
 
 namespace brindle::tool {
@@ -30,7 +31,8 @@ FirstWaves first_waves(const Preparation& prepared) {
   return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row};
 }
 
-WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options) {
+WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options,
+                          JobListener& listener) {
   const Surface& surface = first.surface;
   WaveSet waves{first.waves.positions, {}, first.frequencies_v};
   if (waves.frequencies.empty()) waves.frequencies = first.waves.frequencies;
@@ -50,6 +52,8 @@ WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& opti
   if (frequency) {
     waves.frequencies = constant_frequency_field(*frequency, surface.mesh.vertex_count());
   }
+  if (options.wales > 0) waves = waves_round(surface, waves.directions, {"", options.wales});
+  if (is_other(options)) noted_waves(surface, waves, "the field of V", listener);
   return waves;
 }
 

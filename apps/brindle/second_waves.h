@@ -15,6 +15,7 @@ struct SecondWaveOptions {
   std::string field;               ///< a file; empty: U's field turned by 90 degrees
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
+  int wales = 0;                   ///< stripes round the surface, instead of both; 0: none
 };
 
 /// --field-v, --stripes-v and --frequency-v.
@@ -37,7 +38,8 @@ FirstWaves first_waves(const Preparation& prepared);
 
 /// One wave per vertex, without phases. Its frequencies are those of the options, or of the file
 /// for V, or what U's file says of V, or U's. Rows of the file may stand for those of the mesh's
-/// file. Throws Error if the file does not fit.
-WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options);
+/// file. Notes what is probably not meant. Throws Error if the file does not fit.
+WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options,
+                          JobListener& listener);
 
 }  // namespace brindle::tool

@@ -3,6 +3,7 @@
 #include "brindle/base/file_extension.h"
 #include "command_line.h"
 #include "piece_waves.h"
+#include "pvtp_pieces.h"
 
 namespace brindle::tool {
 
@@ -75,6 +76,18 @@ void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
   check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
   check_extension("--output", arguments.output, ".pvtp");
   check_extension("--report", arguments.report, ".json");
+}
+
+std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surface,
+                                 const SolvingOptions& solving) {
+  std::vector<UsedFile> inputs;
+  if (is_pvtp(surface.mesh)) {
+    inputs = files_of_pvtp(ranks, surface.mesh);
+  } else if (!is_shape(surface)) {
+    inputs.push_back({"MESH", surface.mesh});
+  }
+  add_slack_files(solving.slack, inputs);
+  return inputs;
 }
 
 }  // namespace brindle::tool

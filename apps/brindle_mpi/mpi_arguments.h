@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/distributed/communicator.h"
 #include "solving_options.h"
 #include "surface_options.h"
+#include "used_files.h"
 #include "wave_options.h"
 
 namespace brindle::tool {
@@ -32,5 +35,9 @@ void check_mpi_waves(const CLI::App& command, const SurfaceOptions& surface,
 /// Throws CLI::ValidationError for options without effect, and for those that need the whole
 /// surface in one process.
 void check_mpi_options(const CLI::App& command, const MpiArguments& arguments);
+
+/// Collective. All files that are read, those that a .pvtp names among them.
+std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surface,
+                                 const SolvingOptions& solving);
 
 }  // namespace brindle::tool

@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +15,7 @@
 #include "brindle/curve_measures.h"
 #include "brindle/files.h"
 #include "command_line.h"
+#include "curves_report.h"
 #include "formatted.h"
 #include "option_values.h"
 #include "outputs.h"
@@ -38,17 +37,8 @@ and writes one file by its extension: .obj .ply .vtp .csv. A .pvtp has the lines
 they are, cut at borders: where one is, border_edge has the numbers of the edge's vertices in the
 whole, and border_crossing counts along it; elsewhere both are -1.)";
 
-enum class CurveLines { u, v, both };
-
-std::optional<CurveLines> parse_lines(std::string_view name) {
-  if (name == "u") return CurveLines::u;
-  if (name == "v") return CurveLines::v;
-  if (name == "both") return CurveLines::both;
-  return std::nullopt;
-}
-
 struct MpiCurvesArguments : PatternArguments {
-  CurveLines lines = CurveLines::u;
+  TracedWaves lines = TracedWaves::u;
   Length min_length;
 };
 
@@ -56,12 +46,10 @@ struct MpiCurvesArguments : PatternArguments {
 struct JoinedFamily {
   std::string name;
   StripeCurves curves;
-  std::array<std::size_t, kCurveEndKinds> ends{};  ///< of all curves
-  std::size_t short_curves = 0;                    ///< left out
+  CurveEnds ends{};              ///< of all curves
+  std::size_t short_curves = 0;  ///< left out
   double energy = 0;
   std::size_t branches = 0;
-
-  std::size_t end(CurveEnd kind) const { return ends[static_cast<std::size_t>(kind)]; }
 };
 
 /// One of U and V as a rank has it.
@@ -148,13 +136,7 @@ nlohmann::ordered_json to_json(const JoinedFamily& family) {
           {"short_curves_left_out", family.short_curves},
           {"points", lines.points.size()},
           {"length", lengths.closed_length + lengths.open_length},
-          {"ends",
-           {{"total", std::accumulate(family.ends.begin(), family.ends.end(), std::size_t{0})},
-            {"boundary", family.end(CurveEnd::boundary)},
-            {"no_wave", family.end(CurveEnd::no_wave)},
-            {"nonmanifold", family.end(CurveEnd::nonmanifold)},
-            {"branch", family.end(CurveEnd::branch)},
-            {"singularity", family.end(CurveEnd::singularity)}}}};
+          {"ends", ends_to_json(family.ends)}};
 }
 
 void print(std::ostream& out, const JoinedFamily& family) {
@@ -162,12 +144,7 @@ void print(std::ostream& out, const JoinedFamily& family) {
   out << formatted("%s         %zu curves, %zu of them closed, length %g\n", family.name.c_str(),
                    family.curves.lines.count(), lengths.closed,
                    lengths.closed_length + lengths.open_length)
-      << formatted(
-             "          ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu "
-             "beside vertices without wave, %zu at edges of three triangles or more\n",
-             family.end(CurveEnd::boundary), family.end(CurveEnd::branch),
-             family.end(CurveEnd::singularity), family.end(CurveEnd::no_wave),
-             family.end(CurveEnd::nonmanifold));
+      << "          " << line_of_ends(family.ends);
   if (family.short_curves > 0) {
     out << formatted("          %zu shorter curves left out\n", family.short_curves);
   }
@@ -183,7 +160,7 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
                   "lines over many processes are written as .obj, .ply, .vtp or "
                   ".csv, or in pieces as .pvtp; 'brindle curves' draws");
   }
-  if (arguments.lines == CurveLines::u) {
+  if (arguments.lines == TracedWaves::u) {
     refuse_given(command, {"--stripes-v", "--frequency-v"},
                  "V is not traced; add --lines v or --lines both");
   }
@@ -254,8 +231,8 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
   double extract = 0;
   {
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
-    patterns = make_piece_patterns(ranks, arguments, arguments.lines != CurveLines::v,
-                                   arguments.lines != CurveLines::u, display);
+    patterns = make_piece_patterns(ranks, arguments, arguments.lines != TracedWaves::v,
+                                   arguments.lines != TracedWaves::u, display);
     ranks.together([&] { display.stage("curves"); });
     Stopwatch watch;
     made = make_curves(ranks, patterns, arguments, display);
@@ -271,12 +248,8 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
 void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
   add_pattern_options(command, arguments,
                       "the curves: whole as .obj .ply .vtp .csv, in pieces as .pvtp", "FILE");
-  add_named_option(command, "--lines", arguments.lines, parse_lines, "u|v|both",
-                   "across the field (u, default), along it (v: stripes of the field turned by 90 "
-                   "degrees), or both");
-  add_parsed_option(command, "--min-length", arguments.min_length, parse_length,
-                    "leave out shorter curves")
-      ->type_name("L|P%");
+  add_lines_option(command, arguments.lines);
+  add_min_length_option(command, arguments.min_length);
 }
 
 }  // namespace

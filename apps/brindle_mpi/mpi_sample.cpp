@@ -20,6 +20,7 @@
 #include "piece_output.h"
 #include "piece_patterns.h"
 #include "report.h"
+#include "sample_job.h"
 #include "written_files.h"
 
 namespace brindle::tool {
@@ -64,17 +65,6 @@ GatheredSamples gather_samples(Communicator& ranks, const PiecePatterns& pattern
   return gathered;
 }
 
-DataArray frequencies(const char* name, std::span<const Sample> samples, float Sample::*spacing) {
-  std::vector<float> values;
-  for (const Sample& sample : samples) values.push_back(1 / sample.*spacing);
-  return make_data_array(name, 1, values);
-}
-
-std::vector<DataArray> frequency_arrays(std::span<const Sample> samples) {
-  return {frequencies("frequency_u", samples, &Sample::spacing_u),
-          frequencies("frequency_v", samples, &Sample::spacing_v)};
-}
-
 /// Collective.
 void write_sample_pieces(Communicator& ranks, const std::string& path, const Mesh& mesh,
                          std::span<const Sample> own) {
@@ -97,12 +87,7 @@ nlohmann::ordered_json to_json(const GatheredSamples& gathered, const PiecePatte
                                  {"doubles_left_out", gathered.doubles},
                                  {"branches_u", patterns.u->quality.branches},
                                  {"branches_v", patterns.v->quality.branches}};
-  if (gathered.spacing) {
-    json["nearest_neighbour"] = {{"measured", gathered.spacing->samples},
-                                 {"mean", gathered.spacing->mean},
-                                 {"deviation", gathered.spacing->deviation},
-                                 {"isolated_double_share", gathered.spacing->double_share}};
-  }
+  if (gathered.spacing) json["nearest_neighbour"] = tool::to_json(*gathered.spacing);
   return json;
 }
 
@@ -170,9 +155,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
       ranks.together([&] { display.stage("writing"); });
       write_sample_pieces(ranks, arguments.output, patterns.read.piece.mesh, gathered.own);
     }
-    if (ranks.rank() == 0 && gathered.samples.empty()) {
-      display.note("no samples: nowhere do stripes of both patterns cross; ask for more stripes\n");
-    }
+    if (ranks.rank() == 0 && gathered.samples.empty()) display.note(kNoSamples);
   }
   nlohmann::ordered_json report = to_json(ranks, patterns, extract);
   report.update(to_json(gathered, patterns));
@@ -184,9 +167,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
 void add_mpi_sample_options(CLI::App& command, MpiSampleArguments& arguments) {
   add_pattern_options(command, arguments, "the samples: .csv .ply .vtp, or in pieces as .pvtp",
                       "FILE");
-  add_parsed_option(command, "--min-distance", arguments.min_distance, parse_not_negative_number,
-                    "leave out samples nearer to another, in spacings (default 0.25)")
-      ->type_name("D");
+  add_min_distance_option(command, arguments.min_distance);
 }
 
 }  // namespace

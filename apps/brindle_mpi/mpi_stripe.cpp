@@ -17,10 +17,8 @@
 #include "outputs.h"
 #include "pattern_arrays.h"
 #include "piece_output.h"
-#include "piece_slack.h"
 #include "piece_waves.h"
 #include "progress_display.h"
-#include "pvtp_pieces.h"
 #include "report.h"
 #include "used_files.h"
 #include "wave_figures.h"
@@ -90,21 +88,10 @@ DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult
 }
 
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
-  std::vector<UsedFile> inputs, outputs;
-  if (is_pvtp(arguments.surface.mesh)) {
-    inputs = files_of_pvtp(ranks, arguments.surface.mesh);
-  } else if (!is_shape(arguments.surface)) {
-    inputs.push_back({"MESH", arguments.surface.mesh});
-  }
-  add_slack_files(arguments.solving.slack, inputs);
-  if (!arguments.output.empty()) {
-    outputs.push_back({"--output", arguments.output});
-    for (int r = 0; r < ranks.size(); ++r) {
-      outputs.push_back({"--output", piece_path(arguments.output, r)});
-    }
-  }
+  std::vector<UsedFile> outputs;
+  if (!arguments.output.empty()) outputs = files_of_pieces(arguments.output, ranks.size());
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
-  check_files(inputs, outputs);
+  check_files(mpi_inputs(ranks, arguments.surface, arguments.solving), outputs);
   if (!arguments.output.empty()) check_pieces(ranks, arguments.output);
   ranks.together([&] {
     if (ranks.rank() == 0 && !arguments.report.empty()) check_output_path(arguments.report);
@@ -150,9 +137,8 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     stage("direction field");
     PieceWaves waves = make_piece_waves(ranks, surface, read, arguments.waves, display);
     stage("stripes");
-    DistributedOptions options = animator_options(arguments.solving);
-    options.slack = piece_slack(ranks, arguments.solving.slack, read, surface.vertex_count());
-    DistributedStripeAnimator animator(surface, options);
+    DistributedStripeAnimator animator(surface,
+                                       animator_options(ranks, arguments.solving, read, surface));
     const WaveSet& w = waves.waves;
     const FrameResult frame =
         animator.frame({w.positions, w.directions, w.frequencies}, display.progress());

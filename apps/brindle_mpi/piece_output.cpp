@@ -68,6 +68,12 @@ class TemporaryPiece {
 
 }  // namespace
 
+std::vector<UsedFile> files_of_pieces(const std::string& pvtp, int ranks) {
+  std::vector<UsedFile> files = {{"--output", pvtp}};
+  for (int r = 0; r < ranks; ++r) files.push_back({"--output", piece_path(pvtp, r)});
+  return files;
+}
+
 fs::path piece_path(const fs::path& pvtp, int rank) {
   fs::path path = pvtp;
   path.replace_filename(pvtp.stem().string() + "_" + std::to_string(rank) + ".vtp");

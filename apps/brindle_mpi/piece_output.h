@@ -9,11 +9,15 @@
 #include "brindle/data_arrays.h"
 #include "brindle/distributed/communicator.h"
 #include "brindle/mesh.h"
+#include "used_files.h"
 
 namespace brindle::tool {
 
 /// The ranks' files of `pvtp`: FILE_0.vtp and on, beside it.
 std::filesystem::path piece_path(const std::filesystem::path& pvtp, int rank);
+
+/// The .pvtp and all its pieces, as outputs.
+std::vector<UsedFile> files_of_pieces(const std::string& pvtp, int ranks);
 
 /// Throws Error on all ranks, as `write_pieces` would, if the place of a file is no good.
 void check_pieces(Communicator& ranks, const std::filesystem::path& pvtp);

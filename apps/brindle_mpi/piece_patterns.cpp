@@ -17,8 +17,6 @@
 #include "option_values.h"
 #include "outputs.h"
 #include "piece_output.h"
-#include "piece_slack.h"
-#include "pvtp_pieces.h"
 #include "report.h"
 #include "used_files.h"
 
@@ -41,10 +39,8 @@ WaveSet waves_across(const WaveSet& u, const DistributedSurface& surface,
 
 SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
                     const SolvingOptions& solving, const Progress& progress) {
-  DistributedOptions options = animator_options(solving);
-  options.slack =
-      piece_slack(ranks, solving.slack, patterns.read, patterns.surface->vertex_count());
-  DistributedStripeAnimator animator(*patterns.surface, options);
+  DistributedStripeAnimator animator(
+      *patterns.surface, animator_options(ranks, solving, patterns.read, *patterns.surface));
   SolvedPattern solved;
   const FrameResult frame =
       animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
@@ -61,18 +57,6 @@ SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
     solved.waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
   }
   return solved;
-}
-
-std::vector<UsedFile> pattern_inputs(Communicator& ranks, const PatternArguments& arguments) {
-  const SurfaceOptions& surface = arguments.surface;
-  std::vector<UsedFile> inputs;
-  if (is_pvtp(surface.mesh)) {
-    inputs = files_of_pvtp(ranks, surface.mesh);
-  } else if (!is_shape(surface)) {
-    inputs.push_back({"MESH", surface.mesh});
-  }
-  add_slack_files(arguments.solving.slack, inputs);
-  return inputs;
 }
 
 }  // namespace
@@ -103,15 +87,16 @@ void check_pattern_options(const CLI::App& command, const PatternArguments& argu
                            Communicator& ranks) {
   check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
   std::vector<UsedFile> outputs;
-  if (!arguments.output.empty()) outputs.push_back({"--output", arguments.output});
-  for (int r = 0; writes_pieces(arguments) && r < ranks.size(); ++r) {
-    outputs.push_back({"--output", piece_path(arguments.output, r)});
+  if (writes_pieces(arguments)) {
+    outputs = files_of_pieces(arguments.output, ranks.size());
+  } else if (!arguments.output.empty()) {
+    outputs.push_back({"--output", arguments.output});
   }
   if (!arguments.report.empty()) {
     check_report("--report", arguments.report);
     outputs.push_back({"--report", arguments.report});
   }
-  check_files(pattern_inputs(ranks, arguments), outputs);
+  check_files(mpi_inputs(ranks, arguments.surface, arguments.solving), outputs);
   if (writes_pieces(arguments)) return check_pieces(ranks, arguments.output);
   ranks.together([&] {
     if (ranks.rank() == 0 && !arguments.output.empty()) check_output_path(arguments.output);

@@ -14,6 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/tensor_field.h"
+#include "piece_slack.h"
 
 namespace brindle::tool {
 namespace {
@@ -145,13 +146,15 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   return made;
 }
 
-DistributedOptions animator_options(const SolvingOptions& solving) {
+DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
+                                    const ReadPiece& read, const DistributedSurface& surface) {
   DistributedOptions options;
   options.solver = FrameSolver::multilevel;
   options.phase_shift = solving.stripes.phase_shift;
   options.weights = solving.stripes.weights;
   options.sweeps = solving.stripes.solver.sweeps;
   options.cycles = solving.stripes.solver.cycles;
+  options.slack = piece_slack(ranks, solving.slack, read, surface.vertex_count());
   return options;
 }
 

@@ -29,6 +29,8 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
                             const ReadPiece& read, const WaveOptions& options,
                             JobListener& listener);
 
-DistributedOptions animator_options(const SolvingOptions& solving);
+/// Collective. How phases are found, slack and all; throws what `piece_slack` throws.
+DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
+                                    const ReadPiece& read, const DistributedSurface& surface);
 
 }  // namespace brindle::tool

@@ -517,9 +517,8 @@ class StageUpdate {
     return {prepared.surface, waves.waves, waves.frequencies_v, prepared.vertex_of_row};
   }
 
-  WaveSet second_waves() {
-    return parsed_->samples() != nullptr ? waves_of_v(*parsed_->samples(), first_waves(), listener_)
-                                         : waves_of_v(*parsed_->curves(), first_waves(), listener_);
+  const SecondWaveOptions& second_options() const {
+    return parsed_->samples() != nullptr ? parsed_->samples()->second : parsed_->curves()->second;
   }
 
   StripePattern second_pattern(WaveSet waves) {
@@ -529,8 +528,8 @@ class StageUpdate {
       return stripe_pattern(prepared.surface, std::move(waves), options, progress_);
     }
     MakingFigures figures;
-    return pattern_of_v(*parsed_->curves(), prepared.surface, std::move(waves), options, progress_,
-                        figures);
+    return tool::make_pattern(prepared.surface, std::move(waves), options,
+                              making_of_v(*parsed_->curves()), progress_, figures);
   }
 
   const StripePattern& second() {
@@ -538,9 +537,8 @@ class StageUpdate {
     const std::string key = std::string(name_of(document_.shown)) + stages_.waves.key +
                             options_key(document_, SessionStage::phases) + second_key(document_);
     if (holds_crossing(stage, key)) return *stage.made;
-    const bool wales = parsed_->curves() != nullptr && parsed_->curves()->wales > 0;
-    const bool goes_on = can_go_on(stage) && !wales;
-    WaveSet waves = second_waves();
+    const bool goes_on = can_go_on(stage) && second_options().wales == 0;
+    WaveSet waves = make_second_waves(first_waves(), second_options(), listener_);
     auto made = std::make_shared<const StripePattern>(
         goes_on ? next_crossing(*stage.made, std::move(waves)) : second_pattern(std::move(waves)));
     stage = {goes_on ? key + kFollowed : key, std::move(made), listener_.take()};

@@ -20,6 +20,7 @@ namespace {
 constexpr int kFormat = 1;
 constexpr std::array<std::string_view, kAllShown.size()> kShownNames = {"stripes", "curves",
                                                                         "samples"};
+constexpr std::array<std::string_view, kAllShown.size()> kCommands = {"stripe", "curves", "sample"};
 constexpr double kLargest = std::numeric_limits<float>::max();
 
 nlohmann::ordered_json to_json(const Vec3& v) {
@@ -57,6 +58,8 @@ void check_format(const JsonReader& reader) {
 }  // namespace
 
 std::string_view name_of(Shown shown) { return kShownNames[static_cast<std::size_t>(shown)]; }
+
+std::string_view command_of(Shown shown) { return kCommands[static_cast<std::size_t>(shown)]; }
 
 std::optional<Shown> parse_shown(std::string_view name) {
   for (const Shown shown : kAllShown) {

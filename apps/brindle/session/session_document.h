@@ -30,6 +30,8 @@ inline constexpr std::array<Shown, 3> kAllShown = {Shown::stripes, Shown::curves
 
 /// "stripes", "curves", "samples", and back.
 std::string_view name_of(Shown shown);
+/// "stripe", "curves", "sample": the command whose picture it is.
+std::string_view command_of(Shown shown);
 std::optional<Shown> parse_shown(std::string_view name);
 
 /// The size of a picture, in pixels.

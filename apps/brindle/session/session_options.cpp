@@ -111,19 +111,6 @@ std::vector<OptionGroup> option_groups(Shown shown) {
   return groups;
 }
 
-/// "curves" of curves: the command whose picture it is.
-std::string command_of(Shown shown) {
-  switch (shown) {
-    case Shown::stripes:
-      return "stripe";
-    case Shown::curves:
-      return "curves";
-    case Shown::samples:
-      return "sample";
-  }
-  return "";
-}
-
 const char* elsewhere(const std::string& name) {
   for (const auto& [option, why] : kElsewhere) {
     if (name == option) return why;
@@ -171,7 +158,7 @@ std::vector<SessionOption> make_session_options(Shown shown) {
   }
   std::vector<std::string> known;
   for (const SessionOption& option : session_options(shown)) known.push_back(option.name);
-  const std::string refusal = "is no option of 'brindle " + command_of(shown) + "'";
+  const std::string refusal = "is no option of 'brindle " + std::string(command_of(shown)) + "'";
   for (const Shown other : kAllShown) {
     if (find_session_option(name, other) == nullptr) continue;
     throw CLI::ValidationError(
@@ -211,7 +198,7 @@ std::vector<std::string> words_of(const SessionDocument& document) {
       words.push_back("--" + name + "=" + *value);
     }
   }
-  words.push_back(command_of(document.shown));
+  words.emplace_back(command_of(document.shown));
   return words;
 }
 
@@ -343,14 +330,27 @@ bool can_follow(const StripeArguments& arguments) {
   return can_follow_loosely(arguments) && arguments.solving.slack.slack == 0;
 }
 
-bool can_follow_loosely(const StripeArguments& arguments) {
+namespace {
+
+/// What all that follows has: frames of the multilevel solver on a mesh.
+bool can_have_frames(const StripeArguments& arguments) {
   const StripeOptions& stripes = arguments.solving.stripes;
+  return arguments.previous.empty() && !arguments.surface.points &&
+         arguments.device == DeviceKind::cpu && stripes.solver.solver == Solver::multilevel &&
+         stripes.weights == EdgeWeights::paper &&
+         stripes.phase_shift != PhaseShiftKind::common_source;
+}
+
+}  // namespace
+
+bool can_follow_loosely(const StripeArguments& arguments) {
   const MakingOptions& making = arguments.making;
   const bool given = making.anchor_boundary || !making.windings.empty() || making.merge_branches;
-  return !has_tiles(arguments) && !given && arguments.previous.empty() &&
-         !arguments.surface.points && arguments.device == DeviceKind::cpu &&
-         stripes.solver.solver == Solver::multilevel && stripes.weights == EdgeWeights::paper &&
-         stripes.phase_shift != PhaseShiftKind::common_source;
+  return can_have_frames(arguments) && !has_tiles(arguments) && !given;
+}
+
+bool can_follow_tiles(const StripeArguments& arguments) {
+  return can_have_frames(arguments) && has_tiles(arguments) && arguments.solving.slack.slack == 0;
 }
 
 const SessionOption* find_session_option(const std::string& name, Shown shown) {
@@ -361,7 +361,7 @@ const SessionOption* find_session_option(const std::string& name, Shown shown) {
 
 ParsedSession::ParsedSession(const SessionDocument& document)
     : app_(std::make_unique<CLI::App>()), arguments_(std::make_unique<StripeArguments>()) {
-  command_ = app_->add_subcommand(command_of(document.shown));
+  command_ = app_->add_subcommand(std::string(command_of(document.shown)));
   add_options(document.shown);
   if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
   app_->parse(words_of(document));

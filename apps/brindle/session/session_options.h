@@ -58,6 +58,10 @@ bool can_follow(const StripeArguments& arguments);
 /// The same with slack: while something moves.
 bool can_follow_loosely(const StripeArguments& arguments);
 
+/// Whether textures or crosses may follow earlier ones in drafts: those of the multilevel solver on
+/// a mesh, without slack.
+bool can_follow_tiles(const StripeArguments& arguments);
+
 /// A document read as a command line of `brindle stripe`, `curves` or `sample`, as it shows.
 class ParsedSession {
  public:

@@ -15,9 +15,9 @@ CameraView camera_of_words(const std::string& text) {
 
 Shown shown_by(const std::vector<std::string>& words) {
   const std::string command = words.empty() ? "" : words.front();
-  if (command == "stripe") return Shown::stripes;
-  if (command == "curves") return Shown::curves;
-  if (command == "sample") return Shown::samples;
+  for (const Shown shown : kAllShown) {
+    if (command_of(shown) == command) return shown;
+  }
   throw Error("a session has what 'brindle stripe', 'curves' and 'sample' draw, not '" + command +
               "'");
 }

@@ -57,14 +57,6 @@ StripePattern pattern_of(const CrossFrameResult& frame, double energy, PhaseShif
 
 }  // namespace
 
-bool can_follow_tiles(const StripeArguments& arguments) {
-  const StripeOptions& stripes = arguments.solving.stripes;
-  return has_tiles(arguments) && !arguments.surface.points && arguments.previous.empty() &&
-         arguments.device == DeviceKind::cpu && arguments.solving.slack.slack == 0 &&
-         stripes.solver.solver == Solver::multilevel && stripes.weights == EdgeWeights::paper &&
-         stripes.phase_shift != PhaseShiftKind::common_source;
-}
-
 TileFollower::TileFollower(const StripeArguments& arguments,
                            std::shared_ptr<const Preparation> prepared)
     : prepared_(std::move(prepared)) {

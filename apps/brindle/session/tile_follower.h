@@ -12,10 +12,6 @@
 
 namespace brindle::tool {
 
-/// Whether textures or crosses may follow earlier ones in drafts: those of the multilevel solver on
-/// a mesh, without slack.
-bool can_follow_tiles(const StripeArguments& arguments);
-
 /// Frame after frame on one surface. The first is solved for afresh.
 class TileFollower {
  public:

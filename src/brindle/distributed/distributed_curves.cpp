@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <string>
 #include <utility>
@@ -69,17 +68,6 @@ SentEnd sent_end(const PieceCurves& curves, std::size_t line, std::size_t e) {
   sent.high = border->edge[1];
   sent.number = border->number;
   return sent;
-}
-
-template <class T>
-std::vector<T> gathered(Communicator& ranks, const std::vector<T>& own) {
-  std::vector<T> all;
-  for (const auto& bytes : ranks.gather(std::as_bytes(std::span(own)))) {
-    const std::size_t count = bytes.size() / sizeof(T), before = all.size();
-    all.resize(before + count);
-    if (count > 0) std::memcpy(static_cast<void*>(&all[before]), bytes.data(), bytes.size());
-  }
-  return all;
 }
 
 /// Puts the curves of all ranks together.
@@ -208,13 +196,12 @@ StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves&
     points.push_back(
         {curves.lines.points[i], curves.lines.normals[i], curves.forward[i], curves.sizes[i]});
   }
-  auto all_curves = gathered(ranks, sent);
-  auto all_points = gathered(ranks, points);
-  StripeCurves joined;
-  ranks.together(
-      [&] { joined = CurveJoiner(std::move(all_curves), std::move(all_points)).join(); });
-  joined.lines.origin = surface.rank_surface().mesh.origin;
-  return joined;
+  auto all_curves = joined<SentCurve>(ranks.gather(std::as_bytes(std::span(sent))));
+  auto all_points = joined<SentPoint>(ranks.gather(std::as_bytes(std::span(points))));
+  StripeCurves whole;
+  ranks.together([&] { whole = CurveJoiner(std::move(all_curves), std::move(all_points)).join(); });
+  whole.lines.origin = surface.rank_surface().mesh.origin;
+  return whole;
 }
 
 }  // namespace brindle

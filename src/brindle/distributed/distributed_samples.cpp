@@ -1,4 +1,3 @@
-#include <cstring>
 #include <utility>
 
 #include "brindle/distributed/rank_pattern.h"
@@ -9,24 +8,13 @@
 namespace brindle {
 namespace {
 
-std::vector<Sample> samples_of(const std::vector<std::byte>& bytes) {
-  std::vector<Sample> samples(bytes.size() / sizeof(Sample));
-  if (!samples.empty()) std::memcpy(static_cast<void*>(samples.data()), bytes.data(), bytes.size());
-  return samples;
-}
-
 /// Which of all ranks' samples stay, list by list.
 std::vector<std::vector<std::uint8_t>> kept_samples(
     const std::vector<std::vector<std::byte>>& lists, float share) {
-  std::vector<Sample> all;
+  std::vector<Sample> all = joined<Sample>(lists);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].triangle = static_cast<Index>(i);
   std::vector<std::vector<std::uint8_t>> kept;
-  for (const auto& bytes : lists) {
-    for (Sample& sample : samples_of(bytes)) {
-      sample.triangle = static_cast<Index>(all.size());
-      all.push_back(sample);
-    }
-    kept.emplace_back(bytes.size() / sizeof(Sample), 0);
-  }
+  for (const auto& bytes : lists) kept.emplace_back(bytes.size() / sizeof(Sample), 0);
   drop_doubles(all, share);
   std::size_t list = 0, first = 0;
   for (const Sample& sample : all) {
@@ -80,13 +68,7 @@ std::size_t drop_doubles(const DistributedSurface& surface, std::vector<Sample>&
 
 std::vector<Sample> gathered_samples(const DistributedSurface& surface,
                                      std::span<const Sample> samples) {
-  Communicator& ranks = *surface.rank_surface().ranks;
-  std::vector<Sample> all;
-  for (const auto& bytes : ranks.gather(std::as_bytes(samples))) {
-    const std::vector<Sample> list = samples_of(bytes);
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  return all;
+  return joined<Sample>(surface.rank_surface().ranks->gather(std::as_bytes(samples)));
 }
 
 }  // namespace brindle

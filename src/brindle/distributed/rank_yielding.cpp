@@ -55,8 +55,9 @@ void check_on_all(const RankSurface& surface, const Slack& slack) {
     const bool is_given = surface.ranks->any(!list->empty());
     surface.ranks->together([&] {
       if (!is_given || !list->empty() || vertices == 0) return;
-      throw Error("slack: other ranks have a number for each vertex, and this one has none; give " +
-                  std::string("one to each vertex of all pieces"));
+      throw Error(
+          "slack: other ranks have a number for each vertex, and this one has none; give one to "
+          "each vertex of all pieces");
     });
   }
 }
