@@ -99,7 +99,9 @@ std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOpti
   try {
     auto part = make_shape_part(shape_spec(options), ranks.rank(), ranks.size());
     if (!part) return std::nullopt;
-    return ReadPiece{{std::move(part->mesh), std::move(part->vertex_ids), {}}, 0};
+    ReadPiece result;
+    result.piece = {std::move(part->mesh), std::move(part->vertex_ids), {}};
+    return result;
   } catch (const Error& error) {
     throw CLI::ValidationError("MESH", error.what());
   }
