@@ -110,6 +110,12 @@ class StripeAnimator {
   /// leaves all as it was.
   void set_last_phases(std::span<const Complex> z);
 
+  /// How far frequencies may depart from those of the input in the next frame and all later ones.
+  /// They go on from where they were, but where it is calm elsewhere, from those of the input.
+  /// Throws Error for what `check` (yielding_frequency.h) refuses, and for an animator that was
+  /// made without slack; then all is as it was.
+  void set_slack(const Slack& slack);
+
   /// Milliseconds that building the topology took, in the first frame. Aggregates follow the first
   /// couplings, so that their sums belong to it.
   double topology_milliseconds() const;

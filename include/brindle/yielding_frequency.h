@@ -27,6 +27,8 @@ struct Slack {
 
   /// Whether frequencies may change.
   bool yields() const { return everywhere > 0 || !by_vertex.empty(); }
+
+  bool operator==(const Slack&) const = default;
 };
 
 /// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the

@@ -278,6 +278,64 @@ TEST(SlackTest, SiblingsAndRestartsBeginAnew) {
   EXPECT_TRUE(std::ranges::equal(animator.frame(input_for(s)).frequencies, frequencies));
 }
 
+/// What frequencies asked for were multiplied by.
+std::vector<float> ratios(std::span<const float> chosen, const FrequencyField& wanted) {
+  std::vector<float> result(chosen.begin(), chosen.end());
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] /= wanted[v];
+  return result;
+}
+
+double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) sum += static_cast<double>(std::abs(a[v] - b[v]));
+  return sum / static_cast<double>(a.size());
+}
+
+TEST(SlackTest, MayChangeFromFrameToFrame) {
+  const auto s = wavy_surface("trefoil", kAxis, 40);
+  StripeAnimator animator(surface_with(s), frames_with_slack(0.3f));
+  animator.frame(input_for(s));
+  for (const float slack : {0.25f, 0.1f, 0.3f}) {
+    SCOPED_TRACE(slack);
+    animator.set_slack(slack);
+    const FrameResult frame = animator.frame(input_for(s));
+    EXPECT_FALSE(frame.unchanged);
+    const std::vector<float> chosen = ratios(frame.frequencies, s.waves.frequencies);
+    EXPECT_LE(std::ranges::max(chosen), 1 + slack + 1e-5f);
+    EXPECT_GE(std::ranges::min(chosen), 1 / (1 + slack) - 1e-5f);
+    const StripePattern afresh = stripe_pattern(surface_with(s), s.waves, with_slack(slack));
+    EXPECT_LT(mean_difference(chosen, ratios(afresh.waves.frequencies, s.waves.frequencies)), 0.01);
+  }
+  animator.set_slack(0);
+  EXPECT_TRUE(std::ranges::equal(animator.frame(input_for(s)).frequencies, s.waves.frequencies));
+}
+
+TEST(SlackTest, CalmMayChangeFromFrameToFrame) {
+  const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
+  Slack slack = 0.1f;
+  slack.calm = calm_half(s.mesh);
+  StripeAnimator animator(surface_with(s), frames_with_slack(0.2f));
+  animator.frame(input_for(s));
+  animator.set_slack(slack);
+  const StripePattern afresh = stripe_pattern(surface_with(s), s.waves, with_slack(slack));
+  const FrameResult frame = animator.frame(input_for(s));
+  EXPECT_TRUE(std::ranges::equal(frame.frequencies, afresh.waves.frequencies));
+  EXPECT_EQ(frame.frequency_change.share_at_bounds, afresh.frequency_change->share_at_bounds);
+}
+
+TEST(SlackTest, ThatIsRefusedChangesNothing) {
+  const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
+  StripeAnimator without(surface_with(s)), animator(surface_with(s), frames_with_slack(0.2f));
+  EXPECT_THROW(without.set_slack(0.1f), Error);
+  animator.frame(input_for(s));
+  Slack short_calm = 0.1f;
+  short_calm.calm = {1};
+  for (const Slack& refused : {Slack(-1), short_calm}) {
+    EXPECT_THROW(animator.set_slack(refused), Error);
+    EXPECT_TRUE(animator.frame(input_for(s)).unchanged);
+  }
+}
+
 TEST(SlackTest, FramesOfAGraphAloneHaveNone) {
   const auto s = wavy_surface("torus,resolution=20", kAxis, 5);
   EXPECT_THROW(StripeAnimator(s.neighborhood, frames_with_slack(0.2f)), Error);

@@ -324,6 +324,28 @@ TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
   EXPECT_EQ(z_of(pattern), z_of(afresh));
 }
 
+TEST(LivePattern, FollowsWhileSlackIsMoved) {
+  LivePattern pattern;
+  pattern.update(with(torus(), "slack", "0.3"), Follow::afresh);
+  for (const char* slack : {"0.28", "0.1"}) {
+    pattern.update(with(torus(), "slack", slack), Follow::loosely);
+    const StripePattern& draft = pattern.state()->job->result.stripes();
+    EXPECT_TRUE(pattern.state()->figures.followed);
+    const float most = 1 + std::stof(slack);
+    float greatest = 0;
+    for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
+      const float ratio = draft.waves.frequencies[v] / draft.frequencies_wanted[v];
+      EXPECT_TRUE(ratio > 1 / (most + 1e-4f) && ratio < most + 1e-4f);
+      greatest = std::max({greatest, ratio, 1 / ratio});
+    }
+    EXPECT_GT(greatest, 1.01f);
+  }
+  // Without any, what follows is another animator's.
+  pattern.update(torus(), Follow::loosely);
+  EXPECT_TRUE(pattern.state()->figures.followed);
+  EXPECT_FALSE(pattern.state()->job->result.stripes().frequency_change);
+}
+
 TEST(LivePattern, DoesNotDependOnTheNumberOfThreads) {
   const auto solved = [](int threads) {
     const ThreadLimit limit(threads);

@@ -143,7 +143,8 @@ SolvedPattern given_pattern(const StripeArguments& arguments,
 
 /// Frame after frame on one surface.
 struct Follower {
-  std::string key;  ///< of the surface and of how phases are solved for
+  std::string key;      ///< of the surface and of how phases are solved for, less how much slack
+  std::string options;  ///< with slack
   StripeAnimator animator;
 };
 
@@ -151,6 +152,13 @@ AnimatorOptions animator_options(const StripeArguments& arguments, const Prepara
   AnimatorOptions options = frame_options(arguments.solving.stripes);
   options.slack = stripe_options(arguments.solving, prepared).slack;
   return options;
+}
+
+/// Animators may have another slack, as long as they have one.
+std::string follower_key(const SessionDocument& document, const SolvingOptions& solving) {
+  SessionDocument without = document;
+  without.options.erase("slack");
+  return options_key(without, SessionStage::phases) + (solving.slack.slack > 0 ? "slack" : "");
 }
 
 double no_less(double value) { return std::max(value, 0.0); }
@@ -344,11 +352,15 @@ class StageUpdate {
   }
 
   StripeAnimator& animator(std::shared_ptr<Follower>& follower) {
-    const std::string key = stages_.surface.key + options_key(document_, SessionStage::phases);
+    const Preparation& prepared = *stages_.surface.made;
+    const std::string key = stages_.surface.key + follower_key(document_, arguments().solving);
+    const std::string options = options_key(document_, SessionStage::phases);
     if (!follower || follower->key != key) {
-      follower = std::make_shared<Follower>(
-          Follower{key, StripeAnimator(stages_.surface.made->surface,
-                                       animator_options(arguments(), *stages_.surface.made))});
+      follower = std::make_shared<Follower>(Follower{
+          key, options, StripeAnimator(prepared.surface, animator_options(arguments(), prepared))});
+    } else if (follower->options != options) {
+      follower->animator.set_slack(animator_options(arguments(), prepared).slack);
+      follower->options = options;
     }
     return follower->animator;
   }

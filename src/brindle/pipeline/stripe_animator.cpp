@@ -110,6 +110,7 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   if (s.has_given()) {
     take_given();
   } else if (s.has_last() && !changed) {
+    s.yielding.keep(input);
     return unchanged_frame();
   }
   FrameResult result;
@@ -275,6 +276,11 @@ void StripeAnimator::restart() {
   state_->given_z.clear();
   state_->yielding.restart();
   std::ranges::fill(state_->momentum.m, Complex(0));
+}
+
+void StripeAnimator::set_slack(const Slack& slack) {
+  state_->yielding.set_slack(slack);
+  state_->options.slack = slack;
 }
 
 double StripeAnimator::topology_milliseconds() const { return state_->topology_milliseconds; }

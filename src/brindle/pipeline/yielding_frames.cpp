@@ -32,6 +32,14 @@ YieldingFrames YieldingFrames::sibling() const {
   return other;
 }
 
+void YieldingFrames::set_slack(const Slack& slack) {
+  if (!yielding_) {
+    throw Error("animator: it was made without slack; make it of a Surface with some");
+  }
+  yielding_->set_slack(slack);
+  has_kept_ = false;
+}
+
 bool YieldingFrames::is_kept(const FrameInput& input) const {
   return yielding_ && has_kept_ && std::ranges::equal(input.frequencies, wanted_) &&
          std::ranges::equal(input.directions, directions_, same_bits) &&

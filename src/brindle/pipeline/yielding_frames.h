@@ -32,6 +32,9 @@ class YieldingFrames {
   /// Another one for the same surface and slack.
   YieldingFrames sibling() const;
 
+  /// As StripeAnimator's.
+  void set_slack(const Slack& slack);
+
   /// Whether frequencies yield and the input is that which was kept last.
   bool is_kept(const FrameInput& input) const;
 

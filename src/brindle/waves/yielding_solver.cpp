@@ -84,11 +84,27 @@ void YieldingSolver::set_bounds() {
   }
 }
 
+void YieldingSolver::set_slack(const Slack& slack) {
+  check(slack, setting_->slack.size());
+  auto setting = std::make_shared<YieldingSetting>(*setting_);
+  setting->slack = slack_by_vertex(slack, setting->slack.size());
+  setting->triangles.weights = calm_weights(setting->triangles.corners, slack.calm);
+  const bool weighs_as_before = setting->triangles.weights == setting_->triangles.weights;
+  setting_ = std::move(setting);
+  if (!weighs_as_before) {
+    settled_ = false;
+    starts_ = true;
+  } else if (rows_) {
+    set_bounds();
+    other_bounds_ = true;
+  }
+}
+
 void YieldingSolver::set_start() {
-  if (starts_) {
-    multigrid_->start();
-  } else {
-    std::ranges::copy(kept_, multigrid_->x().begin());
+  if (starts_) return multigrid_->start();
+  const std::span<const float> lower = multigrid_->lower(), upper = multigrid_->upper();
+  for (std::size_t place = 0; place < kept_.size(); ++place) {
+    multigrid_->x()[place] = std::clamp(kept_[place], lower[place], upper[place]);
   }
 }
 
@@ -101,10 +117,11 @@ void YieldingSolver::relax(const Progress& progress) {
     return part;
   });
   if (peers_) peers_->sum({&constant, 1});
-  const int most = starts_ ? kMostCycles : kMostFrameCycles;
+  const bool goes_far = starts_ || other_bounds_;
+  const int most = goes_far ? kMostCycles : kMostFrameCycles;
   change_ = {};
   // A cycle may make little of it and the next one much, above all at the beginning.
-  const int enough = starts_ ? 2 : 1;
+  const int enough = goes_far ? 2 : 1;
   int small_gains = 0;
   double first_gradient = 0;
   double last = std::numeric_limits<double>::max();
@@ -119,7 +136,7 @@ void YieldingSolver::relax(const Progress& progress) {
     if (small_gains == enough) break;
     last = energy;
     // From frame to frame little changes: one cycle may be enough.
-    if (starts_ || cycle > 0) continue;
+    if (goes_far || cycle > 0) continue;
     end = multigrid_->measure();
     if (is_small(measure.energy - end->energy, energy)) break;
     end.reset();
@@ -177,6 +194,7 @@ void YieldingSolver::keep() {
   std::swap(next_, frequencies_);
   settled_ = true;
   starts_ = false;
+  other_bounds_ = false;
 }
 
 }  // namespace brindle

@@ -40,6 +40,10 @@ class YieldingSolver {
   /// For the same setting, with nothing kept; only without peers.
   YieldingSolver sibling() const { return YieldingSolver(setting_); }
 
+  /// Another slack from the next `solve` on, which starts from what was kept, unless weights of
+  /// triangles change with calm. Throws Error as `check` does; only without peers.
+  void set_slack(const Slack& slack);
+
   /// As those of YieldingFrequency; frequencies are of others' vertices, too.
   std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
   void keep();
@@ -62,8 +66,9 @@ class YieldingSolver {
   std::vector<float> kept_;                ///< x by place
   std::vector<float> next_, frequencies_;  ///< by vertex, of the last `solve` and of what was kept
   FrequencyChange change_;
-  bool settled_ = false;  ///< whether anything was kept since rows were built
-  bool starts_ = true;    ///< whether nothing is kept to start from
+  bool settled_ = false;       ///< whether anything was kept since rows were built
+  bool starts_ = true;         ///< whether nothing is kept to start from
+  bool other_bounds_ = false;  ///< whether what is kept was found between others
 };
 
 }  // namespace brindle
