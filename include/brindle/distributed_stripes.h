@@ -22,6 +22,9 @@ namespace BRINDLE_EXPORT brindle {
 struct DistributedOptions : AnimatorOptions {
   /// Levels with fewer nodes on all ranks together are solved by rank 0 alone.
   std::size_t gather_below = 16384;
+  /// Of a surface with fewer vertices rank 0 plans all levels, as one process would have them; then
+  /// phases are one process's, but for rounding. It needs the room of the whole for that.
+  std::size_t plan_below = 262144;
   EdgeWeights weights = EdgeWeights::paper;  ///< of the pieces' shape; in place of `edge_weights`
 };
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/rank_hierarchy.h"
+#include "brindle/distributed/distributed_hierarchy.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed/rank_yielding.h"
 #include "brindle/distributed_stripes.h"
@@ -54,7 +54,7 @@ struct DistributedStripeAnimator::State {
   DistributedOptions options;
   double topology_milliseconds = 0;
 
-  std::optional<RankHierarchy> hierarchy;  ///< empty before the first frame
+  std::optional<DistributedHierarchy> hierarchy;  ///< empty before the first frame
   bool has_frame = false;
   bool has_last = false;       ///< whether the next frame follows one; a rank may have no vertices
   std::vector<ToldWave> told;  ///< by vertex; of own ones and ghosts
@@ -152,7 +152,8 @@ FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
 void DistributedStripeAnimator::State::start() {
   if (hierarchy) return;
   Stopwatch watch;
-  hierarchy.emplace(ranks(), surface->graph, options.gather_below);
+  hierarchy.emplace(ranks(), surface->graph, own_ids(*surface),
+                    HierarchyBounds{options.gather_below, options.plan_below});
   const SlicedLayout& layout = finest().layout();
   waves.reserve(layout.slot_count());
   if (options.cycles > 0) cancellable_waves.reserve(layout.slot_count());
@@ -406,7 +407,8 @@ FrequencyTraffic DistributedStripeAnimator::frequency_traffic() const {
 }
 
 std::size_t DistributedStripeAnimator::ghost_count() const {
-  return state_->surface->graph.ghost_count();
+  return state_->has_frame ? state_->hierarchy->ghost_count()
+                           : state_->surface->graph.ghost_count();
 }
 
 }  // namespace brindle

@@ -1,7 +1,7 @@
 #include <string>
 
 #include "brindle/curvature.h"
-#include "brindle/distributed/rank_hierarchy.h"
+#include "brindle/distributed/distributed_hierarchy.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed/selection.h"
 #include "brindle/distributed_surface.h"
@@ -16,8 +16,8 @@
 namespace brindle {
 namespace {
 
-/// Where fields are gathered: as stripes are by default.
-constexpr std::size_t kGatherFieldsBelow = 16384;
+/// As stripes have them by default.
+constexpr HierarchyBounds kFieldBounds{16384, 262144};
 
 void check_distributed_field(const SmoothFieldOptions& options) {
   check(options);
@@ -72,7 +72,7 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
   if (options.feature_anchor > 0) add_features(surface, options, graph);
-  RankHierarchy hierarchy(ranks, surface.graph, kGatherFieldsBelow);
+  DistributedHierarchy hierarchy(ranks, surface.graph, own_ids(surface), kFieldBounds);
   load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
   hierarchy.coarsen();
   hierarchy.descend(options.sweeps);

@@ -299,6 +299,15 @@ class SurfaceMaker {
 
 }  // namespace
 
+std::vector<std::uint64_t> own_ids(const RankSurface& surface) {
+  std::vector<std::uint64_t> ids(surface.graph.own);
+  for (std::size_t p = 0; p < surface.piece_ids.size(); ++p) {
+    const Index v = surface.vertex_of_piece[p];
+    if (v < surface.graph.own) ids[v] = surface.piece_ids[p];
+  }
+  return ids;
+}
+
 Mesh triangles_around_own(const RankSurface& surface) {
   Mesh mesh;
   mesh.origin = surface.mesh.origin;

@@ -4,23 +4,30 @@
 #include <span>
 #include <vector>
 
+#include "brindle/distributed/coupling_rows.h"
 #include "brindle/distributed/rank_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/progress.h"
 
 namespace brindle {
 
+/// How nodes are gathered. All but `is_finest` are of rank 0 alone.
+struct Gathering {
+  bool is_finest = false;        ///< whether no level is finer
+  std::vector<Index> number_of;  ///< what the ranks' nodes, rank by rank, are numbered; empty: so
+  Hierarchy hierarchy;           ///< of nodes with these numbers, if it is there already
+};
+
 /// All functions must be called by all ranks.
 class GatheredLevels {
  public:
-  /// Gathers the connectivity and the couplings of a level, and builds the coarser ones.
-  /// `is_finest` tells whether no level is finer. Throws Cancelled on all ranks if `progress` asks
-  /// rank 0 for it.
-  GatheredLevels(Communicator& ranks, const RankGraph& graph, const Level& level, bool is_finest,
-                 const Progress& progress);
+  /// Gathers the connectivity and the couplings of a level, and builds the coarser ones. Throws
+  /// Cancelled on all ranks if `progress` asks rank 0 for it.
+  GatheredLevels(Communicator& ranks, const RankGraph& graph, const Level& level,
+                 Gathering gathering, const Progress& progress);
 
   /// Gathers the couplings again, and renews what follows from them.
-  void renew(Communicator& ranks, const RankGraph& graph, const Level& level);
+  void renew(Communicator& ranks, const Level& level);
 
   /// Solves the gathered levels from the coarsest one on; the level has its own nodes' phases
   /// afterwards.
@@ -30,20 +37,24 @@ class GatheredLevels {
   /// of the finest level, starts from the phases that `descend` has found, and does the same.
   void correct(Communicator& ranks, const RankGraph& graph, int sweeps, Level& level);
 
+  /// On rank 0: the levels, and for every rank where its rows stand in the first one.
+  Hierarchy& hierarchy() { return hierarchy_; }
+  std::span<const RowPlaces> places() const { return places_; }
+
  private:
   void gather_graph(Communicator& ranks, const RankGraph& graph);
-  void gather_couplings(Communicator& ranks, const RankGraph& graph, const Level& level);
-  void load(std::span<const std::vector<std::byte>> parts);
+  void gather_couplings(Communicator& ranks, const Level& level);
   void scatter(Communicator& ranks, const RankGraph& graph, Level& level);
 
   bool is_finest_;
-  // On rank 0 alone.
   std::vector<Index> first_node_;  ///< of every rank, and the end
-  std::vector<std::size_t> first_edge_;
-  std::vector<Index> entry_of_edge_;  ///< the ranks' directed edges, rank by rank as they have them
+  // On rank 0 alone.
+  std::vector<Index> number_of_;
   Hierarchy hierarchy_;
-  std::vector<Complex> z_;  ///< by node
+  std::vector<RowPlaces> places_;
+  std::vector<Complex> z_;  ///< rank by rank
   // On all.
+  RowPacker packer_;
   std::vector<std::byte> packed_;
   std::vector<Complex> own_z_;
 };

@@ -1,6 +1,7 @@
 #include "brindle/distributed/rank_aggregates.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -49,6 +50,23 @@ Aggregates own_aggregates(const Communicator& ranks, const RankGraph& graph, con
     aggregates.begin.push_back(static_cast<Index>(aggregates.member.size()));
   }
   aggregates.block_begin.back() = aggregates.count();
+  return aggregates;
+}
+
+Aggregates planned_aggregates(const SlicedLayout& layout, const PlannedLevel& plan) {
+  Aggregates aggregates;
+  aggregates.aggregate.assign(layout.slot_count(), kNone);
+  aggregates.begin = plan.begin;
+  for (const Index node : plan.member) aggregates.member.push_back(layout.slot_of[node]);
+  for (Index a = 0; a < aggregates.count(); ++a) {
+    for (Index m = plan.begin[a]; m < plan.begin[a + 1]; ++m) {
+      aggregates.aggregate[aggregates.member[m]] = a;
+    }
+  }
+  aggregates.block_begin.assign(layout.block_count() + 1, 0);
+  for (const Index block : plan.block) ++aggregates.block_begin[block + 1];
+  std::partial_sum(aggregates.block_begin.begin(), aggregates.block_begin.end(),
+                   aggregates.block_begin.begin());
   return aggregates;
 }
 

@@ -1,6 +1,7 @@
 /// Aggregates of a level that all ranks hold together.
 #pragma once
 
+#include "brindle/distributed/level_plan.h"
 #include "brindle/distributed/rank_graph.h"
 #include "brindle/phases/aggregates.h"
 #include "brindle/phases/hierarchy.h"
@@ -16,6 +17,9 @@ struct RankAggregates {
 /// The own aggregates of a level: `grow_aggregates`, and, where there are other ranks, one more for
 /// every node all of whose neighbours are ghosts. Couplings of ghosts are not looked at.
 Aggregates own_aggregates(const Communicator& ranks, const RankGraph& graph, const Level& level);
+
+/// Own aggregates that were planned, on a level with the planned blocks.
+Aggregates planned_aggregates(const SlicedLayout& layout, const PlannedLevel& plan);
 
 /// Completes own aggregates by those of the ghosts. Couplings between ranks then are summed like
 /// all others.

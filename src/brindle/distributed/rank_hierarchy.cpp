@@ -28,6 +28,14 @@ std::vector<Index> finest_blocks(const RankGraph& graph) {
   return ends;
 }
 
+/// The planned blocks, ghosts with the last of them.
+std::vector<Index> planned_blocks(const PlannedLevel& plan, const RankGraph& graph) {
+  std::vector<Index> ends = plan.block_end;
+  if (ends.empty()) ends.push_back(0);
+  ends.back() = graph.node_count();
+  return ends;
+}
+
 /// Slots that own nodes stand in.
 Index own_slots(const SlicedLayout& layout, Index color_count) {
   Index slices = 0;
@@ -40,20 +48,49 @@ Index own_slots(const SlicedLayout& layout, Index color_count) {
 }  // namespace
 
 RankHierarchy::RankHierarchy(Communicator& ranks, RankGraph graph, std::size_t gather_below)
-    : ranks_(ranks), gather_below_(gather_below) {
-  const Coloring coloring = rank_coloring(ranks, graph);
-  const Coloring sorts = with_sorts(graph, coloring);
-  Level level = make_level({std::make_shared<SlicedLayout>(sliced_layout(
-                                *graph.adjacency, sorts, own_first(graph), finest_blocks(graph))),
-                            nullptr});
+    : RankHierarchy(ranks, std::move(graph), {}, {}) {
+  gather_below_ = gather_below;
+}
+
+RankHierarchy::RankHierarchy(Communicator& ranks, RankGraph graph, std::vector<PlannedLevel> plan,
+                             Gathering rest)
+    : ranks_(ranks), plan_(std::move(plan)), rest_(std::move(rest)) {
+  const Coloring coloring = coloring_of(graph);
+  Level level = make_level(
+      {std::make_shared<SlicedLayout>(finest_layout(graph, with_sorts(graph, coloring))), nullptr});
   add_level(std::move(graph), std::move(level), coloring);
+}
+
+/// Of the next level.
+Coloring RankHierarchy::coloring_of(const RankGraph& graph) {
+  if (plan_.empty()) return rank_coloring(ranks_, graph);
+  const PlannedLevel& planned = plan_[parts_.size()];
+  Coloring coloring{planned.color, planned.color_count};
+  coloring.color.resize(graph.node_count());
+  exchange(ranks_, graph.halo, std::span(coloring.color));
+  return coloring;
+}
+
+SlicedLayout RankHierarchy::finest_layout(const RankGraph& graph, const Coloring& sorts) const {
+  if (plan_.empty()) {
+    return sliced_layout(*graph.adjacency, sorts, own_first(graph), finest_blocks(graph));
+  }
+  return sliced_layout(*graph.adjacency, sorts, {}, planned_blocks(plan_[0], graph));
+}
+
+/// Of the level that aggregates make.
+SlicedLayout RankHierarchy::layout_of(const RankAggregates& made, const Coloring& sorts) const {
+  const Adjacency& adjacency = *made.coarse.adjacency;
+  if (plan_.empty()) return coarse_layout(made.aggregates, adjacency, sorts);
+  return sliced_layout(adjacency, sorts, {}, planned_blocks(plan_[parts_.size()], made.coarse));
 }
 
 void RankHierarchy::add_level(RankGraph graph, Level level, const Coloring& coloring) {
   Part part;
   part.color_count = coloring.color_count;
   part.halo = SlotHalo(graph.halo, level.layout(), coloring, coloring.color_count);
-  part.slots_of_all = ranks_.sum(own_slots(level.layout(), coloring.color_count));
+  part.slots_of_all = plan_.empty() ? ranks_.sum(own_slots(level.layout(), coloring.color_count))
+                                    : plan_[parts_.size()].slots_of_all;
   part.nodes_of_all = ranks_.sum(std::size_t{graph.own});
   part.graph = std::move(graph);
   parts_.push_back(std::move(part));
@@ -62,6 +99,7 @@ void RankHierarchy::add_level(RankGraph graph, Level level, const Coloring& colo
 
 bool RankHierarchy::is_small(std::size_t level) const {
   if (ranks_.size() == 1) return false;
+  if (!plan_.empty()) return level + 1 == plan_.size();
   const auto nodes = static_cast<double>(parts_[level].nodes_of_all);
   if (parts_[level].nodes_of_all < gather_below_) return true;
   return level > 0 && nodes > kPoorShare * static_cast<double>(parts_[level - 1].nodes_of_all);
@@ -81,21 +119,29 @@ void RankHierarchy::coarsen(const Progress& progress) {
 
 void RankHierarchy::gather(const Progress& progress) {
   const std::size_t last = hierarchy_.levels.size() - 1;
-  gathered_.emplace(ranks_, parts_[last].graph, hierarchy_.levels[last], last == 0, progress);
+  rest_.is_finest = last == 0;
+  gathered_.emplace(ranks_, parts_[last].graph, hierarchy_.levels[last], std::move(rest_),
+                    progress);
+}
+
+void RankHierarchy::take_gathered(GatheredLevels gathered) {
+  gathered_.emplace(std::move(gathered));
+  is_coarsened_ = true;
 }
 
 /// Returns whether there is anything coarser.
 bool RankHierarchy::add_coarser() {
   const std::size_t last = hierarchy_.levels.size() - 1;
-  Aggregates own = own_aggregates(ranks_, parts_[last].graph, hierarchy_.levels[last]);
+  Aggregates own = plan_.empty()
+                       ? own_aggregates(ranks_, parts_[last].graph, hierarchy_.levels[last])
+                       : planned_aggregates(hierarchy_.levels[last].layout(), plan_[last]);
   if (!ranks_.any(own.count() > 0)) return false;
   RankAggregates made =
       with_ghosts(ranks_, parts_[last].graph, hierarchy_.levels[last], std::move(own));
-  const Coloring coloring = rank_coloring(ranks_, made.coarse);
-  Level coarse =
-      make_level({std::make_shared<SlicedLayout>(coarse_layout(
-                      made.aggregates, *made.coarse.adjacency, with_sorts(made.coarse, coloring))),
-                  nullptr});
+  const Coloring coloring = coloring_of(made.coarse);
+  Level coarse = make_level(
+      {std::make_shared<SlicedLayout>(layout_of(made, with_sorts(made.coarse, coloring))),
+       nullptr});
   Level& fine = hierarchy_.levels[last];
   fine.topology.aggregation = std::make_shared<Aggregation>(
       arrange(fine.layout(), made.aggregates, *made.coarse.adjacency, coarse.layout()));
@@ -137,8 +183,10 @@ void RankHierarchy::renew_sums_to(std::size_t coarse) {
 void RankHierarchy::renew() {
   reset_gauges(hierarchy_);
   for (std::size_t l = 1; l < hierarchy_.levels.size(); ++l) renew_sums_to(l);
-  if (gathered_) gathered_->renew(ranks_, parts_.back().graph, hierarchy_.levels.back());
+  if (gathered_) gathered_->renew(ranks_, hierarchy_.levels.back());
 }
+
+void RankHierarchy::exchange_phases() { parts_[0].halo.exchange(ranks_, hierarchy_.levels[0].z); }
 
 /// Calls `update(color)` for the slots of one colour after the other, first for those at the
 /// border: what they have become is on its way while the others' turn is.

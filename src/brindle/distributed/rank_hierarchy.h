@@ -23,6 +23,11 @@ class RankHierarchy {
   /// are gathered on rank 0.
   RankHierarchy(Communicator& ranks, RankGraph graph, std::size_t gather_below);
 
+  /// The finest level of planned ones, with the plan's graph; the last one is gathered as `rest`
+  /// says.
+  RankHierarchy(Communicator& ranks, RankGraph graph, std::vector<PlannedLevel> plan,
+                Gathering rest);
+
   /// Its couplings are for the caller to set, for own slots; `z` has ghosts' phases, too. `coarsen`
   /// moves it.
   Level& finest() { return hierarchy_.levels[0]; }
@@ -34,8 +39,14 @@ class RankHierarchy {
   /// cancels all ranks if it does one.
   void coarsen(const Progress& progress = {});
   void renew();
+
+  /// Gives the levels that `coarsen` would gather, the finest one among them.
+  void take_gathered(GatheredLevels gathered);
   void descend(int sweeps);
   void run_cycles(int sweeps, int cycles, const Progress& progress);
+
+  /// Gives the finest level's ghosts the phases of their owners.
+  void exchange_phases();
 
   /// One iteration of the paper's relaxation over all colours of the finest level.
   void relax(Momentum& momentum);
@@ -62,6 +73,9 @@ class RankHierarchy {
     std::size_t nodes_of_all = 0;
   };
 
+  Coloring coloring_of(const RankGraph& graph);
+  SlicedLayout finest_layout(const RankGraph& graph, const Coloring& sorts) const;
+  SlicedLayout layout_of(const RankAggregates& made, const Coloring& sorts) const;
   void add_level(RankGraph graph, Level level, const Coloring& coloring);
   bool is_small(std::size_t level) const;
   void gather(const Progress& progress);
@@ -75,7 +89,9 @@ class RankHierarchy {
   void correct(int sweeps);
 
   Communicator& ranks_;
-  std::size_t gather_below_;
+  std::size_t gather_below_ = 0;
+  std::vector<PlannedLevel> plan_;  ///< empty: levels follow from the couplings here
+  Gathering rest_;
   Hierarchy hierarchy_;
   std::vector<Part> parts_;                 ///< beside the levels
   std::optional<GatheredLevels> gathered_;  ///< the last level and all coarser ones

@@ -51,6 +51,9 @@ struct RankSurface {
   }
 };
 
+/// The numbers of own vertices in the whole.
+std::vector<std::uint64_t> own_ids(const RankSurface& surface);
+
 /// All triangles around own vertices, in the order of own triangles and then the ring's; one rank
 /// has those of its piece.
 Mesh triangles_around_own(const RankSurface& surface);
