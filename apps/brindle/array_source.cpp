@@ -22,12 +22,7 @@ constexpr Length kDefaultMaxDistance = {0.02f, true};
 const char* const kPoints = "points/";
 const char* const kCells = "cells/";
 
-struct Choice {
-  const DataArray* array = nullptr;
-  bool of_cells = false;
-};
-
-Choice find_choice(const DataArrays& arrays, std::string_view name) {
+ArrayChoice find_choice(const DataArrays& arrays, std::string_view name) {
   if (const DataArray* array = find_array(arrays.points, name)) return {array, false};
   if (const DataArray* array = find_array(arrays.cells, name)) return {array, true};
   if (name.starts_with(kPoints)) {
@@ -74,12 +69,6 @@ namespace {
   throw Error(text);
 }
 
-Choice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file) {
-  const Choice choice = find_choice(arrays, name);
-  if (choice.array == nullptr) refuse_name(arrays, name, file);
-  return choice;
-}
-
 /// Every line with the name of the file before it.
 std::string lines_about(const std::string& file, const std::string& text) {
   std::string lines;
@@ -92,6 +81,12 @@ std::string lines_about(const std::string& file, const std::string& text) {
 }
 
 }  // namespace
+
+ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file) {
+  const ArrayChoice choice = find_choice(arrays, name);
+  if (choice.array == nullptr) refuse_name(arrays, name, file);
+  return choice;
+}
 
 DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file) {
   return *choice_of(arrays, name, file).array;

@@ -16,8 +16,16 @@ namespace brindle::tool {
 /// "velocity (3), speed".
 std::string list_of(std::span<const DataArray> arrays);
 
+struct ArrayChoice {
+  const DataArray* array = nullptr;  ///< one of those to choose from
+  bool of_cells = false;
+};
+
 /// The array NAME, points/NAME or cells/NAME. Throws Error, naming `file` and all arrays there are,
 /// for another name.
+ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file);
+
+/// The same, copied.
 DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file);
 
 struct OtherMesh;

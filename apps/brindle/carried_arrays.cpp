@@ -7,6 +7,16 @@
 #include "brindle/files.h"
 
 namespace brindle::tool {
+namespace {
+
+std::vector<std::string> names_of(std::span<const DataArray> arrays) {
+  std::vector<std::string> names;
+  for (const DataArray& array : arrays) names.push_back(array.name);
+  return names;
+}
+
+}  // namespace
+
 std::vector<DataArray> without(std::span<const DataArray> arrays,
                                std::span<const std::string> names) {
   std::vector<DataArray> result;
@@ -15,6 +25,15 @@ std::vector<DataArray> without(std::span<const DataArray> arrays,
                  return std::find(names.begin(), names.end(), array.name) == names.end();
                });
   return result;
+}
+
+DataArrays joined(DataArrays own, const DataArrays& input) {
+  const auto add = [](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
+    for (DataArray& array : without(from, names_of(to))) to.push_back(std::move(array));
+  };
+  add(own.points, input.points);
+  add(own.cells, input.cells);
+  return own;
 }
 
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,

@@ -17,6 +17,9 @@ namespace brindle::tool {
 std::vector<DataArray> without(std::span<const DataArray> arrays,
                                std::span<const std::string> names);
 
+/// A command's own arrays, then those of the input's file that have other names.
+DataArrays joined(DataArrays own, const DataArrays& input);
+
 /// What a file of lines or samples has place for beside its `own` columns: of arrays of points and
 /// of triangles with one name, those of points. Notes what it cannot hold.
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,

@@ -22,22 +22,6 @@ bool is_gltf(const std::filesystem::path& path) {
   return kind == ".gltf" || kind == ".glb";
 }
 
-std::vector<std::string> names_of(std::span<const DataArray> arrays) {
-  std::vector<std::string> names;
-  for (const DataArray& array : arrays) names.push_back(array.name);
-  return names;
-}
-
-// Brindle's own arrays, then those of the file that have other names.
-DataArrays joined(DataArrays own, const DataArrays& input) {
-  const auto add = [](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
-    for (DataArray& array : without(from, names_of(to))) to.push_back(std::move(array));
-  };
-  add(own.points, input.points);
-  add(own.cells, input.cells);
-  return own;
-}
-
 DataArrays fitted(const std::filesystem::path& path, DataArrays arrays, JobListener& listener) {
   FittedArrays result = fitted_arrays(path, std::move(arrays));
   for (const std::string& line : result.left_out) listener.note(line + "\n");

@@ -45,18 +45,20 @@ std::vector<float> scalars_of(const std::string& option, const DataArray& array,
 }
 
 /// Of files whose rows stand for other vertices, those of the vertices that are used.
-DataArray rows_of_vertices(const DataArray& column, const ValueSource& source) {
-  const std::size_t vertices = source.surface.mesh.vertex_count();
-  if (source.vertex_of_row.size() != column.rows() || column.rows() == vertices) return column;
+DataArray rows_of_vertices(const DataArray& column, std::size_t vertices,
+                           std::span<const Index> vertex_of_row) {
+  if (vertex_of_row.size() != column.rows() || column.rows() == vertices) return column;
   std::vector<Index> row_of_vertex(vertices, 0);
   for (std::size_t row = column.rows(); row-- > 0;) {
-    row_of_vertex[source.vertex_of_row[row]] = static_cast<Index>(row);
+    row_of_vertex[vertex_of_row[row]] = static_cast<Index>(row);
   }
   return rows_of(column, row_of_vertex);
 }
 
-VertexValues csv_values(const std::string& option, const std::string& text,
-                        const ValueSource& source) {
+}  // namespace
+
+VertexValues csv_values(const std::string& option, const std::string& text, std::size_t vertices,
+                        std::span<const Index> vertex_of_row) {
   const CsvFieldName name = csv_field_name(text);
   const DataArrays arrays{read_csv_arrays(name.path), {}};
   if (name.array.empty() && arrays.points.size() != 1) {
@@ -64,9 +66,12 @@ VertexValues csv_values(const std::string& option, const std::string& text,
                 "; choose one: " + name.path + ":" + arrays.points.front().name);
   }
   const std::string column = name.array.empty() ? arrays.points.front().name : name.array;
-  const DataArray array = rows_of_vertices(array_named(arrays, column, name.path), source);
-  return {scalars_of(option, array, source.surface.mesh.vertex_count(), name.path), column};
+  const DataArray array =
+      rows_of_vertices(array_named(arrays, column, name.path), vertices, vertex_of_row);
+  return {scalars_of(option, array, vertices, name.path), column};
 }
+
+namespace {
 
 VertexValues array_values(const std::string& option, const std::string& text,
                           const ValueSource& source) {
@@ -162,7 +167,7 @@ VertexValues vertex_values(const std::string& option, const std::string& text,
         parse_place(option, text.substr(kDistance.size())) - surface.mesh.origin;
     return distances_to(relative.cast<float>(), surface, "distance");
   }
-  return csv_values(option, text, source);
+  return csv_values(option, text, surface.mesh.vertex_count(), source.vertex_of_row);
 }
 
 }  // namespace brindle::tool

@@ -41,6 +41,11 @@ inline constexpr const char* kValueNames =
 /// Throws CLI::ValidationError, naming the option, unless `text` can name values.
 void check_value_name(const std::string& option, const std::string& text);
 
+/// The values of FILE.csv or FILE.csv:COLUMN for a mesh of so many vertices; rows may stand for
+/// those of the mesh's file, as FileData has them. Throws as `vertex_values` does.
+VertexValues csv_values(const std::string& option, const std::string& text, std::size_t vertices,
+                        std::span<const Index> vertex_of_row);
+
 /// The file that `text` names values of; empty if it names none.
 std::string value_file(const std::string& text);
 

@@ -1,18 +1,20 @@
 #include "mesh_pieces.h"
 
 #include <array>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "array_source.h"
-#include "brindle/base/array_numbers.h"
 #include "brindle/distributed/partition.h"
 #include "brindle/distributed/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
+#include "first_rank.h"
 #include "pvtp_pieces.h"
+#include "rank_arrays.h"
 
 namespace brindle::tool {
 namespace {
@@ -28,69 +30,48 @@ LoadedSurface load_whole(const SurfaceOptions& options, JobListener& listener) {
   return loaded;
 }
 
-/// As `together`, with wrong usage on rank 0 staying wrong usage on all.
-void on_first_rank(Communicator& ranks, const std::function<void()>& work) {
-  bool wrong_usage = false;
-  const auto noted = [&] {
-    if (ranks.rank() != 0) return;
-    try {
-      work();
-    } catch (const CLI::ParseError& error) {
-      wrong_usage = true;
-      throw Error(error.what());
-    }
-  };
-  try {
-    ranks.together(noted);
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& error) {
-    if (ranks.any(wrong_usage))
-      throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
-    throw;
-  }
-}
-
 using Position = std::array<float, 3>;
 
 /// What travels of a piece, a list per rank each.
 struct PackedPieces {
-  std::vector<std::vector<std::uint64_t>> ids;
+  std::vector<std::vector<std::uint64_t>> ids, triangle_ids;
   std::vector<std::vector<Position>> positions;
   std::vector<std::vector<Triangle>> triangles;
-  std::vector<std::vector<std::vector<std::byte>>> arrays;  ///< of every array
 
-  PackedPieces(std::size_t ranks, std::size_t array_count)
-      : ids(ranks),
-        positions(ranks),
-        triangles(ranks),
-        arrays(array_count, std::vector<std::vector<std::byte>>(ranks)) {}
+  explicit PackedPieces(std::size_t ranks)
+      : ids(ranks), triangle_ids(ranks), positions(ranks), triangles(ranks) {}
 };
 
-PackedPieces pack_pieces(const Mesh& mesh, std::span<const DataArray> arrays, std::size_t ranks) {
-  PackedPieces packed(ranks, arrays.size());
+PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
+  PackedPieces packed(ranks);
   const std::vector<int> rank_of_triangle = partition_by_curve(mesh, static_cast<int>(ranks));
   for (std::size_t r = 0; r < ranks; ++r) {
     SurfacePiece piece = piece_of(mesh, rank_of_triangle, static_cast<int>(r));
-    const std::vector<Index> rows(piece.vertex_ids.begin(), piece.vertex_ids.end());
-    for (std::size_t a = 0; a < arrays.size(); ++a) {
-      packed.arrays[a][r] = rows_of(arrays[a], rows).bytes;
-    }
     packed.ids[r] = std::move(piece.vertex_ids);
+    packed.triangle_ids[r] = std::move(piece.triangle_ids);
     for (const Vec3& p : piece.mesh.positions) packed.positions[r].push_back({p.x(), p.y(), p.z()});
     packed.triangles[r] = std::move(piece.mesh.triangles);
   }
   return packed;
 }
 
-/// Arrays of points by the names that were asked for.
-std::vector<DataArray> arrays_named(const DataArrays& arrays, const std::vector<std::string>& names,
-                                    const std::string& file) {
-  std::vector<DataArray> found;
-  for (const std::string& name : names) {
-    found.push_back(as_doubles(array_named({arrays.points, {}}, name, file), name));
+/// What is asked for of what a file has.
+DataArrays wanted_of(DataArrays arrays, const WantedArrays& wanted, const std::string& file) {
+  DataArrays chosen;
+  for (const std::string& name : wanted.names) {
+    const auto [array, of_cells] = choice_of(arrays, name, file);
+    std::vector<DataArray>& list = of_cells ? chosen.cells : chosen.points;
+    if (find_array(list, array->name) == nullptr) list.push_back(*array);
   }
-  return found;
+  if (wanted.all) return arrays;
+  return chosen;
+}
+
+/// Rows that ranks have of the whole, a list per rank.
+std::vector<std::vector<Index>> rows_of_ranks(const std::vector<std::vector<std::uint64_t>>& ids) {
+  std::vector<std::vector<Index>> rows;
+  for (const auto& list : ids) rows.emplace_back(list.begin(), list.end());
+  return rows;
 }
 
 /// Nothing for shapes that are made whole alone.
@@ -107,25 +88,35 @@ std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOpti
   }
 }
 
+/// Numbers triangles rank by rank.
+void number_triangles(Communicator& ranks, SurfacePiece& piece) {
+  const std::vector<std::size_t> counts = ranks.all(piece.mesh.triangle_count());
+  std::uint64_t first = 0;
+  for (int r = 0; r < ranks.rank(); ++r) first += counts[static_cast<std::size_t>(r)];
+  piece.triangle_ids.resize(piece.mesh.triangle_count());
+  std::iota(piece.triangle_ids.begin(), piece.triangle_ids.end(), first);
+}
+
 /// Rank 0 reads or makes the whole and sends the others their pieces.
-ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options,
-                    const std::vector<std::string>& names, JobListener& listener) {
-  PackedPieces packed(static_cast<std::size_t>(ranks.size()), names.size());
-  std::vector<int> components(names.size());
+ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const WantedArrays& wanted,
+                    JobListener& listener) {
+  PackedPieces packed(static_cast<std::size_t>(ranks.size()));
+  DataArrays arrays;
   std::array<double, 3> origin{};
-  std::size_t joined = 0;
-  std::vector<Index> vertex_of_row;
-  on_first_rank(ranks, [&] {
-    const LoadedSurface loaded = load_whole(options, listener);
-    joined = loaded.repair.vertices_joined;
-    if (options.subdivide == 0) vertex_of_row = loaded.vertex_of_row;
-    for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
-    const std::vector<DataArray> arrays = arrays_named(loaded.arrays, names, options.mesh);
-    for (std::size_t a = 0; a < names.size(); ++a) components[a] = arrays[a].components;
-    packed = pack_pieces(loaded.mesh, arrays, static_cast<std::size_t>(ranks.size()));
-  });
   ReadPiece result;
+  on_first_rank(ranks, [&] {
+    LoadedSurface loaded = load_whole(options, listener);
+    result.vertices_joined = loaded.repair.vertices_joined;
+    if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
+    if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
+    for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
+    arrays = wanted_of(std::move(loaded.arrays), wanted, options.mesh);
+    packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
+  });
+  result.arrays.points = scattered_rows(ranks, arrays.points, rows_of_ranks(packed.ids));
+  result.arrays.cells = scattered_rows(ranks, arrays.cells, rows_of_ranks(packed.triangle_ids));
   result.piece.vertex_ids = ranks.swap_lists(packed.ids)[0];
+  result.piece.triangle_ids = ranks.swap_lists(packed.triangle_ids)[0];
   const auto positions = ranks.swap_lists(packed.positions);
   for (const auto& [x, y, z] : positions[0]) {
     result.piece.mesh.positions.emplace_back(x, y, z);
@@ -133,34 +124,28 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options,
   result.piece.mesh.triangles = ranks.swap_lists(packed.triangles)[0];
   const auto [x, y, z] = ranks.all(origin)[0];
   result.piece.mesh.origin = {x, y, z};
-  result.vertices_joined = ranks.all(joined)[0];
-  result.vertex_of_row = std::move(vertex_of_row);
-  for (std::size_t a = 0; a < names.size(); ++a) {
-    result.arrays.push_back({names[a], NumberType::float64, ranks.all(components[a])[0],
-                             ranks.swap_lists(packed.arrays[a])[0]});
-  }
+  result.vertices_joined = ranks.all(result.vertices_joined)[0];
   return result;
 }
 
 }  // namespace
 
-DataArray as_doubles(const DataArray& array, const std::string& name) {
-  return make_data_array(name, array.components, doubles_of(array.view()));
-}
-
-ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options,
-                     const std::vector<std::string>& arrays, JobListener& listener) {
+ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const WantedArrays& wanted,
+                     JobListener& listener) {
   ReadPiece read;
   if (is_pvtp(options.mesh)) {
-    read = read_pvtp_pieces(ranks, options.mesh, arrays, listener);
+    read = read_pvtp_pieces(ranks, options.mesh, wanted, listener);
+    number_triangles(ranks, read.piece);
   } else if (auto made = make_piece(ranks, options)) {
-    arrays_named({}, arrays, options.mesh);  // shapes have none
+    wanted_of({}, wanted, options.mesh);  // shapes have none
     read = std::move(*made);
+    number_triangles(ranks, read.piece);
   } else {
-    read = cut_piece(ranks, options, arrays, listener);
+    read = cut_piece(ranks, options, wanted, listener);
   }
+  read.file = options.mesh;
   if (options.subdivide > 0) {
-    read.piece = subdivided_piece(ranks, std::move(read.piece), options.subdivide);
+    read.piece = subdivided_piece(ranks, std::move(read.piece), read.arrays, options.subdivide);
   }
   return read;
 }

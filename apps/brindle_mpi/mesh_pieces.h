@@ -14,21 +14,29 @@
 namespace brindle::tool {
 
 struct ReadPiece {
-  SurfacePiece piece;  ///< vertex numbers are those of the whole mesh
+  std::string file;    ///< or shape, as messages call it
+  SurfacePiece piece;  ///< numbers are those of the whole mesh
+  /// Whether vertices have the numbers that the mesh's file or the shape gives them; a .pvtp
+  /// without ids gives none.
+  bool numbered = true;
   std::size_t vertices_joined = 0;
-  std::vector<Index> vertex_of_row;    ///< on rank 0, as LoadedMesh has it; none if subdivided
-  std::vector<DataArray> arrays = {};  ///< those asked for: float64, a row per vertex
+  std::vector<Index> vertex_of_row;  ///< on rank 0, as LoadedMesh has it; none if subdivided
+  std::vector<Index> partners;       ///< on rank 0, as Preparation has it
+  DataArrays arrays = {};            ///< those asked for: a row per vertex, and per triangle
 };
 
-/// An array's numbers as float64, under another name.
-DataArray as_doubles(const DataArray& array, const std::string& name);
+/// Arrays of the mesh's file that are asked for.
+struct WantedArrays {
+  std::vector<std::string> names;  ///< NAME, points/NAME or cells/NAME: they must be there
+  bool all = false;                ///< and all others, but those that mark ghosts
+};
 
 /// Collective. Ranks read the pieces of a .pvtp and make their parts of shapes that can be made in
 /// parts (`make_shape_part`). Any other mesh rank 0 reads or makes, cuts along a Hilbert curve and
 /// sends. Pieces are then subdivided. Throws on all ranks CLI::ValidationError for a shape that is
 /// not spelt right, and Error for a file that cannot be read, has no triangles, or lacks one of the
-/// arrays of points asked for.
-ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options,
-                     const std::vector<std::string>& arrays, JobListener& listener);
+/// arrays asked for.
+ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const WantedArrays& wanted,
+                     JobListener& listener);
 
 }  // namespace brindle::tool

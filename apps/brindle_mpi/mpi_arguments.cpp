@@ -1,8 +1,9 @@
 #include "mpi_arguments.h"
 
+#include <utility>
+
 #include "brindle/base/file_extension.h"
 #include "command_line.h"
-#include "piece_waves.h"
 #include "pvtp_pieces.h"
 
 namespace brindle::tool {
@@ -27,30 +28,6 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
 
 namespace {
 
-void check_field(const WaveOptions& waves) {
-  if (!is_field_file(waves)) return;
-  throw CLI::ValidationError(
-      "--field", "'" + waves.field +
-                     "': over many processes fields are smooth, curvature, raw-curvature, an array "
-                     "of points or a --direction; 'brindle stripe' takes files");
-}
-
-void check_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
-  for (const std::string& name : wanted_arrays(waves)) {
-    if (name.starts_with("cells/")) {
-      throw CLI::ValidationError(waves.arrays.frequency == name ? "--frequency" : "--field",
-                                 "'" + name +
-                                     "': over many processes arrays are those of points; 'brindle "
-                                     "stripe' takes those of cells");
-    }
-    if (surface.subdivide > 0) {
-      throw CLI::ValidationError("--subdivide",
-                                 "over many processes the array '" + name +
-                                     "' is not interpolated; 'brindle stripe' does so");
-    }
-  }
-}
-
 void check_extension(const std::string& option, const std::string& path, const char* extension) {
   if (path.empty() || lower_extension(path) == extension) return;
   throw CLI::ValidationError(option, "'" + path + "': the name must end in " + extension);
@@ -58,13 +35,11 @@ void check_extension(const std::string& option, const std::string& path, const c
 
 }  // namespace
 
-void check_mpi_waves(const CLI::App& command, const SurfaceOptions& surface,
-                     const WaveOptions& waves, const SolvingOptions& solving) {
+void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
+                     const SolvingOptions& solving) {
   check_field_options(command, waves);
-  check_field(waves);
-  check_arrays(surface, waves);
   check_solving_options(command, solving);
-  refuse_given(command, {"--feature-radius", "--strokes", "--frequency-by", "--field-mesh"},
+  refuse_given(command, {"--feature-radius", "--strokes", "--field-mesh"},
                "it needs the whole surface in one process; 'brindle stripe' has it");
   if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {
     throw CLI::ValidationError("--phase-shift",
@@ -73,18 +48,16 @@ void check_mpi_waves(const CLI::App& command, const SurfaceOptions& surface,
 }
 
 void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
-  check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
+  check_mpi_waves(command, arguments.waves, arguments.solving);
   check_extension("--output", arguments.output, ".pvtp");
   check_extension("--report", arguments.report, ".json");
 }
 
 std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surface,
-                                 const SolvingOptions& solving) {
-  std::vector<UsedFile> inputs;
+                                 const WaveOptions& waves, const SolvingOptions& solving) {
+  std::vector<UsedFile> inputs = input_files(surface, waves);
   if (is_pvtp(surface.mesh)) {
-    inputs = files_of_pvtp(ranks, surface.mesh);
-  } else if (!is_shape(surface)) {
-    inputs.push_back({"MESH", surface.mesh});
+    for (UsedFile& file : files_of_pvtp(ranks, surface.mesh)) inputs.push_back(std::move(file));
   }
   add_slack_files(solving.slack, inputs);
   return inputs;

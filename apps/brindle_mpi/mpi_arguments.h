@@ -29,8 +29,8 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments);
 
 /// Throws CLI::ValidationError for options of waves and solving without effect, and for those that
 /// need the whole surface in one process.
-void check_mpi_waves(const CLI::App& command, const SurfaceOptions& surface,
-                     const WaveOptions& waves, const SolvingOptions& solving);
+void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
+                     const SolvingOptions& solving);
 
 /// Throws CLI::ValidationError for options without effect, and for those that need the whole
 /// surface in one process.
@@ -38,6 +38,6 @@ void check_mpi_options(const CLI::App& command, const MpiArguments& arguments);
 
 /// Collective. All files that are read, those that a .pvtp names among them.
 std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surface,
-                                 const SolvingOptions& solving);
+                                 const WaveOptions& waves, const SolvingOptions& solving);
 
 }  // namespace brindle::tool

@@ -10,6 +10,8 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed_stripes.h"
+#include "brindle/files.h"
+#include "carried_arrays.h"
 #include "command_line.h"
 #include "mesh_pieces.h"
 #include "mpi_arguments.h"
@@ -17,6 +19,7 @@
 #include "outputs.h"
 #include "pattern_arrays.h"
 #include "piece_output.h"
+#include "piece_rows.h"
 #include "piece_waves.h"
 #include "progress_display.h"
 #include "report.h"
@@ -58,15 +61,15 @@ Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& ar
   report.quality = quality;
   report.field_milliseconds = waves.milliseconds;
   report.waves = waves.figures;
+  report.field_rows_nonfinite = waves.field_rows_nonfinite;
   if (has_yielded(frame)) {
     report.frequency = frequency_report(frame.frequency_change, quality);
   }
   return report;
 }
 
-/// What the piece's file has beside the mesh.
-DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult& frame,
-                     std::vector<CornerPhases> corners) {
+/// What the piece's file has of the pattern.
+DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<CornerPhases> corners) {
   DataArrays arrays;
   std::vector<float> wanted;
   if (has_yielded(frame)) {
@@ -79,7 +82,6 @@ DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult
   if (has_yielded(frame) && wanted.empty()) {
     arrays.points.push_back(make_data_array("frequency_wanted", 1, wanted));
   }
-  arrays.points.push_back(make_data_array("global_id", 1, piece.vertex_ids));
   StripePattern pattern;
   pattern.corners = std::move(corners);
   arrays.cells.push_back(branches_in_triangles(pattern, "branch"));
@@ -87,11 +89,18 @@ DataArrays arrays_of(const SurfacePiece& piece, WaveSet waves, const FrameResult
   return arrays;
 }
 
+/// What the piece's file has beside the mesh, with the input's arrays.
+DataArrays with_input(DataArrays own, const DataArrays& input, JobListener& listener) {
+  FittedArrays fitted = fitted_arrays("piece.vtp", joined(std::move(own), input));
+  for (const std::string& line : fitted.left_out) listener.note(line + "\n");
+  return std::move(fitted.arrays);
+}
+
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> outputs;
   if (!arguments.output.empty()) outputs = files_of_pieces(arguments.output, ranks.size());
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
-  check_files(mpi_inputs(ranks, arguments.surface, arguments.solving), outputs);
+  check_files(mpi_inputs(ranks, arguments.surface, arguments.waves, arguments.solving), outputs);
   if (!arguments.output.empty()) check_pieces(ranks, arguments.output);
   ranks.together([&] {
     if (ranks.rank() == 0 && !arguments.report.empty()) check_output_path(arguments.report);
@@ -128,8 +137,9 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
     const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
     Stopwatch watch;
-    const ReadPiece read =
-        read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
+    WantedArrays wanted = wanted_arrays(arguments.waves);
+    wanted.all = !arguments.output.empty();
+    const ReadPiece read = read_piece(ranks, arguments.surface, wanted, display);
     const double load_milliseconds = watch.lap();
     stage("neighbourhood and normals");
     const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
@@ -156,8 +166,11 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     display.note(branch_warning(report.waves, report.quality.branches, report.triangles));
     if (!arguments.output.empty()) {
       stage("writing");
+      DataArrays own = arrays_of(w, frame, std::move(measures.corners));
+      copy_from_partners(ranks, surface, read, own.points);
+      own.points.push_back(make_data_array("global_id", 1, read.piece.vertex_ids));
       write_pieces(ranks, arguments.output, read.piece.mesh,
-                   arrays_of(read.piece, w, frame, std::move(measures.corners)));
+                   with_input(std::move(own), read.arrays, display));
     }
     if (arguments.frames > 0) {
       stage("frames");

@@ -85,7 +85,7 @@ bool writes_pieces(const PatternArguments& arguments) {
 
 void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,
                            Communicator& ranks) {
-  check_mpi_waves(command, arguments.surface, arguments.waves, arguments.solving);
+  check_mpi_waves(command, arguments.waves, arguments.solving);
   std::vector<UsedFile> outputs;
   if (writes_pieces(arguments)) {
     outputs = files_of_pieces(arguments.output, ranks.size());
@@ -96,7 +96,7 @@ void check_pattern_options(const CLI::App& command, const PatternArguments& argu
     check_report("--report", arguments.report);
     outputs.push_back({"--report", arguments.report});
   }
-  check_files(mpi_inputs(ranks, arguments.surface, arguments.solving), outputs);
+  check_files(mpi_inputs(ranks, arguments.surface, arguments.waves, arguments.solving), outputs);
   if (writes_pieces(arguments)) return check_pieces(ranks, arguments.output);
   ranks.together([&] {
     if (ranks.rank() == 0 && !arguments.output.empty()) check_output_path(arguments.output);
@@ -117,6 +117,7 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   PieceWaves waves =
       make_piece_waves(ranks, *patterns.surface, patterns.read, arguments.waves, display);
   patterns.figures = waves.figures;
+  patterns.field_rows_nonfinite = waves.field_rows_nonfinite;
   patterns.field = waves.milliseconds;
   const auto frequency_v = frequency_of_v(arguments, patterns.surface->diagonal());
   WaveSet across;
@@ -147,7 +148,7 @@ nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& pattern
                                  {"edges", surface.edge_count()},
                                  {"vertices_joined", patterns.read.vertices_joined},
                                  {"threads", ThreadLimit::current()}};
-  json.update(to_json(patterns.figures, std::nullopt));
+  json.update(to_json(patterns.figures, patterns.field_rows_nonfinite));
   json["ranks"] = {{"count", ranks.size()}, {"bytes_sent", bytes}, {"memory_peak_most", most}};
   json["milliseconds"] = {{"load", patterns.load},          {"field", patterns.field},
                           {"topology", patterns.topology},  {"couple", patterns.couple},

@@ -52,6 +52,7 @@ struct PiecePatterns {
   ReadPiece read;
   std::optional<DistributedSurface> surface;
   WaveFigures figures;
+  std::optional<std::size_t> field_rows_nonfinite;
   std::optional<SolvedPattern> u, v;
   double load = 0, field = 0, topology = 0, couple = 0, solve = 0, pattern = 0;  ///< milliseconds
 

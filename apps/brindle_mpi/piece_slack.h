@@ -12,7 +12,7 @@ namespace brindle::tool {
 
 /// Collective. Rank 0 reads the file of --calm, whose rows are those of the whole mesh, or of its
 /// file where rank 0 has read one, and tells the others what it says of their vertices. Throws on
-/// all ranks what `make_slack` throws, and Error for a vertex whose number is beyond the rows.
+/// all ranks what `make_slack` and `piece_rows` throw.
 Slack piece_slack(Communicator& ranks, const SlackOptions& options, const ReadPiece& read,
                   std::size_t vertices_of_all);
 

@@ -1,71 +1,36 @@
 #include "piece_waves.h"
 
 #include <algorithm>
-#include <memory>
+#include <limits>
 #include <numbers>
-#include <span>
-#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "brindle/array_field.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed/selection.h"
-#include "brindle/error.h"
-#include "brindle/geometry/neighborhood.h"
-#include "brindle/tensor_field.h"
+#include "piece_fields.h"
+#include "piece_frequencies.h"
 #include "piece_slack.h"
 
 namespace brindle::tool {
 namespace {
 
-/// "speed" of "points/speed".
-std::string name_of_points(const std::string& name) {
-  constexpr std::string_view kPoints = "points/";
-  return name.starts_with(kPoints) ? name.substr(kPoints.size()) : name;
-}
-
-/// The piece as functions want it that take rows of arrays vertex by vertex.
-Surface with_normals(const SurfacePiece& piece, std::span<const Vec3> normals, bool neighbors) {
-  Surface surface{{piece.mesh.positions, {}}, nullptr, {normals.begin(), normals.end()}};
-  if (neighbors) {
-    surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(piece.mesh));
+/// Of several ranks the median is one of floats.
+void measure_edges(Communicator& ranks, std::vector<double>& edges, WaveFigures& figures) {
+  const std::size_t count = ranks.sum(edges.size());
+  if (count == 0) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double number : edges) least = std::min(least, number);
+  figures.edges_per_period_min = -ranks.greatest(-least);
+  if (ranks.size() > 1) {
+    const std::vector<float> floats(edges.begin(), edges.end());
+    figures.edges_per_period_median = static_cast<double>(kth_smallest(ranks, floats, count / 2));
+    return;
   }
-  return surface;
-}
-
-DirectionField array_directions(const DistributedSurface& surface, const ReadPiece& read,
-                                const WaveOptions& options) {
-  const std::string name = name_of_points(parse_array("--field", options.field));
-  const DataArray& array = *find_array(read.arrays, name);
-  if (is_tensor(array)) {
-    return tensor_field_of(with_normals(read.piece, surface.normals(), true), array,
-                           options.arrays.tensor.value_or(TensorAxis::major))
-        .directions;
-  }
-  if (options.arrays.tensor) {
-    throw Error("--tensor has no effect: the array '" + name + "' has " +
-                std::to_string(array.components) + " numbers in a row, and is no tensor");
-  }
-  return direction_field_of(with_normals(read.piece, surface.normals(), false), array);
-}
-
-DirectionField make_directions(const DistributedSurface& surface, const ReadPiece& read,
-                               const WaveOptions& options) {
-  if (is_array(options.field)) {
-    DirectionField directions;
-    surface.rank_surface().ranks->together(
-        [&] { directions = array_directions(surface, read, options); });
-    return directions;
-  }
-  if (options.direction) return projected_direction_field(*options.direction, surface.normals());
-  if (!is_smooth(options)) return curvature_direction_field(surface, options.curvature_direction);
-  SmoothFieldOptions smooth;
-  smooth.curvature_anchor = curvature_anchor(options);
-  smooth.curvature_direction = options.curvature_direction;
-  smooth.feature_anchor = options.feature_anchor;
-  smooth.feature_angle_deg = options.feature_angle_deg;
-  return smooth_direction_field(surface, smooth);
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(edges.begin(), middle, edges.end());
+  figures.edges_per_period_median = *middle;
 }
 
 /// The figures of all ranks' waves.
@@ -89,41 +54,21 @@ WaveFigures measure_waves(Communicator& ranks, const DistributedSurface& surface
   tally.frequency_max = ranks.greatest(tally.frequency_max);
   tally.frequency_min = -ranks.greatest(-tally.frequency_min);
   WaveFigures figures = figures_of(tally, surface.diagonal());
-  const std::vector<float> edges(tally.edges_per_period.begin(), tally.edges_per_period.end());
-  const std::size_t count = ranks.sum(edges.size());
-  if (count == 0) return figures;
-  figures.edges_per_period_min = static_cast<double>(kth_smallest(ranks, edges, 0));
-  figures.edges_per_period_median = static_cast<double>(kth_smallest(ranks, edges, count / 2));
+  measure_edges(ranks, tally.edges_per_period, figures);
   return figures;
-}
-
-/// Takes waves from where an array says no frequency.
-FrequencyField make_frequencies(const DistributedSurface& surface, const ReadPiece& read,
-                                const WaveOptions& options, DirectionField& directions) {
-  const std::string name = name_of_points(options.arrays.frequency);
-  if (name.empty()) {
-    return constant_frequency_field(
-        constant_frequency(static_cast<float>(surface.diagonal()), options), directions.size());
-  }
-  FrequencyField frequencies;
-  surface.rank_surface().ranks->together([&] {
-    frequencies = frequencies_of(*find_array(read.arrays, name), directions);
-    drop_waves_without_frequency(directions, frequencies);
-  });
-  return frequencies;
 }
 
 }  // namespace
 
-std::vector<std::string> wanted_arrays(const WaveOptions& options) {
-  std::vector<std::string> names;
-  if (is_array(options.field)) {
-    names.push_back(name_of_points(parse_array("--field", options.field)));
+WantedArrays wanted_arrays(const WaveOptions& options) {
+  WantedArrays wanted;
+  if (is_array(options.field)) wanted.names.push_back(parse_array("--field", options.field));
+  const ArrayOptions& arrays = options.arrays;
+  if (!arrays.frequency.empty()) wanted.names.push_back(arrays.frequency);
+  if (is_array(arrays.frequency_by)) {
+    wanted.names.push_back(parse_array("--frequency-by", arrays.frequency_by));
   }
-  if (!options.arrays.frequency.empty()) {
-    names.push_back(name_of_points(options.arrays.frequency));
-  }
-  return names;
+  return wanted;
 }
 
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
@@ -132,14 +77,19 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   Stopwatch watch;
   listener.stage("direction field");
   PieceWaves made;
-  DirectionField directions = make_directions(surface, read, options);
+  PieceField field = make_piece_field(ranks, surface, read, options);
   const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
   if (turn_deg != 0) {
-    directions = rotated(directions, surface.normals(), turn_deg * std::numbers::pi_v<float> / 180);
+    field.directions =
+        rotated(field.directions, surface.normals(), turn_deg * std::numbers::pi_v<float> / 180);
   }
-  FrequencyField frequencies = make_frequencies(surface, read, options, directions);
-  made.waves = {read.piece.mesh.positions, std::move(directions), std::move(frequencies)};
+  choose_piece_frequencies(ranks, surface, read, options, field);
+  listener.note(field.notes);
+  made.waves = {read.piece.mesh.positions, std::move(field.directions),
+                std::move(field.frequencies)};
+  made.field_rows_nonfinite = field.rows_nonfinite;
   made.figures = measure_waves(ranks, surface, made.waves);
+  made.figures.missing = field.missing;
   ranks.together([&] { check_waves(made.figures, source_of(options)); });
   listener.note(warnings(made.figures, source_of(options)));
   made.milliseconds = watch.lap();

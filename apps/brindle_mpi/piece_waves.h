@@ -1,8 +1,8 @@
 /// Waves of the pieces of a surface, before they have phases.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <cstddef>
+#include <optional>
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_stripes.h"
@@ -18,11 +18,12 @@ namespace brindle::tool {
 struct PieceWaves {
   WaveSet waves;
   WaveFigures figures;
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, on all ranks
   double milliseconds = 0;
 };
 
-/// The names of the arrays of points that the options take waves from.
-std::vector<std::string> wanted_arrays(const WaveOptions& options);
+/// The arrays that the options take waves from.
+WantedArrays wanted_arrays(const WaveOptions& options);
 
 /// Collective. As the options ask for; notes what is wrong with them.
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,

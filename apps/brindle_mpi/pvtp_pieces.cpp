@@ -23,6 +23,7 @@
 #include "brindle/files/pvtp_file.h"
 #include "brindle/files/vtk_xml_file.h"
 #include "brindle/geometry/local_positions.h"
+#include "rank_arrays.h"
 
 namespace brindle::tool {
 namespace {
@@ -90,9 +91,58 @@ std::vector<std::uint8_t> ghosts_of(std::span<const DataArray> cells, std::size_
   return ghosts;
 }
 
-[[noreturn]] void refuse_components(const std::string& path, const std::string& array) {
-  throw Error(path + ": array " + in_quotes(array) +
-              " has another number of components than in other pieces; export the pieces again");
+[[noreturn]] void refuse_unlike(const std::string& path, const std::string& array) {
+  throw Error(
+      path + ": array " + in_quotes(array) +
+      " has another type or number of components than in other pieces, or is missing there; "
+      "export the pieces again");
+}
+
+/// Throws Error unless arrays differ in their rows alone.
+void check_alike(const std::string& path, std::span<const DataArray> arrays,
+                 std::span<const DataArray> others) {
+  for (const DataArray& array : arrays) {
+    const DataArray* other = find_array(others, array.name);
+    if (other == nullptr || other->type != array.type || other->components != array.components) {
+      refuse_unlike(path, array.name);
+    }
+  }
+}
+
+void check_alike(const std::string& path, const DataArrays& arrays, const DataArrays& others) {
+  check_alike(path, arrays.points, others.points);
+  check_alike(path, others.points, arrays.points);
+  check_alike(path, arrays.cells, others.cells);
+  check_alike(path, others.cells, arrays.cells);
+}
+
+/// What visualisation programs mark ghosts by; pieces that are written have none.
+bool marks_ghosts(std::string_view name) {
+  return name == "vtkGhostType" || name == "vtkGhostLevels";
+}
+
+/// Those that are asked for, of one piece, in the same order as of all pieces.
+DataArrays wanted_of(const DataArrays& arrays, const PieceList& list, const WantedArrays& wanted,
+                     const fs::path& path) {
+  DataArrays chosen;
+  const auto add = [](std::vector<DataArray>& to, const DataArray& array) {
+    if (find_array(to, array.name) == nullptr) to.push_back(array);
+  };
+  for (const std::string& name : wanted.names) {
+    const auto [array, of_cells] = choice_of(arrays, name, path.string());
+    add(of_cells ? chosen.cells : chosen.points, *array);
+  }
+  if (!wanted.all) return chosen;
+  // They are there: `check_piece_arrays` has seen to that.
+  for (const PieceArray& announced : list.points) {
+    if (!marks_ghosts(announced.name)) {
+      add(chosen.points, *find_array(arrays.points, announced.name));
+    }
+  }
+  for (const PieceArray& announced : list.cells) {
+    if (!marks_ghosts(announced.name)) add(chosen.cells, *find_array(arrays.cells, announced.name));
+  }
+  return chosen;
 }
 
 /// The pieces of one rank, one behind the other.
@@ -105,18 +155,15 @@ struct RankRows {
   std::size_t ghosts = 0;
   std::optional<fs::path> with_ids, without_ids;  ///< one piece of each sort
   std::string left_out;
-  std::vector<DataArray> arrays;  ///< those asked for, a row per row; without pieces no components
+  DataArrays arrays;  ///< those asked for: a row per row, and per triangle
+  bool any = false;   ///< whether there is a piece with points
 };
 
 /// Reads a rank's pieces.
 class PieceReader {
  public:
-  PieceReader(const fs::path& pvtp, const std::vector<std::string>& arrays, JobListener& listener)
-      : pvtp_(pvtp), listener_(listener) {
-    for (const std::string& name : arrays) {
-      rows_.arrays.push_back({name, NumberType::float64, 0, {}});
-    }
-  }
+  PieceReader(const fs::path& pvtp, const WantedArrays& wanted, JobListener& listener)
+      : pvtp_(pvtp), wanted_(wanted), listener_(listener) {}
 
   RankRows read(int rank, int ranks) {
     list_ = read_pvtp(pvtp_);
@@ -149,21 +196,29 @@ class PieceReader {
     rows_.piece.resize(rows_.exact.size(), static_cast<std::uint32_t>(p));
     rows_.in_ghost.resize(rows_.exact.size());
     add_ids(path, raw.arrays.points);
-    for (DataArray& array : rows_.arrays) {
-      append_rows(as_doubles(array_named({raw.arrays.points, {}}, array.name, path.string()), ""),
-                  path, array);
-    }
-    add_triangles(raw, first);
+    DataArrays arrays = wanted_of(raw.arrays, list_, wanted_, path);
+    arrays.cells = rows_of(arrays.cells, add_triangles(raw, first));
+    append_rows(std::move(arrays), path);
     std::istringstream lines(raw.left_out);
     for (std::string line; std::getline(lines, line);) {
       rows_.left_out += path.string() + ": " + line + "\n";
     }
   }
 
-  static void append_rows(const DataArray& more, const fs::path& path, DataArray& array) {
-    if (array.components == 0) array.components = more.components;
-    if (array.components != more.components) refuse_components(path.string(), array.name);
-    array.bytes.insert(array.bytes.end(), more.bytes.begin(), more.bytes.end());
+  void append_rows(DataArrays more, const fs::path& path) {
+    if (!std::exchange(rows_.any, true)) {
+      rows_.arrays = std::move(more);
+      return;
+    }
+    check_alike(path.string(), more, rows_.arrays);
+    const auto append = [](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
+      for (DataArray& array : to) {
+        const std::vector<std::byte>& bytes = find_array(from, array.name)->bytes;
+        array.bytes.insert(array.bytes.end(), bytes.begin(), bytes.end());
+      }
+    };
+    append(rows_.arrays.points, more.points);
+    append(rows_.arrays.cells, more.cells);
   }
 
   void check_room(const fs::path& path, std::size_t more) const {
@@ -180,7 +235,9 @@ class PieceReader {
     rows_.ids.insert(rows_.ids.end(), numbers.begin(), numbers.end());
   }
 
-  void add_triangles(const RawMesh& raw, Index first) {
+  /// Returns the numbers that triangles have in the piece.
+  std::vector<Index> add_triangles(const RawMesh& raw, Index first) {
+    std::vector<Index> kept;
     const auto ghosts = ghosts_of(raw.arrays.cells, raw.mesh.triangle_count());
     for (std::size_t t = 0; t < ghosts.size(); ++t) {
       Triangle triangle = raw.mesh.triangles[t];
@@ -188,13 +245,16 @@ class PieceReader {
       rows_.ghosts += ghosts[t];
       if (!ghosts[t]) {
         rows_.triangles.push_back(triangle);
+        kept.push_back(static_cast<Index>(t));
         continue;
       }
       for (const Index v : triangle) rows_.in_ghost[v] = 1;
     }
+    return kept;
   }
 
   fs::path pvtp_;
+  const WantedArrays& wanted_;
   JobListener& listener_;
   PieceList list_;
   RankRows rows_;
@@ -235,15 +295,14 @@ Eigen::Vector3d common_origin(Communicator& ranks, std::span<const Eigen::Vector
   return origin_near(box);
 }
 
-/// Those of ranks without pieces have no rows, and components as the others.
-void agree_on_components(Communicator& ranks, const std::string& path, RankRows& rows) {
-  for (DataArray& array : rows.arrays) {
-    const int most = ranks.greatest(array.components);
-    if (ranks.any(array.components != most && array.components != 0)) {
-      refuse_components(path, array.name);
-    }
-    array.components = std::max(1, most);
-  }
+/// Those of ranks without pieces have no rows.
+void agree_on_arrays(Communicator& ranks, const std::string& path, RankRows& rows) {
+  const DataArrays own = {heads_of(rows.arrays.points), heads_of(rows.arrays.cells)};
+  DataArrays agreed = agreed_heads(ranks, own);
+  ranks.together([&] {
+    if (rows.any) check_alike(path, own, agreed);
+  });
+  if (!rows.any) rows.arrays = std::move(agreed);
 }
 
 void refuse_torn(Communicator& ranks, const PieceReader& reader, const RankRows& rows,
@@ -349,16 +408,16 @@ std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path
   return files;
 }
 
-ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path,
-                           const std::vector<std::string>& arrays, JobListener& listener) {
-  PieceReader reader(path, arrays, listener);
+ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, const WantedArrays& wanted,
+                           JobListener& listener) {
+  PieceReader reader(path, wanted, listener);
   RankRows rows;
   ranks.together([&] {
     listener.stage("loading " + path);
     rows = reader.read(ranks.rank(), ranks.size());
   });
   const bool ids = have_ids(ranks, rows);
-  agree_on_components(ranks, path, rows);
+  agree_on_arrays(ranks, path, rows);
   Mesh mesh;
   mesh.origin = common_origin(ranks, rows.exact);
   mesh.positions = positions_about(mesh.origin, std::exchange(rows.exact, {}));
@@ -369,12 +428,13 @@ ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path,
     rows.ids = numbers_by_place(ranks, mesh.positions);
   }
   ReadPiece result;
+  result.numbered = ids;
   MeshRepair repair;
   ranks.together([&] {
-    std::vector<Index> kept;
-    result.piece = joined_piece(std::move(mesh), rows.ids, rows.in_ghost, kept);
-    result.arrays = rows_of(rows.arrays, kept);
-    repair = repair_mesh(result.piece.mesh);
+    std::vector<Index> vertices, triangles;
+    result.piece = joined_piece(std::move(mesh), rows.ids, rows.in_ghost, vertices);
+    repair = repair_mesh(result.piece.mesh, triangles);
+    result.arrays = {rows_of(rows.arrays.points, vertices), rows_of(rows.arrays.cells, triangles)};
   });
   if (ranks.sum(result.piece.mesh.triangle_count()) == 0) {
     throw Error(path +

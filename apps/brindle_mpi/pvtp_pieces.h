@@ -20,9 +20,10 @@ std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path
 
 /// Collective. Deals the pieces of a .pvtp to ranks in contiguous runs. Vertices of one global id
 /// are one vertex; without such ids those at exactly the same place are. Ghost triangles are left
-/// out, since other pieces have them. Throws Error on all ranks, with one message, for a file that
-/// cannot be read, for pieces that do not fit together, and for those that lack one of `arrays`.
-ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path,
-                           const std::vector<std::string>& arrays, JobListener& listener);
+/// out, since other pieces have them, and so are arrays that mark ghosts. All arrays that the .pvtp
+/// announces may be asked for. Throws Error on all ranks, with one message, for a file that cannot
+/// be read, for pieces that do not fit together, and for those that lack one of the arrays.
+ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, const WantedArrays& wanted,
+                           JobListener& listener);
 
 }  // namespace brindle::tool

@@ -39,6 +39,10 @@ struct SurfacePiece {
   /// One per triangle: 1 if it is another rank's and only here to be seen, as visualisation
   /// programs have layers of ghosts; empty: none. Every triangle is one rank's alone.
   std::vector<std::uint8_t> ghost_triangles;
+  /// One per triangle: its number in the whole, on all ranks or on none. Normals then have the bits
+  /// that `make_surface` gives the whole, also at borders, as sums around vertices are made in the
+  /// order of these numbers; empty: in that of the rank's own triangles and then the others'.
+  std::vector<std::uint64_t> triangle_ids = {};
 };
 
 /// What a rank has sent to others, and how long it has waited for them.

@@ -32,7 +32,7 @@ TEST(DistributedSurface, IsThatOfTheWholeHoweverItIsCut) {
     EXPECT_EQ(owners, std::vector<int>(own.size(), 1));
     ASSERT_EQ(surface.normals().size(), parts.ids.size());
     for (std::size_t v = 0; v < parts.ids.size(); ++v) {
-      EXPECT_LT((surface.normals()[v] - whole.normals[parts.ids[v]]).norm(), 1e-5f);
+      EXPECT_EQ(surface.normals()[v], whole.normals[parts.ids[v]]);
     }
   }
 }
@@ -45,7 +45,10 @@ TEST(DistributedSurface, NeedsNoGhostsAndMindsNone) {
   SurfacePiece piece;
   piece.mesh = parts.whole.mesh;
   for (std::size_t v = 0; v < piece.mesh.vertex_count(); ++v) piece.vertex_ids.push_back(v);
-  for (const int r : ranks) piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
+  for (const int r : ranks) {
+    piece.triangle_ids.push_back(piece.triangle_ids.size());
+    piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
+  }
   const DistributedSurface ghosts(piece, MPI_COMM_WORLD);
   EXPECT_EQ(ghosts.vertex_count(), plain.vertex_count());
   EXPECT_EQ(ghosts.triangle_count(), plain.triangle_count());
@@ -82,10 +85,16 @@ TEST(DistributedSurface, RefusesOnAllRanksPiecesThatDoNotFit) {
   piece = parts.piece;
   if (is_wrong) piece.ghost_triangles = {1};
   refuses(piece, "ghosts");
+  piece = parts.piece;
+  if (is_wrong) piece.triangle_ids.pop_back();
+  refuses(piece, "triangle numbers");
   if (rank_count() == 1) return;
   piece = parts.piece;
   if (is_wrong) piece.mesh.origin.x() = 1;
   refuses(piece, "origins");
+  piece = parts.piece;
+  if (is_wrong) piece.triangle_ids.clear();
+  refuses(piece, "some have none");
 }
 
 TEST(DistributedField, OfOneRankHasTheBitsOfTheLibrary) {

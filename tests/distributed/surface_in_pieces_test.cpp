@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/array_numbers.h"
+#include "brindle/distributed/piece_data.h"
 #include "brindle/distributed/shared_places.h"
 #include "brindle/distributed/subdivided_piece.h"
 #include "brindle/error.h"
+#include "brindle/mesh_data.h"
 #include "ranks.h"
 
 namespace brindle {
@@ -62,6 +65,84 @@ TEST(SubdividedPiece, OfAShapeMadeInPartsIsThatOfTheShape) {
   const SurfacePiece piece{std::move(part->mesh), std::move(part->vertex_ids), {}};
   expect_pieces_of(subdivide(make_shape("torus,resolution=20"), 2),
                    subdivided_piece(ranks, piece, 2));
+}
+
+/// Rows of the whole that the piece should have.
+std::vector<Index> numbers(const std::vector<std::uint64_t>& ids) {
+  return {ids.begin(), ids.end()};
+}
+
+/// Labels and numbers for every vertex and triangle, some of them not finite.
+DataArrays arrays_of(const Mesh& mesh) {
+  std::vector<int> labels;
+  std::vector<double> loads;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    labels.push_back(static_cast<int>(7919 * v % 1009));
+  }
+  for (std::size_t t = 0; t < 3 * mesh.triangle_count(); ++t) {
+    loads.push_back(t % 101 == 0 ? NAN : std::sin(static_cast<double>(t)));
+  }
+  return {{make_data_array("label", 1, labels), make_data_array("place", mesh.positions)},
+          {make_data_array("load", 3, loads)}};
+}
+
+TEST(SubdividedPiece, HasTheArraysOfTheWhole) {
+  Communicator ranks(MPI_COMM_WORLD);
+  Mesh whole = make_shape("sheets,resolution=6");
+  DataArrays expected = arrays_of(whole);
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    Mesh finer = whole;
+    DataArrays of_finer = expected;
+    subdivide(finer, of_finer, 2);
+    SurfacePiece piece = piece_of(whole, cut.rank_of_triangle(whole), rank());
+    DataArrays arrays = {rows_of(expected.points, numbers(piece.vertex_ids)),
+                         rows_of(expected.cells, numbers(piece.triangle_ids))};
+    piece = subdivided_piece(ranks, std::move(piece), arrays, 2);
+    EXPECT_EQ(arrays.points, rows_of(of_finer.points, numbers(piece.vertex_ids)));
+    EXPECT_EQ(arrays.cells, rows_of(of_finer.cells, numbers(piece.triangle_ids)));
+    for (std::size_t t = 0; t < piece.triangle_ids.size(); ++t) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(piece.vertex_ids[piece.mesh.triangles[t][c]],
+                  finer.triangles[piece.triangle_ids[t]][c]);
+      }
+    }
+  }
+}
+
+/// Also at borders, where several ranks have the triangles around a vertex.
+TEST(PieceData, MovesRowsOfTrianglesToVerticesAsInTheWhole) {
+  Communicator ranks(MPI_COMM_WORLD);
+  for (const char* shape : {"sheets,resolution=8", "box,resolution=10"}) {
+    const Mesh whole = make_shape(shape);
+    const DataArray cells = arrays_of(whole).cells[0];
+    const DataArray expected = cells_to_points(whole, cells);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(shape) + ", " + cut.name);
+      const SurfacePiece piece = piece_of(whole, cut.rank_of_triangle(whole), rank());
+      const DataArray own = rows_of(cells, numbers(piece.triangle_ids));
+      EXPECT_EQ(cells_to_points(ranks, piece, own), rows_of(expected, numbers(piece.vertex_ids)));
+      SurfacePiece without_numbers = piece;
+      without_numbers.triangle_ids.clear();
+      const auto near = doubles_of(cells_to_points(ranks, without_numbers, own).view());
+      const auto exact = doubles_of(rows_of(expected, numbers(piece.vertex_ids)).view());
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (std::isnan(exact[i])) {
+          EXPECT_TRUE(std::isnan(near[i]));
+        } else {
+          EXPECT_NEAR(near[i], exact[i], 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(PieceData, RefusesRowsThatDoNotFitOnOneRank) {
+  Communicator ranks(MPI_COMM_WORLD);
+  const Mesh whole = make_shape("sphere,resolution=4");
+  const SurfacePiece piece = piece_of(whole, partition_by_curve(whole, rank_count()), rank());
+  std::vector<float> rows(piece.mesh.triangle_count() + (rank() == rank_count() - 1 ? 1 : 0));
+  EXPECT_THROW(cells_to_points(ranks, piece, make_data_array("load", 1, rows)), Error);
 }
 
 TEST(SubdividedPiece, RefusesWhatCannotBeNumbered) {

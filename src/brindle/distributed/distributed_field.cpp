@@ -1,7 +1,10 @@
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "brindle/curvature.h"
 #include "brindle/distributed/distributed_hierarchy.h"
+#include "brindle/distributed/piece_curvatures.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed/selection.h"
 #include "brindle/distributed_surface.h"
@@ -79,6 +82,18 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   hierarchy.run_cycles(options.sweeps, options.cycles, {});
   const std::vector<Complex> z = to_nodes(hierarchy.finest().layout(), hierarchy.finest().z);
   return of_piece(surface, directions_of(z, normals, options.symmetry));
+}
+
+std::vector<float> greatest_curvatures(const DistributedSurface& distributed) {
+  const RankSurface& surface = distributed.rank_surface();
+  std::vector<float> values;
+  for (const PrincipalCurvature& c : own_curvatures(surface)) {
+    const bool none = c.maximum_direction.isZero(0);
+    values.push_back(none ? std::numeric_limits<float>::quiet_NaN() : c.maximum);
+  }
+  values.resize(surface.vertex_count());
+  surface.exchange_all(std::span(values));
+  return surface.to_piece(std::span<const float>(values));
 }
 
 DirectionField curvature_direction_field(const DistributedSurface& distributed,

@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -31,12 +32,28 @@ void check_piece(const SurfacePiece& piece) {
                 " triangles says of " + std::to_string(piece.ghost_triangles.size()) +
                 " whether they are ghosts; say it of each or of none");
   }
+  if (!piece.triangle_ids.empty() && piece.triangle_ids.size() != piece.mesh.triangle_count()) {
+    throw Error("a piece of " + std::to_string(piece.mesh.triangle_count()) + " triangles has " +
+                std::to_string(piece.triangle_ids.size()) +
+                " triangle numbers; give one for each, or none");
+  }
   std::vector<std::uint64_t> ids = piece.vertex_ids;
   std::ranges::sort(ids);
   const auto twice = std::ranges::adjacent_find(ids);
   if (twice == ids.end()) return;
   throw Error("two vertices of a piece have the number " + std::to_string(*twice) +
               "; join them, or give each its own");
+}
+
+/// Some ranks have no triangles, and no numbers of them.
+bool have_triangle_ids(Communicator& ranks, const SurfacePiece& piece) {
+  const bool any = ranks.any(!piece.triangle_ids.empty());
+  if (ranks.any(any && piece.triangle_ids.size() != piece.mesh.triangle_count())) {
+    throw Error(
+        "some pieces have triangle numbers and some have none; number all triangles, or "
+        "none");
+  }
+  return any;
 }
 
 void check_origins(Communicator& ranks, const Eigen::Vector3d& origin) {
@@ -49,6 +66,7 @@ void check_origins(Communicator& ranks, const Eigen::Vector3d& origin) {
 
 /// A triangle as ranks tell others of it.
 struct ToldTriangle {
+  std::uint64_t number;  ///< in the whole; 0 where triangles have none
   std::array<std::uint64_t, 3> id;
   std::array<int, 3> owner;
   std::array<std::array<float, 3>, 3> position;
@@ -74,6 +92,7 @@ class SurfaceMaker {
     drop_ghosts();
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();
+    numbered_ = have_triangle_ids(ranks_, piece_);
     if (ranks_.size() > 1) hear_of_triangles();
     number_vertices();
     made_.graph.halo = halo_of(ghosts_, made_.graph.own);
@@ -87,15 +106,18 @@ class SurfaceMaker {
   void drop_ghosts() {
     made_.piece_triangles = piece_.mesh.triangle_count();
     std::vector<Triangle> own;
+    std::vector<std::uint64_t> own_numbers;
     for (Index t = 0; t < made_.piece_triangles; ++t) {
       if (!piece_.ghost_triangles.empty() && piece_.ghost_triangles[t]) continue;
       own.push_back(piece_.mesh.triangles[t]);
+      if (!piece_.triangle_ids.empty()) own_numbers.push_back(piece_.triangle_ids[t]);
       made_.triangle_of_piece.push_back(t);
     }
     // Vertices that ghosts alone use are not this rank's: those of its own are.
     in_ghost_.assign(piece_.mesh.vertex_count(), 0);
     if (own.size() < made_.piece_triangles) mark_ghost_vertices();
     piece_.mesh.triangles = std::move(own);
+    piece_.triangle_ids = std::move(own_numbers);
   }
 
   void mark_ghost_vertices() {
@@ -118,7 +140,7 @@ class SurfaceMaker {
   /// Tells owners of the triangles around their vertices, and appends those that are heard of.
   void hear_of_triangles() {
     std::vector<std::vector<ToldTriangle>> told(static_cast<std::size_t>(ranks_.size()));
-    for (const Triangle& triangle : piece_.mesh.triangles) tell(triangle, told);
+    for (std::size_t t = 0; t < own_triangles_; ++t) tell(t, told);
     const auto heard = ranks_.swap_lists(told);
     std::unordered_map<std::uint64_t, Index> vertex_of;
     for (Index v = 0; v < piece_.vertex_ids.size(); ++v) vertex_of[piece_.vertex_ids[v]] = v;
@@ -127,8 +149,10 @@ class SurfaceMaker {
     }
   }
 
-  void tell(const Triangle& corners, std::vector<std::vector<ToldTriangle>>& told) const {
+  void tell(std::size_t t, std::vector<std::vector<ToldTriangle>>& told) const {
+    const Triangle& corners = piece_.mesh.triangles[t];
     ToldTriangle triangle;
+    triangle.number = numbered_ ? piece_.triangle_ids[t] : 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3& p = piece_.mesh.positions[corners[c]];
       triangle.id[c] = piece_.vertex_ids[corners[c]];
@@ -158,6 +182,7 @@ class SurfaceMaker {
       owner_.push_back(triangle.owner[c]);
     }
     piece_.mesh.triangles.push_back(corners);
+    if (numbered_) piece_.triangle_ids.push_back(triangle.number);
   }
 
   /// Own vertices, then ghosts, then the rest.
@@ -232,6 +257,21 @@ class SurfaceMaker {
         new_number_.begin(), new_number_.begin() + static_cast<std::ptrdiff_t>(in_ghost_.size()));
   }
 
+  /// All triangles that are known here, in the order of the whole.
+  Mesh in_order_of_whole() const {
+    std::vector<std::size_t> order(made_.mesh.triangle_count());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t t) { return piece_.triangle_ids[t]; });
+    Mesh mesh{made_.mesh.positions, {}, made_.mesh.origin};
+    for (const std::size_t t : order) mesh.triangles.push_back(made_.mesh.triangles[t]);
+    return mesh;
+  }
+
+  std::vector<Vec3> normals(const VertexTriangles& around) const {
+    if (!numbered_ || ranks_.size() == 1) return vertex_normals(made_.mesh, around);
+    return vertex_normals(in_order_of_whole());
+  }
+
   /// Neighbourhood and normals of own vertices, whose triangles are all here.
   void derive() {
     const Index nodes = made_.graph.own + static_cast<Index>(ghosts_.size());
@@ -242,7 +282,7 @@ class SurfaceMaker {
     std::fill(adjacency.offsets.begin() + made_.graph.own, adjacency.offsets.end(), own_edges);
     adjacency.neighbors.resize(own_edges);
     made_.graph.adjacency = std::make_shared<const Adjacency>(std::move(adjacency));
-    made_.normals = vertex_normals(made_.mesh, around);
+    made_.normals = normals(around);
     made_.exchange_all(std::span(made_.normals));
     made_.ring.assign(made_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_),
                       made_.mesh.triangles.end());
@@ -290,6 +330,7 @@ class SurfaceMaker {
   RankSurface& made_;
   Communicator& ranks_;
   std::size_t own_triangles_ = 0;
+  bool numbered_ = false;               ///< triangles are
   std::vector<std::uint8_t> in_ghost_;  ///< by vertex of the piece: a ghost triangle uses it
   std::vector<int> owner_;
   std::vector<Index> new_number_;

@@ -94,6 +94,7 @@ SurfacePiece piece_of(const Mesh& mesh, std::span<const int> rank_of_triangle, i
     if (rank_of_triangle[t] != rank) continue;
     const auto& [a, b, c] = mesh.triangles[t];
     piece.mesh.triangles.push_back({number[a], number[b], number[c]});
+    piece.triangle_ids.push_back(t);
   }
   return piece;
 }

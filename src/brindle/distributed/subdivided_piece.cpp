@@ -89,11 +89,28 @@ std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const
   return numbers;
 }
 
-SurfacePiece subdivided_once(Communicator& ranks, SurfacePiece piece) {
+/// Whose rows vertices and triangles of a finer piece have.
+DataArrays finer_arrays(const DataArrays& arrays, const SurfacePiece& coarse,
+                        const PieceEdges& edges) {
+  if (arrays == DataArrays{}) return {};
+  std::vector<RowBlend> points;
+  for (Index v = 0; v < coarse.mesh.vertex_count(); ++v) points.push_back({{v, v, v}, {1, 0, 0}});
+  for (auto [a, b] : edges.vertices) {
+    // Of equal shares the first row counts for whole numbers: that of the lower number.
+    if (coarse.vertex_ids[b] < coarse.vertex_ids[a]) std::swap(a, b);
+    points.push_back({{a, b, b}, {0.5, 0.5, 0}});
+  }
+  std::vector<Index> cells;
+  for (Index t = 0; t < coarse.mesh.triangle_count(); ++t) cells.insert(cells.end(), 4, t);
+  return {blended(arrays.points, points), rows_of(arrays.cells, cells)};
+}
+
+SurfacePiece subdivided_once(Communicator& ranks, SurfacePiece piece, DataArrays& arrays) {
   std::uint64_t end = 0;
   for (const std::uint64_t id : piece.vertex_ids) end = std::max(end, id + 1);
   end = ranks.greatest(end);
   const PieceEdges edges = edges_of(piece);
+  ranks.together([&] { arrays = finer_arrays(arrays, piece, edges); });
   const auto old_vertices = static_cast<Index>(piece.vertex_ids.size());
   for (const std::uint64_t number : numbers_in_whole(ranks, edges.edges, end)) {
     piece.vertex_ids.push_back(end + number);
@@ -116,6 +133,11 @@ SurfacePiece subdivided_once(Communicator& ranks, SurfacePiece piece) {
   std::vector<std::uint8_t> ghosts;
   for (const std::uint8_t ghost : piece.ghost_triangles) ghosts.insert(ghosts.end(), 4, ghost);
   piece.ghost_triangles = std::move(ghosts);
+  std::vector<std::uint64_t> numbers;
+  for (const std::uint64_t number : piece.triangle_ids) {
+    for (std::uint64_t quarter = 0; quarter < 4; ++quarter) numbers.push_back(4 * number + quarter);
+  }
+  piece.triangle_ids = std::move(numbers);
   return piece;
 }
 
@@ -131,11 +153,17 @@ void check_ids(const SurfacePiece& piece) {
 }  // namespace
 
 SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, int times) {
+  DataArrays none;
+  return subdivided_piece(ranks, std::move(piece), none, times);
+}
+
+SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, DataArrays& arrays,
+                              int times) {
   ranks.together([&] {
     check_subdivisions(piece.mesh.triangle_count(), times);
     check_ids(piece);
   });
-  for (int i = 0; i < times; ++i) piece = subdivided_once(ranks, std::move(piece));
+  for (int i = 0; i < times; ++i) piece = subdivided_once(ranks, std::move(piece), arrays);
   return piece;
 }
 

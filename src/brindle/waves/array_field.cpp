@@ -11,6 +11,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/waves/float_vector.h"
+#include "brindle/waves/frequency_parts.h"
 
 namespace brindle {
 namespace {
@@ -28,23 +29,8 @@ std::vector<double> lengths_of_rows(const DataArray& array) {
   return lengths;
 }
 
-struct Extent {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-};
-
-Extent extent_of(const Surface& surface, std::span<const double> numbers) {
-  Extent extent;
-  for (Index v = 0; v < numbers.size(); ++v) {
-    if (!std::isfinite(numbers[v]) || surface.neighborhood->of(v).empty()) continue;
-    extent.lowest = std::min(extent.lowest, numbers[v]);
-    extent.highest = std::max(extent.highest, numbers[v]);
-  }
-  return extent;
-}
-
 /// Between 0 and 1; halves, because the difference of two doubles need not be one.
-double share_of(const Extent& extent, double number) {
+double share_of(const NumberExtent& extent, double number) {
   return (number / 2 - extent.lowest / 2) / (extent.highest / 2 - extent.lowest / 2);
 }
 
@@ -101,12 +87,29 @@ DirectionField direction_field_of(const Surface& surface, const DataArray& vecto
   return directions;
 }
 
+NumberExtent extent_of(const DataArray& array, std::span<const std::uint8_t> counted) {
+  check_rows_per_vertex(array, counted.size());
+  const std::vector<double> numbers = lengths_of_rows(array);
+  NumberExtent extent;
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    if (!std::isfinite(numbers[v]) || counted[v] == 0) continue;
+    extent.lowest = std::min(extent.lowest, numbers[v]);
+    extent.highest = std::max(extent.highest, numbers[v]);
+  }
+  return extent;
+}
+
 FrequencyField frequencies_by(const Surface& surface, const DataArray& array, float frequency,
                               const FrequencyRange& range) {
-  check_rows_per_vertex(array, surface.mesh.vertex_count());
+  std::vector<std::uint8_t> used(surface.mesh.vertex_count());
+  for (Index v = 0; v < used.size(); ++v) used[v] = surface.neighborhood->of(v).empty() ? 0 : 1;
+  return frequencies_by(array, extent_of(array, used), frequency, range);
+}
+
+FrequencyField frequencies_by(const DataArray& array, const NumberExtent& extent, float frequency,
+                              const FrequencyRange& range) {
   check_range(frequency, range);
   const std::vector<double> numbers = lengths_of_rows(array);
-  const Extent extent = extent_of(surface, numbers);
   if (extent.lowest > extent.highest) {
     throw Error("array '" + array.name + "' has no finite number, and gives no frequencies");
   }
@@ -145,15 +148,24 @@ FrequencyField frequencies_of(const DataArray& array, std::span<const Vec3> dire
   return frequencies;
 }
 
-std::size_t drop_waves_without_frequency(DirectionField& directions, FrequencyField& frequencies) {
-  double sum = 0;
-  std::size_t count = 0, dropped = 0;
-  for (const float frequency : frequencies) {
-    if (std::isnan(frequency)) continue;
-    sum += frequency;
-    ++count;
+FrequencySum sum_of(std::span<const float> frequencies, std::span<const std::uint8_t> counted) {
+  FrequencySum sum;
+  for (std::size_t v = 0; v < frequencies.size(); ++v) {
+    if (std::isnan(frequencies[v]) || counted[v] == 0) continue;
+    sum.sum += frequencies[v];
+    ++sum.count;
   }
-  const float mean = count == 0 ? 1.0f : static_cast<float>(sum / static_cast<double>(count));
+  return sum;
+}
+
+std::size_t drop_waves_without_frequency(DirectionField& directions, FrequencyField& frequencies) {
+  const std::vector<std::uint8_t> all(frequencies.size(), 1);
+  return drop_waves_without_frequency(directions, frequencies, sum_of(frequencies, all).mean());
+}
+
+std::size_t drop_waves_without_frequency(DirectionField& directions, FrequencyField& frequencies,
+                                         float mean) {
+  std::size_t dropped = 0;
   for (std::size_t v = 0; v < frequencies.size(); ++v) {
     if (!std::isnan(frequencies[v])) continue;
     dropped += directions[v].isZero(0) ? 0 : 1;

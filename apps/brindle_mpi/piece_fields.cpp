@@ -1,0 +1,214 @@
+#include "piece_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/array_field.h"
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/array_rows.h"
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/files.h"
+#include "brindle/tensor_field.h"
+#include "brindle/waves/frequency_parts.h"
+#include "csv_field.h"
+#include "first_rank.h"
+#include "piece_rows.h"
+
+namespace brindle::tool {
+namespace {
+
+/// The piece as functions want it that take rows of arrays vertex by vertex.
+Surface with_normals(const DistributedSurface& surface, const ReadPiece& read) {
+  const std::span<const Vec3> normals = surface.normals();
+  return {{read.piece.mesh.positions, {}}, nullptr, {normals.begin(), normals.end()}};
+}
+
+std::vector<Vec3> vectors_of(const DataArray& array) {
+  const std::vector<double> numbers = doubles_of(array.view());
+  std::vector<Vec3> vectors;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    vectors.emplace_back(static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1]),
+                         static_cast<float>(numbers[i + 2]));
+  }
+  return vectors;
+}
+
+std::vector<float> floats_of(const DataArray& array) {
+  const std::vector<double> numbers = doubles_of(array.view());
+  return {numbers.begin(), numbers.end()};
+}
+
+/// Own vertices and ghosts, whose rows are not numbers: each counts once, for its owner.
+DataArray rows_of_nodes(const RankSurface& own, const DataArray& array) {
+  const auto columns = static_cast<std::size_t>(array.components);
+  const std::vector<double> rows = doubles_of(array.view());
+  std::vector<double> of_nodes(columns * own.graph.node_count(),
+                               std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t p = 0; p < own.vertex_of_piece.size(); ++p) {
+    const Index v = own.vertex_of_piece[p];
+    if (v < own.graph.own) std::copy_n(&rows[columns * p], columns, &of_nodes[columns * v]);
+  }
+  return make_data_array(array.name, array.components, of_nodes);
+}
+
+/// Directions run alike within a rank, and are the owner's at borders.
+PieceField tensor_field(Communicator& ranks, const DistributedSurface& surface,
+                        const DataArray& array, const ArrayOptions& options) {
+  const RankSurface& own = surface.rank_surface();
+  const auto nodes = static_cast<std::ptrdiff_t>(own.graph.node_count());
+  const auto first = [&](const auto& all) {
+    return std::vector<Vec3>(all.begin(), all.begin() + nodes);
+  };
+  TensorField tensor;
+  ranks.together([&] {
+    const Surface of_nodes{
+        {first(own.mesh.positions), {}}, own.graph.adjacency, first(own.normals)};
+    tensor = tensor_field_of(of_nodes, rows_of_nodes(own, array),
+                             options.tensor.value_or(TensorAxis::major));
+  });
+  tensor.directions.resize(own.vertex_count());
+  own.exchange_all(std::span(tensor.directions));
+  PieceField field;
+  field.directions = own.to_piece(std::span<const Vec3>(tensor.directions));
+  field.missing.tensor =
+      MissingTensorWaves{ranks.sum(tensor.near_normal), ranks.sum(tensor.isotropic)};
+  if (!options.tensor) {
+    field.notes += "the array '" + array.name +
+                   "' is a tensor: waves run along its major axis; --tensor chooses\n";
+  }
+  if (const std::size_t count = ranks.sum(tensor.not_symmetric); count > 0) {
+    field.notes += "at " + std::to_string(count) + " vertices the tensor '" + array.name +
+                   "' is not symmetric: its symmetric part counts\n";
+  }
+  return field;
+}
+
+[[noreturn]] void refuse_tensor(const std::string& why) {
+  throw CLI::ValidationError("--tensor", "has no effect here: " + why);
+}
+
+PieceField array_field(Communicator& ranks, const DistributedSurface& surface,
+                       const ReadPiece& read, const DataArray& array, const ArrayOptions& options) {
+  if (is_tensor(array)) return tensor_field(ranks, surface, array, options);
+  PieceField field;
+  together_as_used(ranks, [&] {
+    if (options.tensor) {
+      refuse_tensor("the array '" + array.name + "' has " + std::to_string(array.components) +
+                    " numbers in a row, and is no tensor");
+    }
+    field.directions = direction_field_of(with_normals(surface, read), array);
+  });
+  return field;
+}
+
+/// Of a file that names its columns: the field, and frequencies if it has them.
+PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
+                         const ReadPiece& read, const ArrayOptions& options,
+                         const std::vector<DataArray>& columns) {
+  PieceField field = array_field(ranks, surface, read, columns[0], options);
+  field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
+  if (columns.size() == 1) return field;
+  ranks.together([&] { field.frequencies = frequencies_of(columns[1], field.directions); });
+  field.missing.without_frequency =
+      drop_piece_waves(ranks, surface, field.directions, field.frequencies);
+  return field;
+}
+
+/// Of a file of vectors, and of frequencies behind them.
+PieceField rows_field(Communicator& ranks, const DistributedSurface& surface,
+                      const std::vector<DataArray>& columns) {
+  PieceField field;
+  field.directions = tangent_directions(vectors_of(columns[0]), surface.normals());
+  field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
+  if (columns.size() > 1) field.frequencies = floats_of(columns[1]);
+  if (columns.size() > 2) field.frequencies_v = floats_of(columns[2]);
+  return field;
+}
+
+/// On rank 0.
+struct FieldColumns {
+  std::vector<DataArray> columns;  ///< the field, then its frequencies
+  bool named = false;              ///< an array that may be a tensor, or vectors
+};
+
+FieldColumns read_columns(const WaveOptions& options, const ReadPiece& read, std::size_t vertices) {
+  const CsvFieldName name = csv_field_name(options.field);
+  FieldColumns result;
+  if (std::optional<CsvField> csv = read_csv_field(name)) {
+    check_rows_per_vertex(csv->array, vertices);
+    result.columns.push_back(std::move(csv->array));
+    if (csv->frequency) result.columns.push_back(std::move(*csv->frequency));
+    result.named = true;
+    return result;
+  }
+  if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
+  const FieldFile file = read_field_csv(name.path, vertices, read.vertex_of_row);
+  result.columns.push_back(make_data_array("vectors", std::span<const Vec3>(file.vectors)));
+  for (const std::vector<float>* numbers : {&file.frequencies, &file.frequencies_v}) {
+    if (!numbers->empty()) result.columns.push_back(make_data_array("frequency", 1, *numbers));
+  }
+  return result;
+}
+
+PieceField file_field(Communicator& ranks, const DistributedSurface& surface, const ReadPiece& read,
+                      const WaveOptions& options) {
+  bool named = false;
+  const auto columns = piece_rows(ranks, read, "--field", csv_field_name(options.field).path, [&] {
+    FieldColumns file = read_columns(options, read, surface.vertex_count());
+    named = file.named;
+    return std::move(file.columns);
+  });
+  if (!ranks.any(named)) return rows_field(ranks, surface, columns);
+  return columns_field(ranks, surface, read, options.arrays, columns);
+}
+
+}  // namespace
+
+PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
+                            const ReadPiece& read, const WaveOptions& options) {
+  PieceField field;
+  if (options.direction) {
+    field.directions = projected_direction_field(*options.direction, surface.normals());
+  } else if (is_smooth(options)) {
+    SmoothFieldOptions smooth;
+    smooth.curvature_anchor = curvature_anchor(options);
+    smooth.curvature_direction = options.curvature_direction;
+    smooth.feature_anchor = options.feature_anchor;
+    smooth.feature_angle_deg = options.feature_angle_deg;
+    field.directions = smooth_direction_field(surface, smooth);
+  } else if (options.field == "raw-curvature") {
+    field.directions = curvature_direction_field(surface, options.curvature_direction);
+  } else if (is_array(options.field)) {
+    const auto [array, rows_nonfinite] =
+        piece_array(ranks, surface, read, parse_array("--field", options.field));
+    field = array_field(ranks, surface, read, array, options.arrays);
+    field.rows_nonfinite = rows_nonfinite;
+  } else {
+    field = file_field(ranks, surface, read, options);
+  }
+  return field;
+}
+
+std::size_t drop_piece_waves(Communicator& ranks, const DistributedSurface& surface,
+                             DirectionField& directions, FrequencyField& frequencies) {
+  std::size_t dropped = 0;
+  for (std::size_t v = 0; v < frequencies.size(); ++v) {
+    dropped += surface.is_own()[v] != 0 && std::isnan(frequencies[v]) && !directions[v].isZero(0);
+  }
+  FrequencySum all;
+  for (const FrequencySum& of_rank : ranks.all(sum_of(frequencies, surface.is_own()))) {
+    all.sum += of_rank.sum;
+    all.count += of_rank.count;
+  }
+  drop_waves_without_frequency(directions, frequencies, all.mean());
+  return ranks.sum(dropped);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,36 @@
+/// Direction fields of the pieces of a surface, before they are turned and get frequencies.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "brindle/distributed/communicator.h"
+#include "brindle/distributed_surface.h"
+#include "brindle/frequency_field.h"
+#include "mesh_pieces.h"
+#include "wave_figures.h"
+#include "wave_options.h"
+
+namespace brindle::tool {
+
+/// Of the piece's vertices; counts are of all ranks.
+struct PieceField {
+  DirectionField directions;
+  FrequencyField frequencies;    ///< empty if the field says nothing of them
+  FrequencyField frequencies_v;  ///< the same of crossing stripes
+  std::optional<std::size_t> rows_nonfinite = {};
+  MissingWaves missing = {};
+  std::string notes = {};
+};
+
+/// Collective. What `make_base_field` makes of the whole.
+PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
+                            const ReadPiece& read, const WaveOptions& options);
+
+/// Collective. Takes the wave from every vertex without a frequency on all ranks, gives it the mean
+/// of the others, and returns how many waves were taken.
+std::size_t drop_piece_waves(Communicator& ranks, const DistributedSurface& surface,
+                             DirectionField& directions, FrequencyField& frequencies);
+
+}  // namespace brindle::tool

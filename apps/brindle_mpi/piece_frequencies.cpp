@@ -1,0 +1,93 @@
+#include "piece_frequencies.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "brindle/array_field.h"
+#include "brindle/distributed/piece_curvatures.h"
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/waves/frequency_parts.h"
+#include "first_rank.h"
+#include "piece_rows.h"
+#include "vertex_values.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kBy = "--frequency-by";
+
+/// What frequencies follow: an array as it is, or a number per vertex of the piece.
+DataArray frequency_values(Communicator& ranks, const DistributedSurface& surface,
+                           const ReadPiece& read, const ArrayOptions& options) {
+  const std::string& value = options.frequency_by;
+  if (is_array(value)) {
+    return piece_array(ranks, surface, read, parse_array(kBy, value)).array;
+  }
+  if (const std::string file = value_file(value); !file.empty()) {
+    return piece_rows(ranks, read, kBy, file, [&] {
+      const VertexValues values =
+          csv_values(kBy, value, surface.vertex_count(), read.vertex_of_row);
+      return std::vector<DataArray>{make_data_array(values.title, 1, values.values)};
+    })[0];
+  }
+  if (value == "curvature") {
+    return make_data_array(value, 1, greatest_curvatures(surface));
+  }
+  VertexValues values;
+  ranks.together([&] {
+    const Surface piece{{read.piece.mesh.positions, {}, read.piece.mesh.origin}, nullptr, {}};
+    values = vertex_values(kBy, value, {piece, {}, read.file, options, {}});
+  });
+  return make_data_array(values.title, 1, values.values);
+}
+
+/// Those of the piece's vertices that this rank owns and that have neighbours.
+std::vector<std::uint8_t> used_own(const DistributedSurface& surface) {
+  const RankSurface& own = surface.rank_surface();
+  std::vector<std::uint8_t> used;
+  for (const Index v : own.vertex_of_piece) {
+    used.push_back(v < own.graph.own && !own.graph.adjacency->of(v).empty() ? 1 : 0);
+  }
+  return used;
+}
+
+FrequencyField frequencies_by_values(Communicator& ranks, const DistributedSurface& surface,
+                                     const DataArray& values, float frequency,
+                                     const FrequencyRange& range) {
+  NumberExtent extent;
+  ranks.together([&] { extent = extent_of(values, used_own(surface)); });
+  for (const NumberExtent& other : ranks.all(extent)) {
+    extent.lowest = std::min(extent.lowest, other.lowest);
+    extent.highest = std::max(extent.highest, other.highest);
+  }
+  FrequencyField frequencies;
+  ranks.together([&] { frequencies = frequencies_by(values, extent, frequency, range); });
+  return frequencies;
+}
+
+}  // namespace
+
+void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& surface,
+                              const ReadPiece& read, const WaveOptions& options,
+                              PieceField& field) {
+  const ArrayOptions& wanted = options.arrays;
+  const float frequency = constant_frequency(static_cast<float>(surface.diagonal()), options);
+  if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
+    if (!field.frequencies.empty() && !options.stripes && !options.frequency) return;
+    field.frequencies = constant_frequency_field(frequency, field.directions.size());
+    return;
+  }
+  if (!wanted.frequency.empty()) {
+    const DataArray array = piece_array(ranks, surface, read, wanted.frequency).array;
+    ranks.together([&] { field.frequencies = frequencies_of(array, field.directions); });
+  } else {
+    field.frequencies = frequencies_by_values(
+        ranks, surface, frequency_values(ranks, surface, read, wanted), frequency, wanted.range);
+  }
+  field.missing.without_frequency =
+      drop_piece_waves(ranks, surface, field.directions, field.frequencies);
+}
+
+}  // namespace brindle::tool
