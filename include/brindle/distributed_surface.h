@@ -41,7 +41,7 @@ struct SurfacePiece {
   std::vector<std::uint8_t> ghost_triangles;
   /// One per triangle: its number in the whole, on all ranks or on none. Normals then have the bits
   /// that `make_surface` gives the whole, also at borders, as sums around vertices are made in the
-  /// order of these numbers; empty: in that of the rank's own triangles and then the others'.
+  /// order of these numbers; empty: triangles count as numbered rank by rank.
   std::vector<std::uint64_t> triangle_ids = {};
 };
 

@@ -1,9 +1,13 @@
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "brindle/curvature.h"
 #include "brindle/distributed/distributed_hierarchy.h"
+#include "brindle/distributed/gathered_graph.h"
 #include "brindle/distributed/piece_curvatures.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed/selection.h"
@@ -55,9 +59,41 @@ void add_features(const RankSurface& surface, const SmoothFieldOptions& options,
   add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
 }
 
-/// Signs own directions like their neighbours, gives ghosts and the rest those of their owners.
+/// Signs own directions like their neighbours, as one process does.
+void orient_as_one(const RankSurface& surface, DirectionField& directions) {
+  Communicator& ranks = *surface.ranks;
+  const GatheredGraph graph =
+      gather_graph(ranks, surface.graph, numbers_by_id(ranks, own_ids(surface)));
+  const std::span<const Vec3> own = std::span(directions).first(surface.graph.own);
+  const auto gathered = joined<std::array<float, 3>>(ranks.gather(std::as_bytes(own)));
+  std::vector<std::vector<std::uint8_t>> turned(static_cast<std::size_t>(ranks.size()));
+  ranks.together([&] {
+    if (ranks.rank() != 0) return;
+    DirectionField whole(gathered.size());
+    const auto before = [&](Index node) { return Vec3(gathered[node].data()); };
+    for (Index node = 0; node < gathered.size(); ++node) {
+      whole[graph.number_of[node]] = before(node);
+    }
+    orient_alike(graph.adjacency(), whole);
+    for (std::size_t r = 0; r < turned.size(); ++r) {
+      for (Index node = graph.first_node[r]; node < graph.first_node[r + 1]; ++node) {
+        turned[r].push_back(whole[graph.number_of[node]].dot(before(node)) < 0 ? 1 : 0);
+      }
+    }
+  });
+  const std::vector<std::uint8_t> own_turned = ranks.swap_lists(turned)[0];
+  for (std::size_t v = 0; v < own_turned.size(); ++v) {
+    if (own_turned[v]) directions[v] = -directions[v];
+  }
+}
+
+/// Signs directions, gives ghosts and the rest those of their owners.
 DirectionField of_piece(const RankSurface& surface, DirectionField directions) {
-  orient_alike(*surface.graph.adjacency, directions);
+  if (surface.ranks->size() > 1 && surface.vertices < kFieldBounds.plan_below) {
+    orient_as_one(surface, directions);
+  } else {
+    orient_alike(*surface.graph.adjacency, directions);
+  }
   directions.resize(surface.vertex_count());
   surface.exchange_all(std::span(directions));
   return surface.to_piece(std::span<const Vec3>(directions));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
-#include <span>
 #include <utility>
 
 namespace brindle {
@@ -14,16 +12,6 @@ DistributedHierarchy::DistributedHierarchy(Communicator& ranks, RankGraph graph,
       bounds_(bounds),
       ids_(std::move(ids)),
       levels_(ranks, std::move(graph), bounds.gather_below) {}
-
-/// On rank 0: of all ranks' nodes, the order of their numbers in the whole.
-std::vector<Index> DistributedHierarchy::numbers_by_id() {
-  const auto ids = joined<std::uint64_t>(ranks_.gather(std::as_bytes(std::span(ids_))));
-  std::vector<Index> order(ids.size()), number(ids.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order, {}, [&](Index row) { return ids[row]; });
-  for (Index n = 0; n < order.size(); ++n) number[order[n]] = n;
-  return number;
-}
 
 /// The first one that is small, or the last.
 std::size_t DistributedHierarchy::gathered_level(const Hierarchy& whole) const {
@@ -38,7 +26,8 @@ std::size_t DistributedHierarchy::gathered_level(const Hierarchy& whole) const {
 void DistributedHierarchy::coarsen(const Progress& progress) {
   const std::size_t nodes = ranks_.sum(std::size_t{levels_.graph().own});
   if (ranks_.size() == 1 || nodes >= bounds_.plan_below) return levels_.coarsen(progress);
-  GatheredLevels whole(ranks_, levels_.graph(), finest(), {true, numbers_by_id(), {}}, progress);
+  GatheredLevels whole(ranks_, levels_.graph(), finest(), {true, numbers_by_id(ranks_, ids_), {}},
+                       progress);
   const std::size_t last =
       ranks_.greatest(ranks_.rank() == 0 ? gathered_level(whole.hierarchy()) : 0);
   if (last == 0) return levels_.take_gathered(std::move(whole));

@@ -44,7 +44,6 @@ class DistributedHierarchy {
 
  private:
   const RankHierarchy& solved() const { return moved_ ? moved_->levels() : levels_; }
-  std::vector<Index> numbers_by_id();
   std::size_t gathered_level(const Hierarchy& whole) const;
   void bring_back();
 

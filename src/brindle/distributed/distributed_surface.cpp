@@ -66,7 +66,7 @@ void check_origins(Communicator& ranks, const Eigen::Vector3d& origin) {
 
 /// A triangle as ranks tell others of it.
 struct ToldTriangle {
-  std::uint64_t number;  ///< in the whole; 0 where triangles have none
+  std::uint64_t number;  ///< in the whole
   std::array<std::uint64_t, 3> id;
   std::array<int, 3> owner;
   std::array<std::array<float, 3>, 3> position;
@@ -92,7 +92,7 @@ class SurfaceMaker {
     drop_ghosts();
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();
-    numbered_ = have_triangle_ids(ranks_, piece_);
+    number_triangles();
     if (ranks_.size() > 1) hear_of_triangles();
     number_vertices();
     made_.graph.halo = halo_of(ghosts_, made_.graph.own);
@@ -152,7 +152,7 @@ class SurfaceMaker {
   void tell(std::size_t t, std::vector<std::vector<ToldTriangle>>& told) const {
     const Triangle& corners = piece_.mesh.triangles[t];
     ToldTriangle triangle;
-    triangle.number = numbered_ ? piece_.triangle_ids[t] : 0;
+    triangle.number = piece_.triangle_ids[t];
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3& p = piece_.mesh.positions[corners[c]];
       triangle.id[c] = piece_.vertex_ids[corners[c]];
@@ -182,7 +182,7 @@ class SurfaceMaker {
       owner_.push_back(triangle.owner[c]);
     }
     piece_.mesh.triangles.push_back(corners);
-    if (numbered_) piece_.triangle_ids.push_back(triangle.number);
+    piece_.triangle_ids.push_back(triangle.number);
   }
 
   /// Own vertices, then ghosts, then the rest.
@@ -257,32 +257,38 @@ class SurfaceMaker {
         new_number_.begin(), new_number_.begin() + static_cast<std::ptrdiff_t>(in_ghost_.size()));
   }
 
-  /// All triangles that are known here, in the order of the whole.
-  Mesh in_order_of_whole() const {
-    std::vector<std::size_t> order(made_.mesh.triangle_count());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t t) { return piece_.triangle_ids[t]; });
-    Mesh mesh{made_.mesh.positions, {}, made_.mesh.origin};
-    for (const std::size_t t : order) mesh.triangles.push_back(made_.mesh.triangles[t]);
-    return mesh;
+  /// Triangles without numbers are numbered rank by rank.
+  void number_triangles() {
+    const std::vector<std::size_t> counts = ranks_.all(own_triangles_);
+    if (have_triangle_ids(ranks_, piece_)) return;
+    const auto lower = counts.begin() + ranks_.rank();
+    piece_.triangle_ids.resize(own_triangles_);
+    std::iota(piece_.triangle_ids.begin(), piece_.triangle_ids.end(),
+              std::accumulate(counts.begin(), lower, std::uint64_t{0}));
   }
 
-  std::vector<Vec3> normals(const VertexTriangles& around) const {
-    if (!numbered_ || ranks_.size() == 1) return vertex_normals(made_.mesh, around);
-    return vertex_normals(in_order_of_whole());
+  /// The triangles around vertices in the order of the whole, which sums are made in.
+  void sort_around(VertexTriangles& around) const {
+    const auto number = [&](Index t) { return piece_.triangle_ids[t]; };
+    for (std::size_t v = 0; v + 1 < around.offsets.size(); ++v) {
+      const auto row = std::span(around.triangles)
+                           .subspan(around.offsets[v], around.offsets[v + 1] - around.offsets[v]);
+      if (!std::ranges::is_sorted(row, {}, number)) std::ranges::stable_sort(row, {}, number);
+    }
   }
 
   /// Neighbourhood and normals of own vertices, whose triangles are all here.
   void derive() {
     const Index nodes = made_.graph.own + static_cast<Index>(ghosts_.size());
-    const VertexTriangles around = vertex_triangles(made_.mesh);
+    VertexTriangles around = vertex_triangles(made_.mesh);
     Adjacency adjacency = vertex_neighborhood(made_.mesh, around);
     adjacency.offsets.resize(nodes + 1);
     const Index own_edges = adjacency.offsets[made_.graph.own];
     std::fill(adjacency.offsets.begin() + made_.graph.own, adjacency.offsets.end(), own_edges);
     adjacency.neighbors.resize(own_edges);
     made_.graph.adjacency = std::make_shared<const Adjacency>(std::move(adjacency));
-    made_.normals = normals(around);
+    if (ranks_.size() > 1) sort_around(around);
+    made_.normals = vertex_normals(made_.mesh, around);
     made_.exchange_all(std::span(made_.normals));
     made_.ring.assign(made_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_),
                       made_.mesh.triangles.end());
@@ -330,7 +336,6 @@ class SurfaceMaker {
   RankSurface& made_;
   Communicator& ranks_;
   std::size_t own_triangles_ = 0;
-  bool numbered_ = false;               ///< triangles are
   std::vector<std::uint8_t> in_ghost_;  ///< by vertex of the piece: a ghost triangle uses it
   std::vector<int> owner_;
   std::vector<Index> new_number_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/distributed/coupling_rows.h"
+#include "brindle/distributed/gathered_graph.h"
 #include "brindle/distributed/rank_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/progress.h"
@@ -42,14 +43,18 @@ class GatheredLevels {
   std::span<const RowPlaces> places() const { return places_; }
 
  private:
-  void gather_graph(Communicator& ranks, const RankGraph& graph);
+  void lay_out();
   void gather_couplings(Communicator& ranks, const Level& level);
   void scatter(Communicator& ranks, const RankGraph& graph, Level& level);
 
+  /// Of a node of the gathered graph, rank by rank.
+  Index slot_of(Index node) const {
+    return hierarchy_.levels[0].layout().slot_of[graph_.number_of[node]];
+  }
+
   bool is_finest_;
-  std::vector<Index> first_node_;  ///< of every rank, and the end
+  GatheredGraph graph_;
   // On rank 0 alone.
-  std::vector<Index> number_of_;
   Hierarchy hierarchy_;
   std::vector<RowPlaces> places_;
   std::vector<Complex> z_;  ///< rank by rank

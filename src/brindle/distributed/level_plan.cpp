@@ -129,6 +129,7 @@ class LevelCutter {
     std::vector<Index> block_of_node;
     for (std::size_t n = 0; n < own.size(); ++n) {
       plan.color.push_back(colors[own[n]]);
+      plan.number.push_back(layout.node_at[own[n]]);
       const Index block = blocks[own[n] / kLanes];
       if (n > 0 && block != blocks[own[n - 1] / kLanes]) {
         plan.block_end.push_back(static_cast<Index>(n));
@@ -167,6 +168,7 @@ class LevelCutter {
         const Index neighbor = layout.neighbor[places.entry[e]];
         plan.neighbor_rank.push_back(owner_[0][neighbor]);
         plan.neighbor_node.push_back(node_[0][neighbor]);
+        plan.neighbor_number.push_back(layout.node_at[neighbor]);
       }
       plan.row_begin.push_back(static_cast<Index>(plan.neighbor_rank.size()));
     }
@@ -215,10 +217,11 @@ using Lists = std::vector<std::vector<Index>*>;
 
 /// All lists of a plan, in one order.
 Lists lists_of(LevelPlan& plan) {
-  Lists lists = {&plan.source_rank, &plan.source_node, &plan.row_begin, &plan.neighbor_rank,
-                 &plan.neighbor_node};
+  Lists lists = {&plan.source_rank,   &plan.source_node,   &plan.row_begin,
+                 &plan.neighbor_rank, &plan.neighbor_node, &plan.neighbor_number};
   for (PlannedLevel& level : plan.levels) {
-    for (auto* list : {&level.color, &level.block_end, &level.begin, &level.member, &level.block}) {
+    for (auto* list : {&level.color, &level.number, &level.block_end, &level.begin, &level.member,
+                       &level.block}) {
       lists.push_back(list);
     }
   }
@@ -257,7 +260,7 @@ LevelPlan unpacked(std::span<const Index> words) {
   return plan;
 }
 
-using NodeOfRank = std::pair<Index, Index>;  // rank, node
+using NodeOfRank = std::pair<Index, Index>;  // rank, node there
 
 /// The neighbours that other ranks own, in their order.
 std::vector<NodeOfRank> ghosts_of(const LevelPlan& plan, Index rank) {
@@ -284,11 +287,19 @@ std::vector<std::vector<Index>> nodes_beside(const LevelPlan& plan, std::size_t 
   return nodes;
 }
 
-Adjacency sorted_rows(const LevelPlan& plan, std::span<const Index> neighbor, std::size_t ghosts) {
-  Adjacency adjacency{plan.row_begin, {neighbor.begin(), neighbor.end()}};
+/// The planned rows in the order of the neighbours' numbers in the whole.
+Adjacency rows_in_order(const LevelPlan& plan, std::span<const Index> neighbor,
+                        std::size_t ghosts) {
+  Adjacency adjacency;
+  std::vector<std::pair<Index, Index>> row;  // number, node
   for (std::size_t node = 0; node + 1 < plan.row_begin.size(); ++node) {
-    std::sort(adjacency.neighbors.begin() + plan.row_begin[node],
-              adjacency.neighbors.begin() + plan.row_begin[node + 1]);
+    row.clear();
+    for (Index e = plan.row_begin[node]; e < plan.row_begin[node + 1]; ++e) {
+      row.emplace_back(plan.neighbor_number[e], neighbor[e]);
+    }
+    std::ranges::sort(row);
+    for (const auto& entry : row) adjacency.neighbors.push_back(entry.second);
+    adjacency.offsets.push_back(static_cast<Index>(adjacency.neighbors.size()));
   }
   adjacency.offsets.resize(adjacency.offsets.size() + ghosts, adjacency.offsets.back());
   return adjacency;
@@ -329,8 +340,21 @@ PlannedGraph graph_of(const LevelPlan& plan, const Communicator& ranks) {
     first = end;
   }
   graph.adjacency =
-      std::make_shared<const Adjacency>(sorted_rows(plan, planned.neighbor, ghosts.size()));
+      std::make_shared<const Adjacency>(rows_in_order(plan, planned.neighbor, ghosts.size()));
   return planned;
+}
+
+void order_rows(Communicator& ranks, const PlannedLevel& plan, RankGraph& graph) {
+  std::vector<Index> number = plan.number;
+  number.resize(graph.node_count());
+  exchange(ranks, graph.halo, std::span(number));
+  Adjacency ordered = *graph.adjacency;
+  for (Index node = 0; node < graph.own; ++node) {
+    std::sort(ordered.neighbors.begin() + ordered.offsets[node],
+              ordered.neighbors.begin() + ordered.offsets[node + 1],
+              [&](Index a, Index b) { return number[a] < number[b]; });
+  }
+  graph.adjacency = std::make_shared<const Adjacency>(std::move(ordered));
 }
 
 }  // namespace brindle

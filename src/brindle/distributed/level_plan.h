@@ -15,6 +15,7 @@ struct PlannedLevel {
   Index color_count = 0;
   Index slots_of_all = 0;        ///< of the whole level
   std::vector<Index> color;      ///< by node
+  std::vector<Index> number;     ///< by node: in the whole level
   std::vector<Index> block_end;  ///< where blocks end, ascending, none of them empty
   /// Aggregate a, node a of the next level, has members begin[a] .. begin[a + 1] - 1, in the order
   /// in which they joined.
@@ -30,8 +31,9 @@ struct LevelPlan {
   std::vector<Index> source_rank;  ///< the rank that sets its couplings
   std::vector<Index> source_node;  ///< its own node there
   std::vector<Index> row_begin{0};
-  /// Who owns the neighbours, and which of its nodes they are; in the order of the source's edges.
-  std::vector<Index> neighbor_rank, neighbor_node;
+  /// Who owns the neighbours, which of its nodes they are, and their numbers in the whole; in the
+  /// order of the source's edges.
+  std::vector<Index> neighbor_rank, neighbor_node, neighbor_number;
 };
 
 /// What rank 0 has planned.
@@ -49,12 +51,16 @@ CutLevels cut_levels(const Hierarchy& hierarchy, std::size_t last,
 /// To the ranks from rank 0, which has all plans. Collective.
 LevelPlan scatter_plans(Communicator& ranks, std::span<const LevelPlan> plans);
 
-/// The finest level's graph.
+/// The finest level's graph. Rows are in the order that they have in the whole, so that sums have
+/// the same bits.
 struct PlannedGraph {
   RankGraph graph;
   std::vector<Index> neighbor;  ///< node here, in the order of the sources' edges
 };
 
 PlannedGraph graph_of(const LevelPlan& plan, const Communicator& ranks);
+
+/// Brings the rows of a coarser level's graph into this order. Collective.
+void order_rows(Communicator& ranks, const PlannedLevel& plan, RankGraph& graph);
 
 }  // namespace brindle

@@ -138,6 +138,7 @@ bool RankHierarchy::add_coarser() {
   if (!ranks_.any(own.count() > 0)) return false;
   RankAggregates made =
       with_ghosts(ranks_, parts_[last].graph, hierarchy_.levels[last], std::move(own));
+  if (!plan_.empty()) order_rows(ranks_, plan_[last + 1], made.coarse);
   const Coloring coloring = coloring_of(made.coarse);
   Level coarse = make_level(
       {std::make_shared<SlicedLayout>(layout_of(made, with_sorts(made.coarse, coloring))),
