@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <random>
 
@@ -6,6 +7,7 @@
 
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
+#include "brindle/files.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/threads.h"
 #include "ranks.h"
@@ -84,6 +86,75 @@ TEST(DistributedAnimator, OfOneRankMeasuresWhatThePatternSays) {
   }
 }
 
+/// As large surfaces have it: each rank grows its own levels.
+DistributedOptions unplanned() {
+  DistributedOptions options;
+  options.plan_below = 0;
+  return options;
+}
+
+/// Expects the phases of one process: the same numbers in the first frame, to rounding in later
+/// ones.
+void expect_phases_of_one(const Parts& parts, const DistributedOptions& options) {
+  const DistributedSurface surface = parts.surface();
+  DistributedStripeAnimator many(surface, options);
+  StripeAnimator one(parts.whole.neighborhood, options);
+  for (const float angle : {0.0f, 0.05f}) {
+    const WaveSet waves = turned(parts.whole, angle), own = parts.of_piece(waves);
+    const FrameResult frame = many.frame(frame_of(own));
+    const std::vector<Complex> z = parts.gathered(frame.z, surface.is_own());
+    const FrameResult expected = one.frame(frame_of(waves));
+    if (angle == 0) {
+      EXPECT_TRUE(std::ranges::equal(z, expected.z));
+    }
+    double difference = 0;
+    for (std::size_t v = 0; v < z.size(); ++v) {
+      difference += static_cast<double>(std::abs(z[v] - expected.z[v]));
+    }
+    EXPECT_LT(difference / static_cast<double>(z.size()), 1e-5);
+    EXPECT_NEAR(many.energy(), one.energy(), 1e-5 * one.energy() + 1e-12);
+    const auto corners =
+        corner_phases(parts.whole.mesh.triangles, waves, expected.z, PhaseShiftKind::aligned);
+    EXPECT_EQ(many.measure().quality.branches,
+              measure_quality(parts.whole.mesh, waves, corners).branches);
+  }
+}
+
+TEST(DistributedAnimator, OfASmallSurfaceHasThePhasesOfOneProcessHoweverItIsCut) {
+  for (const Cut& cut : kCuts) {
+    const WavySurface trefoil = wavy_surface("trefoil,resolution=48", kAxis, 30),
+                      torn = wavy_surface(torn_mesh(), kAxis, 15);
+    for (const WavySurface* whole : {&trefoil, &torn}) {
+      const Parts parts(*whole, cut.rank_of_triangle(whole->mesh));
+      for (const std::size_t gather_below : {0, 300, 16384}) {
+        SCOPED_TRACE(std::string(cut.name) + ", gathered below " + std::to_string(gather_below));
+        DistributedOptions options;
+        options.gather_below = gather_below;
+        options.cycles = gather_below == 300 ? 2 : 0;
+        expect_phases_of_one(parts, options);
+      }
+    }
+  }
+}
+
+TEST(DistributedAnimator, HasThePhasesOfOneProcessOnSeveralLevels) {
+  for (const char* shape : {"molecule", "vessels", "pieces", "sphere,resolution=100"}) {
+    SCOPED_TRACE(shape);
+    const Parts parts(wavy_surface(shape, kAxis, 60));
+    DistributedOptions options;
+    options.gather_below = 3000;
+    expect_phases_of_one(parts, options);
+  }
+}
+
+TEST(DistributedAnimator, HasThePhasesOfOneProcessOnModels) {
+  for (const char* model : {"horse.ply", "spot.obj"}) {
+    const auto path = std::filesystem::path(BRINDLE_SHARED_MODELS) / model;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    expect_phases_of_one(Parts(wavy_surface(read_mesh(path).mesh, kAxis, 100)), {});
+  }
+}
+
 TEST(DistributedAnimator, SaysOfItsPhasesWhatTheLibrarySaysHoweverASurfaceIsCut) {
   for (const Cut& cut : kCuts) {
     for (const std::size_t gather_below : {std::size_t{0}, std::size_t{16384}}) {
@@ -91,7 +162,7 @@ TEST(DistributedAnimator, SaysOfItsPhasesWhatTheLibrarySaysHoweverASurfaceIsCut)
       const WavySurface whole = wavy_surface("trefoil,resolution=48", kAxis, 30);
       const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
       const DistributedSurface surface = parts.surface();
-      DistributedOptions options;
+      DistributedOptions options = unplanned();
       options.gather_below = gather_below;
       DistributedStripeAnimator animator(surface, options);
       for (const float angle : {0.0f, 0.05f}) {
@@ -111,7 +182,7 @@ TEST(DistributedAnimator, WorksOnSurfacesThatAreTorn) {
     const WavySurface whole = wavy_surface(torn_mesh(), kAxis, 15);
     const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
     const DistributedSurface surface = parts.surface();
-    DistributedOptions options;
+    DistributedOptions options = unplanned();
     options.gather_below = 0;
     options.cycles = 1;
     DistributedStripeAnimator animator(surface, options);
@@ -171,7 +242,7 @@ TEST(DistributedAnimator, HasPatternsAsGoodAsThoseOfOneRank) {
     const WaveSet own = parts.of_piece(whole.waves);
     const std::size_t bounds[] = {0, 4000, 16384};
     for (const std::size_t gather_below : bounds) {
-      DistributedOptions options;
+      DistributedOptions options = unplanned();
       options.gather_below = gather_below;
       DistributedStripeAnimator animator(parts.surface(), options);
       animator.frame(frame_of(own));
@@ -187,7 +258,7 @@ TEST(DistributedAnimator, HasPatternsAsGoodAsThoseOfOneRank) {
   EXPECT_LT(many.branches, 1.03 * one.branches);
 }
 
-TEST(DistributedAnimator, HasTheSameBitsInEveryRun) {
+void expect_same_bits_in_every_run(DistributedOptions options) {
   const Parts parts(wavy_surface("molecule", kAxis, 60));
   const WaveSet own = parts.of_piece(parts.whole.waves);
   const WaveSet next = parts.of_piece(turned(parts.whole, 0.1f));
@@ -195,7 +266,6 @@ TEST(DistributedAnimator, HasTheSameBitsInEveryRun) {
   double first_energy = 0;
   for (int run = 0; run < 3; ++run) {
     const ThreadLimit threads(1 + run);
-    DistributedOptions options;
     options.gather_below = 2000;
     options.cycles = 1;
     DistributedStripeAnimator animator(parts.surface(), options);
@@ -208,6 +278,11 @@ TEST(DistributedAnimator, HasTheSameBitsInEveryRun) {
     EXPECT_TRUE(same_bits(std::span<const Complex>(first), frame.z));
     EXPECT_EQ(first_energy, animator.energy());
   }
+}
+
+TEST(DistributedAnimator, HasTheSameBitsInEveryRun) {
+  expect_same_bits_in_every_run({});
+  expect_same_bits_in_every_run(unplanned());
 }
 
 TEST(DistributedAnimator, FollowsTheLastFrameAsOneRankDoes) {
@@ -268,11 +343,10 @@ TEST(DistributedAnimator, RefusesOnAllRanksWhatOneRankGetsWrong) {
   EXPECT_TRUE(same_bits(std::span<const Complex>(z), after.z));
 }
 
-TEST(DistributedAnimator, IsCancelledOnAllRanksByOne) {
+void expect_cancelled_on_all(DistributedOptions options) {
   const Parts parts(wavy_surface("sphere,resolution=60", kAxis, 20));
   const WaveSet own = parts.of_piece(parts.whole.waves);
   const WaveSet next = parts.of_piece(turned(parts.whole, 0.5f));
-  DistributedOptions options;
   options.cycles = 3;
   options.gather_below = 500;
   DistributedStripeAnimator animator(parts.surface(), options),
@@ -289,6 +363,11 @@ TEST(DistributedAnimator, IsCancelledOnAllRanksByOne) {
   EXPECT_EQ(animator.energy(), undisturbed.energy());
   const FrameResult again = animator.frame(frame_of(next));
   EXPECT_TRUE(same_bits(again.z, undisturbed.frame(frame_of(next)).z));
+}
+
+TEST(DistributedAnimator, IsCancelledOnAllRanksByOne) {
+  expect_cancelled_on_all({});
+  expect_cancelled_on_all(unplanned());
 }
 
 TEST(DistributedAnimator, RefusesOptionsThatItDoesNotHave) {

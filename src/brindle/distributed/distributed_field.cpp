@@ -1,3 +1,5 @@
+#include "brindle/distributed/distributed_field.h"
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "brindle/curvature.h"
-#include "brindle/distributed/distributed_hierarchy.h"
 #include "brindle/distributed/gathered_graph.h"
 #include "brindle/distributed/piece_curvatures.h"
 #include "brindle/distributed/rank_surface.h"
@@ -88,8 +89,9 @@ void orient_as_one(const RankSurface& surface, DirectionField& directions) {
 }
 
 /// Signs directions, gives ghosts and the rest those of their owners.
-DirectionField of_piece(const RankSurface& surface, DirectionField directions) {
-  if (surface.ranks->size() > 1 && surface.vertices < kFieldBounds.plan_below) {
+DirectionField of_piece(const RankSurface& surface, DirectionField directions,
+                        HierarchyBounds bounds = kFieldBounds) {
+  if (surface.ranks->size() > 1 && surface.vertices < bounds.plan_below) {
     orient_as_one(surface, directions);
   } else {
     orient_alike(*surface.graph.adjacency, directions);
@@ -101,8 +103,13 @@ DirectionField of_piece(const RankSurface& surface, DirectionField directions) {
 
 }  // namespace
 
-DirectionField smooth_direction_field(const DistributedSurface& distributed,
+DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options) {
+  return smooth_direction_field(surface, options, kFieldBounds);
+}
+
+DirectionField smooth_direction_field(const DistributedSurface& distributed,
+                                      const SmoothFieldOptions& options, HierarchyBounds bounds) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
   ranks.together([&] { check_distributed_field(options); });
@@ -111,13 +118,13 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
   if (options.feature_anchor > 0) add_features(surface, options, graph);
-  DistributedHierarchy hierarchy(ranks, surface.graph, own_ids(surface), kFieldBounds);
+  DistributedHierarchy hierarchy(ranks, surface.graph, own_ids(surface), bounds);
   load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
   hierarchy.coarsen();
   hierarchy.descend(options.sweeps);
   hierarchy.run_cycles(options.sweeps, options.cycles, {});
   const std::vector<Complex> z = to_nodes(hierarchy.finest().layout(), hierarchy.finest().z);
-  return of_piece(surface, directions_of(z, normals, options.symmetry));
+  return of_piece(surface, directions_of(z, normals, options.symmetry), bounds);
 }
 
 std::vector<float> greatest_curvatures(const DistributedSurface& distributed) {
