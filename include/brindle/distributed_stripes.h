@@ -43,8 +43,9 @@ struct FrequencyTraffic {
 };
 
 /// A StripeAnimator over all ranks. With one rank its phases, energies and measures are those of a
-/// StripeAnimator, bit for bit; with more, the same bits in every run with the same pieces. All
-/// members are collective.
+/// StripeAnimator, bit for bit; with more, the same bits in every run with the same pieces, and
+/// below `plan_below` vertices those of one rank, the first frame's to the bit and later ones' to
+/// rounding. All members are collective.
 class DistributedStripeAnimator {
  public:
   /// Throws Error for options out of range and weights by edge.

@@ -91,7 +91,8 @@ class DistributedSurface {
 
 /// Collective. Does on all ranks what `smooth_direction_field` does, with the symmetry, the
 /// curvature, the features, sweeps and cycles of the options; one direction per vertex of the
-/// piece. Directions run like their neighbours within a rank. Throws Error for options out of
+/// piece. Below 262,144 vertices directions are those of one process, where the pieces have numbers
+/// of triangles; above, they run like their neighbours within a rank. Throws Error for options out of
 /// range, and for a feature radius and anchors of vertices, which need the whole surface.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
