@@ -174,24 +174,6 @@ TEST(RankErrors, OfOneRankAreEverybodys) {
   runs();
 }
 
-TEST(RankErrors, RefuseWhatRanksCannotDoTogether) {
-  const Pieces pieces(kShape, cuts()[0]);
-  vtkNew<vtkBrindleCurves> join, longer;
-  join->SetInputData(pieces.polygons());
-  join->SetJoin(true);
-  longer->SetInputData(pieces.polygons());
-  longer->SetMinimumLength(0.5);
-  if (rank_count() > 1) {
-    has(only_error(*join), "Join");
-    has(only_error(*longer), "Minimum Length");
-    return;
-  }
-  for (vtkBrindleCurves* filter : {join.Get(), longer.Get()}) {
-    filter->Update();
-    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
-  }
-}
-
 TEST(RankErrors, NothingIsNoErrorAndPointsAloneAre) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
