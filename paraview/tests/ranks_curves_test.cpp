@@ -16,8 +16,6 @@
 namespace brindle::paraview {
 namespace {
 
-constexpr const char* kWavy = "torus,resolution=40";
-
 using Place = std::array<float, 3>;
 
 Place place_of(vtkPolyData& data, vtkIdType point) {
@@ -47,7 +45,7 @@ std::map<Place, std::vector<int>> all_named(const std::vector<Named>& own) {
 /// A process that is alone numbers vertices as its points are, ranks those of the whole: rounding
 /// follows the numbers.
 Pieces pieces_numbered_alike(const Cut& cut) {
-  Pieces pieces(kWavy, cut);
+  Pieces pieces(kShape, cut);
   if (rank_count() > 1) return pieces;
   pieces.whole = pieces.own;
   std::iota(pieces.ids.begin(), pieces.ids.end(), 0u);

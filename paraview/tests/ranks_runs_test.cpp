@@ -9,8 +9,6 @@
 namespace brindle::paraview {
 namespace {
 
-constexpr const char* kShape = "torus,resolution=40";
-
 class RankSeries : public testing::Test {
  protected:
   RankSeries() : pieces(kShape, cuts()[0]), data(pieces.polygons()) {}
