@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Draws the icons of the filters, each in all sizes in one file.
+"""Draws the icons of the filters, each in all sizes in one file beside this one.
 
-    python3 draw_icons.py [FOLDER]
+    python3 draw_icons.py
+    python3 draw_icons.py --output PICTURE.png    only a picture with all of them
 """
 
+import argparse
 import os
 import struct
-import sys
 import zlib
 
 import numpy as np
@@ -97,10 +98,37 @@ def ico(images):
     return head + b"".join(data for _, data in images)
 
 
+def sheet(icons):
+    """All icons in all sizes, one size beside the other, on white."""
+    gap = SIZES[0] // 2
+    width = sum(SIZES) + gap * (len(SIZES) + 1)
+    rows = []
+    for draw in icons:
+        row = np.ones((SIZES[-1] + gap, width, 4))
+        left = gap
+        for size in SIZES:
+            top = (row.shape[0] - size) // 2
+            pixels = draw(Ball(size))
+            place = row[top:top + size, left:left + size, :3]
+            place += (pixels[..., :3] - place) * pixels[..., 3:]
+            left += size + gap
+        rows.append(row)
+    return np.vstack(rows)
+
+
 def main():
-    folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    for draw in (stripes, curves, samples):
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", help="draw all icons into this picture instead")
+    options = parser.parse_args()
+    icons = (stripes, curves, samples)
+    if options.output:
+        with open(options.output, "wb") as file:
+            file.write(png(sheet(icons)))
+        return
+    for draw in icons:
         images = [(size, png(draw(Ball(size)))) for size in SIZES]
+        folder = os.path.dirname(os.path.abspath(__file__))
         with open(os.path.join(folder, draw.__name__ + ".ico"), "wb") as file:
             file.write(ico(images))
 

@@ -172,6 +172,31 @@ TEST(RankErrors, OfOneRankAreEverybodys) {
   runs();
 }
 
+// What holds for all is said once; what holds for one rank alone is no news.
+TEST(RankErrors, WithoutAnyWaveOneRankWarns) {
+  const Pieces pieces("plane,resolution=20", cuts()[0]);
+  vtkNew<vtkBrindleStripes> filter;
+  const auto data = pieces.polygons();
+  data->GetPointData()->AddArray(
+      vectors_by("v", data->GetNumberOfPoints(), [](vtkIdType) { return Vec3(0, 0, 1); }));
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  choose(*filter, 0, "v");
+  for (const bool one_has_waves : {false, true}) {
+    if (one_has_waves && rank() == rank_count() - 1) {
+      vtkDataArray& v = *data->GetPointData()->GetArray("v");
+      for (vtkIdType i = 0; i < v.GetNumberOfTuples(); ++i) v.SetTuple3(i, 1, 0, 0);
+      v.Modified();
+      data->Modified();
+    }
+    if (one_has_waves) filter->SetStripes(30);
+    Errors warnings(*filter, vtkCommand::WarningEvent), errors(*filter);
+    filter->Update();
+    EXPECT_TRUE(errors.messages.empty());
+    EXPECT_EQ(sum(double(warnings.messages.size())), one_has_waves ? 0 : 1);
+  }
+}
+
 TEST(RankErrors, NothingIsNoErrorAndPointsAloneAre) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
