@@ -44,20 +44,25 @@ struct PieceCurves {
   /// end on another rank has the same crossing, and its point has the same bits.
   std::vector<std::array<CurveEnd, 2>> ends;
   std::vector<std::array<std::optional<BorderCrossing>, 2>> borders;
-  std::vector<Vec3> forward;  ///< per point where the wave runs; zero where that is not known
-  std::vector<float> sizes;   ///< per point the length of the edge that it lies on
+  std::vector<Vec3> forward;    ///< per point where the wave runs; zero where that is not known
+  std::vector<float> sizes;     ///< per point the length of the edge that it lies on
+  std::size_t joined_ends = 0;  ///< as of StripeCurves, in this rank's triangles
+  std::size_t ends_at_neighbors = 0;  ///< of this rank's ends
 };
 
-/// Collective. The stripes' centre lines in this rank's triangles. Throws Error on all ranks for
+/// Collective. The stripes' centre lines in this rank's triangles. With `join`, where a curve runs
+/// on over a border, its way beyond is a curve of the other rank. Throws Error on all ranks for
 /// patterns whose parts do not match the piece.
-PieceCurves piece_curves(const PiecePattern& pattern);
+PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options = {});
 
 /// Collective. All ranks' curves, whole, on rank 0; nothing elsewhere. Lines are sent, and no
 /// triangles. They are those of `brindle::stripe_curves` with the same phases: the same ends, and
 /// but for which of several points at one place are passed over, the same points. Of one rank they
 /// have its bits. Curves of more ranks than one may run the other way, and closed ones start
-/// elsewhere. Places on the mesh are not known.
-StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves);
+/// elsewhere. Places on the mesh are not known; `sources` becomes of every point its number among
+/// the points of all ranks' `curves`, rank by rank.
+StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves,
+                           std::vector<Index>* sources = nullptr);
 
 /// Collective. Samples where the peaks of two patterns cross, in this rank's triangles, whose
 /// numbers are those of the piece. Every sample of the whole surface is one rank's: what lies on

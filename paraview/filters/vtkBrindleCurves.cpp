@@ -1,7 +1,6 @@
 #include "vtkBrindleCurves.h"
 
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "piece_lines.h"
 #include "surface_places.h"
 #include "vtk_arrays.h"
+#include "whole_lines.h"
 
 using brindle::make_data_array;
 namespace bp = brindle::paraview;
@@ -47,23 +47,21 @@ void add_line_arrays(const brindle::Polylines& lines, vtkCellData& cells) {
 }
 
 /// Lines of one process.
-brindle::Polylines whole_lines(const brindle::Surface& surface,
-                               const brindle::StripePattern& pattern, bool join,
-                               double minimum_length) {
-  brindle::CurveOptions options;
-  options.join = join;
-  brindle::StripeCurves curves = brindle::stripe_curves(surface, pattern, options);
-  if (minimum_length > 0) curves = brindle::longer_than(curves, minimum_length);
+brindle::Polylines local_lines(const brindle::Surface& surface,
+                               const brindle::StripePattern& pattern,
+                               const bp::LineOptions& options) {
+  brindle::StripeCurves curves = brindle::stripe_curves(surface, pattern, {options.join});
+  if (options.minimum_length > 0) curves = brindle::longer_than(curves, options.minimum_length);
   return std::move(curves.lines);
 }
 
-void fill(const bp::InputSurface& input, const brindle::Polylines& lines,
+/// All but the input's arrays; points in the type of the points of `from`.
+void fill(vtkPolyData& from, const brindle::Polylines& lines,
           const brindle::PatternQuality& quality, vtkPolyData* output) {
-  output->SetPoints(bp::placed_points(*input.triangles, lines.points, lines.origin));
+  output->SetPoints(bp::placed_points(from, lines.points, lines.origin));
   output->SetLines(line_cells(lines));
   output->GetPointData()->SetNormals(bp::vtk_array(make_data_array("normal", lines.normals)));
   add_line_arrays(lines, *output->GetCellData());
-  bp::carry_to_places(input, lines.places, *output->GetPointData());
   bp::add_figures(quality, *output->GetFieldData());
 }
 
@@ -74,27 +72,31 @@ vtkStandardNewMacro(vtkBrindleCurves);
 vtkBrindleCurves::vtkBrindleCurves() = default;
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
-/// What needs whole lines: over several ranks they are cut where pieces end.
-void vtkBrindleCurves::CheckOptions(bool alone) const {
-  if (!std::isfinite(this->MinimumLength) || this->MinimumLength < 0) {
-    throw brindle::Error("Minimum Length must be 0 or above");
-  }
-  if (alone || (!this->Join && this->MinimumLength == 0)) return;
-  throw brindle::Error(std::string(this->Join ? "Join" : "Minimum Length") +
-                       " needs whole lines, which are cut at the borders between ranks; turn it "
-                       "off, or run ParaView with one rank");
-}
-
 void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
-  run.ranks.together([&] { this->CheckOptions(run.ranks.alone()); });
+  const bp::LineOptions options = {this->Join, this->MinimumLength};
+  run.ranks.together([&] {
+    if (std::isfinite(options.minimum_length) && options.minimum_length >= 0) return;
+    throw brindle::Error("Minimum Length must be 0 or above");
+  });
   const brindle::StripePattern& pattern = run.pattern();
   run.begin(0.8, 0.9, "curves");
-  const bp::RankPiece* piece = run.input->piece.get();
-  const brindle::Polylines lines =
-      piece != nullptr ? bp::piece_lines(*piece, pattern)
-                       : whole_lines(*run.input->surface, pattern, this->Join, this->MinimumLength);
+  const bp::InputSurface& input = *run.input;
+  const auto report = [&] { run.progress(0.9, 1).report("arrays", 0); };
+  // Of lines that are cut at borders nobody knows how long they are.
+  if (input.piece && (options.join || options.minimum_length > 0)) {
+    const bp::WholeLines whole = bp::whole_lines(input, pattern, options);
+    run.ranks.together([&] {
+      report();
+      fill(*whole.points, whole.lines, pattern.quality, output);
+      bp::carry(*whole.points->GetPointData(), bp::whole_rows(whole.rows), *output->GetPointData());
+    });
+    return;
+  }
+  const brindle::Polylines lines = input.piece ? bp::piece_lines(*input.piece, pattern)
+                                               : local_lines(*input.surface, pattern, options);
   run.ranks.together([&] {
-    run.progress(0.9, 1).report("arrays", 0);
-    fill(*run.input, lines, pattern.quality, output);
+    report();
+    fill(*input.triangles, lines, pattern.quality, output);
+    bp::carry_to_places(input, lines.places, *output->GetPointData());
   });
 }

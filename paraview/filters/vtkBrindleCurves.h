@@ -5,7 +5,8 @@
 #include "vtkBrindleFilter.h"
 
 /// One polyline per stripe, with normals and the input's arrays at its points; per line whether it
-/// is closed, and its length.
+/// is closed, and its length. Over several ranks lines are cut at the borders, but for those that
+/// `Join` or `MinimumLength` asks for: these are whole, and on the first rank.
 class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
  public:
   static vtkBrindleCurves* New();
@@ -28,8 +29,6 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
   void Fill(Run& run, vtkPolyData* output) override;
 
  private:
-  void CheckOptions(bool alone) const;
-
   bool Join = false;
   double MinimumLength = 0;
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <brindle/error.h>
+#include <brindle/quality.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkInformation.h>
@@ -55,8 +56,8 @@ struct vtkBrindleFilter::State {
     return made_directions;
   }
 
-  /// The filter's properties. Throws Error for an angle that is not finite; other numbers are
-  /// checked where they are used.
+  /// The filter's properties. Throws Error for an angle and an anchor that cannot be; other numbers
+  /// are checked where they are used.
   static bp::WaveSettings settings_of(const vtkBrindleFilter& filter) {
     bp::WaveSettings settings;
     settings.field = static_cast<bp::FieldSource>(filter.Field);
@@ -66,6 +67,9 @@ struct vtkBrindleFilter::State {
     for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
     settings.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
     if (!std::isfinite(settings.turn_deg)) throw Error("Rotate must be a finite number of degrees");
+    if (!std::isfinite(filter.TimeAnchor) || filter.TimeAnchor < 0) {
+      throw Error("Time Anchor must be 0 or above");
+    }
     settings.frequency_source = static_cast<bp::FrequencySource>(filter.FrequencySource);
     settings.stripes = number(filter.Stripes);
     settings.frequency = number(filter.Frequency);
@@ -178,6 +182,12 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   if (settings.is_made()) made = state.directions(run.surface(), settings);
   run.waves = bp::make_waves(*run.input->surface, settings, std::move(made), pointer_to(vectors),
                              pointer_to(frequencies), run.input->piece.get());
+  const brindle::DirectionField& directions = run.waves.directions;
+  const bool here = brindle::count_without_wave(directions) < directions.size();
+  if (!run.ranks.any(here) && run.ranks.rank() == 0) {
+    vtkWarningMacro(<< "no point has a wave, and there are no stripes: at each the field is zero, "
+                       "not finite or normal to the surface, or the frequency is not finite");
+  }
   run.options = {number(this->Slack), number(this->TimeAnchor)};
   run.series = &state.series;
 

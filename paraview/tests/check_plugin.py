@@ -63,8 +63,17 @@ def is_described(proxy):
     return missing
 
 
+def loaded_libraries():
+    with open("/proc/self/maps") as maps:
+        return {os.path.basename(line.split()[-1]) for line in maps if ".so" in line}
+
+
 def check_filters(plugin):
+    before = loaded_libraries()
     pv.LoadPlugin(plugin, remote=False, ns=globals())
+    brought = [name for name in loaded_libraries() - before if "Qt" in name or "Icons" in name]
+    check("Brindle.so" in loaded_libraries() and not brought,
+          f"where there are no windows the plugin loads no icons and no Qt {brought}")
     check(all(name in globals() for name in FILTERS), "the plugin brings its filters")
     field = swirl()
     for name in FILTERS:

@@ -67,6 +67,29 @@ def check_shared_points(folder):
     check(not np.nanmax(apart, initial=0) > 0, "and have the same phases, to the bit")
 
 
+def check_curves():
+    """Curves that need the whole surface are whole, longer than those in parts, and on one rank."""
+    torus = parts(pv.Superquadric(Toroidal=1, ThetaResolution=128, PhiResolution=64))
+    field = pv.Calculator(Input=torus, ResultArrayName="v",
+                          Function="coordsY*iHat-coordsX*jHat+0.4*kHat")
+
+    def lengths_and_ranks(**options):
+        curves = BrindleCurves(Input=field, Field="Array", **options)
+        curves.Vectors = ["POINTS", "v"]
+        data = servermanager.Fetch(pv.ProcessIdScalars(Input=curves))
+        pieces = np.unique(array(data, "ProcessId"))
+        return vtk_to_numpy(data.GetCellData().GetArray("length")), list(pieces), data
+
+    cut, everywhere, _ = lengths_and_ranks()
+    whole, first, data = lengths_and_ranks(Join=1, MinimumLength=0.05)
+    check(len(everywhere) == rank_count() and first == [0], f"whole curves are on one rank {first}")
+    check(whole.min() >= 0.05 and whole.sum() > cut.sum(),
+          f"{len(whole)} whole curves of {whole.sum():.2f}; {len(cut)} in parts of {cut.sum():.2f}")
+    check(rank_count() == 1 or len(whole) < len(cut), "and fewer than in parts")
+    check(data.GetPointData().HasArray("v") and data.GetPointData().HasArray("normal"),
+          "with arrays")
+
+
 def pixels(view, path):
     pv.SaveScreenshot(path, view, ImageResolution=SIZE)
     return read_pixels(path)
@@ -180,6 +203,7 @@ def main():
     os.makedirs(options.folder, exist_ok=True)
     pv.LoadPlugin(os.path.abspath(options.plugin), remote=False, ns=globals())
     check_shared_points(options.folder)
+    check_curves()
     check_plane(options)
     check_picture(options)
     print(f"{len(failures)} wrong" if failures else "all is well", flush=True)

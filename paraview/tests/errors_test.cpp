@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "filter_runs.h"
+#include "vtkBrindleSamples.h"
 
 namespace brindle::paraview {
 namespace {
@@ -34,7 +35,7 @@ TEST(BrindleStripes, SaysWhatIsWrong) {
   has(only_error(*filter), "lack");
   filter->SetSlack(0);
   filter->SetTimeAnchor(-1);
-  has(only_error(*filter), "lambda");
+  has(only_error(*filter), "Time Anchor");
   filter->SetTimeAnchor(0.025);
   filter->SetFrequencySource(kFrequencyArray);
   choose(*filter, 1, "number");
@@ -74,6 +75,29 @@ TEST(BrindleStripes, RefusesSurfacesThatAreNone) {
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   flat.triangles = {{0, 1, 2}};
   EXPECT_NE(message(polygons_of(flat)).find("area"), std::string::npos);
+}
+
+// One word of why nothing is seen, and the surface all the same.
+TEST(BrindleStripes, WarnsWhereNothingHasAWave) {
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(polygons_of(make_shape("plane,resolution=12")));
+  filter->SetField(kDirection);
+  Errors errors(*filter), warnings(*filter, vtkCommand::WarningEvent);
+  for (const double across : {0.0, 1.0}) {  // straight up, and aslant
+    warnings.messages.clear();
+    filter->SetDirection(across, 0, 1);
+    filter->Update();
+    EXPECT_TRUE(errors.messages.empty());
+    EXPECT_EQ(warnings.messages.size(), across == 0 ? 1u : 0u);
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(BrindleSamples, RefusesMoreThanMemoryHolds) {
+  vtkNew<vtkBrindleSamples> filter;
+  filter->SetInputData(polygons_of(make_shape("sphere,resolution=12")));
+  filter->SetCrossingFactor(1e9);
+  EXPECT_NE(only_error(*filter).find("ask for fewer"), std::string::npos);
 }
 
 TEST(BrindleStripes, HasNothingToSayOfNothing) {

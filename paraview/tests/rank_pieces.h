@@ -20,6 +20,8 @@
 
 namespace brindle::paraview {
 
+inline constexpr const char* kShape = "torus,resolution=40";
+
 inline Ranks ranks() { return Ranks(MPI_COMM_WORLD); }
 inline int rank() { return ranks().rank(); }
 inline int rank_count() { return ranks().size(); }

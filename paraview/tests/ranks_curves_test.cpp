@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include <brindle/distributed_pattern.h>
 #include <brindle/samples.h>
@@ -14,8 +15,6 @@
 
 namespace brindle::paraview {
 namespace {
-
-constexpr const char* kWavy = "torus,resolution=40";
 
 using Place = std::array<float, 3>;
 
@@ -46,7 +45,7 @@ std::map<Place, std::vector<int>> all_named(const std::vector<Named>& own) {
 /// A process that is alone numbers vertices as its points are, ranks those of the whole: rounding
 /// follows the numbers.
 Pieces pieces_numbered_alike(const Cut& cut) {
-  Pieces pieces(kWavy, cut);
+  Pieces pieces(kShape, cut);
   if (rank_count() > 1) return pieces;
   pieces.whole = pieces.own;
   std::iota(pieces.ids.begin(), pieces.ids.end(), 0u);
@@ -126,9 +125,13 @@ class Alone {
     return whole;
   }
 
+  StripeCurves curves(const StripePattern& pattern, bool join = false) const {
+    return joined_curves(*surface_, piece_curves(part(pattern), {join}));
+  }
+
   /// Where lines of the whole end, and how often.
   std::map<Place, std::size_t> ends(const StripePattern& pattern) const {
-    const StripeCurves curves = joined_curves(*surface_, piece_curves(part(pattern)));
+    const StripeCurves curves = this->curves(pattern);
     std::map<Place, std::size_t> ends;
     for (std::size_t line = 0; line < curves.lines.count(); ++line) {
       if (curves.lines.closed[line] != 0) continue;
@@ -140,7 +143,7 @@ class Alone {
   }
 
   double length(const StripePattern& pattern) const {
-    const StripeCurves curves = joined_curves(*surface_, piece_curves(part(pattern)));
+    const StripeCurves curves = this->curves(pattern);
     double length = 0;
     for (std::size_t line = 0; line < curves.lines.count(); ++line) {
       length += length_of(curves.lines, line);
@@ -251,6 +254,77 @@ TEST(RankCurves, AreThoseOfOnePattern) {
       expect_arrays_of_places(*filter->GetOutput());
     }
   }
+}
+
+/// Lengths of lines, the shortest first; below 0 those of closed ones.
+std::vector<double> sorted_lengths(const StripeCurves& curves) {
+  std::vector<double> lengths;
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    lengths.push_back(length_of(curves.lines, line) * (curves.lines.closed[line] != 0 ? -1 : 1));
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+std::vector<double> sorted_lengths(vtkPolyData& output) {
+  std::vector<double> lengths;
+  vtkDataArray& length = *output.GetCellData()->GetArray("length");
+  vtkDataArray& closed = *output.GetCellData()->GetArray("closed");
+  for (vtkIdType i = 0; i < output.GetNumberOfLines(); ++i) {
+    lengths.push_back(length.GetComponent(i, 0) * (closed.GetComponent(i, 0) != 0 ? -1 : 1));
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+/// The input's arrays at points of whole lines. Says which ranks they come from.
+void expect_arrays_of_ranks(vtkPolyData& output, std::set<float>& ranks) {
+  const std::vector<float> places = numbers(output, "place"), owners = numbers(output, "owner");
+  ranks.insert(owners.begin(), owners.end());
+  double worst = 0;
+  for (vtkIdType i = 0; i < output.GetNumberOfPoints(); ++i) {
+    const Vec3 told(&places[static_cast<std::size_t>(3 * i)]);
+    worst = std::max(worst, double((told - Vec3(place_of(output, i).data())).norm()));
+  }
+  EXPECT_LT(worst, 1e-5);
+}
+
+struct Asked {
+  bool join;
+  double minimum_length;
+};
+
+// Lines that need the whole are those of one process that has the same phases, and on one rank.
+TEST(RankCurves, WholeOnesAreThoseOfOneProcess) {
+  std::set<float> seen;
+  for (const Cut& cut : cuts()) {
+    const Pieces pieces = pieces_numbered_alike(cut);
+    const Alone alone(pieces.whole);
+    Twin twin(pieces, pieces.ids);
+    const StripePattern pattern = alone.gathered(pieces, twin.pattern(0));
+    const std::vector<double> apart = sorted_lengths(alone.curves(pattern));
+    for (const auto& [join, minimum_length] : {Asked{true, 0}, {false, 0.5}, {true, 0.5}}) {
+      SCOPED_TRACE(std::string(cut.name) + (join ? ", joined " : " ") +
+                   std::to_string(minimum_length));
+      vtkNew<vtkBrindleCurves> filter;
+      filter->SetJoin(join);
+      filter->SetMinimumLength(minimum_length);
+      run(*filter, marked(pieces, join));
+      vtkPolyData& output = *filter->GetOutput();
+      if (rank() != 0) {
+        EXPECT_EQ(output.GetNumberOfPoints(), 0);
+        continue;
+      }
+      const StripeCurves expected = longer_than(alone.curves(pattern, join), minimum_length);
+      const std::vector<double> lengths = sorted_lengths(output);
+      const std::vector<double> wanted = sorted_lengths(expected);
+      EXPECT_NE(wanted, apart);
+      ASSERT_EQ(lengths.size(), wanted.size());
+      for (std::size_t i = 0; i < lengths.size(); ++i) EXPECT_NEAR(lengths[i], wanted[i], 1e-4);
+      expect_arrays_of_ranks(output, seen);
+    }
+  }
+  EXPECT_EQ(seen.size(), rank() == 0 ? static_cast<std::size_t>(rank_count()) : 0u);
 }
 
 TEST(RankCurves, HaveWavesToTheirLeft) {

@@ -8,8 +8,6 @@
 namespace brindle::paraview {
 namespace {
 
-constexpr const char* kShape = "torus,resolution=40";
-
 // A layer of what other ranks have changes nothing, and stays what it was.
 TEST(RankGhosts, AreSeenAndNotCounted) {
   for (const std::size_t which : {0u, 1u}) {

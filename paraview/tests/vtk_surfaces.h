@@ -86,12 +86,12 @@ inline void set_time(vtkDataObject& data, double time) {
 /// Errors of a filter, in the order in which they came.
 class Errors {
  public:
-  explicit Errors(vtkObject& of) : of_(of) {
+  explicit Errors(vtkObject& of, unsigned long event = vtkCommand::ErrorEvent) : of_(of) {
     command_->SetClientData(&messages);
     command_->SetCallback([](vtkObject*, unsigned long, void* to, void* message) {
       static_cast<std::vector<std::string>*>(to)->push_back(static_cast<const char*>(message));
     });
-    of.AddObserver(vtkCommand::ErrorEvent, command_);
+    of.AddObserver(event, command_);
   }
   ~Errors() { of_.RemoveObserver(command_); }
   Errors(const Errors&) = delete;

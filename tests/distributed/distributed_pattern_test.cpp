@@ -121,39 +121,77 @@ void expect_same_curves(const StripeCurves& joined, const StripeCurves& expected
   EXPECT_LE(1000 * others_left, known.size());
 }
 
+/// As they are, and with ends joined.
+constexpr std::array<CurveOptions, 2> kCurveOptions = {{{false}, {true}}};
+
 TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
   std::array<std::size_t, kCurveEndKinds> ends{};
+  std::size_t run_on = 0;
   for (const Solved& solved : solved_surfaces()) {
-    const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()));
-    ASSERT_GT(expected.lines.count(), 0u);
-    for (std::size_t kind = 0; kind < ends.size(); ++kind)
-      ends[kind] += expected.end_counts()[kind];
-    for (const Cut& cut : kCuts) {
-      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices");
-      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
-      const StripeCurves joined = joined_curves(piece.surface, piece_curves(piece.pattern()));
-      if (rank() == 0) {
-        expect_same_curves(joined, expected);
-      } else {
-        EXPECT_EQ(joined.lines.count(), 0u);
+    for (const CurveOptions& options : kCurveOptions) {
+      const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
+      ASSERT_GT(expected.lines.count(), 0u);
+      for (std::size_t kind = 0; kind < ends.size(); ++kind)
+        ends[kind] += expected.end_counts()[kind];
+      run_on += expected.ends_at_neighbors;
+      for (const Cut& cut : kCuts) {
+        SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices" +
+                     (options.join ? ", joined" : ""));
+        const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+        const StripeCurves joined =
+            joined_curves(piece.surface, piece_curves(piece.pattern(), options));
+        if (rank() == 0) {
+          expect_same_curves(joined, expected);
+          EXPECT_EQ(joined.joined_ends, expected.joined_ends);
+          EXPECT_EQ(joined.ends_at_neighbors, expected.ends_at_neighbors);
+        } else {
+          EXPECT_EQ(joined.lines.count(), 0u);
+        }
       }
     }
   }
   // All sorts of ends have been there.
   EXPECT_EQ(std::ranges::count(std::span(ends).subspan(1), 0u), 0);
+  EXPECT_GT(run_on, 100u);
 }
 
 TEST(DistributedCurves, OfOneRankHaveTheBitsOfTheLibrary) {
   if (rank_count() > 1) GTEST_SKIP() << "of one rank";
   for (const Solved& solved : solved_surfaces()) {
-    const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()));
-    const SolvedPiece piece(solved, std::vector<int>(solved.whole.mesh.triangle_count(), 0));
-    const StripeCurves joined = joined_curves(piece.surface, piece_curves(piece.pattern()));
-    EXPECT_EQ(joined.lines.points, expected.lines.points);
-    EXPECT_EQ(joined.lines.normals, expected.lines.normals);
-    EXPECT_EQ(joined.lines.offsets, expected.lines.offsets);
-    EXPECT_EQ(joined.lines.closed, expected.lines.closed);
-    EXPECT_EQ(joined.ends, expected.ends);
+    for (const CurveOptions& options : kCurveOptions) {
+      const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
+      const SolvedPiece piece(solved, std::vector<int>(solved.whole.mesh.triangle_count(), 0));
+      const StripeCurves joined =
+          joined_curves(piece.surface, piece_curves(piece.pattern(), options));
+      EXPECT_EQ(joined.lines.points, expected.lines.points);
+      EXPECT_EQ(joined.lines.normals, expected.lines.normals);
+      EXPECT_EQ(joined.lines.offsets, expected.lines.offsets);
+      EXPECT_EQ(joined.lines.closed, expected.lines.closed);
+      EXPECT_EQ(joined.ends, expected.ends);
+    }
+  }
+}
+
+// Where a joined curve's points come from.
+TEST(DistributedCurves, JoinedPointsAreThoseOfTheirSources) {
+  const Solved solved(wavy_surface("trefoil,resolution=20", kAxis, 24));
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+    const PieceCurves curves = piece_curves(piece.pattern(), {true});
+    std::vector<Index> sources;
+    const StripeCurves joined = joined_curves(piece.surface, curves, &sources);
+    ASSERT_EQ(sources.size(), joined.lines.points.size());
+    const std::span<const Vec3> own(curves.lines.points);
+    const auto all =
+        brindle::joined<Vec3>(piece.surface.rank_surface().ranks->gather(std::as_bytes(own)));
+    if (rank() != 0) continue;
+    ASSERT_GT(sources.size(), 0u);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      wrong += all.at(sources[i]) != joined.lines.points[i];
+    }
+    EXPECT_EQ(wrong, 0u);
   }
 }
 

@@ -180,6 +180,15 @@ TEST(WaveSamples, OnEdgesAndVerticesAreFoundOnce) {
   EXPECT_EQ(places.size(), 16u);
 }
 
+TEST(WaveSamples, SoManyThatNothingHoldsThemAreRefused) {
+  for (const float factor : {1e4f, 1e9f}) {
+    Crossed crossed = grid(Vec3(1, 0.5f, 0), 30, 1);
+    for (float& frequency : crossed.surface.waves.frequencies) frequency *= factor;
+    for (float& frequency : crossed.v.frequencies) frequency *= factor;
+    EXPECT_THROW(crossed.samples(), Error) << factor;
+  }
+}
+
 #ifdef BRINDLE_HAS_NANOFLANN
 TEST(WaveSamples, CrossingsOfLinesAreEvenInNumberAlongClosedCurves) {
   // On a sphere two closed curves cross an even number of times; with branches and singularities

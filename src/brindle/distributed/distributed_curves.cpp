@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "brindle/distributed/rank_pattern.h"
+#include "brindle/distributed/rank_walks.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/error.h"
 
@@ -17,11 +18,13 @@ std::optional<BorderCrossing> border_crossing(const RankTriangles& triangles,
   return BorderCrossing{{triangles.ids[a], triangles.ids[b]}, cut->number};
 }
 
-PieceCurves with_ids(const std::vector<CutCurve>& curves, const RankTriangles& triangles,
+PieceCurves with_ids(const CutCurves& curves, const RankTriangles& triangles,
                      const std::vector<Index>& triangle_of_piece) {
   PieceCurves result;
+  result.joined_ends = curves.joined_ends;
+  result.ends_at_neighbors = curves.ends_at_neighbors;
   result.lines.origin = triangles.mesh.origin;
-  for (const CutCurve& curve : curves) {
+  for (const CutCurve& curve : curves.curves) {
     for (const CurvePoint& point : curve.points) {
       result.lines.points.push_back(point.position);
       result.lines.normals.push_back(point.normal);
@@ -97,6 +100,9 @@ class CurveJoiner {
     return std::move(joined_);
   }
 
+  /// Of every point of the joined curves the number among all points.
+  std::vector<Index> sources() { return std::move(sources_); }
+
  private:
   struct End {
     std::size_t curve, end;
@@ -146,7 +152,8 @@ class CurveJoiner {
     const std::size_t count = curves_[from.curve].points, first = first_[from.curve];
     for (std::size_t i = curve.empty() ? 0 : 1; i < count; ++i) {
       const SentPoint& p = points_[first + (from.end == 0 ? i : count - 1 - i)];
-      curve.push_back({p.position, p.normal, p.forward, p.size, {}});
+      const auto row = static_cast<Index>(&p - points_.data());
+      curve.push_back({p.position, p.normal, p.forward, p.size, {{row, row, row}, {1, 0, 0}, {}}});
     }
   }
 
@@ -155,6 +162,7 @@ class CurveJoiner {
     for (const CurvePoint& point : curve) {
       lines.points.push_back(point.position);
       lines.normals.push_back(point.normal);
+      sources_.push_back(point.place.vertices[0]);
     }
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
     lines.closed.push_back(ends[0] == CurveEnd::closed);
@@ -167,24 +175,30 @@ class CurveJoiner {
   std::vector<std::uint8_t> visited_;
   std::map<BorderCrossing, std::vector<End>> ends_;
   StripeCurves joined_;
+  std::vector<Index> sources_;
 };
 
 }  // namespace
 
-PieceCurves piece_curves(const PiecePattern& pattern) {
+PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options) {
   const RankSurface& surface = pattern.surface.rank_surface();
   const RankTriangles triangles = rank_triangles(surface);
   const RankWaves waves = rank_waves(pattern, triangles);
   const std::vector<EdgeBeyond> beyond = edges_beyond(surface, triangles);
-  PieceCurves curves;
+  std::optional<LiftedWaves> lifted;
+  CutCurves cut;
   surface.ranks->together([&] {
-    const LiftedWaves lifted(wave_pattern(triangles, waves, pattern.phase_shift));
-    curves = with_ids(cut_stripe_curves(lifted, beyond), triangles, surface.triangle_of_piece);
+    lifted.emplace(wave_pattern(triangles, waves, pattern.phase_shift));
+    cut = cut_stripe_curves(*lifted, beyond, options);
   });
+  if (options.join) let_run_on(surface, triangles, *lifted, beyond, cut);
+  PieceCurves curves;
+  surface.ranks->together([&] { curves = with_ids(cut, triangles, surface.triangle_of_piece); });
   return curves;
 }
 
-StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves) {
+StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves,
+                           std::vector<Index>* sources) {
   Communicator& ranks = *surface.rank_surface().ranks;
   std::vector<SentCurve> sent;
   std::vector<SentPoint> points;
@@ -199,8 +213,17 @@ StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves&
   auto all_curves = joined<SentCurve>(ranks.gather(std::as_bytes(std::span(sent))));
   auto all_points = joined<SentPoint>(ranks.gather(std::as_bytes(std::span(points))));
   StripeCurves whole;
-  ranks.together([&] { whole = CurveJoiner(std::move(all_curves), std::move(all_points)).join(); });
+  ranks.together([&] {
+    CurveJoiner joiner(std::move(all_curves), std::move(all_points));
+    whole = joiner.join();
+    if (sources != nullptr) *sources = joiner.sources();
+  });
   whole.lines.origin = surface.rank_surface().mesh.origin;
+  const std::size_t joined_ends = ranks.sum(curves.joined_ends);
+  const std::size_t ends_at_neighbors = ranks.sum(curves.ends_at_neighbors);
+  if (ranks.rank() != 0) return whole;
+  whole.joined_ends = joined_ends;
+  whole.ends_at_neighbors = ends_at_neighbors;
   return whole;
 }
 

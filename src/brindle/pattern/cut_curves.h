@@ -9,7 +9,9 @@
 
 #include "brindle/curves.h"
 #include "brindle/pattern/curve_places.h"
+#include "brindle/pattern/edge_beyond.h"
 #include "brindle/pattern/lifted_waves.h"
+#include "brindle/pattern/run_on.h"
 
 namespace brindle {
 
@@ -21,19 +23,15 @@ struct CurvePoint {
   MeshPoint place;
 };
 
+/// A point in a triangle.
+CurvePoint point_in_triangle(const WavePattern& pattern, const TrianglePoint& place);
+
 /// Leaves out points at the place of others, turns the curve so that waves run to its left and lets
 /// a closed one start where all do. Returns whether enough is left to be a curve.
 bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends);
 
 /// Adds the places of a curve's points, and where their segments arrive.
 void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed, Polylines& lines);
-
-/// What the rest of the surface has at an edge of the part.
-enum class EdgeBeyond : std::uint8_t {
-  nothing,
-  triangle,    ///< the other one of two
-  nonmanifold  ///< so many that with the part's own there are three or more
-};
 
 /// A curve as far as the part reaches, with all its points.
 struct CutCurve {
@@ -46,10 +44,19 @@ struct CutCurve {
   /// Where it is: the curve goes on in the triangle beyond from the same point. Where it comes from
   /// a triangle without a wave, it is that point alone.
   std::array<std::optional<Crossing>, 2> cuts = {};
+  /// Of an end that runs on into a neighbour, if the rest of the surface must say to which: the
+  /// walks to both, of which one at least is `beyond`. Their ways are not among the points yet.
+  std::array<std::optional<std::array<Walk, 2>>, 2> walks = {};
 };
 
-/// The curves of `stripe_curves`, open ones first; `beyond` has an entry per edge.
-std::vector<CutCurve> cut_stripe_curves(const LiftedWaves& waves,
-                                        std::span<const EdgeBeyond> beyond);
+struct CutCurves {
+  std::vector<CutCurve> curves;       ///< open ones first
+  std::size_t joined_ends = 0;        ///< as of StripeCurves
+  std::size_t ends_at_neighbors = 0;  ///< the same, without those that the rest must decide
+};
+
+/// The curves of `stripe_curves`; `beyond` has an entry per edge.
+CutCurves cut_stripe_curves(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond,
+                            const CurveOptions& options = {});
 
 }  // namespace brindle

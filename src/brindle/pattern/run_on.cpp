@@ -62,17 +62,18 @@ bool lies_on(const Point& p, const StripePiece& piece) {
 
 struct RunOn::Walker {
   std::size_t triangle;
-  Point place;       // barycentric
-  Point direction;   // unit, in the triangle's plane
-  double reach;      // how far it may go
+  Point place;  // barycentric
+  Walk walk;
   int entered = -1;  // the edge it came over
-  double passed = 0;
-  std::vector<TrianglePoint> way{};
+
+  void add_place() {
+    walk.way.push_back({static_cast<Index>(triangle), {place[0], place[1], place[2]}});
+  }
 
   void go(double distance, const Point& end) {
-    passed += distance;
+    walk.passed += distance;
     place = end;
-    way.push_back({static_cast<Index>(triangle), {end[0], end[1], end[2]}});
+    add_place();
   }
 };
 
@@ -83,12 +84,12 @@ struct RunOn::Step {
   int edge = -1;  // that it leaves over; none if it meets a curve
 };
 
-RunOn::RunOn(const LiftedWaves& waves)
-    : waves_(waves), triangles_(triangles_of_edges(waves.pattern().edges)) {}
+RunOn::RunOn(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
+    : waves_(waves), beyond_(beyond), triangles_(triangles_of_edges(waves.pattern().edges)) {}
 
 RunOn::Step RunOn::next_step(const Walker& walker) const {
   const std::array<Point, 3> corners = corners_of(waves_.pattern().mesh, walker.triangle);
-  const Point change = barycentric_change(corners, walker.direction);
+  const Point change = barycentric_change(corners, walker.walk.direction);
   Step step;
   for (int m = 0; m < 3; ++m) {
     const int opposite = (m + 2) % 3;
@@ -110,52 +111,68 @@ RunOn::Step RunOn::next_step(const Walker& walker) const {
   return step;
 }
 
-/// Goes over to the other triangle; false if there is none, or no wave on it.
-bool RunOn::cross_edge(Walker& walker, int edge) const {
+/// Into a triangle, over one of its edges.
+void RunOn::enter(Walker& walker, std::size_t next, Index edge,
+                  const std::array<double, 2>& between) const {
   const Mesh& mesh = waves_.pattern().mesh;
+  const auto& sides = waves_.pattern().edges.of_triangle[next];
+  const int entered = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  const int first = entered, second = (entered + 1) % 3;
+  const std::array<Point, 3> corners = corners_of(mesh, next);
+  const Point along = (corners[second] - corners[first]).normalized();
+  const Point inward = corners[(entered + 2) % 3] - corners[first];
+  const double straight = std::clamp(walker.walk.direction.dot(along), -1.0, 1.0);
+  walker.walk.direction = straight * along + std::sqrt(1 - straight * straight) *
+                                                 (inward - inward.dot(along) * along).normalized();
+  const bool ascending = mesh.triangles[next][first] < mesh.triangles[next][second];
+  const double share = between[ascending ? 1 : 0];
+  walker.place.setZero();
+  walker.place[second] = share;
+  walker.place[first] = 1 - share;
+  walker.triangle = next;
+  walker.entered = entered;
+}
+
+/// Goes over to the other triangle; false if there is none here, or no wave on it.
+bool RunOn::cross_edge(Walker& walker, int edge) const {
   const MeshEdges& edges = waves_.pattern().edges;
   const std::size_t t = walker.triangle;
   const Index crossed = edges.of_triangle[t][edge];
-  if (edges.triangle_counts[crossed] != 2) return false;
+  const Triangle& triangle = waves_.pattern().mesh.triangles[t];
+  std::array<double, 2> between = {walker.place[edge], walker.place[(edge + 1) % 3]};
+  if (triangle[edge] > triangle[(edge + 1) % 3]) std::swap(between[0], between[1]);
+  const EdgeBeyond beyond = beyond_.empty() ? EdgeBeyond::nothing : beyond_[crossed];
+  if (beyond == EdgeBeyond::triangle) {
+    walker.walk.state = Walk::State::beyond;
+    walker.walk.edge = crossed;
+    walker.walk.between = between;
+    return false;
+  }
+  if (edges.triangle_counts[crossed] != 2 || beyond == EdgeBeyond::nonmanifold) return false;
   const std::size_t next = triangles_[crossed][1 - edges.ranks[t][edge]];
-  const auto& sides = edges.of_triangle[next];
-  const int entered =
-      static_cast<int>(std::find(sides.begin(), sides.end(), crossed) - sides.begin());
-  const std::array<Point, 3> corners = corners_of(mesh, next);
-  const Point along = (corners[(entered + 1) % 3] - corners[entered]).normalized();
-  const Point inward = corners[(entered + 2) % 3] - corners[entered];
-  const double straight = std::clamp(walker.direction.dot(along), -1.0, 1.0);
-  walker.direction = straight * along + std::sqrt(1 - straight * straight) *
-                                            (inward - inward.dot(along) * along).normalized();
-  const bool same = mesh.triangles[next][entered] == mesh.triangles[t][edge];
-  const double share = walker.place[same ? (edge + 1) % 3 : edge];
-  walker.place.setZero();
-  walker.place[(entered + 1) % 3] = share;
-  walker.place[entered] = 1 - share;
-  walker.triangle = next;
-  walker.entered = entered;
+  enter(walker, next, crossed, between);
   return waves_.triangle(next).kind != TriangleKind::no_wave;
 }
 
-/// Whether it meets a curve.
-bool RunOn::walk(Walker& walker) const {
-  for (int triangles = 0; triangles < kMostTriangles; ++triangles) {
+/// As far as it goes here.
+void RunOn::walk(Walker& walker) const {
+  Walk& walk = walker.walk;
+  for (; walk.triangles < kMostTriangles; ++walk.triangles) {
     const Step step = next_step(walker);
-    if (!(walker.passed + step.distance <= walker.reach)) return false;
+    if (!(walk.passed + step.distance <= walk.reach)) return;
     walker.go(step.distance, step.end);
-    if (step.edge < 0) return true;
-    if (!cross_edge(walker, step.edge)) return false;
+    if (step.edge < 0) walk.state = Walk::State::met;
+    if (step.edge < 0 || !cross_edge(walker, step.edge)) return;
   }
-  return false;
 }
 
-std::optional<std::vector<TrianglePoint>> RunOn::way(std::size_t t, const StripePiece& piece,
-                                                     std::span<const StripePiece> pieces) const {
+std::optional<std::array<Walk, 2>> RunOn::walks(std::size_t t, const StripePiece& piece,
+                                                std::span<const StripePiece> pieces) const {
   const Point end = point_of(piece.ends[1]);
   const bool met = std::any_of(pieces.begin(), pieces.end(), [&](const StripePiece& other) {
     return &other != &piece && other.ends[1].side != PieceEnd::kInside && lies_on(end, other);
   });
-  if (met) return std::vector<TrianglePoint>();
+  if (met) return std::nullopt;
 
   const Mesh& mesh = waves_.pattern().mesh;
   const std::array<Point, 3> corners = corners_of(mesh, t);
@@ -167,15 +184,31 @@ std::optional<std::vector<TrianglePoint>> RunOn::way(std::size_t t, const Stripe
   Point came = Point::Zero();
   for (int m = 0; m < 3; ++m) came += came_along[m] * corners[m];
   const Point forward = came.dot(across) < 0 ? Point(-across) : across;
-  std::optional<std::vector<TrianglePoint>> shortest;
-  double reach = kRunOnReach / static_cast<double>(wave.frequency);
-  for (const double side : {1.0, -1.0}) {
-    Walker walker{t, end, (forward + side * aside).normalized(), reach};
-    if (!walk(walker)) continue;
-    reach = walker.passed;
-    shortest = std::move(walker.way);
+  std::array<Walk, 2> walks;
+  for (const std::size_t side : {0u, 1u}) {
+    Walker walker{t, end, {}};
+    walker.walk.direction = (forward + (side == 0 ? 1.0 : -1.0) * aside).normalized();
+    walker.walk.reach = kRunOnReach / static_cast<double>(wave.frequency);
+    walk(walker);
+    walks[side] = std::move(walker.walk);
   }
-  return shortest;
+  return walks;
+}
+
+Walk RunOn::go_on(const Walk& from, Index edge) const {
+  Walker walker{0, Point::Zero(), from};
+  walker.walk.state = Walk::State::lost;
+  walker.walk.way.clear();
+  enter(walker, triangles_[edge][0], edge, from.between);
+  walker.add_place();
+  if (waves_.triangle(walker.triangle).kind != TriangleKind::no_wave) walk(walker);
+  return std::move(walker.walk);
+}
+
+std::optional<std::size_t> shorter(const Walk& first, const Walk& second) {
+  const bool met = first.state == Walk::State::met;
+  if (second.state == Walk::State::met && (!met || second.passed <= first.passed)) return 1;
+  return met ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 }  // namespace brindle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -20,6 +21,18 @@ using Barycentric2 = Eigen::Vector2d;  // the second and third barycentric coord
 /// V's crossings of an edge count as this much farther along it, seen from its lower vertex. So
 /// crossings of U and V never coincide, and the triangles of the edge agree on their order.
 constexpr double kNudge = 1e-10;
+
+/// Triangles that are sampled one after the other, and how often lines may cross in these: more are
+/// asked for by mistake, and memory would not hold them.
+constexpr std::size_t kBlock = 4096;
+constexpr double kMostCrossings = 1 << 24;
+
+/// Lines that a triangle has, or one more.
+double line_count(const LiftedTriangle& triangle) {
+  double peaks = 0;
+  for (const EdgeLift& edge : triangle.edges) peaks += std::abs(static_cast<double>(edge.peaks));
+  return peaks / 2 + 1;
+}
 
 double cross(const Barycentric2& a, const Barycentric2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -114,11 +127,15 @@ class Sampler {
           const SampledWaves& v)
       : mesh_(mesh), normals_(normals), u_(u), v_(v) {}
 
+  void begin_block() { crossings_ = 0; }
+
   void sample(std::size_t t, std::vector<Sample>& samples) {
     const LiftedTriangle lifted_u = u_.lifted(t);
     if (!has_lines(lifted_u)) return;
     const LiftedTriangle lifted_v = v_.lifted(t);
     if (!has_lines(lifted_v)) return;
+    crossings_ += line_count(lifted_u) * line_count(lifted_v);
+    if (crossings_ > kMostCrossings) throw_too_many();
     make_segments(lifted_u, 0, pieces_, segments_u_);
     make_segments(lifted_v, kNudge, pieces_, segments_v_);
     for (const Segment& u : segments_u_) {
@@ -129,6 +146,12 @@ class Sampler {
   }
 
  private:
+  [[noreturn]] static void throw_too_many() {
+    throw Error("stripes would cross more than " +
+                std::to_string(static_cast<std::size_t>(kMostCrossings)) + " times in " +
+                std::to_string(kBlock) + " triangles; ask for fewer");
+  }
+
   /// A singularity of the field has none: there is no direction that a sample could have.
   static bool has_lines(const LiftedTriangle& triangle) {
     if (triangle.kind != TriangleKind::regular && triangle.kind != TriangleKind::branch) {
@@ -167,6 +190,7 @@ class Sampler {
   const SampledWaves& v_;
   std::vector<StripePiece> pieces_;
   std::vector<Segment> segments_u_, segments_v_;
+  double crossings_ = 0;  // in this block, at most
 };
 
 std::vector<Vec3> positions_of(std::span<const Sample> samples) {
@@ -219,7 +243,6 @@ SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corner
 
 std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
                                  const SampledWaves& u, const SampledWaves& v) {
-  constexpr std::size_t kBlock = 4096;
   const std::size_t blocks = (mesh.triangle_count() + kBlock - 1) / kBlock;
   std::vector<std::vector<Sample>> parts(blocks);
   parallel_for(
@@ -228,6 +251,7 @@ std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals
         Sampler sampler(mesh, normals, u, v);
         for (std::size_t block = begin; block < end; ++block) {
           const std::size_t last = std::min((block + 1) * kBlock, mesh.triangle_count());
+          sampler.begin_block();
           for (std::size_t t = block * kBlock; t < last; ++t) sampler.sample(t, parts[block]);
         }
       },

@@ -29,7 +29,8 @@ SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corner
 /// All crossings of U's and V's centre lines (`stripe_pieces`), triangle by triangle. Whether two
 /// lines cross in a triangle follows from the order of their ends around it, which neighbouring
 /// triangles agree on: a crossing on an edge or vertex is found once. U and V may have any
-/// frequencies. `normals` has one unit vector per vertex.
+/// frequencies. `normals` has one unit vector per vertex. Throws Error if there are far more
+/// crossings than triangles: 2^24 in 4096 of these.
 std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
                                  const SampledWaves& u, const SampledWaves& v);
 

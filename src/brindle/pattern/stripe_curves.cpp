@@ -131,11 +131,18 @@ std::vector<Vec3> directions_alike(const LiftedWaves& lifted) {
   return directions;
 }
 
+/// Normals of unorientable surfaces may point either way.
+void add_normal(const WavePattern& pattern, float weight, Index vertex, Vec3& sum) {
+  const Vec3& normal = pattern.normals[vertex];
+  sum += (sum.dot(normal) < 0 ? -weight : weight) * normal;
+}
+
 /// An end within a triangle.
 struct InnerEnd {
   CurvePoint point;
   CurveEnd reason;
-  std::vector<CurvePoint> way;  ///< on to a neighbour
+  std::vector<CurvePoint> way{};               ///< on to a neighbour
+  std::optional<std::array<Walk, 2>> walks{};  ///< if the rest of the surface must say to which
 };
 
 class Tracer {
@@ -150,14 +157,14 @@ class Tracer {
   }
 
   /// Where there is something beyond the edges.
-  std::vector<CutCurve> trace_cut() {
+  CutCurves trace_cut() {
     trace_all();
-    return std::move(cut_curves_);
+    return {std::move(cut_curves_), curves_.joined_ends, curves_.ends_at_neighbors};
   }
 
  private:
   void trace_all() {
-    if (options_.join) run_on_.emplace(lifted_);
+    if (options_.join) run_on_.emplace(lifted_, beyond_);
     number_nodes();
     link_triangles();
     find_triangles_of_edges();
@@ -309,39 +316,29 @@ class Tracer {
 
   Link add_end(std::size_t t, const StripePiece& piece, std::span<const StripePiece> pieces,
                CurveEnd reason) {
-    InnerEnd end{point_in(t, piece.ends[1].barycentric), reason, {}};
-    if (run_on_) {
-      if (const auto way = run_on_->way(t, piece, pieces)) {
-        ++curves_.ends_at_neighbors;
-        for (const TrianglePoint& p : *way) end.way.push_back(point_in(p.triangle, p.barycentric));
-      }
-    }
+    InnerEnd end{point_in(t, piece.ends[1].barycentric), reason};
+    if (run_on_) let_run_on(end, run_on_->walks(t, piece, pieces));
     inner_ends_.push_back(std::move(end));
     check_count(inner_ends_.size());
     return kFirstEnd + static_cast<Link>(inner_ends_.size() - 1);
   }
 
-  CurvePoint point_in(std::size_t t, const std::array<double, 3>& barycentric) const {
-    const Triangle& triangle = pattern_.mesh.triangles[t];
-    const Vec3& first = pattern_.mesh.positions[triangle[0]];
-    const auto number = static_cast<Index>(t);
-    CurvePoint result{
-        first, Vec3::Zero(), Vec3::Zero(), 0, {triangle, cleaned(barycentric), {number, number}}};
-    for (int m = 0; m < 3; ++m) {
-      const auto weight = static_cast<float>(barycentric[m]);
-      const Vec3 side = pattern_.mesh.positions[triangle[m]] - first;
-      result.position += weight * side;
-      result.size = std::max(result.size, side.norm());
-      add_normal(result.normal, weight, triangle[m]);
+  void let_run_on(InnerEnd& end, std::optional<std::array<Walk, 2>> walks) {
+    if (walks && std::ranges::count(*walks, Walk::State::beyond, &Walk::state) > 0) {
+      end.walks = std::move(walks);
+      return;
     }
-    result.normal.stableNormalize();
-    return result;
+    const auto chosen = walks ? shorter((*walks)[0], (*walks)[1]) : std::nullopt;
+    if (walks && !chosen) return;
+    ++curves_.ends_at_neighbors;
+    if (!chosen) return;  // it is at its neighbour already
+    for (const TrianglePoint& place : (*walks)[*chosen].way) {
+      end.way.push_back(point_in_triangle(pattern_, place));
+    }
   }
 
-  /// Normals of unorientable surfaces may point either way.
-  void add_normal(Vec3& sum, float weight, Index vertex) const {
-    const Vec3& normal = pattern_.normals[vertex];
-    sum += (sum.dot(normal) < 0 ? -weight : weight) * normal;
+  CurvePoint point_in(std::size_t t, const std::array<double, 3>& barycentric) const {
+    return point_in_triangle(pattern_, {static_cast<Index>(t), barycentric});
   }
 
   CurvePoint point_of(Index node) const {
@@ -360,8 +357,8 @@ class Tracer {
                       (1 - t) * directions_[a] + t * directions_[b],
                       way.norm(),
                       {{a, b, b}, {1 - share, share, 0}, triangles_at(node, edge)}};
-    add_normal(result.normal, 1 - t, a);
-    add_normal(result.normal, t, b);
+    add_normal(pattern_, 1 - t, a, result.normal);
+    add_normal(pattern_, t, b, result.normal);
     result.normal.stableNormalize();
     return result;
   }
@@ -389,6 +386,7 @@ class Tracer {
     std::array<CurveEnd, 2> ends{};
     ends[0] = end_at(links_[slot / 2][slot % 2]);
     cuts_[0] = cut_at(slot / 2, links_[slot / 2][slot % 2]);
+    walks_[0] = walks_at(links_[slot / 2][slot % 2]);
     std::reverse(curve_.begin(), curve_.end());
     while (true) {
       visit(slot / 2);
@@ -396,6 +394,7 @@ class Tracer {
       if (!is_slot(next)) {
         ends[1] = end_at(next);
         cuts_[1] = cut_at(slot / 2, next);
+        walks_[1] = walks_at(next);
         break;
       }
       slot = next;
@@ -434,10 +433,16 @@ class Tracer {
     return CutCurve::Crossing{edge, node - first_node_[edge]};
   }
 
+  std::optional<std::array<Walk, 2>> walks_at(Link link) const {
+    if (is_slot(link) || link > kLastInnerEnd) return std::nullopt;
+    return inner_ends_[link - kFirstEnd].walks;
+  }
+
   void finish(std::array<CurveEnd, 2> ends) {
     if (!beyond_.empty()) {
-      cut_curves_.push_back({curve_, ends, cuts_});
+      cut_curves_.push_back({curve_, ends, cuts_, walks_});
       cuts_ = {};
+      walks_ = {};
     } else if (tidy_curve(curve_, ends)) {
       add_curve(ends);
     }
@@ -473,11 +478,31 @@ class Tracer {
   std::vector<std::uint8_t> visited_;      // one per node
   std::vector<CurvePoint> curve_;          // that is being walked
   std::array<std::optional<CutCurve::Crossing>, 2> cuts_ = {};  // its ends
+  std::array<std::optional<std::array<Walk, 2>>, 2> walks_ = {};
   StripeCurves curves_;
   std::vector<CutCurve> cut_curves_;  // instead, where there is something beyond
 };
 
 }  // namespace
+
+CurvePoint point_in_triangle(const WavePattern& pattern, const TrianglePoint& place) {
+  const Triangle& triangle = pattern.mesh.triangles[place.triangle];
+  const Vec3& first = pattern.mesh.positions[triangle[0]];
+  CurvePoint result{first,
+                    Vec3::Zero(),
+                    Vec3::Zero(),
+                    0,
+                    {triangle, cleaned(place.barycentric), {place.triangle, place.triangle}}};
+  for (int m = 0; m < 3; ++m) {
+    const auto weight = static_cast<float>(place.barycentric[m]);
+    const Vec3 side = pattern.mesh.positions[triangle[m]] - first;
+    result.position += weight * side;
+    result.size = std::max(result.size, side.norm());
+    add_normal(pattern, weight, triangle[m], result.normal);
+  }
+  result.normal.stableNormalize();
+  return result;
+}
 
 bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
   const bool closed = ends[0] == CurveEnd::closed;
@@ -503,13 +528,13 @@ void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed
   }
 }
 
-std::vector<CutCurve> cut_stripe_curves(const LiftedWaves& waves,
-                                        std::span<const EdgeBeyond> beyond) {
+CutCurves cut_stripe_curves(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond,
+                            const CurveOptions& options) {
   if (beyond.size() != waves.pattern().edges.count()) {
     throw Error("cut curves need to know of every edge what is beyond it");
   }
   if (beyond.empty()) return {};
-  return Tracer(waves, {}, beyond).trace_cut();
+  return Tracer(waves, options, beyond).trace_cut();
 }
 
 std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {

@@ -1,0 +1,39 @@
+// Icons in a process that has loaded Qt, as ParaView's client has.
+#include <QFile>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkPVPluginLoader.h>
+
+namespace {
+
+/// What the filters name as their icons.
+std::vector<std::string> named_icons() {
+  std::ifstream file(BRINDLE_FILTERS);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::regex icon("icon=\"([^\"]*)\"");
+  std::vector<std::string> names;
+  for (std::sregex_iterator found(text.begin(), text.end(), icon), end; found != end; ++found) {
+    names.push_back((*found)[1]);
+  }
+  return names;
+}
+
+bool exists(const std::string& resource) { return QFile::exists(QString::fromStdString(resource)); }
+
+// The plugin alone is loaded: it brings the icons that its filters name.
+TEST(Icons, ComeWithThePlugin) {
+  const std::vector<std::string> icons = named_icons();
+  ASSERT_EQ(icons.size(), 3u);
+  for (const std::string& icon : icons) EXPECT_FALSE(exists(icon)) << icon;
+  vtkNew<vtkPVPluginLoader> loader;
+  ASSERT_TRUE(loader->LoadPlugin(BRINDLE_PLUGIN)) << loader->GetErrorString();
+  for (const std::string& icon : icons) EXPECT_TRUE(exists(icon)) << icon;
+}
+
+}  // namespace
