@@ -91,10 +91,18 @@ class DistributedSurface {
 
 /// Collective. Does on all ranks what `smooth_direction_field` does, with the symmetry, the
 /// curvature, the features, sweeps and cycles of the options; one direction per vertex of the
-/// piece. Directions run like their neighbours within a rank. Throws Error for options out of
-/// range, and for a feature radius and anchors of vertices, which need the whole surface.
+/// piece. Directions run like their neighbours within a rank. Anchors are those of vertices of the
+/// piece; what counts is what a vertex's owner has. Throws Error for options out of range, and for
+/// a feature radius, which needs the whole surface.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
+
+/// Collective. What `stroke_anchors` of strokes.h asks of the whole surface's field, at the
+/// vertices of the piece; all ranks have the same strokes. Rank 0 gets the triangles near them.
+/// Where triangles have numbers, anchors have the bits of the whole's. Throws Error on all ranks,
+/// as that does.
+std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
+                                        std::span<const FieldStroke> strokes);
 
 /// Collective. The principal curvature directions of the piece's vertices.
 DirectionField curvature_direction_field(const DistributedSurface& surface,

@@ -13,6 +13,7 @@
 #include "brindle/phases/multilevel.h"
 #include "brindle/pipeline/curvature_anchors.h"
 #include "brindle/pipeline/feature_anchors.h"
+#include "brindle/pipeline/field_anchors.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 
@@ -24,10 +25,8 @@ constexpr std::size_t kGatherFieldsBelow = 16384;
 
 void check_distributed_field(const SmoothFieldOptions& options) {
   check(options);
-  const bool reaches_out = options.feature_anchor > 0 && options.feature_radius > 0;
-  if (!reaches_out && options.anchors.empty()) return;
-  throw Error(
-      "smooth field: features with a radius and anchors of vertices need the whole surface");
+  if (options.feature_anchor == 0 || options.feature_radius == 0) return;
+  throw Error("smooth field: features with a radius need the whole surface");
 }
 
 /// Of own vertices; ghosts' entries mean nothing.
@@ -55,6 +54,23 @@ void add_features(const RankSurface& surface, const SmoothFieldOptions& options,
   add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
 }
 
+/// Those of own vertices.
+void add_anchors(const RankSurface& surface, const SmoothFieldOptions& options, PhaseGraph& graph) {
+  surface.ranks->together([&] {
+    for (const FieldAnchor& anchor : options.anchors) {
+      check_field_anchor(anchor, surface.vertex_of_piece.size());
+    }
+  });
+  if (!surface.ranks->any(!options.anchors.empty())) return;
+  graph.anchor.resize(graph.node_count());
+  for (FieldAnchor anchor : options.anchors) {
+    anchor.vertex = surface.vertex_of_piece[anchor.vertex];
+    if (anchor.vertex >= surface.graph.own) continue;
+    graph.anchor[anchor.vertex] +=
+        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], options.symmetry);
+  }
+}
+
 /// Signs own directions like their neighbours, gives ghosts and the rest those of their owners.
 DirectionField of_piece(const RankSurface& surface, DirectionField directions) {
   orient_alike(*surface.graph.adjacency, directions);
@@ -75,6 +91,7 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
   if (options.feature_anchor > 0) add_features(surface, options, graph);
+  add_anchors(surface, options, graph);
   RankHierarchy hierarchy(ranks, surface.graph, kGatherFieldsBelow);
   load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
   hierarchy.coarsen();

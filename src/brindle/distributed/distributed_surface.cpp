@@ -93,6 +93,7 @@ class SurfaceMaker {
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();
     numbered_ = have_triangle_ids(ranks_, piece_);
+    made_.triangle_numbers = piece_.triangle_ids;
     if (ranks_.size() > 1) hear_of_triangles();
     number_vertices();
     made_.graph.halo = halo_of(ghosts_, made_.graph.own);

@@ -13,6 +13,7 @@
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/nearest.h"
 #include "brindle/waves/direction_graph.h"
+#include "brindle/waves/stroke_parts.h"
 
 namespace brindle {
 namespace {
@@ -229,17 +230,31 @@ void check_strokes(std::span<const FieldStroke> strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i) check_stroke(strokes[i], name_of(i));
 }
 
+std::vector<Eigen::Vector3d> places_of(const FieldStroke& stroke) {
+  std::vector<Eigen::Vector3d> places = stroke.points;
+  for (const StrokeStep& step : steps_along(stroke)) places.push_back(step.position);
+  return places;
+}
+
+double allowed_distance(const FieldStroke& stroke, double diagonal) {
+  return std::max(stroke.radius, kNearEnough * diagonal);
+}
+
 std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
                                         std::span<const FieldStroke> strokes) {
+  return stroke_anchors(surface, strokes, bounding_box(surface.mesh).diagonal());
+}
+
+std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
+                                        std::span<const FieldStroke> strokes, double diagonal) {
   check_strokes(strokes);
   std::vector<FieldAnchor> anchors;
   if (strokes.empty()) return anchors;
   const NearSurface near(surface);
-  const double diagonal = bounding_box(surface.mesh).diagonal();
   StrokeReach reach(surface);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const FieldStroke& stroke = strokes[i];
-    const double allowed = std::max(stroke.radius, kNearEnough * diagonal);
+    const double allowed = allowed_distance(stroke, diagonal);
     check_near(stroke, name_of(i), near, allowed);
     for (const StrokeStep& step : steps_along(stroke)) {
       const StepPlace place = near.place(step.position);
