@@ -25,7 +25,8 @@ std::vector<FieldStroke> strokes_on(const Mesh& torus) {
   for (std::size_t v = 0; v < 60; v += 7) {
     through.points.push_back(torus.positions[v].cast<double>() + torus.origin);
   }
-  for (const double x : {0.2, 0.25, 0.3}) thin.points.emplace_back(0.7 * std::cos(x), 0.7 * std::sin(x), 0.3);
+  for (const double x : {0.2, 0.25, 0.3})
+    thin.points.emplace_back(0.7 * std::cos(x), 0.7 * std::sin(x), 0.3);
   again.points = {{-0.6, 0.4, 0.28}, {-0.6, -0.4, 0.28}, {-0.5, 0, 0.25}, {-0.6, 0.4, 0.28}};
   return {ring, through, thin, again};
 }
