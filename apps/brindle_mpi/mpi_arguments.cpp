@@ -39,7 +39,7 @@ void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
                      const SolvingOptions& solving) {
   check_field_options(command, waves);
   check_solving_options(command, solving);
-  refuse_given(command, {"--feature-radius", "--field-mesh"},
+  refuse_given(command, {"--feature-radius"},
                "it needs the whole surface in one process; 'brindle stripe' has it");
   if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {
     throw CLI::ValidationError("--phase-shift",

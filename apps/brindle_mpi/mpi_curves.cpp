@@ -36,9 +36,9 @@ constexpr const char* kMpiCurvesExamples = R"(Examples:
   mpirun -n 4 brindle-mpi curves scan.ply --offset 0.5 --tube-radius 0.3% --output gaps.glb
 
 Each rank follows the stripes' centre lines in its own triangles; rank 0 joins what ends at borders
-and writes one file by its extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. A .pvtp has the lines of every rank as
-they are, cut at borders: where one is, border_edge has the numbers of the edge's vertices in the
-whole, and border_crossing counts along it; elsewhere both are -1.)";
+and writes one file by its extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. A .pvtp has the
+lines of every rank as they are, cut at borders: where one is, border_edge has the numbers of the
+edge's vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
 
 struct MpiCurvesArguments : PatternArguments, LineShape {
   TracedWaves lines = TracedWaves::u;

@@ -216,6 +216,7 @@ std::vector<FieldAnchor> read_anchors(Communicator& ranks, const DistributedSurf
 
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
                             const ReadPiece& read, const WaveOptions& options) {
+  const auto arrays = std::make_shared<const PieceArrays>(ranks, surface, read, options.arrays);
   PieceField field;
   if (options.direction) {
     field.directions = projected_direction_field(*options.direction, surface.normals());
@@ -230,13 +231,14 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
   } else if (options.field == "raw-curvature") {
     field.directions = curvature_direction_field(surface, options.curvature_direction);
   } else if (is_array(options.field)) {
-    const auto [array, rows_nonfinite] =
-        piece_array(ranks, surface, read, parse_array("--field", options.field));
+    const auto [array, rows_nonfinite] = arrays->array(parse_array("--field", options.field));
     field = array_field(ranks, surface, read, array, options.arrays);
     field.rows_nonfinite = rows_nonfinite;
   } else {
     field = file_field(ranks, surface, read, options);
   }
+  field.notes = arrays->notes() + field.notes;
+  field.arrays = arrays;
   return field;
 }
 

@@ -177,8 +177,6 @@ TEST_F(MpiTool, MeasuresFrames) {
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
   expect_failure(on(2, {"shape:torus", "--feature-anchor", "1", "--feature-radius", "5%"}), 2,
                  "--feature-radius");
-  expect_failure(on(2, {"shape:torus", "--field", "array:a", "--field-mesh", "wind.vtp"}), 2,
-                 "--field-mesh");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
   expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");
