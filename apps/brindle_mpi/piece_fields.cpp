@@ -226,6 +226,9 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
     smooth.curvature_direction = options.curvature_direction;
     smooth.feature_anchor = options.feature_anchor;
     smooth.feature_angle_deg = options.feature_angle_deg;
+    if (options.feature_radius) {
+      smooth.feature_radius = options.feature_radius->on(static_cast<float>(surface.diagonal()));
+    }
     if (!options.strokes.empty()) smooth.anchors = read_anchors(ranks, surface, options.strokes);
     field.directions = smooth_direction_field(surface, smooth);
   } else if (options.field == "raw-curvature") {

@@ -92,8 +92,7 @@ class DistributedSurface {
 /// Collective. Does on all ranks what `smooth_direction_field` does, with the symmetry, the
 /// curvature, the features, sweeps and cycles of the options; one direction per vertex of the
 /// piece. Directions run like their neighbours within a rank. Anchors are those of vertices of the
-/// piece; what counts is what a vertex's owner has. Throws Error for options out of range, and for
-/// a feature radius, which needs the whole surface.
+/// piece; what counts is what a vertex's owner has. Throws Error for options out of range.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
 
@@ -103,6 +102,11 @@ DirectionField smooth_direction_field(const DistributedSurface& surface,
 /// as that does.
 std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
                                         std::span<const FieldStroke> strokes);
+
+/// Collective. The strokes that `feature_strokes` of strokes.h makes of the whole surface, on all
+/// ranks. Rank 0 gets the feature edges.
+std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, float angle_deg,
+                                         double radius, double strength);
 
 /// Collective. The principal curvature directions of the piece's vertices.
 DirectionField curvature_direction_field(const DistributedSurface& surface,

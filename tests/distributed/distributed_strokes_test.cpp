@@ -87,6 +87,31 @@ TEST(DistributedStrokes, DrawTheFieldOfAllRanks) {
   }
 }
 
+/// Edges of a box, and boundaries of a tube and a plane, as lines from corner to corner.
+TEST(DistributedStrokes, AlongFeaturesAreThoseOfTheWhole) {
+  constexpr float kAngle = 15;
+  for (const char* shape : {"box,resolution=12", "tube,resolution=14", "plane,resolution=9"}) {
+    const WavySurface wavy = wavy_surface(shape, kAxis, 20);
+    const Surface whole = make_surface(wavy.mesh);
+    const std::vector<FieldStroke> expected = feature_strokes(whole, kAngle, 0.2, 3);
+    ASSERT_FALSE(expected.empty());
+    SmoothFieldOptions options;
+    options.feature_anchor = 3;
+    options.feature_radius = 0.2f;
+    options.feature_angle_deg = kAngle;
+    const DirectionField field = smooth_direction_field(whole, options);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(shape) + ", " + cut.name);
+      const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
+      const DistributedSurface surface = parts.surface();
+      EXPECT_EQ(feature_strokes(surface, kAngle, 0.2, 3), expected);
+      const DirectionField own = smooth_direction_field(surface, options);
+      if (rank_count() > 1) continue;
+      EXPECT_TRUE(same_bits(std::span<const Vec3>(own), std::span<const Vec3>(field)));
+    }
+  }
+}
+
 TEST(DistributedStrokes, AreRefusedWithTheWordsOfOneProcess) {
   const Parts parts(wavy_surface("torus,resolution=20", kAxis, 20));
   const DistributedSurface surface = parts.surface();

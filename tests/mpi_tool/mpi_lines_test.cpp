@@ -214,8 +214,6 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
   refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
-  refused({"sample", "shape:torus", "--feature-anchor", "1", "--feature-radius", "1"},
-          "--feature-radius");
   refused({"curves", "shape:torus", "--tube-sides", "5"}, "--tube-radius");
   refused({"sample", "shape:nothing"}, "unknown shape");
   expect_failure(command_on(2, {"curves", "nothing.pvtp", "--output", "a.vtp"}), 1, "nothing.pvtp");

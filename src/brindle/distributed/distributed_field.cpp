@@ -23,12 +23,6 @@ namespace {
 /// Where fields are gathered: as stripes are by default.
 constexpr std::size_t kGatherFieldsBelow = 16384;
 
-void check_distributed_field(const SmoothFieldOptions& options) {
-  check(options);
-  if (options.feature_anchor == 0 || options.feature_radius == 0) return;
-  throw Error("smooth field: features with a radius need the whole surface");
-}
-
 /// Of own vertices; ghosts' entries mean nothing.
 std::vector<PrincipalCurvature> own_curvatures(const RankSurface& surface) {
   const std::size_t nodes = surface.graph.node_count();
@@ -46,29 +40,36 @@ void add_curvature(const RankSurface& surface, const SmoothFieldOptions& options
   add_curvature_anchors(graph, surface.normals, curvatures, scale, options);
 }
 
-/// At own vertices, all of whose triangles are here.
-void add_features(const RankSurface& surface, const SmoothFieldOptions& options,
-                  PhaseGraph& graph) {
-  const Mesh mesh = triangles_around_own(surface);
-  graph.anchor.resize(graph.node_count());
-  add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
-}
-
 /// Those of own vertices.
-void add_anchors(const RankSurface& surface, const SmoothFieldOptions& options, PhaseGraph& graph) {
+void add_anchors(const RankSurface& surface, std::span<const FieldAnchor> anchors, int symmetry,
+                 PhaseGraph& graph) {
   surface.ranks->together([&] {
-    for (const FieldAnchor& anchor : options.anchors) {
+    for (const FieldAnchor& anchor : anchors) {
       check_field_anchor(anchor, surface.vertex_of_piece.size());
     }
   });
-  if (!surface.ranks->any(!options.anchors.empty())) return;
+  if (!surface.ranks->any(!anchors.empty())) return;
   graph.anchor.resize(graph.node_count());
-  for (FieldAnchor anchor : options.anchors) {
+  for (FieldAnchor anchor : anchors) {
     anchor.vertex = surface.vertex_of_piece[anchor.vertex];
     if (anchor.vertex >= surface.graph.own) continue;
     graph.anchor[anchor.vertex] +=
-        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], options.symmetry);
+        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], symmetry);
   }
+}
+
+/// At own vertices, all of whose triangles are here.
+void add_features(const DistributedSurface& distributed, const SmoothFieldOptions& options,
+                  PhaseGraph& graph) {
+  const RankSurface& surface = distributed.rank_surface();
+  if (options.feature_radius > 0) {
+    const std::vector<FieldStroke> strokes = feature_strokes(
+        distributed, options.feature_angle_deg, options.feature_radius, options.feature_anchor);
+    return add_anchors(surface, stroke_anchors(distributed, strokes), options.symmetry, graph);
+  }
+  const Mesh mesh = triangles_around_own(surface);
+  graph.anchor.resize(graph.node_count());
+  add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
 }
 
 /// Signs own directions like their neighbours, gives ghosts and the rest those of their owners.
@@ -85,13 +86,13 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
                                       const SmoothFieldOptions& options) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
-  ranks.together([&] { check_distributed_field(options); });
+  ranks.together([&] { check(options); });
   if (surface.vertices == 0) return {};
   const auto normals = std::span(surface.normals).first(surface.graph.node_count());
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
-  if (options.feature_anchor > 0) add_features(surface, options, graph);
-  add_anchors(surface, options, graph);
+  if (options.feature_anchor > 0) add_features(distributed, options, graph);
+  add_anchors(surface, options.anchors, options.symmetry, graph);
   RankHierarchy hierarchy(ranks, surface.graph, kGatherFieldsBelow);
   load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
   hierarchy.coarsen();

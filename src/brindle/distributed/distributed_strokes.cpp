@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -10,6 +11,8 @@
 
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed_surface.h"
+#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/mesh_edges.h"
 #include "brindle/geometry/nearest.h"
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/waves/stroke_parts.h"
@@ -148,7 +151,95 @@ PartOfWhole part_of(std::vector<SentTriangle> triangles, const Eigen::Vector3d& 
   return part;
 }
 
+struct SentEdge {
+  std::array<std::uint64_t, 2> ids;  ///< the lower one first
+  std::array<std::array<float, 3>, 2> positions;
+};
+
+/// Each edge is told of by the owner of its end of lower number, who has all its triangles.
+std::vector<SentEdge> own_features(const RankSurface& surface, float angle_deg) {
+  std::vector<std::uint64_t> ids(surface.vertex_count());
+  for (std::size_t p = 0; p < surface.vertex_of_piece.size(); ++p) {
+    ids[surface.vertex_of_piece[p]] = surface.piece_ids[p];
+  }
+  surface.exchange_all(std::span(ids));  // ghosts need not be in the piece
+  const Mesh mesh = triangles_around_own(surface);
+  std::vector<SentEdge> sent;
+  surface.ranks->together([&] {
+    const MeshEdges edges = mesh_edges(mesh, vertex_neighborhood(mesh));
+    for (auto [a, b] : feature_edges(mesh, edges, angle_deg)) {
+      if (ids[b] < ids[a]) std::swap(a, b);
+      if (a >= surface.graph.own) continue;
+      sent.push_back(
+          {{ids[a], ids[b]}, {floats_of(mesh.positions[a]), floats_of(mesh.positions[b])}});
+    }
+  });
+  return sent;
+}
+
+std::vector<FieldStroke> strokes_of(std::vector<SentEdge> edges, const Eigen::Vector3d& origin,
+                                    double radius, double strength) {
+  // As `mesh_edges` has them.
+  std::ranges::sort(edges, {}, [](const SentEdge& e) { return std::pair(e.ids[1], e.ids[0]); });
+  std::map<std::uint64_t, std::array<float, 3>> corners;
+  for (const SentEdge& edge : edges) {
+    for (std::size_t end = 0; end < 2; ++end) corners[edge.ids[end]] = edge.positions[end];
+  }
+  Mesh mesh;
+  mesh.origin = origin;
+  std::unordered_map<std::uint64_t, Index> vertex_of;
+  for (const auto& [id, position] : corners) {
+    vertex_of[id] = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(vector_of(position));
+  }
+  std::vector<std::array<Index, 2>> of_mesh;
+  for (const SentEdge& edge : edges) {
+    of_mesh.push_back({vertex_of.at(edge.ids[0]), vertex_of.at(edge.ids[1])});
+  }
+  return strokes_along(mesh, of_mesh, radius, strength);
+}
+
+/// Rank 0's points, stroke by stroke, on all ranks.
+std::vector<FieldStroke> told_by_first(Communicator& ranks, const std::vector<FieldStroke>& strokes,
+                                       double radius, double strength) {
+  std::vector<std::vector<std::uint64_t>> counts(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<std::array<double, 3>>> points(counts.size());
+  for (const FieldStroke& stroke : strokes) {
+    for (auto& list : counts) list.push_back(stroke.points.size());
+    for (auto& list : points) {
+      for (const Eigen::Vector3d& p : stroke.points) list.push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  const auto heard_counts = ranks.swap_lists(counts);
+  const auto heard_points = ranks.swap_lists(points);
+  std::vector<FieldStroke> told;
+  std::size_t next = 0;
+  for (const std::uint64_t count : heard_counts[0]) {
+    FieldStroke& stroke = told.emplace_back(FieldStroke{{}, radius, strength});
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto& [x, y, z] = heard_points[0][next++];
+      stroke.points.emplace_back(x, y, z);
+    }
+  }
+  return told;
+}
+
 }  // namespace
+
+std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, float angle_deg,
+                                         double radius, double strength) {
+  const RankSurface& surface = distributed.rank_surface();
+  Communicator& ranks = *surface.ranks;
+  const std::vector<SentEdge> own = own_features(surface, angle_deg);
+  auto all = joined<SentEdge>(ranks.gather(std::as_bytes(std::span(own))));
+  std::vector<FieldStroke> strokes;
+  ranks.together([&] {
+    if (ranks.rank() == 0) {
+      strokes = strokes_of(std::move(all), surface.mesh.origin, radius, strength);
+    }
+  });
+  return told_by_first(ranks, strokes, radius, strength);
+}
 
 std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
                                         std::span<const FieldStroke> strokes) {

@@ -1,6 +1,7 @@
 /// Strokes on a part of a surface.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -21,5 +22,11 @@ double allowed_distance(const FieldStroke& stroke, double diagonal);
 /// in the whole, anchors have the same bits.
 std::vector<FieldAnchor> stroke_anchors(const Surface& part, std::span<const FieldStroke> strokes,
                                         double diagonal);
+
+/// Edges of a mesh as strokes, each from corner to corner: what `feature_strokes` makes of feature
+/// edges.
+std::vector<FieldStroke> strokes_along(const Mesh& mesh,
+                                       const std::vector<std::array<Index, 2>>& edges,
+                                       double radius, double strength);
 
 }  // namespace brindle

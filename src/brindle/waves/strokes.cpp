@@ -334,6 +334,12 @@ std::vector<FieldStroke> feature_strokes(const Surface& surface, float angle_deg
                                          double strength) {
   const Mesh& mesh = surface.mesh;
   const auto edges = feature_edges(mesh, mesh_edges(mesh, *surface.neighborhood), angle_deg);
+  return strokes_along(mesh, edges, radius, strength);
+}
+
+std::vector<FieldStroke> strokes_along(const Mesh& mesh,
+                                       const std::vector<std::array<Index, 2>>& edges,
+                                       double radius, double strength) {
   std::vector<FieldStroke> strokes;
   for (const std::vector<Index>& chain : EdgeChains(mesh, edges).chains()) {
     FieldStroke stroke{{}, radius, strength};
