@@ -17,8 +17,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr Length kDefaultMaxDistance = {0.02f, true};
-
 const char* const kPoints = "points/";
 const char* const kCells = "cells/";
 
@@ -154,12 +152,14 @@ std::optional<std::size_t> ArraySource::drop_too_far(DirectionField& directions)
   if (!other_) return std::nullopt;
   std::size_t count = 0;
   for (Index v = 0; v < directions.size(); ++v) {
-    if (other_->rows.found[v] != 0) continue;
+    if (is_near(v)) continue;
     directions[v] = Vec3::Zero();
     count += surface_.neighborhood->of(v).empty() ? 0 : 1;
   }
   return count;
 }
+
+bool ArraySource::is_near(Index vertex) const { return !other_ || other_->rows.found[vertex] != 0; }
 
 std::string ArraySource::notes() const { return other_ ? other_->notes : ""; }
 

@@ -13,6 +13,9 @@
 
 namespace brindle::tool {
 
+/// --max-distance where it is not given.
+inline constexpr Length kDefaultMaxDistance = {0.02f, true};
+
 /// "velocity (3), speed".
 std::string list_of(std::span<const DataArray> arrays);
 
@@ -53,6 +56,9 @@ class ArraySource {
   /// Takes the wave from vertices that are too far from the other file's mesh, and returns how many
   /// of them have neighbours; nothing without another file.
   std::optional<std::size_t> drop_too_far(DirectionField& directions) const;
+
+  /// Whether the other file's mesh is near enough to a vertex; without another file all are.
+  bool is_near(Index vertex) const;
 
   /// Lines for the user about the other file's mesh.
   std::string notes() const;

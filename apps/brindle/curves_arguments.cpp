@@ -29,35 +29,47 @@ void add_min_length_option(CLI::App& command, Length& min_length) {
       ->type_name("L|P%");
 }
 
+void add_offset_option(CLI::App& command, float& offset) {
+  add_parsed_option(command, "--offset", offset, parse_number,
+                    "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
+      ->type_name("P");
+}
+
+void add_line_shape_options(CLI::App& command, LineShape& shape) {
+  add_parsed_option(command, "--simplify", shape.simplify, parse_length,
+                    "leave out points up to this far from the curve")
+      ->type_name("L|P%");
+  add_parsed_option(
+      command, "--resample", shape.resample, parse_positive_length,
+      "points at equal distances, about this far apart; --simplify then leaves out some of "
+      "them")
+      ->type_name("L|P%");
+}
+
+void add_tube_options(CLI::App& command, LineShape& shape) {
+  add_parsed_option(command, "--tube-radius", shape.tube_radius, parse_positive_length,
+                    "write mesh files of tubes, not lines (pictures show tubes anyway)")
+      ->type_name("L|P%");
+  command.add_option("--tube-sides", shape.tube_sides, "3 to 64 (default 8)")
+      ->type_name("N")
+      ->check(CLI::Range(3, 64));
+}
+
 namespace {
 
 void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
   add_lines_option(command, arguments.traced);
-  add_parsed_option(command, "--offset", arguments.offset, parse_number,
-                    "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
-      ->type_name("P");
+  add_offset_option(command, arguments.offset);
   command.add_flag(
       "--join", arguments.join,
       "join curves that end in the same triangle in pairs, and let others run on into their "
       "neighbours");
   add_min_length_option(command, arguments.min_length);
-  add_parsed_option(command, "--simplify", arguments.simplify, parse_length,
-                    "leave out points up to this far from the curve")
-      ->type_name("L|P%");
-  add_parsed_option(
-      command, "--resample", arguments.resample, parse_positive_length,
-      "points at equal distances, about this far apart; --simplify then leaves out some of "
-      "them")
-      ->type_name("L|P%");
+  add_line_shape_options(command, arguments);
   add_parsed_option(command, "--line-width", arguments.line_width, parse_positive_length,
                     "report how much of the surface lines of this width cover")
       ->type_name("L|P%");
-  add_parsed_option(command, "--tube-radius", arguments.tube_radius, parse_positive_length,
-                    "write mesh files of tubes, not lines (pictures show tubes anyway)")
-      ->type_name("L|P%");
-  command.add_option("--tube-sides", arguments.tube_sides, "3 to 64 (default 8)")
-      ->type_name("N")
-      ->check(CLI::Range(3, 64));
+  add_tube_options(command, arguments);
 }
 
 }  // namespace

@@ -21,7 +21,13 @@ namespace brindle::tool {
 
 enum class TracedWaves { u, v, both };
 
-struct CurvesArguments {
+/// How lines are written.
+struct LineShape {
+  std::optional<Length> simplify, resample, tube_radius;
+  int tube_sides = 8;
+};
+
+struct CurvesArguments : LineShape {
   SurfaceOptions surface;
   WaveOptions waves;
   SecondWaveOptions second;
@@ -32,8 +38,7 @@ struct CurvesArguments {
   float offset = 0;
   bool join = false;
   Length min_length;
-  std::optional<Length> simplify, resample, tube_radius, line_width;
-  int tube_sides = 8;
+  std::optional<Length> line_width;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
@@ -41,9 +46,13 @@ struct CurvesArguments {
 
 enum class CurveOutput { lines, tubes, drawing, picture, report };
 
-/// --lines and --min-length, which lines of many processes have, too.
+/// Those that lines of many processes have, too: --lines, --min-length, --offset; --simplify and
+/// --resample; --tube-radius and --tube-sides.
 void add_lines_option(CLI::App& command, TracedWaves& traced);
 void add_min_length_option(CLI::App& command, Length& min_length);
+void add_offset_option(CLI::App& command, float& offset);
+void add_line_shape_options(CLI::App& command, LineShape& shape);
+void add_tube_options(CLI::App& command, LineShape& shape);
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
 

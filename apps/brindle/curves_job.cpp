@@ -39,8 +39,7 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
     listener.stage("coverage");
     family.coverage = curve_coverage(mesh, lines, arguments.line_width->on(diagonal));
   }
-  if (arguments.resample) lines = resampled(lines, arguments.resample->on(diagonal));
-  if (arguments.simplify) lines = simplified(lines, arguments.simplify->on(diagonal));
+  reshape(lines, arguments, diagonal);
 }
 
 // Solved, noted and traced.
@@ -123,6 +122,11 @@ double total_length(const Polylines& lines) {
 
 std::size_t closed_count(const Polylines& lines) {
   return std::accumulate(lines.closed.begin(), lines.closed.end(), std::size_t{0});
+}
+
+void reshape(Polylines& lines, const LineShape& shape, float diagonal) {
+  if (shape.resample) lines = resampled(lines, shape.resample->on(diagonal));
+  if (shape.simplify) lines = simplified(lines, shape.simplify->on(diagonal));
 }
 
 namespace {

@@ -58,6 +58,9 @@ CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listene
 double total_length(const Polylines& lines);
 std::size_t closed_count(const Polylines& lines);
 
+/// Resamples and simplifies lines on a surface whose bounding box has this diagonal.
+void reshape(Polylines& lines, const LineShape& shape, float diagonal);
+
 /// Tubes along all curves, as pictures and meshes show them.
 std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Mesh& mesh,
                                std::span<const CurveFamily> families);

@@ -37,14 +37,14 @@ CurveOutput planned_curves(const std::string& path, bool tubes) {
                           ".svg for a drawing, .png for a picture, .json for a report");
 }
 
-namespace {
-
 void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments) {
   Mesh all;
   for (const Ornament& ornament : ornaments) append(ornament.mesh, all);
   if (all.triangles.empty()) throw Error("cannot write '" + path + "': there are no curves");
   write_mesh(path, all);
 }
+
+namespace {
 
 // Columns and arrays of all formats, which those of the input's file do not replace.
 const std::vector<std::string> kCurveColumns = {"kind",   "curve",    "closed",      "length",

@@ -12,6 +12,9 @@ namespace brindle::tool {
 /// naming what to do, for what it cannot hold.
 CurveOutput planned_curves(const std::string& path, bool tubes);
 
+/// Throws Error if there is nothing to write.
+void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments);
+
 /// Curves on their surface; all of it lives elsewhere.
 struct TracedSurface {
   const CurvesArguments& arguments;

@@ -7,6 +7,12 @@
 #include "pvtp_pieces.h"
 
 namespace brindle::tool {
+namespace {
+
+constexpr const char* kForOneProcess =
+    "it needs the whole surface in one process; 'brindle stripe' has it";
+
+}  // namespace
 
 void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
   add_surface_options(command, arguments.surface);
@@ -24,6 +30,9 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(0, 10000));
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+  // Told apart from what there is not at all.
+  for (const char* flag : {"--uv", "--cross"}) command.add_flag(flag)->group("");
+  for (const char* option : {"--texture", "--previous"}) command.add_option(option)->group("");
 }
 
 namespace {
@@ -39,8 +48,6 @@ void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
                      const SolvingOptions& solving) {
   check_field_options(command, waves);
   check_solving_options(command, solving);
-  refuse_given(command, {"--feature-radius", "--strokes", "--field-mesh"},
-               "it needs the whole surface in one process; 'brindle stripe' has it");
   if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {
     throw CLI::ValidationError("--phase-shift",
                                "common_source is for one process; take aligned or trapezoid");
@@ -48,6 +55,7 @@ void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
 }
 
 void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
+  refuse_given(command, {"--uv", "--cross", "--texture", "--previous"}, kForOneProcess);
   check_mpi_waves(command, arguments.waves, arguments.solving);
   check_extension("--output", arguments.output, ".pvtp");
   check_extension("--report", arguments.report, ".json");

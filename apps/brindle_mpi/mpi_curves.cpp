@@ -13,8 +13,10 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/curve_measures.h"
+#include "brindle/distributed/moved_peaks.h"
 #include "brindle/files.h"
 #include "command_line.h"
+#include "curves_output.h"
 #include "curves_report.h"
 #include "formatted.h"
 #include "option_values.h"
@@ -31,14 +33,16 @@ constexpr const char* kMpiCurvesExamples = R"(Examples:
   mpirun -n 4 brindle-mpi curves shape:torus,resolution=512 --output torus.vtp
   mpirun -n 2 brindle-mpi curves pieces.pvtp --lines both --stripes 60 --output grid.obj
   mpirun -n 8 brindle-mpi curves scan.ply --min-length 2% --output long.csv --report long.json
+  mpirun -n 4 brindle-mpi curves scan.ply --offset 0.5 --tube-radius 0.3% --output gaps.glb
 
 Each rank follows the stripes' centre lines in its own triangles; rank 0 joins what ends at borders
-and writes one file by its extension: .obj .ply .vtp .csv. A .pvtp has the lines of every rank as
-they are, cut at borders: where one is, border_edge has the numbers of the edge's vertices in the
-whole, and border_crossing counts along it; elsewhere both are -1.)";
+and writes one file by its extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. A .pvtp has the
+lines of every rank as they are, cut at borders: where one is, border_edge has the numbers of the
+edge's vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
 
-struct MpiCurvesArguments : PatternArguments {
+struct MpiCurvesArguments : PatternArguments, LineShape {
   TracedWaves lines = TracedWaves::u;
+  float offset = 0;
   Length min_length;
 };
 
@@ -48,6 +52,7 @@ struct JoinedFamily {
   StripeCurves curves;
   CurveEnds ends{};              ///< of all curves
   std::size_t short_curves = 0;  ///< left out
+  std::size_t jogs = 0;          ///< edges that moved curves do not cross straight
   double energy = 0;
   std::size_t branches = 0;
 };
@@ -122,6 +127,7 @@ JoinedFamily join_family(const CutFamily& cut, const PiecePatterns& patterns,
     family.curves = longer_than(family.curves, static_cast<double>(least));
     family.short_curves = all - family.curves.lines.count();
   }
+  reshape(family.curves.lines, arguments, static_cast<float>(patterns.surface->diagonal()));
   return family;
 }
 
@@ -136,7 +142,8 @@ nlohmann::ordered_json to_json(const JoinedFamily& family) {
           {"short_curves_left_out", family.short_curves},
           {"points", lines.points.size()},
           {"length", lengths.closed_length + lengths.open_length},
-          {"ends", ends_to_json(family.ends)}};
+          {"ends", ends_to_json(family.ends)},
+          {"edges_with_jogs", family.jogs}};
 }
 
 void print(std::ostream& out, const JoinedFamily& family) {
@@ -148,18 +155,33 @@ void print(std::ostream& out, const JoinedFamily& family) {
   if (family.short_curves > 0) {
     out << formatted("          %zu shorter curves left out\n", family.short_curves);
   }
+  if (family.jogs > 0) {
+    out << formatted("          the field has no orientation: curves jog at %zu edges\n",
+                     family.jogs);
+  }
 }
 
 void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communicator& ranks) {
   if (writes_pieces(arguments)) {
     refuse_given(
-        command, {"--min-length"},
+        command, {"--min-length", "--simplify", "--resample", "--tube-radius", "--tube-sides"},
         "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
-  } else if (!arguments.output.empty() && !is_polyline_format(arguments.output)) {
-    refuse_output(arguments.output,
-                  "lines over many processes are written as .obj, .ply, .vtp or "
-                  ".csv, or in pieces as .pvtp; 'brindle curves' draws");
+  } else if (!arguments.output.empty()) {
+    const CurveOutput kind = planned_curves(arguments.output, arguments.tube_radius.has_value());
+    if (kind != CurveOutput::lines && kind != CurveOutput::tubes) {
+      refuse_output(arguments.output,
+                    "lines over many processes are written as .obj, .ply, .vtp or "
+                    ".csv, or in pieces as .pvtp; 'brindle curves' draws");
+    }
   }
+  if (arguments.output.empty()) {
+    refuse_given(command, {"--tube-radius"}, "no tubes are written; add --output FILE");
+  }
+  if (!arguments.tube_radius) {
+    refuse_given(command, {"--tube-sides"}, "no tubes are written; add --tube-radius L");
+  }
+  refuse_given(command, {"--join", "--line-width"},
+               "it needs the whole surface in one process; 'brindle curves' has it");
   if (arguments.lines == TracedWaves::u) {
     refuse_given(command, {"--stripes-v", "--frequency-v"},
                  "V is not traced; add --lines v or --lines both");
@@ -167,14 +189,28 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   check_pattern_options(command, arguments, ranks);
 }
 
+/// On rank 0.
+void write_joined(const MpiCurvesArguments& arguments, const std::vector<JoinedFamily>& families,
+                  float diagonal) {
+  if (arguments.tube_radius) {
+    const TubeOptions options{arguments.tube_radius->on(diagonal), arguments.tube_sides};
+    std::vector<Ornament> ornaments;
+    for (const JoinedFamily& family : families) {
+      ornaments.push_back({tubes(family.curves.lines, options), family.name == "v"});
+    }
+    return write_tube_mesh(arguments.output, ornaments);
+  }
+  std::vector<NamedLines> lines;
+  for (const JoinedFamily& family : families) lines.push_back({family.name, family.curves.lines});
+  write_polylines(arguments.output, lines);
+}
+
 /// On rank 0. Families are joined, or there are none.
 void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
           const std::vector<JoinedFamily>& families, const PiecePatterns& patterns,
           const nlohmann::ordered_json& report) {
   if (!arguments.output.empty() && !writes_pieces(arguments)) {
-    std::vector<NamedLines> lines;
-    for (const JoinedFamily& family : families) lines.push_back({family.name, family.curves.lines});
-    write_polylines(arguments.output, lines);
+    write_joined(arguments, families, static_cast<float>(patterns.surface->diagonal()));
   }
   write_pattern_report(command, arguments, report);
   if (arguments.quiet) return;
@@ -199,18 +235,23 @@ struct MadeCurves {
   nlohmann::ordered_json report;     ///< of families, by their names
 };
 
-MadeCurves make_curves(Communicator& ranks, const PiecePatterns& patterns,
+MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
                        const MpiCurvesArguments& arguments, ProgressDisplay& display) {
   MadeCurves made;
   std::vector<CutFamily> families;
   for (const auto& [name, solved] : {std::pair("u", &patterns.u), std::pair("v", &patterns.v)}) {
     if (!*solved) continue;
+    const std::size_t jogs = arguments.offset == 0 ? 0
+                                                   : move_peaks(*patterns.surface, arguments.offset,
+                                                                (*solved)->waves, (*solved)->z);
     families.push_back({name, piece_curves(patterns.piece(**solved, arguments))});
     if (writes_pieces(arguments)) {
       made.report[name] = to_json(ranks, families.back(), **solved);
+      made.report[name]["edges_with_jogs"] = jogs;
       continue;
     }
     made.joined.push_back(join_family(families.back(), patterns, **solved, arguments));
+    made.joined.back().jogs = jogs;
     made.report[name] = to_json(made.joined.back());
     if (made.joined.back().curves.lines.count() > 0) continue;
     display.note(std::string(name) + ": no curves; ask for more stripes, or for shorter ones\n");
@@ -250,6 +291,12 @@ void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
                       "the curves: whole as .obj .ply .vtp .csv, in pieces as .pvtp", "FILE");
   add_lines_option(command, arguments.lines);
   add_min_length_option(command, arguments.min_length);
+  add_offset_option(command, arguments.offset);
+  add_line_shape_options(command, arguments);
+  add_tube_options(command, arguments);
+  // Told apart from what there is not at all.
+  command.add_flag("--join")->group("");
+  command.add_option("--line-width")->group("");
 }
 
 }  // namespace

@@ -36,12 +36,15 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 8 brindle-mpi stripe scan.ply --field curvature --stripes 400 --frames 20
   mpirun -n 4 brindle-mpi stripe horse.ply --slack 0.25 --output horse.pvtp
   mpirun -n 3 brindle-mpi stripe pieces.pvtp --field array:velocity --output stripes.pvtp
+  mpirun -n 4 brindle-mpi stripe scan.ply --field wind.csv --output wind.pvtp
+  mpirun -n 4 brindle-mpi stripe flow.vtp --field array:flow --frequency-by array:speed
 
 Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula; of other meshes
 rank 0 reads the whole and sends the others their pieces. Each rank writes one, FILE_0.vtp and on,
 with phase (radians; not a number where there is no wave, and valid is 0), its sine, direction,
-frequency and global_id (the number in the whole mesh) at every vertex, and branch and corner_phase
-of every triangle; FILE.pvtp names them. With --slack, frequency is the one chosen and
+frequency and global_id (the number in the whole mesh) at every vertex, branch and corner_phase of
+every triangle, and all arrays that MESH has; FILE.pvtp names them. Rows of files belong to vertices
+in the order of these numbers. With --slack, frequency is the one chosen and
 frequency_wanted the one asked for. Where one rank fails, all end with 1 and one message.)";
 
 /// On all ranks or none.

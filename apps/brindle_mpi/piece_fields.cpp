@@ -14,7 +14,10 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
 #include "brindle/distributed/rank_surface.h"
+#include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/progress.h"
+#include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "brindle/waves/frequency_parts.h"
 #include "csv_field.h"
@@ -169,10 +172,51 @@ PieceField file_field(Communicator& ranks, const DistributedSurface& surface, co
   return columns_field(ranks, surface, read, options.arrays, columns);
 }
 
+/// What rank 0 reads, on all ranks.
+std::vector<FieldStroke> strokes_of(Communicator& ranks, const std::string& path) {
+  std::vector<std::vector<double>> told(static_cast<std::size_t>(ranks.size()));
+  ranks.together([&] {
+    if (ranks.rank() != 0) return;
+    std::vector<double> numbers;
+    for (const FieldStroke& stroke : read_strokes(path)) {
+      numbers.insert(numbers.end(),
+                     {static_cast<double>(stroke.points.size()), stroke.radius, stroke.strength});
+      for (const Eigen::Vector3d& p : stroke.points)
+        numbers.insert(numbers.end(), p.begin(), p.end());
+    }
+    for (auto& list : told) list = numbers;
+  });
+  const std::vector<double> numbers = ranks.swap_lists(told)[0];
+  std::vector<FieldStroke> strokes;
+  for (auto next = numbers.begin(); next != numbers.end();) {
+    const auto count = static_cast<std::size_t>(*next++);
+    FieldStroke& stroke = strokes.emplace_back();
+    stroke.radius = *next++;
+    stroke.strength = *next++;
+    for (std::size_t i = 0; i < count; ++i, next += 3) {
+      stroke.points.emplace_back(next[0], next[1], next[2]);
+    }
+  }
+  return strokes;
+}
+
+std::vector<FieldAnchor> read_anchors(Communicator& ranks, const DistributedSurface& surface,
+                                      const std::string& path) {
+  const std::vector<FieldStroke> strokes = strokes_of(ranks, path);
+  try {
+    return stroke_anchors(surface, strokes);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(path + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
                             const ReadPiece& read, const WaveOptions& options) {
+  const auto arrays = std::make_shared<const PieceArrays>(ranks, surface, read, options.arrays);
   PieceField field;
   if (options.direction) {
     field.directions = projected_direction_field(*options.direction, surface.normals());
@@ -182,17 +226,22 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
     smooth.curvature_direction = options.curvature_direction;
     smooth.feature_anchor = options.feature_anchor;
     smooth.feature_angle_deg = options.feature_angle_deg;
+    if (options.feature_radius) {
+      smooth.feature_radius = options.feature_radius->on(static_cast<float>(surface.diagonal()));
+    }
+    if (!options.strokes.empty()) smooth.anchors = read_anchors(ranks, surface, options.strokes);
     field.directions = smooth_direction_field(surface, smooth);
   } else if (options.field == "raw-curvature") {
     field.directions = curvature_direction_field(surface, options.curvature_direction);
   } else if (is_array(options.field)) {
-    const auto [array, rows_nonfinite] =
-        piece_array(ranks, surface, read, parse_array("--field", options.field));
+    const auto [array, rows_nonfinite] = arrays->array(parse_array("--field", options.field));
     field = array_field(ranks, surface, read, array, options.arrays);
     field.rows_nonfinite = rows_nonfinite;
   } else {
     field = file_field(ranks, surface, read, options);
   }
+  field.notes = arrays->notes() + field.notes;
+  field.arrays = arrays;
   return field;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "brindle/distributed_surface.h"
 #include "brindle/frequency_field.h"
 #include "mesh_pieces.h"
+#include "piece_rows.h"
 #include "wave_figures.h"
 #include "wave_options.h"
 
@@ -22,6 +24,8 @@ struct PieceField {
   std::optional<std::size_t> rows_nonfinite = {};
   MissingWaves missing = {};
   std::string notes = {};
+  /// Of the mesh's file or another one; refers to the surface and to what was read.
+  std::shared_ptr<const PieceArrays> arrays = {};
 };
 
 /// Collective. What `make_base_field` makes of the whole.

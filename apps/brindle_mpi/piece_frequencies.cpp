@@ -1,13 +1,11 @@
 #include "piece_frequencies.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "brindle/array_field.h"
 #include "brindle/distributed/piece_curvatures.h"
-#include "brindle/distributed/rank_surface.h"
 #include "brindle/waves/frequency_parts.h"
 #include "first_rank.h"
 #include "piece_rows.h"
@@ -20,11 +18,10 @@ constexpr const char* kBy = "--frequency-by";
 
 /// What frequencies follow: an array as it is, or a number per vertex of the piece.
 DataArray frequency_values(Communicator& ranks, const DistributedSurface& surface,
-                           const ReadPiece& read, const ArrayOptions& options) {
+                           const ReadPiece& read, const ArrayOptions& options,
+                           const PieceArrays& arrays) {
   const std::string& value = options.frequency_by;
-  if (is_array(value)) {
-    return piece_array(ranks, surface, read, parse_array(kBy, value)).array;
-  }
+  if (is_array(value)) return arrays.array(parse_array(kBy, value)).array;
   if (const std::string file = value_file(value); !file.empty()) {
     return piece_rows(ranks, read, kBy, file, [&] {
       const VertexValues values =
@@ -41,16 +38,6 @@ DataArray frequency_values(Communicator& ranks, const DistributedSurface& surfac
     values = vertex_values(kBy, value, {piece, {}, read.file, options, {}});
   });
   return make_data_array(values.title, 1, values.values);
-}
-
-/// Those of the piece's vertices that this rank owns and that have neighbours.
-std::vector<std::uint8_t> used_own(const DistributedSurface& surface) {
-  const RankSurface& own = surface.rank_surface();
-  std::vector<std::uint8_t> used;
-  for (const Index v : own.vertex_of_piece) {
-    used.push_back(v < own.graph.own && !own.graph.adjacency->of(v).empty() ? 1 : 0);
-  }
-  return used;
 }
 
 FrequencyField frequencies_by_values(Communicator& ranks, const DistributedSurface& surface,
@@ -80,11 +67,12 @@ void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& sur
     return;
   }
   if (!wanted.frequency.empty()) {
-    const DataArray array = piece_array(ranks, surface, read, wanted.frequency).array;
+    const DataArray array = field.arrays->array(wanted.frequency).array;
     ranks.together([&] { field.frequencies = frequencies_of(array, field.directions); });
   } else {
     field.frequencies = frequencies_by_values(
-        ranks, surface, frequency_values(ranks, surface, read, wanted), frequency, wanted.range);
+        ranks, surface, frequency_values(ranks, surface, read, wanted, *field.arrays), frequency,
+        wanted.range);
   }
   field.missing.without_frequency =
       drop_piece_waves(ranks, surface, field.directions, field.frequencies);

@@ -8,6 +8,7 @@
 #include "array_source.h"
 #include "brindle/array_field.h"
 #include "brindle/distributed/piece_data.h"
+#include "brindle/distributed/rank_surface.h"
 #include "brindle/error.h"
 #include "first_rank.h"
 #include "rank_arrays.h"
@@ -27,15 +28,62 @@ std::vector<DataArray> piece_rows(Communicator& ranks, const ReadPiece& read,
   return rows_of_numbers(ranks, of_whole, read.piece.vertex_ids, file);
 }
 
-ArrayAtVertices piece_array(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const std::string& name) {
+PieceArrays::PieceArrays(Communicator& ranks, const DistributedSurface& surface,
+                         const ReadPiece& read, const ArrayOptions& options)
+    : ranks_(ranks), surface_(surface), read_(read) {
+  if (options.mesh.empty()) return;
+  piece_.mesh = {read.piece.mesh.positions, {}, read.piece.mesh.origin};
+  ArrayOptions of_whole = options;
+  if (of_whole.max_distance) {
+    const float distance = of_whole.max_distance->on(static_cast<float>(surface.diagonal()));
+    of_whole.max_distance = Length{distance, false};
+  } else {
+    of_whole.max_distance =
+        Length{kDefaultMaxDistance.on(static_cast<float>(surface.diagonal())), false};
+  }
+  ranks.together(
+      [&] { other_ = std::make_unique<ArraySource>(piece_, read.arrays, read.file, of_whole); });
+}
+
+ArrayAtVertices PieceArrays::array(const std::string& name) const {
+  ArrayAtVertices result;
+  if (other_) {
+    ranks_.together([&] {
+      auto [array, rows_nonfinite] = other_->array(name);
+      result = {std::move(array), rows_nonfinite};
+    });
+    return result;
+  }
   ArrayChoice choice;
-  ranks.together([&] { choice = choice_of(read.arrays, name, read.file); });
+  ranks_.together([&] { choice = choice_of(read_.arrays, name, read_.file); });
   const DataArray& array = *choice.array;
   if (!choice.of_cells) {
-    return {array, ranks.sum(nonfinite_rows(own_rows(surface, array)))};
+    return {array, ranks_.sum(nonfinite_rows(own_rows(surface_, array)))};
   }
-  return {cells_to_points(ranks, read.piece, array), ranks.sum(nonfinite_rows(array))};
+  return {cells_to_points(ranks_, read_.piece, array), ranks_.sum(nonfinite_rows(array))};
+}
+
+std::optional<std::size_t> PieceArrays::drop_too_far(DirectionField& directions) const {
+  if (!other_) return std::nullopt;
+  const std::vector<std::uint8_t> counted = used_own(surface_);
+  std::size_t count = 0;
+  for (Index v = 0; v < directions.size(); ++v) {
+    if (other_->is_near(v)) continue;
+    directions[v] = Vec3::Zero();
+    count += counted[v];
+  }
+  return ranks_.sum(count);
+}
+
+std::string PieceArrays::notes() const { return other_ ? other_->notes() : ""; }
+
+std::vector<std::uint8_t> used_own(const DistributedSurface& surface) {
+  const RankSurface& own = surface.rank_surface();
+  std::vector<std::uint8_t> used;
+  for (const Index v : own.vertex_of_piece) {
+    used.push_back(v < own.graph.own && !own.graph.adjacency->of(v).empty() ? 1 : 0);
+  }
+  return used;
 }
 
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,

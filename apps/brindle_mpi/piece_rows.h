@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "array_source.h"
 #include "brindle/data_arrays.h"
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
@@ -27,14 +31,37 @@ struct ArrayAtVertices {
   std::size_t rows_nonfinite = 0;  ///< of all ranks, as the array was read
 };
 
-/// Collective. The array NAME, points/NAME or cells/NAME of the mesh's file, that of cells moved to
-/// the vertices. Throws Error on all ranks if there is no such array.
-ArrayAtVertices piece_array(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const std::string& name);
+/// Where arrays come from: the mesh's file, or another one that every rank reads (--field-mesh).
+class PieceArrays {
+ public:
+  /// Collective. Throws Error on all ranks if the other file cannot be read.
+  PieceArrays(Communicator& ranks, const DistributedSurface& surface, const ReadPiece& read,
+              const ArrayOptions& options);
+
+  /// Collective. The array NAME, points/NAME or cells/NAME; that of cells moved to the vertices.
+  /// Throws Error on all ranks if there is no such array.
+  ArrayAtVertices array(const std::string& name) const;
+
+  /// Collective. As `ArraySource::drop_too_far`, on all ranks.
+  std::optional<std::size_t> drop_too_far(DirectionField& directions) const;
+
+  /// Lines for the user about the other file.
+  std::string notes() const;
+
+ private:
+  Communicator& ranks_;
+  const DistributedSurface& surface_;
+  const ReadPiece& read_;
+  Surface piece_;  ///< for `other_`
+  std::unique_ptr<ArraySource> other_;
+};
 
 /// Collective. As `copy_from_partners` of files.h, where the partners on rank 0 may be others'.
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
                         const ReadPiece& read, std::vector<DataArray>& arrays);
+
+/// Those of the piece's vertices that this rank owns and that have neighbours.
+std::vector<std::uint8_t> used_own(const DistributedSurface& surface);
 
 /// Rows of the vertices that this rank owns.
 DataArray own_rows(const DistributedSurface& surface, const DataArray& array);

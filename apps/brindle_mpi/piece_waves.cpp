@@ -62,6 +62,7 @@ WaveFigures measure_waves(Communicator& ranks, const DistributedSurface& surface
 
 WantedArrays wanted_arrays(const WaveOptions& options) {
   WantedArrays wanted;
+  if (!options.arrays.mesh.empty()) return wanted;  // they are of another file
   if (is_array(options.field)) wanted.names.push_back(parse_array("--field", options.field));
   const ArrayOptions& arrays = options.arrays;
   if (!arrays.frequency.empty()) wanted.names.push_back(arrays.frequency);
@@ -83,6 +84,7 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
     field.directions =
         rotated(field.directions, surface.normals(), turn_deg * std::numbers::pi_v<float> / 180);
   }
+  field.missing.too_far = field.arrays->drop_too_far(field.directions);
   choose_piece_frequencies(ranks, surface, read, options, field);
   listener.note(field.notes);
   made.waves = {read.piece.mesh.positions, std::move(field.directions),

@@ -92,10 +92,22 @@ class DistributedSurface {
 /// Collective. Does on all ranks what `smooth_direction_field` does, with the symmetry, the
 /// curvature, the features, sweeps and cycles of the options; one direction per vertex of the
 /// piece. Below 262,144 vertices directions are those of one process, where the pieces have numbers
-/// of triangles; above, they run like their neighbours within a rank. Throws Error for options out of
-/// range, and for a feature radius and anchors of vertices, which need the whole surface.
+/// of triangles; above, they run like their neighbours within a rank. Anchors are those of vertices
+/// of the piece; what counts is what a vertex's owner has. Throws Error for options out of range.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
+
+/// Collective. What `stroke_anchors` of strokes.h asks of the whole surface's field, at the
+/// vertices of the piece; all ranks have the same strokes. Rank 0 gets the triangles near them.
+/// Where triangles have numbers, anchors have the bits of the whole's. Throws Error on all ranks,
+/// as that does.
+std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
+                                        std::span<const FieldStroke> strokes);
+
+/// Collective. The strokes that `feature_strokes` of strokes.h makes of the whole surface, on all
+/// ranks. Rank 0 gets the feature edges.
+std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, float angle_deg,
+                                         double radius, double strength);
 
 /// Collective. The principal curvature directions of the piece's vertices.
 DirectionField curvature_direction_field(const DistributedSurface& surface,

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
+#include "brindle/distributed/moved_peaks.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
+#include "brindle/smooth_field.h"
 #include "brindle/stripe_pattern.h"
 #include "ranks.h"
 #include "test_meshes.h"
@@ -192,6 +195,47 @@ TEST(DistributedCurves, JoinedPointsAreThoseOfTheirSources) {
       wrong += all.at(sources[i]) != joined.lines.points[i];
     }
     EXPECT_EQ(wrong, 0u);
+  }
+}
+
+/// Waves round a torus and round an island without waves, with signs by chance.
+TEST(DistributedCurves, MoveAsThoseOfTheWhole) {
+  WavySurface torus = wavy_surface("torus,resolution=30", kAxis, 20);
+  std::mt19937 random(3);
+  for (std::size_t v = 0; v < torus.mesh.vertex_count(); ++v) {
+    const Vec3& p = torus.mesh.positions[v];
+    const float sign = random() % 2 == 0 ? 1.0f : -1.0f;
+    torus.waves.directions[v] = sign * Vec3(-p.y(), p.x(), 0).normalized();
+  }
+  const Solved solved(with_hole(torus, 0.3f));
+  for (const float periods : {0.25f, -1.6f, 0.5f}) {
+    WaveSet waves = solved.whole.waves;
+    std::vector<Complex> z = solved.z;
+    EXPECT_EQ(move_peaks(*solved.whole.neighborhood, periods, waves, z), 0u);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(periods));
+      SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+      EXPECT_EQ(move_peaks(piece.surface, periods, piece.waves, piece.z), 0u);
+      EXPECT_EQ(piece.waves.directions, piece.parts.of_piece(waves.directions));
+      EXPECT_EQ(piece.z, piece.parts.of_piece(z));
+    }
+  }
+}
+
+/// Where directions cannot run alike, there are edges across which they do not.
+TEST(DistributedCurves, SayWhereMovedOnesJog) {
+  WavySurface box = wavy_surface("box,resolution=12", kAxis, 20);
+  box.waves.directions = smooth_direction_field(make_surface(box.mesh));
+  const Solved solved(box);
+  WaveSet waves = solved.whole.waves;
+  std::vector<Complex> z = solved.z;
+  const std::size_t expected = move_peaks(*solved.whole.neighborhood, 0.25f, waves, z);
+  ASSERT_GT(expected, 0u);
+  SolvedPiece piece(solved, partition_by_curve(box.mesh, rank_count()));
+  const std::size_t jogs = move_peaks(piece.surface, 0.25f, piece.waves, piece.z);
+  EXPECT_GT(jogs, 0u);
+  if (rank_count() == 1) {
+    EXPECT_EQ(jogs, expected);
   }
 }
 

@@ -220,17 +220,5 @@ TEST(DistributedField, IsDrawnToFeaturesOfTheWhole) {
   }
 }
 
-TEST(DistributedField, RefusesWhatNeedsTheWhole) {
-  const Parts parts(wavy_surface("torus,resolution=20", kAxis, 20));
-  const DistributedSurface surface = parts.surface();
-  SmoothFieldOptions options;
-  options.feature_anchor = 1;
-  options.feature_radius = 0.1f;
-  EXPECT_THROW(smooth_direction_field(surface, options), Error);
-  options = {};
-  options.anchors.push_back({0, kAxis});
-  EXPECT_THROW(smooth_direction_field(surface, options), Error);
-}
-
 }  // namespace
 }  // namespace brindle

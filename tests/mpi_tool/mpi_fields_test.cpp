@@ -210,6 +210,17 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfTheInput) {
   }
 }
 
+/// Of a finer mesh with arrays of its own, from which some vertices are too far.
+TEST_F(MpiToolFields, TakesArraysOfAnotherMesh) {
+  write_mesh_with_arrays();
+  const Words options = {"--field",      "array:flow", "--frequency-by", "array:density",
+                         "--field-mesh", "in.vtp",     "--max-distance", "0.3%"};
+  expect_agreement("shape:sphere,resolution=12", options, {});
+  const auto mpi = report("mpi.json");
+  EXPECT_GT(mpi["vertices_without_wave"], 0);
+  EXPECT_LT(mpi["vertices_without_wave"], mpi["vertices"]);
+}
+
 /// Pieces have the arrays of the input, and what is made of these has them too.
 TEST_F(MpiToolFields, KeepsAndTakesArraysOfPieces) {
   mesh = make_shape("sphere,resolution=10");  // of joined vertices pieces know nothing
@@ -248,6 +259,39 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfPieces) {
   expect_same_rows(one, 3, {"direction", "frequency"});
 }
 
+/// Of several ranks the field is another smooth one that follows the same strokes.
+TEST_F(MpiToolFields, FollowsStrokes) {
+  write_text(folder / "strokes.json",
+             R"({"strokes": [{"radius": 0.3, "strength": 1000, "points": [[1, 0, 0], [0.6, 0, 0.8],
+                 [0, 0, 1]]}, {"radius": 0.1, "points": [[0, -1, 0], [0.1, -1, 0.1]]}]})");
+  const Words options = {"--strokes", "strokes.json", "--stripes", "15"};
+  const LoadedMesh whole = run_alone("shape:sphere,resolution=12", options);
+  const std::vector<Vec3>& places = whole.mesh.positions;
+  const DataArray& expected = array_of(whole.arrays.points, "direction");
+  for (const int ranks : {1, 2, 4}) {
+    run_on(ranks, "shape:sphere,resolution=12", options);
+    if (ranks == 1) expect_same_rows(whole, 1, {"direction", "phase"});
+    std::size_t near = 0;
+    for (int r = 0; r < ranks; ++r) {
+      const LoadedMesh part = piece("mpi_" + std::to_string(r) + ".vtp");
+      const DataArray& ids = array_of(part.arrays.points, "global_id");
+      const DataArray& directions = array_of(part.arrays.points, "direction");
+      for (std::size_t v = 0; v < ids.rows(); ++v) {
+        const auto id = test::value<std::uint64_t>(ids, v);
+        if (std::abs(places[id].y()) > 0.1f || places[id].x() < 0.3f || places[id].z() < 0.3f) {
+          continue;
+        }
+        Vec3 one, other;
+        std::memcpy(one.data(), &directions.bytes[12 * v], 12);
+        std::memcpy(other.data(), &expected.bytes[12 * id], 12);
+        EXPECT_GT(std::abs(one.dot(other)), 0.999f);
+        ++near;
+      }
+    }
+    EXPECT_GT(near, 3u);
+  }
+}
+
 TEST_F(MpiToolFields, RefusesFilesThatDoNotFit) {
   write_mesh_with_arrays();
   write_rows("short.csv", "", 7, 3);
@@ -258,6 +302,10 @@ TEST_F(MpiToolFields, RefusesFilesThatDoNotFit) {
     expect_failure(on(2, words), code, message);
     EXPECT_FALSE(std::filesystem::exists(folder / "out.json"));
   };
+  write_text(folder / "far.json",
+             R"({"strokes": [{"radius": 0.1, "points": [[1, 0, 0], [3, 0, 0]]}]})");
+  refuses({"--strokes", "far.json"}, 1, "strokes[0]: point 1 is 2.0");
+  refuses({"--strokes", "words.csv"}, 1, "words.csv");
   refuses({"--field", "short.csv"}, 1, "short.csv");
   refuses({"--field", "words.csv"}, 1, "five");
   refuses({"--field", "nothing.csv"}, 1, "nothing.csv");
@@ -265,9 +313,7 @@ TEST_F(MpiToolFields, RefusesFilesThatDoNotFit) {
   refuses({"--direction", "1,0,0", "--frequency-by", "short.csv"}, 1, "short.csv");
   refuses({"--direction", "1,0,0", "--frequency-by", "array:loads"}, 1, "did you mean 'load'");
   refuses({"--direction", "1,0,0", "--frequency-by", "light"}, 2, "camera");
-  expect_failure(on(2, {"in.vtp", "--field", "short.csv", "--report", "short.csv.json", "--output",
-                        "in.pvtp", "--field-mesh", "in.vtp"}),
-                 2, "--field-mesh");
+  refuses({"--field", "array:flow", "--field-mesh", "words.csv"}, 1, "words.csv");
 }
 
 /// Rows of a file mean nothing where vertices are told by their places.

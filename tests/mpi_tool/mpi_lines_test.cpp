@@ -55,6 +55,46 @@ TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   }
 }
 
+/// Moved and reshaped lines, and tubes along them.
+TEST_F(MpiToolLines, ShapesOfCurvesOfOneRankAreThoseOfTheTool) {
+  for (const Words& more :
+       {Words{"--offset", "0.3", "--resample", "1%", "--simplify", "0.1%", "--output"},
+        Words{"--offset", "0.5", "--tube-radius", "0.4%", "--tube-sides", "5", "--output"}}) {
+    const Words mine = with(with({"curves"}, kMesh), more);
+    ASSERT_EQ(command_on(1, with(mine, {"mpi.obj", "--report", "mpi.json"})).exit_code, 0);
+    run_alone(with(mine, {"tool.obj", "--report", "tool.json"}));
+    EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj"));
+    const auto mpi = report("mpi.json")["u"], tool = report("tool.json")["u"];
+    for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << key;
+  }
+}
+
+/// Rings between the rings of the stripes: as many, and as long on the whole.
+TEST_F(MpiToolLines, MovedRingsAreWholeOnManyRanks) {
+  const Words rings = {"curves",
+                       "shape:torus,resolution=60",
+                       "--field",
+                       "curvature",
+                       "--curvature-direction",
+                       "min",
+                       "--stripes",
+                       "20",
+                       "--output",
+                       "rings.obj"};
+  std::size_t curves = 0;
+  for (const int ranks : {1, 2, 4}) {
+    ASSERT_EQ(
+        command_on(ranks, with(rings, {"--offset", "0.25", "--report", "moved.json"})).exit_code,
+        0);
+    const auto u = report("moved.json")["u"];
+    EXPECT_EQ(u["edges_with_jogs"], 0);
+    EXPECT_EQ(u["ends"]["total"], 2 * u["open"].get<std::size_t>());
+    EXPECT_GT(u["curves"], 0);
+    curves += u["curves"].get<std::size_t>();
+  }
+  EXPECT_GT(curves, 0u);
+}
+
 TEST_F(MpiToolLines, SamplesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--stripes-v", "40", "--min-distance", "0.4"};
   for (const Words& more : {Words{}, Words{"--slack", "0.2"}}) {
@@ -174,7 +214,7 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
   refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
-  refused({"sample", "shape:torus", "--field", "wind.csv"}, "wind.csv");
+  refused({"curves", "shape:torus", "--tube-sides", "5"}, "--tube-radius");
   refused({"sample", "shape:nothing"}, "unknown shape");
   expect_failure(command_on(2, {"curves", "nothing.pvtp", "--output", "a.vtp"}), 1, "nothing.pvtp");
   EXPECT_TRUE(listing().empty());

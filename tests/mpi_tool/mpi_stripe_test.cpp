@@ -59,10 +59,12 @@ TEST_F(MpiTool, WritesPiecesThatFitTogether) {
 
 /// A mesh that rank 0 reads whole, shapes in parts, and triangles that are split.
 TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
-  const Words meshes[] = {{"shape:vessels,resolution=40"},
-                          {"shape:torus,resolution=40", "--subdivide", "1"},
-                          {"shape:sphere,resolution=12"},
-                          {"shape:box,resolution=8", "--subdivide", "2"}};
+  const Words meshes[] = {
+      {"shape:vessels,resolution=40"},
+      {"shape:torus,resolution=40", "--subdivide", "1"},
+      {"shape:sphere,resolution=12"},
+      {"shape:box,resolution=8", "--subdivide", "2"},
+      {"shape:box,resolution=9", "--feature-anchor", "2", "--feature-radius", "6%"}};
   for (const Words& mesh : meshes) {
     Words mine = mesh;
     mine.insert(mine.end(), {"--field", "curvature", "--along", "--stripes", "25"});
@@ -175,10 +177,7 @@ TEST_F(MpiTool, MeasuresFrames) {
 }
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
-  expect_failure(on(2, {"shape:torus", "--feature-anchor", "1", "--feature-radius", "5%"}), 2,
-                 "--feature-radius");
-  expect_failure(on(2, {"shape:torus", "--field", "array:a", "--field-mesh", "wind.vtp"}), 2,
-                 "--field-mesh");
+  expect_failure(on(2, {"shape:torus", "--texture", "dots"}), 2, "'brindle stripe' has it");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
   expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");

@@ -18,6 +18,7 @@
 #include "brindle/phases/multilevel.h"
 #include "brindle/pipeline/curvature_anchors.h"
 #include "brindle/pipeline/feature_anchors.h"
+#include "brindle/pipeline/field_anchors.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
 
@@ -26,14 +27,6 @@ namespace {
 
 /// As stripes have them by default.
 constexpr HierarchyBounds kFieldBounds{16384, 262144};
-
-void check_distributed_field(const SmoothFieldOptions& options) {
-  check(options);
-  const bool reaches_out = options.feature_anchor > 0 && options.feature_radius > 0;
-  if (!reaches_out && options.anchors.empty()) return;
-  throw Error(
-      "smooth field: features with a radius and anchors of vertices need the whole surface");
-}
 
 /// Of own vertices; ghosts' entries mean nothing.
 std::vector<PrincipalCurvature> own_curvatures(const RankSurface& surface) {
@@ -52,9 +45,33 @@ void add_curvature(const RankSurface& surface, const SmoothFieldOptions& options
   add_curvature_anchors(graph, surface.normals, curvatures, scale, options);
 }
 
+/// Those of own vertices.
+void add_anchors(const RankSurface& surface, std::span<const FieldAnchor> anchors, int symmetry,
+                 PhaseGraph& graph) {
+  surface.ranks->together([&] {
+    for (const FieldAnchor& anchor : anchors) {
+      check_field_anchor(anchor, surface.vertex_of_piece.size());
+    }
+  });
+  if (!surface.ranks->any(!anchors.empty())) return;
+  graph.anchor.resize(graph.node_count());
+  for (FieldAnchor anchor : anchors) {
+    anchor.vertex = surface.vertex_of_piece[anchor.vertex];
+    if (anchor.vertex >= surface.graph.own) continue;
+    graph.anchor[anchor.vertex] +=
+        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], symmetry);
+  }
+}
+
 /// At own vertices, all of whose triangles are here.
-void add_features(const RankSurface& surface, const SmoothFieldOptions& options,
+void add_features(const DistributedSurface& distributed, const SmoothFieldOptions& options,
                   PhaseGraph& graph) {
+  const RankSurface& surface = distributed.rank_surface();
+  if (options.feature_radius > 0) {
+    const std::vector<FieldStroke> strokes = feature_strokes(
+        distributed, options.feature_angle_deg, options.feature_radius, options.feature_anchor);
+    return add_anchors(surface, stroke_anchors(distributed, strokes), options.symmetry, graph);
+  }
   const Mesh mesh = triangles_around_own(surface);
   graph.anchor.resize(graph.node_count());
   add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
@@ -112,12 +129,13 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
                                       const SmoothFieldOptions& options, HierarchyBounds bounds) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
-  ranks.together([&] { check_distributed_field(options); });
+  ranks.together([&] { check(options); });
   if (surface.vertices == 0) return {};
   const auto normals = std::span(surface.normals).first(surface.graph.node_count());
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
-  if (options.feature_anchor > 0) add_features(surface, options, graph);
+  if (options.feature_anchor > 0) add_features(distributed, options, graph);
+  add_anchors(surface, options.anchors, options.symmetry, graph);
   DistributedHierarchy hierarchy(ranks, surface.graph, own_ids(surface), bounds);
   load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
   hierarchy.coarsen();

@@ -92,6 +92,7 @@ class SurfaceMaker {
     drop_ghosts();
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();
+    made_.triangle_numbers = piece_.triangle_ids;
     number_triangles();
     if (ranks_.size() > 1) hear_of_triangles();
     number_vertices();

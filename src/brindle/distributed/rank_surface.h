@@ -22,12 +22,13 @@ struct RankSurface {
   std::vector<Triangle> ring;  ///< those of other ranks around own vertices
   std::vector<Vec3> normals;   ///< by vertex
   RankGraph graph;
-  NodeHalo rest;                         ///< owners of the rest of the vertices
-  std::vector<Index> vertex_of_piece;    ///< for every vertex of the piece
-  std::vector<std::uint64_t> piece_ids;  ///< their numbers in the whole
-  std::vector<Index> triangle_of_piece;  ///< number in the piece of every own triangle
-  std::size_t piece_triangles = 0;       ///< of the piece, ghosts included
-  std::vector<Vec3> piece_normals;       ///< by vertex of the piece
+  NodeHalo rest;                                ///< owners of the rest of the vertices
+  std::vector<Index> vertex_of_piece;           ///< for every vertex of the piece
+  std::vector<std::uint64_t> piece_ids;         ///< their numbers in the whole
+  std::vector<Index> triangle_of_piece;         ///< number in the piece of every own triangle
+  std::vector<std::uint64_t> triangle_numbers;  ///< of own triangles in the whole, or none
+  std::size_t piece_triangles = 0;              ///< of the piece, ghosts included
+  std::vector<Vec3> piece_normals;              ///< by vertex of the piece
   std::vector<std::uint8_t> piece_is_own;
   std::size_t vertices = 0, triangles = 0, edges = 0;  ///< of all ranks
   double diagonal = 0;

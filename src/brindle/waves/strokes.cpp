@@ -13,6 +13,7 @@
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/nearest.h"
 #include "brindle/waves/direction_graph.h"
+#include "brindle/waves/stroke_parts.h"
 
 namespace brindle {
 namespace {
@@ -229,17 +230,31 @@ void check_strokes(std::span<const FieldStroke> strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i) check_stroke(strokes[i], name_of(i));
 }
 
+std::vector<Eigen::Vector3d> places_of(const FieldStroke& stroke) {
+  std::vector<Eigen::Vector3d> places = stroke.points;
+  for (const StrokeStep& step : steps_along(stroke)) places.push_back(step.position);
+  return places;
+}
+
+double allowed_distance(const FieldStroke& stroke, double diagonal) {
+  return std::max(stroke.radius, kNearEnough * diagonal);
+}
+
 std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
                                         std::span<const FieldStroke> strokes) {
+  return stroke_anchors(surface, strokes, bounding_box(surface.mesh).diagonal());
+}
+
+std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
+                                        std::span<const FieldStroke> strokes, double diagonal) {
   check_strokes(strokes);
   std::vector<FieldAnchor> anchors;
   if (strokes.empty()) return anchors;
   const NearSurface near(surface);
-  const double diagonal = bounding_box(surface.mesh).diagonal();
   StrokeReach reach(surface);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const FieldStroke& stroke = strokes[i];
-    const double allowed = std::max(stroke.radius, kNearEnough * diagonal);
+    const double allowed = allowed_distance(stroke, diagonal);
     check_near(stroke, name_of(i), near, allowed);
     for (const StrokeStep& step : steps_along(stroke)) {
       const StepPlace place = near.place(step.position);
@@ -319,6 +334,12 @@ std::vector<FieldStroke> feature_strokes(const Surface& surface, float angle_deg
                                          double strength) {
   const Mesh& mesh = surface.mesh;
   const auto edges = feature_edges(mesh, mesh_edges(mesh, *surface.neighborhood), angle_deg);
+  return strokes_along(mesh, edges, radius, strength);
+}
+
+std::vector<FieldStroke> strokes_along(const Mesh& mesh,
+                                       const std::vector<std::array<Index, 2>>& edges,
+                                       double radius, double strength) {
   std::vector<FieldStroke> strokes;
   for (const std::vector<Index>& chain : EdgeChains(mesh, edges).chains()) {
     FieldStroke stroke{{}, radius, strength};

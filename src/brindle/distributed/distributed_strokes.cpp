@@ -1,0 +1,277 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed_surface.h"
+#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/nearest.h"
+#include "brindle/geometry/neighborhood.h"
+#include "brindle/waves/stroke_parts.h"
+
+namespace brindle {
+namespace {
+
+struct SentCorner {
+  std::uint64_t id;
+  std::array<float, 3> position, normal;
+};
+
+struct SentTriangle {
+  std::uint64_t number;  ///< in the whole; 0 where triangles have none
+  std::array<SentCorner, 3> corners;
+};
+
+struct SentAnchor {
+  std::uint64_t id;
+  std::array<float, 3> direction;
+  float weight;
+};
+
+std::array<float, 3> floats_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vector_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+double squared_distance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                        const Eigen::Vector3d& b) {
+  const Eigen::Vector3d along = b - a;
+  const double square = along.squaredNorm();
+  const double share = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
+  return (a + share * along - p).squaredNorm();
+}
+
+/// Own triangles that strokes may have to do with.
+class NearTriangles {
+ public:
+  explicit NearTriangles(const RankSurface& surface)
+      : surface_(surface), near_(surface.mesh.triangle_count()) {
+    if (near_.empty()) return;
+    nearest_.emplace(surface.mesh);
+    own_.resize(surface.mesh.vertex_count());
+    for (const Triangle& triangle : surface.mesh.triangles) {
+      for (const Index v : triangle) own_[v] = 1;
+    }
+  }
+
+  void add(const FieldStroke& stroke) {
+    if (near_.empty()) return;
+    for (const Eigen::Vector3d& place : places_of(stroke)) {
+      const auto found = nearest_->nearest(place - surface_.mesh.origin);
+      if (found) near_[found->triangle] = 1;
+    }
+    const std::vector<std::uint8_t> reached = vertices_near(stroke);
+    for (std::size_t t = 0; t < near_.size(); ++t) {
+      for (const Index v : surface_.mesh.triangles[t]) near_[t] |= reached[v];
+    }
+  }
+
+  std::vector<SentTriangle> triangles() const {
+    std::vector<std::uint64_t> ids(surface_.vertex_count());
+    for (std::size_t p = 0; p < surface_.vertex_of_piece.size(); ++p) {
+      ids[surface_.vertex_of_piece[p]] = surface_.piece_ids[p];
+    }
+    std::vector<SentTriangle> sent;
+    for (std::size_t t = 0; t < near_.size(); ++t) {
+      if (!near_[t]) continue;
+      SentTriangle& triangle = sent.emplace_back();
+      triangle.number = surface_.triangle_numbers.empty() ? 0 : surface_.triangle_numbers[t];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Index v = surface_.mesh.triangles[t][c];
+        triangle.corners[c] = {ids[v], floats_of(surface_.mesh.positions[v]),
+                               floats_of(surface_.normals[v])};
+      }
+    }
+    return sent;
+  }
+
+ private:
+  /// What a stroke reaches is within its radius of a place that it is allowed to be away from.
+  std::vector<std::uint8_t> vertices_near(const FieldStroke& stroke) const {
+    const double reach = (1 + 1e-5) * (stroke.radius + allowed_distance(stroke, surface_.diagonal));
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : stroke.points) box.extend(point - surface_.mesh.origin);
+    std::vector<std::uint8_t> reached(surface_.vertex_count());
+    for (std::size_t v = 0; v < reached.size(); ++v) {
+      if (!own_[v]) continue;
+      const Eigen::Vector3d p = surface_.mesh.positions[v].cast<double>();
+      if (box.squaredExteriorDistance(p) > reach * reach) continue;
+      for (std::size_t i = 0; i + 1 < stroke.points.size() && !reached[v]; ++i) {
+        const double square = squared_distance(p, stroke.points[i] - surface_.mesh.origin,
+                                               stroke.points[i + 1] - surface_.mesh.origin);
+        reached[v] = square <= reach * reach ? 1 : 0;
+      }
+    }
+    return reached;
+  }
+
+  const RankSurface& surface_;
+  std::vector<std::uint8_t> near_, own_;  // by triangle, and by vertex of these
+  std::optional<NearestOnMesh> nearest_;
+};
+
+/// A part of the whole, in its order.
+struct PartOfWhole {
+  Surface surface;
+  std::vector<std::uint64_t> ids;  ///< ascending
+};
+
+PartOfWhole part_of(std::vector<SentTriangle> triangles, const Eigen::Vector3d& origin) {
+  std::ranges::stable_sort(triangles, {}, &SentTriangle::number);
+  std::vector<std::pair<std::uint64_t, SentCorner>> corners;
+  for (const SentTriangle& triangle : triangles) {
+    for (const SentCorner& corner : triangle.corners) corners.emplace_back(corner.id, corner);
+  }
+  const auto id_of = [](const auto& corner) { return corner.first; };
+  std::ranges::sort(corners, {}, id_of);
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+  PartOfWhole part;
+  part.surface.mesh.origin = origin;
+  for (const auto& [id, corner] : corners) {
+    part.ids.push_back(id);
+    part.surface.mesh.positions.push_back(vector_of(corner.position));
+    part.surface.normals.push_back(vector_of(corner.normal));
+  }
+  for (const SentTriangle& triangle : triangles) {
+    Triangle& own = part.surface.mesh.triangles.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto place = std::ranges::lower_bound(part.ids, triangle.corners[c].id);
+      own[c] = static_cast<Index>(place - part.ids.begin());
+    }
+  }
+  part.surface.neighborhood =
+      std::make_shared<const Adjacency>(vertex_neighborhood(part.surface.mesh));
+  return part;
+}
+
+struct SentEdge {
+  std::array<std::uint64_t, 2> ids;  ///< the lower one first
+  std::array<std::array<float, 3>, 2> positions;
+};
+
+/// Each edge is told of by the owner of its end of lower number, who has all its triangles.
+std::vector<SentEdge> own_features(const RankSurface& surface, float angle_deg) {
+  std::vector<std::uint64_t> ids(surface.vertex_count());
+  for (std::size_t p = 0; p < surface.vertex_of_piece.size(); ++p) {
+    ids[surface.vertex_of_piece[p]] = surface.piece_ids[p];
+  }
+  surface.exchange_all(std::span(ids));  // ghosts need not be in the piece
+  const Mesh mesh = triangles_around_own(surface);
+  std::vector<SentEdge> sent;
+  surface.ranks->together([&] {
+    const MeshEdges edges = mesh_edges(mesh, vertex_neighborhood(mesh));
+    for (auto [a, b] : feature_edges(mesh, edges, angle_deg)) {
+      if (ids[b] < ids[a]) std::swap(a, b);
+      if (a >= surface.graph.own) continue;
+      sent.push_back(
+          {{ids[a], ids[b]}, {floats_of(mesh.positions[a]), floats_of(mesh.positions[b])}});
+    }
+  });
+  return sent;
+}
+
+std::vector<FieldStroke> strokes_of(std::vector<SentEdge> edges, const Eigen::Vector3d& origin,
+                                    double radius, double strength) {
+  // As `mesh_edges` has them.
+  std::ranges::sort(edges, {}, [](const SentEdge& e) { return std::pair(e.ids[1], e.ids[0]); });
+  std::map<std::uint64_t, std::array<float, 3>> corners;
+  for (const SentEdge& edge : edges) {
+    for (std::size_t end = 0; end < 2; ++end) corners[edge.ids[end]] = edge.positions[end];
+  }
+  Mesh mesh;
+  mesh.origin = origin;
+  std::unordered_map<std::uint64_t, Index> vertex_of;
+  for (const auto& [id, position] : corners) {
+    vertex_of[id] = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(vector_of(position));
+  }
+  std::vector<std::array<Index, 2>> of_mesh;
+  for (const SentEdge& edge : edges) {
+    of_mesh.push_back({vertex_of.at(edge.ids[0]), vertex_of.at(edge.ids[1])});
+  }
+  return strokes_along(mesh, of_mesh, radius, strength);
+}
+
+/// Rank 0's points, stroke by stroke, on all ranks.
+std::vector<FieldStroke> told_by_first(Communicator& ranks, const std::vector<FieldStroke>& strokes,
+                                       double radius, double strength) {
+  std::vector<std::vector<std::uint64_t>> counts(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<std::array<double, 3>>> points(counts.size());
+  for (const FieldStroke& stroke : strokes) {
+    for (auto& list : counts) list.push_back(stroke.points.size());
+    for (auto& list : points) {
+      for (const Eigen::Vector3d& p : stroke.points) list.push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  const auto heard_counts = ranks.swap_lists(counts);
+  const auto heard_points = ranks.swap_lists(points);
+  std::vector<FieldStroke> told;
+  std::size_t next = 0;
+  for (const std::uint64_t count : heard_counts[0]) {
+    FieldStroke& stroke = told.emplace_back(FieldStroke{{}, radius, strength});
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto& [x, y, z] = heard_points[0][next++];
+      stroke.points.emplace_back(x, y, z);
+    }
+  }
+  return told;
+}
+
+}  // namespace
+
+std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, float angle_deg,
+                                         double radius, double strength) {
+  const RankSurface& surface = distributed.rank_surface();
+  Communicator& ranks = *surface.ranks;
+  const std::vector<SentEdge> own = own_features(surface, angle_deg);
+  auto all = joined<SentEdge>(ranks.gather(std::as_bytes(std::span(own))));
+  std::vector<FieldStroke> strokes;
+  ranks.together([&] {
+    if (ranks.rank() == 0) {
+      strokes = strokes_of(std::move(all), surface.mesh.origin, radius, strength);
+    }
+  });
+  return told_by_first(ranks, strokes, radius, strength);
+}
+
+std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
+                                        std::span<const FieldStroke> strokes) {
+  const RankSurface& surface = distributed.rank_surface();
+  Communicator& ranks = *surface.ranks;
+  ranks.together([&] { check_strokes(strokes); });
+  NearTriangles near(surface);
+  for (const FieldStroke& stroke : strokes) near.add(stroke);
+  const std::vector<SentTriangle> own = near.triangles();
+  auto all = joined<SentTriangle>(ranks.gather(std::as_bytes(std::span(own))));
+  std::vector<SentAnchor> found;
+  ranks.together([&] {
+    if (ranks.rank() != 0) return;
+    const PartOfWhole part = part_of(std::move(all), surface.mesh.origin);
+    for (const FieldAnchor& anchor : stroke_anchors(part.surface, strokes, surface.diagonal)) {
+      found.push_back({part.ids[anchor.vertex], floats_of(anchor.direction), anchor.weight});
+    }
+  });
+  std::vector<std::vector<SentAnchor>> told(static_cast<std::size_t>(ranks.size()));
+  if (ranks.rank() == 0) {
+    for (auto& list : told) list = found;
+  }
+  std::unordered_map<std::uint64_t, Index> vertex_of;
+  for (Index p = 0; p < surface.piece_ids.size(); ++p) vertex_of[surface.piece_ids[p]] = p;
+  std::vector<FieldAnchor> anchors;
+  const auto heard = ranks.swap_lists(told);
+  for (const SentAnchor& anchor : heard[0]) {
+    const auto vertex = vertex_of.find(anchor.id);
+    if (vertex == vertex_of.end()) continue;
+    anchors.push_back({vertex->second, vector_of(anchor.direction), anchor.weight});
+  }
+  return anchors;
+}
+
+}  // namespace brindle
