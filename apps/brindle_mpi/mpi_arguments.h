@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/distributed/communicator.h"
+#include "brindle/distributed/distributed_hierarchy.h"
 #include "solving_options.h"
 #include "surface_options.h"
 #include "used_files.h"
@@ -19,11 +20,15 @@ struct MpiArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
+  HierarchyBounds bounds;
   std::string output;  ///< .pvtp; empty: none
   std::string report;  ///< .json; empty: none
   int frames = 0;      ///< that are measured after the pattern is made
   bool quiet = false;
 };
+
+/// --plan-below.
+void add_bounds_options(CLI::App& command, HierarchyBounds& bounds);
 
 void add_mpi_options(CLI::App& command, MpiArguments& arguments);
 

@@ -148,10 +148,11 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
     const double topology_milliseconds = watch.lap();
     stage("direction field");
-    PieceWaves waves = make_piece_waves(ranks, surface, read, arguments.waves, display);
+    PieceWaves waves =
+        make_piece_waves(ranks, surface, read, {arguments.waves, arguments.bounds}, display);
     stage("stripes");
-    DistributedStripeAnimator animator(surface,
-                                       animator_options(ranks, arguments.solving, read, surface));
+    DistributedStripeAnimator animator(
+        surface, animator_options(ranks, arguments.solving, arguments.bounds, read, surface));
     const WaveSet& w = waves.waves;
     const FrameResult frame =
         animator.frame({w.positions, w.directions, w.frequencies}, display.progress());

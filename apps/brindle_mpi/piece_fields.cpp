@@ -13,6 +13,7 @@
 #include "brindle/array_field.h"
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/distributed/distributed_field.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -215,7 +216,8 @@ std::vector<FieldAnchor> read_anchors(Communicator& ranks, const DistributedSurf
 }  // namespace
 
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const WaveOptions& options) {
+                            const ReadPiece& read, const PieceWaveOptions& wanted) {
+  const WaveOptions& options = wanted.waves;
   const auto arrays = std::make_shared<const PieceArrays>(ranks, surface, read, options.arrays);
   PieceField field;
   if (options.direction) {
@@ -230,7 +232,7 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
       smooth.feature_radius = options.feature_radius->on(static_cast<float>(surface.diagonal()));
     }
     if (!options.strokes.empty()) smooth.anchors = read_anchors(ranks, surface, options.strokes);
-    field.directions = smooth_direction_field(surface, smooth);
+    field.directions = smooth_direction_field(surface, smooth, wanted.bounds);
   } else if (options.field == "raw-curvature") {
     field.directions = curvature_direction_field(surface, options.curvature_direction);
   } else if (is_array(options.field)) {

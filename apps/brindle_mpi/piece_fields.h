@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brindle/distributed/communicator.h"
+#include "brindle/distributed/distributed_hierarchy.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/frequency_field.h"
 #include "mesh_pieces.h"
@@ -28,9 +29,15 @@ struct PieceField {
   std::shared_ptr<const PieceArrays> arrays = {};
 };
 
+/// What waves are wanted, and how smooth fields are found.
+struct PieceWaveOptions {
+  const WaveOptions& waves;
+  HierarchyBounds bounds;
+};
+
 /// Collective. What `make_base_field` makes of the whole.
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const WaveOptions& options);
+                            const ReadPiece& read, const PieceWaveOptions& wanted);
 
 /// Collective. Takes the wave from every vertex without a frequency on all ranks, gives it the mean
 /// of the others, and returns how many waves were taken.

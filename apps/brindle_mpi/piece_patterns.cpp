@@ -38,9 +38,10 @@ WaveSet waves_across(const WaveSet& u, const DistributedSurface& surface,
 }
 
 SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
-                    const SolvingOptions& solving, const Progress& progress) {
+                    const PatternArguments& arguments, const Progress& progress) {
   DistributedStripeAnimator animator(
-      *patterns.surface, animator_options(ranks, solving, patterns.read, *patterns.surface));
+      *patterns.surface, animator_options(ranks, arguments.solving, arguments.bounds, patterns.read,
+                                          *patterns.surface));
   SolvedPattern solved;
   const FrameResult frame =
       animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
@@ -74,6 +75,7 @@ void add_pattern_options(CLI::App& command, PatternArguments& arguments, const s
       ->type_name("F")
       ->excludes(stripes);
   add_solving_options(command, arguments.solving);
+  add_bounds_options(command, arguments.bounds);
   command.add_option("-o,--output", arguments.output, what)->type_name(files);
   command.add_option("--report", arguments.report, "write the report here")->type_name("FILE.json");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
@@ -114,8 +116,8 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   patterns.surface.emplace(patterns.read.piece, MPI_COMM_WORLD);
   patterns.topology = watch.lap();
   stage("direction field");
-  PieceWaves waves =
-      make_piece_waves(ranks, *patterns.surface, patterns.read, arguments.waves, display);
+  PieceWaves waves = make_piece_waves(ranks, *patterns.surface, patterns.read,
+                                      {arguments.waves, arguments.bounds}, display);
   patterns.figures = waves.figures;
   patterns.field_rows_nonfinite = waves.field_rows_nonfinite;
   patterns.field = waves.milliseconds;
@@ -124,7 +126,7 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   if (with_v) across = waves_across(waves.waves, *patterns.surface, frequency_v);
   const auto make = [&](WaveSet& set) {
     stage("stripes");
-    return solve(ranks, patterns, std::move(set), arguments.solving, display.progress());
+    return solve(ranks, patterns, std::move(set), arguments, display.progress());
   };
   if (with_u) patterns.u = make(waves.waves);
   if (with_v) patterns.v = make(across);

@@ -21,6 +21,7 @@ struct PatternArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
+  HierarchyBounds bounds;
   std::optional<float> stripes_v;    ///< along the diagonal; U's frequency if neither is given
   std::optional<float> frequency_v;  ///< stripes per unit length
   std::string output;                ///< empty: none

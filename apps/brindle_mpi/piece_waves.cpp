@@ -73,12 +73,13 @@ WantedArrays wanted_arrays(const WaveOptions& options) {
 }
 
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const WaveOptions& options,
+                            const ReadPiece& read, const PieceWaveOptions& wanted,
                             JobListener& listener) {
+  const WaveOptions& options = wanted.waves;
   Stopwatch watch;
   listener.stage("direction field");
   PieceWaves made;
-  PieceField field = make_piece_field(ranks, surface, read, options);
+  PieceField field = make_piece_field(ranks, surface, read, wanted);
   const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
   if (turn_deg != 0) {
     field.directions =
@@ -99,9 +100,12 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
 }
 
 DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
-                                    const ReadPiece& read, const DistributedSurface& surface) {
+                                    HierarchyBounds bounds, const ReadPiece& read,
+                                    const DistributedSurface& surface) {
   DistributedOptions options;
   options.solver = FrameSolver::multilevel;
+  options.gather_below = bounds.gather_below;
+  options.plan_below = bounds.plan_below;
   options.phase_shift = solving.stripes.phase_shift;
   options.weights = solving.stripes.weights;
   options.sweeps = solving.stripes.solver.sweeps;

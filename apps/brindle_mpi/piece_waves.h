@@ -8,6 +8,7 @@
 #include "brindle/distributed_stripes.h"
 #include "job_listener.h"
 #include "mesh_pieces.h"
+#include "piece_fields.h"
 #include "solving_options.h"
 #include "wave_figures.h"
 #include "wave_options.h"
@@ -27,11 +28,12 @@ WantedArrays wanted_arrays(const WaveOptions& options);
 
 /// Collective. As the options ask for; notes what is wrong with them.
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const WaveOptions& options,
+                            const ReadPiece& read, const PieceWaveOptions& wanted,
                             JobListener& listener);
 
 /// Collective. How phases are found, slack and all; throws what `piece_slack` throws.
 DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
-                                    const ReadPiece& read, const DistributedSurface& surface);
+                                    HierarchyBounds bounds, const ReadPiece& read,
+                                    const DistributedSurface& surface);
 
 }  // namespace brindle::tool

@@ -14,7 +14,7 @@ using test::Words;
 struct MpiToolShapes : MpiTool {
   nlohmann::json report_of(int ranks, Words arguments) const {
     arguments.insert(arguments.end(), {"--direction", "0.3,0.9,0.2", "--threads", "1", "--quiet",
-                                       "--report", "out.json"});
+                                       "--plan-below", "0", "--report", "out.json"});
     const auto result = on(ranks, arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return nlohmann::json::parse(content(folder / "out.json"));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -46,6 +47,28 @@ void load_part(std::span<const std::byte> bytes, const RowPlaces& places,
   for (const auto& [edge, b] : reflections) reflecting.push_back({places.entry[edge], b});
 }
 
+/// Direct couplings and anchors; reflecting ones are only collected.
+void copy_local(const LocalRows& local, const SlicedLayout& layout, SlicedCouplings& couplings,
+                std::vector<ReflectingCoupling>& reflecting) {
+  const auto& [level, rows, places] = local;
+  const std::vector<Complex>& anchor = level.couplings.anchor;
+  if (!anchor.empty() && couplings.anchor.empty()) couplings.anchor.resize(layout.slot_count());
+  const auto copy_row = [&](std::size_t row) {
+    const Index slot = level.layout().slot_of[rows.nodes()[row]];
+    std::size_t from = level.layout().first_entry(slot);
+    for (Index e = places.edge_begin[row]; e < places.edge_begin[row + 1]; ++e, from += kLanes) {
+      couplings.set_direct(places.entry[e], level.couplings.direct_at(from));
+    }
+    if (!anchor.empty()) couplings.anchor[places.slot[row]] = anchor[slot];
+  };
+  parallel_for(rows.nodes().size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) copy_row(row);
+  });
+  rows.for_each_reflection(level, [&](Index edge, Complex b) {
+    reflecting.push_back({places.entry[edge], b});
+  });
+}
+
 }  // namespace
 
 RowPacker::RowPacker(std::shared_ptr<const Adjacency> adjacency, std::vector<Index> nodes)
@@ -71,13 +94,7 @@ void RowPacker::pack(const Level& level, std::vector<std::byte>& bytes) const {
     if (!couplings.anchor.empty()) anchors.push_back(couplings.anchor[layout.slot_of[node]]);
   }
   std::vector<EdgeReflection> reflections;
-  for (Index slice = 0; slice < layout.slice_count(); ++slice) {
-    for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
-      const Index node = layout.node_at[slice * kLanes + entry % kLanes];
-      if (node >= first_edge_.size() || first_edge_[node] == kNone) continue;
-      reflections.push_back({first_edge_[node] + entry / kLanes - layout.column_begin[slice], b});
-    }
-  }
+  for_each_reflection(level, [&](Index edge, Complex b) { reflections.push_back({edge, b}); });
   const std::uint8_t anchored = couplings.anchor.empty() ? 0 : 1;
   bytes.clear();
   append(bytes, std::span<const Complex>(direct));
@@ -101,13 +118,14 @@ void RowPlaces::add(const SlicedLayout& layout, Index row_slot,
 }
 
 void load_rows(std::span<const std::vector<std::byte>> parts, std::span<const RowPlaces> places,
-               const SlicedLayout& layout, SlicedCouplings& couplings) {
+               const SlicedLayout& layout, SlicedCouplings& couplings, const LocalRows* local) {
   std::vector<ReflectingCoupling> reflecting;
   couplings.anchor.clear();
   for (std::size_t r = 0; r < parts.size(); ++r) {
-    if (places[r].slot.empty()) continue;
+    if (parts[r].empty()) continue;
     load_part(parts[r], places[r], layout, couplings, reflecting);
   }
+  if (local != nullptr) copy_local(*local, layout, couplings, reflecting);
   std::ranges::sort(reflecting, {}, &ReflectingCoupling::entry);
   std::ranges::fill(couplings.reflecting_count, Index{0});
   Index slice = 0;

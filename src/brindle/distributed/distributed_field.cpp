@@ -25,9 +25,6 @@
 namespace brindle {
 namespace {
 
-/// As stripes have them by default.
-constexpr HierarchyBounds kFieldBounds{16384, 262144};
-
 /// Of own vertices; ghosts' entries mean nothing.
 std::vector<PrincipalCurvature> own_curvatures(const RankSurface& surface) {
   const std::size_t nodes = surface.graph.node_count();
@@ -107,7 +104,7 @@ void orient_as_one(const RankSurface& surface, DirectionField& directions) {
 
 /// Signs directions, gives ghosts and the rest those of their owners.
 DirectionField of_piece(const RankSurface& surface, DirectionField directions,
-                        HierarchyBounds bounds = kFieldBounds) {
+                        HierarchyBounds bounds = {}) {
   if (surface.ranks->size() > 1 && surface.vertices < bounds.plan_below) {
     orient_as_one(surface, directions);
   } else {
@@ -122,7 +119,7 @@ DirectionField of_piece(const RankSurface& surface, DirectionField directions,
 
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options) {
-  return smooth_direction_field(surface, options, kFieldBounds);
+  return smooth_direction_field(surface, options, HierarchyBounds());
 }
 
 DirectionField smooth_direction_field(const DistributedSurface& distributed,

@@ -38,12 +38,14 @@ void MovedLevels::take_places(const LevelPlan& plan, const std::vector<Index>& n
 }
 
 void MovedLevels::load(const Level& source) {
+  const auto here = static_cast<std::size_t>(ranks_.rank());
   for (std::size_t r = 0; r < packers_.size(); ++r) {
     packed_[r].clear();
-    if (!sent_[r].empty()) packers_[r].pack(source, packed_[r]);
+    if (r != here && !sent_[r].empty()) packers_[r].pack(source, packed_[r]);
   }
   Level& finest = levels_.finest();
-  load_rows(ranks_.swap_lists(packed_), places_, finest.layout(), finest.couplings);
+  const LocalRows local{source, packers_[here], places_[here]};
+  load_rows(ranks_.swap_lists(packed_), places_, finest.layout(), finest.couplings, &local);
 }
 
 void MovedLevels::bring_back(Level& source) {
