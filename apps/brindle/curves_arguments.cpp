@@ -29,6 +29,13 @@ void add_min_length_option(CLI::App& command, Length& min_length) {
       ->type_name("L|P%");
 }
 
+void add_join_option(CLI::App& command, bool& join) {
+  command.add_flag(
+      "--join", join,
+      "join curves that end in the same triangle in pairs, and let others run on into their "
+      "neighbours");
+}
+
 void add_offset_option(CLI::App& command, float& offset) {
   add_parsed_option(command, "--offset", offset, parse_number,
                     "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)")
@@ -60,10 +67,7 @@ namespace {
 void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
   add_lines_option(command, arguments.traced);
   add_offset_option(command, arguments.offset);
-  command.add_flag(
-      "--join", arguments.join,
-      "join curves that end in the same triangle in pairs, and let others run on into their "
-      "neighbours");
+  add_join_option(command, arguments.join);
   add_min_length_option(command, arguments.min_length);
   add_line_shape_options(command, arguments);
   add_parsed_option(command, "--line-width", arguments.line_width, parse_positive_length,

@@ -51,6 +51,8 @@ enum class CurveOutput { lines, tubes, drawing, picture, report };
 void add_lines_option(CLI::App& command, TracedWaves& traced);
 void add_min_length_option(CLI::App& command, Length& min_length);
 void add_offset_option(CLI::App& command, float& offset);
+
+void add_join_option(CLI::App& command, bool& join);
 void add_line_shape_options(CLI::App& command, LineShape& shape);
 void add_tube_options(CLI::App& command, LineShape& shape);
 

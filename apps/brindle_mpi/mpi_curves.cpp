@@ -43,6 +43,7 @@ edge's vertices in the whole, and border_crossing counts along it; elsewhere bot
 struct MpiCurvesArguments : PatternArguments, LineShape {
   TracedWaves lines = TracedWaves::u;
   float offset = 0;
+  bool join = false;
   Length min_length;
 };
 
@@ -143,6 +144,8 @@ nlohmann::ordered_json to_json(const JoinedFamily& family) {
           {"points", lines.points.size()},
           {"length", lengths.closed_length + lengths.open_length},
           {"ends", ends_to_json(family.ends)},
+          {"joined_ends", family.curves.joined_ends},
+          {"ends_at_neighbours", family.curves.ends_at_neighbors},
           {"edges_with_jogs", family.jogs}};
 }
 
@@ -152,6 +155,10 @@ void print(std::ostream& out, const JoinedFamily& family) {
                    family.curves.lines.count(), lengths.closed,
                    lengths.closed_length + lengths.open_length)
       << "          " << line_of_ends(family.ends);
+  if (family.curves.joined_ends + family.curves.ends_at_neighbors > 0) {
+    out << formatted("          %zu more ends joined in pairs, %zu run on into neighbours\n",
+                     family.curves.joined_ends, family.curves.ends_at_neighbors);
+  }
   if (family.short_curves > 0) {
     out << formatted("          %zu shorter curves left out\n", family.short_curves);
   }
@@ -180,7 +187,7 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (!arguments.tube_radius) {
     refuse_given(command, {"--tube-sides"}, "no tubes are written; add --tube-radius L");
   }
-  refuse_given(command, {"--join", "--line-width"},
+  refuse_given(command, {"--line-width"},
                "it needs the whole surface in one process; 'brindle curves' has it");
   if (arguments.lines == TracedWaves::u) {
     refuse_given(command, {"--stripes-v", "--frequency-v"},
@@ -244,7 +251,8 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
     const std::size_t jogs = arguments.offset == 0 ? 0
                                                    : move_peaks(*patterns.surface, arguments.offset,
                                                                 (*solved)->waves, (*solved)->z);
-    families.push_back({name, piece_curves(patterns.piece(**solved, arguments))});
+    families.push_back(
+        {name, piece_curves(patterns.piece(**solved, arguments), {.join = arguments.join})});
     if (writes_pieces(arguments)) {
       made.report[name] = to_json(ranks, families.back(), **solved);
       made.report[name]["edges_with_jogs"] = jogs;
@@ -292,10 +300,10 @@ void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
   add_lines_option(command, arguments.lines);
   add_min_length_option(command, arguments.min_length);
   add_offset_option(command, arguments.offset);
+  add_join_option(command, arguments.join);
   add_line_shape_options(command, arguments);
   add_tube_options(command, arguments);
   // Told apart from what there is not at all.
-  command.add_flag("--join")->group("");
   command.add_option("--line-width")->group("");
 }
 

@@ -42,7 +42,7 @@ Words with(const Words& front, const Words& back) {
 
 TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines", "both", "--stripes-v", "12", "--min-length", "10%"};
-  for (const Words& more : {Words{}, Words{"--slack", "0.2"}}) {
+  for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
     ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
               0);
@@ -52,6 +52,25 @@ TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
       const auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
       for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
     }
+  }
+}
+
+/// Those that end alone run on to their neighbours, also beyond borders.
+TEST_F(MpiToolLines, JoinedCurvesOfManyRanksAreThoseOfTheTool) {
+  const Words options = with(with({"curves"}, kMesh), {"--join", "--output"});
+  run_alone(with(options, {"tool.vtp", "--report", "tool.json"}));
+  const auto alone = report("tool.json")["u"];
+  EXPECT_GT(alone["ends_at_neighbours"], 0);
+  for (const int ranks : {2, 4}) {
+    const auto result = command_on(ranks, with(options, {"mpi.vtp", "--report", "mpi.json"}));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto many = report("mpi.json")["u"];
+    for (const char* key :
+         {"curves", "closed", "open", "ends", "joined_ends", "ends_at_neighbours"}) {
+      EXPECT_EQ(many[key], alone[key]) << key << " of " << ranks;
+    }
+    EXPECT_NEAR(many["length"].get<double>(), alone["length"].get<double>(),
+                1e-3 * alone["length"].get<double>());
   }
 }
 
@@ -210,7 +229,6 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   };
   refused({"curves", "shape:torus", "--output", "a.png"}, ".obj, .ply, .vtp or .csv");
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
-  refused({"curves", "shape:torus", "--join"}, "--join");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
   refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
