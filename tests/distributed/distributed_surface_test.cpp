@@ -182,42 +182,64 @@ TEST(DistributedField, FollowsCurvature) {
   }
 }
 
-/// Where there are sharp edges on a box, however it is cut; nowhere on a torus, whose pieces all
-/// have boundaries.
+/// A plane that is folded by 90 degrees along its middle.
+Mesh roof() {
+  Mesh mesh = make_shape("plane,resolution=24");
+  const Vec3 size = bounding_box(mesh).upper - bounding_box(mesh).lower;
+  Eigen::Index flat = 0, across = 0;
+  size.minCoeff(&flat);
+  size.maxCoeff(&across);
+  const float middle = (bounding_box(mesh).upper + bounding_box(mesh).lower)[across] / 2;
+  for (Vec3& p : mesh.positions) p[flat] -= std::abs(p[across] - middle);
+  return mesh;
+}
+
+/// Where there are sharp edges, however a surface is cut; nowhere on a torus, whose pieces all have
+/// boundaries.
 TEST(DistributedField, IsDrawnToFeaturesOfTheWhole) {
   SmoothFieldOptions options, drawn;
   drawn.feature_anchor = 100;
+  const WavySurface folded = wavy_surface(roof(), kAxis, 20);
+  const Surface whole = make_surface(folded.mesh);
+  const DirectionField expected = smooth_direction_field(whole, drawn);
+  ASSERT_NE(expected, smooth_direction_field(whole, options));
+  std::vector<std::uint8_t> is_sharp(folded.mesh.vertex_count());
+  for (const auto& [a, b] :
+       feature_edges(folded.mesh, mesh_edges(folded.mesh, *folded.neighborhood), 40)) {
+    is_sharp[a] = is_sharp[b] = 1;
+  }
+  // The fold and the boundary.
+  ASSERT_GE(std::ranges::count(is_sharp, 1), 5 * 24 - 2);
   for (const Cut& cut : kCuts) {
     SCOPED_TRACE(cut.name);
-    const WavySurface box = wavy_surface("box,resolution=12", kAxis, 20);
-    const Surface whole = make_surface(box.mesh);
-    const Parts parts(box, cut.rank_of_triangle(box.mesh));
+    const Parts parts(folded, cut.rank_of_triangle(folded.mesh));
     const DistributedSurface surface = parts.surface();
-    const DirectionField expected = smooth_direction_field(whole, drawn);
-    const DirectionField field = smooth_direction_field(surface, drawn);
-    if (rank_count() == 1) {
-      EXPECT_TRUE(same_bits(std::span<const Vec3>(field), std::span<const Vec3>(expected)));
+    for (const HierarchyBounds bounds : {HierarchyBounds{}, HierarchyBounds{100, 0}}) {
+      const DirectionField field = smooth_direction_field(surface, drawn, bounds);
+      std::size_t sharp = 0, along = 0;
+      for (std::size_t v = 0; v < field.size(); ++v) {
+        const float cosine = std::abs(field[v].dot(expected[parts.ids[v]]));
+        if (bounds.plan_below > 0) {
+          EXPECT_GT(cosine, 0.9999f);
+        }
+        if (!is_sharp[parts.ids[v]]) continue;
+        ++sharp;
+        along += cosine > 0.999f;
+      }
+      // Where edges meet they cancel.
+      EXPECT_GE(along + 6, sharp);
     }
-    std::vector<std::uint8_t> is_sharp(box.mesh.vertex_count());
-    for (const auto& [a, b] :
-         feature_edges(box.mesh, mesh_edges(box.mesh, *box.neighborhood), 40)) {
-      is_sharp[a] = is_sharp[b] = 1;
-    }
-    std::size_t sharp = 0, along = 0;
-    for (std::size_t v = 0; v < field.size(); ++v) {
-      if (!is_sharp[parts.ids[v]]) continue;
-      ++sharp;
-      along += std::abs(field[v].dot(expected[parts.ids[v]])) > 0.999f;
-    }
-    // Where three edges meet they cancel.
-    EXPECT_GE(along + 8, sharp);
-
-    const Parts round(wavy_surface("torus,resolution=24", kAxis, 20));
-    const DistributedSurface torus = round.surface();
-    const DirectionField plain = smooth_direction_field(torus, options);
-    const DirectionField same = smooth_direction_field(torus, drawn);
-    EXPECT_TRUE(same_bits(std::span<const Vec3>(plain), std::span<const Vec3>(same)));
   }
+}
+
+TEST(DistributedField, IsDrawnToNothingWhereThereIsNoFeature) {
+  SmoothFieldOptions options, drawn;
+  drawn.feature_anchor = 100;
+  const Parts round(wavy_surface("torus,resolution=24", kAxis, 20));
+  const DistributedSurface torus = round.surface();
+  const DirectionField plain = smooth_direction_field(torus, options);
+  const DirectionField same = smooth_direction_field(torus, drawn);
+  EXPECT_TRUE(same_bits(std::span<const Vec3>(plain), std::span<const Vec3>(same)));
 }
 
 }  // namespace
