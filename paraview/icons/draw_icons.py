@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Draws the icons of the filters, each in all sizes in one file beside this one.
+"""Draws the icons of the filters, each in all sizes in one file.
 
-    python3 draw_icons.py
+    python3 draw_icons.py --folder FOLDER         as the build does
     python3 draw_icons.py --output PICTURE.png    only a picture with all of them
 """
 
@@ -119,17 +119,20 @@ def sheet(icons):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--output", help="draw all icons into this picture instead")
+    parser.add_argument("--folder", help="write stripes.ico, curves.ico and samples.ico here")
+    parser.add_argument("--output", help="draw all icons into this picture")
     options = parser.parse_args()
+    if not options.folder and not options.output:
+        parser.error("give --folder or --output")
     icons = (stripes, curves, samples)
     if options.output:
         with open(options.output, "wb") as file:
             file.write(png(sheet(icons)))
+    if not options.folder:
         return
     for draw in icons:
         images = [(size, png(draw(Ball(size)))) for size in SIZES]
-        folder = os.path.dirname(os.path.abspath(__file__))
-        with open(os.path.join(folder, draw.__name__ + ".ico"), "wb") as file:
+        with open(os.path.join(options.folder, draw.__name__ + ".ico"), "wb") as file:
             file.write(ico(images))
 
 
