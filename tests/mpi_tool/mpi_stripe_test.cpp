@@ -196,7 +196,8 @@ TEST_F(MpiTool, EndsAllRanksWhereOneCannotWrite) {
 }
 
 TEST_F(MpiTool, EndsAllRanksWhereOneIsCancelled) {
-  const Words arguments = {"shape:torus,resolution=60", "--cycles", "9999", "--output", "out.pvtp"};
+  const Words arguments = {"shape:torus,resolution=300", "--cycles", "9999", "--output",
+                           "out.pvtp"};
   expect_failure(with_trouble("(sleep 2; kill -INT $$) &", arguments, arguments), 1, "cancelled");
 }
 
@@ -208,7 +209,8 @@ TEST_F(MpiTool, EndsAllRanksWhereOneHasOtherOptions) {
 }
 
 TEST_F(MpiTool, EndsAllRanksWhereOneIsKilled) {
-  const Words arguments = {"shape:torus,resolution=60", "--cycles", "9999", "--output", "out.pvtp"};
+  const Words arguments = {"shape:torus,resolution=300", "--cycles", "9999", "--output",
+                           "out.pvtp"};
   const ToolResult result = with_trouble("(sleep 2; kill -KILL $$) &", arguments, arguments);
   EXPECT_NE(result.exit_code, 0);
   EXPECT_NE(result.exit_code, 124) << "hangs";
