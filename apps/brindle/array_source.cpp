@@ -86,6 +86,17 @@ ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const s
   return choice;
 }
 
+DataArrays named_arrays(const DataArrays& arrays, std::span<const std::string> names,
+                        const std::string& file) {
+  DataArrays named;
+  for (const std::string& name : names) {
+    const auto [array, of_cells] = choice_of(arrays, name, file);
+    std::vector<DataArray>& list = of_cells ? named.cells : named.points;
+    if (find_array(list, array->name) == nullptr) list.push_back(*array);
+  }
+  return named;
+}
+
 DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file) {
   return *choice_of(arrays, name, file).array;
 }

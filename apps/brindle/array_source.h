@@ -31,6 +31,10 @@ ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const s
 /// The same, copied.
 DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file);
 
+/// Those of several names, each once.
+DataArrays named_arrays(const DataArrays& arrays, std::span<const std::string> names,
+                        const std::string& file);
+
 struct OtherMesh;
 
 class ArraySource {

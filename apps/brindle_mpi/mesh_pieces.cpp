@@ -1,7 +1,6 @@
 #include "mesh_pieces.h"
 
 #include <array>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,14 +56,8 @@ PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
 
 /// What is asked for of what a file has.
 DataArrays wanted_of(DataArrays arrays, const WantedArrays& wanted, const std::string& file) {
-  DataArrays chosen;
-  for (const std::string& name : wanted.names) {
-    const auto [array, of_cells] = choice_of(arrays, name, file);
-    std::vector<DataArray>& list = of_cells ? chosen.cells : chosen.points;
-    if (find_array(list, array->name) == nullptr) list.push_back(*array);
-  }
-  if (wanted.all) return arrays;
-  return chosen;
+  DataArrays named = named_arrays(arrays, wanted.names, file);
+  return wanted.all ? std::move(arrays) : std::move(named);
 }
 
 /// Rows that ranks have of the whole, a list per rank.
@@ -86,15 +79,6 @@ std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOpti
   } catch (const Error& error) {
     throw CLI::ValidationError("MESH", error.what());
   }
-}
-
-/// Numbers triangles rank by rank.
-void number_triangles(Communicator& ranks, SurfacePiece& piece) {
-  const std::vector<std::size_t> counts = ranks.all(piece.mesh.triangle_count());
-  std::uint64_t first = 0;
-  for (int r = 0; r < ranks.rank(); ++r) first += counts[static_cast<std::size_t>(r)];
-  piece.triangle_ids.resize(piece.mesh.triangle_count());
-  std::iota(piece.triangle_ids.begin(), piece.triangle_ids.end(), first);
 }
 
 /// Rank 0 reads or makes the whole and sends the others their pieces.
@@ -135,11 +119,11 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const W
   ReadPiece read;
   if (is_pvtp(options.mesh)) {
     read = read_pvtp_pieces(ranks, options.mesh, wanted, listener);
-    number_triangles(ranks, read.piece);
+    read.piece.triangle_ids = ranks.numbers_of(read.piece.mesh.triangle_count());
   } else if (auto made = make_piece(ranks, options)) {
     wanted_of({}, wanted, options.mesh);  // shapes have none
     read = std::move(*made);
-    number_triangles(ranks, read.piece);
+    read.piece.triangle_ids = ranks.numbers_of(read.piece.mesh.triangle_count());
   } else {
     read = cut_piece(ranks, options, wanted, listener);
   }

@@ -34,21 +34,6 @@ Surface with_normals(const DistributedSurface& surface, const ReadPiece& read) {
   return {{read.piece.mesh.positions, {}}, nullptr, {normals.begin(), normals.end()}};
 }
 
-std::vector<Vec3> vectors_of(const DataArray& array) {
-  const std::vector<double> numbers = doubles_of(array.view());
-  std::vector<Vec3> vectors;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
-    vectors.emplace_back(static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1]),
-                         static_cast<float>(numbers[i + 2]));
-  }
-  return vectors;
-}
-
-std::vector<float> floats_of(const DataArray& array) {
-  const std::vector<double> numbers = doubles_of(array.view());
-  return {numbers.begin(), numbers.end()};
-}
-
 /// Own vertices and ghosts, whose rows are not numbers: each counts once, for its owner.
 DataArray rows_of_nodes(const RankSurface& own, const DataArray& array) {
   const auto columns = static_cast<std::size_t>(array.components);
@@ -129,10 +114,11 @@ PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
 PieceField rows_field(Communicator& ranks, const DistributedSurface& surface,
                       const std::vector<DataArray>& columns) {
   PieceField field;
-  field.directions = tangent_directions(vectors_of(columns[0]), surface.normals());
+  field.directions =
+      tangent_directions(vectors_of(columns[0].view(), "vectors"), surface.normals());
   field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
-  if (columns.size() > 1) field.frequencies = floats_of(columns[1]);
-  if (columns.size() > 2) field.frequencies_v = floats_of(columns[2]);
+  if (columns.size() > 1) field.frequencies = numbers_of(columns[1].view(), "frequencies");
+  if (columns.size() > 2) field.frequencies_v = numbers_of(columns[2].view(), "frequencies");
   return field;
 }
 
@@ -175,19 +161,17 @@ PieceField file_field(Communicator& ranks, const DistributedSurface& surface, co
 
 /// What rank 0 reads, on all ranks.
 std::vector<FieldStroke> strokes_of(Communicator& ranks, const std::string& path) {
-  std::vector<std::vector<double>> told(static_cast<std::size_t>(ranks.size()));
+  std::vector<double> numbers;
   ranks.together([&] {
     if (ranks.rank() != 0) return;
-    std::vector<double> numbers;
     for (const FieldStroke& stroke : read_strokes(path)) {
       numbers.insert(numbers.end(),
                      {static_cast<double>(stroke.points.size()), stroke.radius, stroke.strength});
       for (const Eigen::Vector3d& p : stroke.points)
         numbers.insert(numbers.end(), p.begin(), p.end());
     }
-    for (auto& list : told) list = numbers;
   });
-  const std::vector<double> numbers = ranks.swap_lists(told)[0];
+  numbers = ranks.of_first(numbers);
   std::vector<FieldStroke> strokes;
   for (auto next = numbers.begin(); next != numbers.end();) {
     const auto count = static_cast<std::size_t>(*next++);

@@ -91,16 +91,15 @@ void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
   const auto size = static_cast<std::size_t>(ranks.size());
   // Vertices of rank 0 that no triangle uses, and for which vertices others stand.
   std::vector<Index> joined;
-  std::vector<std::vector<std::uint64_t>> asked(size);
+  std::vector<std::uint64_t> asked;
   for (Index v = 0; v < read.piece.vertex_ids.size() && !read.partners.empty(); ++v) {
     const std::uint64_t id = read.piece.vertex_ids[v];
     if (id >= read.partners.size() || read.partners[id] == id) continue;
     joined.push_back(v);
-    asked[0].push_back(read.partners[id]);
+    asked.push_back(read.partners[id]);
   }
   if (!ranks.any(!joined.empty())) return;
-  for (auto& list : asked) list = asked[0];
-  const std::vector<std::uint64_t> partners = ranks.swap_lists(asked)[0];
+  const std::vector<std::uint64_t> partners = ranks.of_first(asked);
   std::unordered_map<std::uint64_t, Index> own;
   for (Index v = 0; v < surface.is_own().size(); ++v) {
     if (surface.is_own()[v] != 0) own[read.piece.vertex_ids[v]] = v;

@@ -124,15 +124,11 @@ bool marks_ghosts(std::string_view name) {
 /// Those that are asked for, of one piece, in the same order as of all pieces.
 DataArrays wanted_of(const DataArrays& arrays, const PieceList& list, const WantedArrays& wanted,
                      const fs::path& path) {
-  DataArrays chosen;
+  DataArrays chosen = named_arrays(arrays, wanted.names, path.string());
+  if (!wanted.all) return chosen;
   const auto add = [](std::vector<DataArray>& to, const DataArray& array) {
     if (find_array(to, array.name) == nullptr) to.push_back(array);
   };
-  for (const std::string& name : wanted.names) {
-    const auto [array, of_cells] = choice_of(arrays, name, path.string());
-    add(of_cells ? chosen.cells : chosen.points, *array);
-  }
-  if (!wanted.all) return chosen;
   // They are there: `check_piece_arrays` has seen to that.
   for (const PieceArray& announced : list.points) {
     if (!marks_ghosts(announced.name)) {

@@ -53,15 +53,6 @@ DataArrays unpacked(std::span<const std::byte> bytes) {
   return heads;
 }
 
-/// Rank 0's bytes on all ranks.
-std::vector<std::byte> told_by_first(Communicator& ranks, std::vector<std::byte> bytes) {
-  std::vector<std::vector<std::byte>> to(static_cast<std::size_t>(ranks.size()));
-  if (ranks.rank() == 0) {
-    for (auto& list : to) list = bytes;
-  }
-  return ranks.swap_lists(to)[0];
-}
-
 }  // namespace
 
 std::vector<DataArray> heads_of(std::span<const DataArray> arrays) {
@@ -77,7 +68,7 @@ DataArrays agreed_heads(Communicator& ranks, const DataArrays& heads) {
   for (const auto& bytes : ranks.gather(packed(heads))) {
     if (first.empty()) first = bytes;
   }
-  return unpacked(told_by_first(ranks, first));
+  return unpacked(ranks.of_first(first));
 }
 
 std::vector<DataArray> scattered_rows(Communicator& ranks, std::span<const DataArray> arrays,
@@ -85,7 +76,7 @@ std::vector<DataArray> scattered_rows(Communicator& ranks, std::span<const DataA
   const auto size = static_cast<std::size_t>(ranks.size());
   DataArrays heads;
   if (ranks.rank() == 0) heads.points = heads_of(arrays);
-  std::vector<DataArray> result = unpacked(told_by_first(ranks, packed(heads))).points;
+  std::vector<DataArray> result = unpacked(ranks.of_first(packed(heads))).points;
   for (std::size_t a = 0; a < result.size(); ++a) {
     std::vector<std::vector<std::byte>> parts(size);
     ranks.together([&] {

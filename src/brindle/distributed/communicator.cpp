@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <numeric>
 #include <string>
 
 #include "brindle/base/stopwatch.h"
@@ -90,6 +91,14 @@ void Communicator::together(const std::function<void()>& work) {
   MPI_Bcast(message.data(), static_cast<int>(length), MPI_CHAR, failed, comm_);
   if (*first == Outcome::cancelled) throw Cancelled(message);
   throw Error("rank " + std::to_string(failed) + ": " + message);
+}
+
+std::vector<std::uint64_t> Communicator::numbers_of(std::size_t count) {
+  const std::vector<std::size_t> counts = all(count);
+  std::vector<std::uint64_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(),
+            std::accumulate(counts.begin(), counts.begin() + rank_, std::uint64_t{0}));
+  return numbers;
 }
 
 std::vector<std::vector<std::byte>> Communicator::gather(std::span<const std::byte> bytes) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "brindle/distributed_surface.h"
@@ -86,6 +87,17 @@ class Communicator {
     transfer(outgoing, incoming);
     return from;
   }
+
+  /// Rank 0's list, on all ranks.
+  template <class T>
+  std::vector<T> of_first(const std::vector<T>& list) {
+    std::vector<std::vector<T>> to(static_cast<std::size_t>(size_));
+    if (rank_ == 0) std::ranges::fill(to, list);
+    return std::move(swap_lists(to)[0]);
+  }
+
+  /// Numbers of so many things, if those of all ranks are counted rank by rank.
+  std::vector<std::uint64_t> numbers_of(std::size_t count);
 
   /// All ranks' bytes on rank 0, one list per rank; nothing elsewhere.
   std::vector<std::vector<std::byte>> gather(std::span<const std::byte> bytes);

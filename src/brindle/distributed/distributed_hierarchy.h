@@ -8,13 +8,14 @@
 
 #include "brindle/distributed/moved_levels.h"
 #include "brindle/distributed/rank_hierarchy.h"
+#include "brindle/distributed_stripes.h"
 
 namespace brindle {
 
 /// Which levels rank 0 has to do with, by their number of nodes on all ranks together.
 struct HierarchyBounds {
-  std::size_t gather_below = 16384;  ///< it solves these
-  std::size_t plan_below = 262144;   ///< of a finest level: it plans all, as one process has them
+  std::size_t gather_below = DistributedOptions().gather_below;  ///< it solves these
+  std::size_t plan_below = DistributedOptions().plan_below;  ///< of a finest level: it plans all
 };
 
 /// Levels are grown within ranks (RankHierarchy), or, of small graphs, planned by rank 0 and moved

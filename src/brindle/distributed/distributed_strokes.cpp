@@ -73,10 +73,7 @@ class NearTriangles {
   }
 
   std::vector<SentTriangle> triangles() const {
-    std::vector<std::uint64_t> ids(surface_.vertex_count());
-    for (std::size_t p = 0; p < surface_.vertex_of_piece.size(); ++p) {
-      ids[surface_.vertex_of_piece[p]] = surface_.piece_ids[p];
-    }
+    const std::vector<std::uint64_t> ids = known_ids(surface_);
     std::vector<SentTriangle> sent;
     for (std::size_t t = 0; t < near_.size(); ++t) {
       if (!near_[t]) continue;
@@ -158,10 +155,7 @@ struct SentEdge {
 
 /// Each edge is told of by the owner of its end of lower number, who has all its triangles.
 std::vector<SentEdge> own_features(const RankSurface& surface, float angle_deg) {
-  std::vector<std::uint64_t> ids(surface.vertex_count());
-  for (std::size_t p = 0; p < surface.vertex_of_piece.size(); ++p) {
-    ids[surface.vertex_of_piece[p]] = surface.piece_ids[p];
-  }
+  std::vector<std::uint64_t> ids = known_ids(surface);
   surface.exchange_all(std::span(ids));  // ghosts need not be in the piece
   const Mesh mesh = triangles_around_own(surface);
   std::vector<SentEdge> sent;
@@ -202,22 +196,19 @@ std::vector<FieldStroke> strokes_of(std::vector<SentEdge> edges, const Eigen::Ve
 /// Rank 0's points, stroke by stroke, on all ranks.
 std::vector<FieldStroke> told_by_first(Communicator& ranks, const std::vector<FieldStroke>& strokes,
                                        double radius, double strength) {
-  std::vector<std::vector<std::uint64_t>> counts(static_cast<std::size_t>(ranks.size()));
-  std::vector<std::vector<std::array<double, 3>>> points(counts.size());
+  std::vector<std::uint64_t> counts;
+  std::vector<std::array<double, 3>> points;
   for (const FieldStroke& stroke : strokes) {
-    for (auto& list : counts) list.push_back(stroke.points.size());
-    for (auto& list : points) {
-      for (const Eigen::Vector3d& p : stroke.points) list.push_back({p.x(), p.y(), p.z()});
-    }
+    counts.push_back(stroke.points.size());
+    for (const Eigen::Vector3d& p : stroke.points) points.push_back({p.x(), p.y(), p.z()});
   }
-  const auto heard_counts = ranks.swap_lists(counts);
-  const auto heard_points = ranks.swap_lists(points);
+  points = ranks.of_first(points);
   std::vector<FieldStroke> told;
   std::size_t next = 0;
-  for (const std::uint64_t count : heard_counts[0]) {
+  for (const std::uint64_t count : ranks.of_first(counts)) {
     FieldStroke& stroke = told.emplace_back(FieldStroke{{}, radius, strength});
     for (std::uint64_t i = 0; i < count; ++i) {
-      const auto& [x, y, z] = heard_points[0][next++];
+      const auto& [x, y, z] = points[next++];
       stroke.points.emplace_back(x, y, z);
     }
   }
@@ -258,15 +249,10 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
       found.push_back({part.ids[anchor.vertex], floats_of(anchor.direction), anchor.weight});
     }
   });
-  std::vector<std::vector<SentAnchor>> told(static_cast<std::size_t>(ranks.size()));
-  if (ranks.rank() == 0) {
-    for (auto& list : told) list = found;
-  }
   std::unordered_map<std::uint64_t, Index> vertex_of;
   for (Index p = 0; p < surface.piece_ids.size(); ++p) vertex_of[surface.piece_ids[p]] = p;
   std::vector<FieldAnchor> anchors;
-  const auto heard = ranks.swap_lists(told);
-  for (const SentAnchor& anchor : heard[0]) {
+  for (const SentAnchor& anchor : ranks.of_first(found)) {
     const auto vertex = vertex_of.find(anchor.id);
     if (vertex == vertex_of.end()) continue;
     anchors.push_back({vertex->second, vector_of(anchor.direction), anchor.weight});

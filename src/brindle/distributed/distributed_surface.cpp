@@ -4,7 +4,6 @@
 #include <array>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -93,7 +92,7 @@ class SurfaceMaker {
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();
     made_.triangle_numbers = piece_.triangle_ids;
-    number_triangles();
+    if (!have_triangle_ids(ranks_, piece_)) piece_.triangle_ids = ranks_.numbers_of(own_triangles_);
     if (ranks_.size() > 1) hear_of_triangles();
     number_vertices();
     made_.graph.halo = halo_of(ghosts_, made_.graph.own);
@@ -258,16 +257,6 @@ class SurfaceMaker {
         new_number_.begin(), new_number_.begin() + static_cast<std::ptrdiff_t>(in_ghost_.size()));
   }
 
-  /// Triangles without numbers are numbered rank by rank.
-  void number_triangles() {
-    const std::vector<std::size_t> counts = ranks_.all(own_triangles_);
-    if (have_triangle_ids(ranks_, piece_)) return;
-    const auto lower = counts.begin() + ranks_.rank();
-    piece_.triangle_ids.resize(own_triangles_);
-    std::iota(piece_.triangle_ids.begin(), piece_.triangle_ids.end(),
-              std::accumulate(counts.begin(), lower, std::uint64_t{0}));
-  }
-
   /// The triangles around vertices in the order of the whole, which sums are made in.
   void sort_around(VertexTriangles& around) const {
     const auto number = [&](Index t) { return piece_.triangle_ids[t]; };
@@ -346,12 +335,17 @@ class SurfaceMaker {
 
 }  // namespace
 
-std::vector<std::uint64_t> own_ids(const RankSurface& surface) {
-  std::vector<std::uint64_t> ids(surface.graph.own);
+std::vector<std::uint64_t> known_ids(const RankSurface& surface) {
+  std::vector<std::uint64_t> ids(surface.vertex_count());
   for (std::size_t p = 0; p < surface.piece_ids.size(); ++p) {
-    const Index v = surface.vertex_of_piece[p];
-    if (v < surface.graph.own) ids[v] = surface.piece_ids[p];
+    ids[surface.vertex_of_piece[p]] = surface.piece_ids[p];
   }
+  return ids;
+}
+
+std::vector<std::uint64_t> own_ids(const RankSurface& surface) {
+  std::vector<std::uint64_t> ids = known_ids(surface);
+  ids.resize(surface.graph.own);
   return ids;
 }
 

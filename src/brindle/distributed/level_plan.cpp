@@ -25,7 +25,12 @@ class LevelCutter {
         node_(levels_.size()),
         own_(levels_.size(), std::vector<std::vector<Index>>(places.size())) {
     find_owners();
-    for (std::size_t l = 0; l < levels_.size(); ++l) number_nodes(l);
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+      number_nodes(l);
+      colors_.push_back(colors_of(levels_[l].layout()));
+      blocks_.push_back(blocks_of(levels_[l].layout()));
+    }
+    find_sources();
   }
 
   CutLevels cut() const {
@@ -124,7 +129,7 @@ class LevelCutter {
     PlannedLevel plan;
     plan.color_count = layout.color_count();
     plan.slots_of_all = layout.slot_count();
-    const std::vector<Index> colors = colors_of(layout), blocks = blocks_of(layout);
+    const std::vector<Index>&colors = colors_[level], &blocks = blocks_[level];
     const std::vector<Index>& own = own_[level][rank];
     std::vector<Index> block_of_node;
     for (std::size_t n = 0; n < own.size(); ++n) {
@@ -158,11 +163,10 @@ class LevelCutter {
 
   void add_rows(std::size_t rank, LevelPlan& plan) const {
     const SlicedLayout& layout = levels_[0].layout();
-    const auto [source_rank, source_row] = sources();
     for (const Index slot : own_[0][rank]) {
-      const RowPlaces& places = places_[source_rank[slot]];
-      const Index row = source_row[slot];
-      plan.source_rank.push_back(source_rank[slot]);
+      const RowPlaces& places = places_[source_rank_[slot]];
+      const Index row = source_row_[slot];
+      plan.source_rank.push_back(source_rank_[slot]);
       plan.source_node.push_back(row);
       for (Index e = places.edge_begin[row]; e < places.edge_begin[row + 1]; ++e) {
         const Index neighbor = layout.neighbor[places.entry[e]];
@@ -174,16 +178,15 @@ class LevelCutter {
     }
   }
 
-  /// The ranks that have the finest level's rows, and which of theirs they are.
-  std::pair<std::vector<Index>, std::vector<Index>> sources() const {
-    std::vector<Index> rank(levels_[0].layout().slot_count(), kNone), row(rank.size(), kNone);
+  void find_sources() {
+    source_rank_.assign(levels_[0].layout().slot_count(), kNone);
+    source_row_ = source_rank_;
     for (std::size_t r = 0; r < places_.size(); ++r) {
       for (Index n = 0; n < places_[r].slot.size(); ++n) {
-        rank[places_[r].slot[n]] = static_cast<Index>(r);
-        row[places_[r].slot[n]] = n;
+        source_rank_[places_[r].slot[n]] = static_cast<Index>(r);
+        source_row_[places_[r].slot[n]] = n;
       }
     }
-    return {std::move(rank), std::move(row)};
   }
 
   static std::vector<Index> colors_of(const SlicedLayout& layout) {
@@ -208,6 +211,9 @@ class LevelCutter {
 
   std::span<const Level> levels_;
   std::span<const RowPlaces> places_;
+  std::vector<std::vector<Index>> colors_, blocks_;  ///< by level; blocks by slice
+  /// The ranks that have the finest level's rows, and which of theirs they are.
+  std::vector<Index> source_rank_, source_row_;
   std::vector<std::vector<Index>> owner_;             ///< by level
   std::vector<std::vector<Index>> node_;              ///< by level: the owner's number
   std::vector<std::vector<std::vector<Index>>> own_;  ///< slots by level and rank

@@ -93,10 +93,7 @@ class RankOrientation {
 
  private:
   void find_groups(const std::vector<Vec3>& before) {
-    std::vector<std::uint64_t> ids(surface_.vertex_count());
-    for (std::size_t p = 0; p < surface_.vertex_of_piece.size(); ++p) {
-      ids[surface_.vertex_of_piece[p]] = surface_.piece_ids[p];
-    }
+    const std::vector<std::uint64_t> ids = known_ids(surface_);
     group_.assign(directions_.size(), kNone);
     for (Index start = 0; start < surface_.graph.own; ++start) {
       if (group_[start] != kNone || directions_[start].isZero(0)) continue;
