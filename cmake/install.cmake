@@ -5,8 +5,13 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brindle)
 install(TARGETS brindle EXPORT brindle-targets)
+# Headers of parts that this build leaves out declare what nobody could link.
+get_property(left_out GLOBAL PROPERTY BRINDLE_HEADERS_LEFT_OUT)
+foreach(header ${left_out})
+  list(APPEND exclusions PATTERN ${header}.h EXCLUDE)
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brindle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN *.h)
+        FILES_MATCHING PATTERN *.h ${exclusions})
 install(EXPORT brindle-targets NAMESPACE brindle:: DESTINATION ${package_dir})
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brindle-config.cmake.in

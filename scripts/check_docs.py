@@ -1,8 +1,11 @@
 #!/usr/bin/python3
 """Runs the commands of the documentation, checks its links, and draws its pictures.
 
-    scripts/check_docs.py build/release/apps/brindle/brindle [PAGE...]
+    scripts/check_docs.py build/release/apps/brindle/brindle [PAGE...] [--across]
                           [--small] [--pictures] [--models FOLDER] [--keep FOLDER]
+
+With pages only these are checked, so that pages can be checked beside each other; --across checks
+only what concerns all of them together.
 
 Every command in a fenced ```sh block of README.md, docs/*.md and docs/gallery/*.md must end with 0.
 The commands of one page run one after the other in a folder of their own, so a page makes the files
@@ -310,13 +313,17 @@ def check(arguments, folder):
     every_page = [Page(path) for path in [ROOT / "README.md", *sorted(ROOT.glob("docs/*.md")),
                                            *sorted(ROOT.glob("docs/gallery/*.md"))]]
     wanted = {pathlib.Path(name).resolve() for name in arguments.pages}
-    pages = [page for page in every_page if not wanted or page.path in wanted]
+    unknown = wanted - {page.path for page in every_page}
+    pages = [page for page in every_page
+             if not arguments.across and (not wanted or page.path in wanted)]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = [pool.submit(check_page, page, every_page, arguments,
                             folder / page.name.removesuffix(".md"))
                 for page in pages]
         failures = [failure for job in jobs for failure in job.result().failures]
-    failures += check_picture_files(every_page) + check_citations()
+    failures += [f"{path} is no page" for path in sorted(unknown)]
+    if not wanted:
+        failures += check_picture_files(every_page) + check_citations()
     for failure in failures:
         print(failure)
     commands = sum(1 for page in pages for command in page.commands() if command.mark != "no-run")
@@ -329,11 +336,14 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("brindle", help="the tool")
     parser.add_argument("pages", nargs="*", help="only these (default: all)")
+    parser.add_argument("--across", action="store_true", help="only what concerns all pages")
     parser.add_argument("--small", action="store_true", help="draw thumbnails")
     parser.add_argument("--pictures", action="store_true", help="copy pictures to docs/images")
     parser.add_argument("--models", type=pathlib.Path, help="where the public scans are")
     parser.add_argument("--keep", type=pathlib.Path, help="leave all that was written here")
     arguments = parser.parse_args()
+    if arguments.pages and arguments.across:
+        parser.error("--across is not for single pages")
     if arguments.small and arguments.pictures:
         parser.error("--pictures draws them at their full size: leave out --small")
     if arguments.models and not arguments.models.is_dir():

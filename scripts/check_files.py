@@ -553,6 +553,80 @@ def check_reading(brindle, folder):
     return wrong == 0
 
 
+def volume_of(kind):
+    """Blocks of cells of one kind, bent so that faces with points amid their edges are curved."""
+    source = vtk.vtkCellTypeSource()
+    source.SetCellType(kind)
+    source.SetBlocksDimensions(3, 2, 2)
+    source.Update()
+    data = vtk.vtkUnstructuredGrid()
+    data.DeepCopy(source.GetOutput())
+    data.GetPointData().Initialize()
+    data.GetCellData().Initialize()
+    places = vtk_to_numpy(data.GetPoints().GetData()).astype(np.float32)
+    x, y, z = places.T
+    places = np.stack([x + 0.1 * y * y, y + 0.05 * np.sin(z), z + 0.05 * x * x], axis=1)
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(places.astype(np.float32), deep=True))
+    data.SetPoints(points)
+    random = np.random.default_rng(kind)
+    add_arrays(data.GetPointData(), data.GetNumberOfPoints(), random)
+    add_arrays(data.GetCellData(), data.GetNumberOfCells(), random)
+    return data
+
+
+def boundary_by_vtk(data):
+    """The surface, its curved faces cut at the points amid their edges, with its cells' rows."""
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(data)
+    surface.SetNonlinearSubdivisionLevel(1)
+    triangles = vtk.vtkTriangleFilter()
+    triangles.SetInputConnection(surface.GetOutputPort())
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def figures_of(surface):
+    """Volume inside and area."""
+    mass = vtk.vtkMassProperties()
+    mass.SetInputData(surface)
+    mass.Update()
+    return np.array([mass.GetVolume(), mass.GetSurfaceArea()])
+
+
+def boundary_difference(data, theirs, ours):
+    wrong = difference(data, ours)
+    numbers = [set(vtk_to_numpy(s.GetCellData().GetArray("number"))) for s in (theirs, ours)]
+    if numbers[0] != numbers[1]:
+        return "has faces of other cells than VTK"
+    # Quadrangles may be cut along their other diagonal.
+    apart = np.abs(figures_of(ours) / figures_of(theirs) - 1).max()
+    return wrong or (f"has another volume or area, by {apart:.3g}" if apart > 0.01 else "")
+
+
+def check_volumes(brindle, folder):
+    """The boundary of volumes against VTK's own."""
+    kinds, wrong = 0, 0
+    for kind in (vtk.VTK_TETRA, vtk.VTK_HEXAHEDRON, vtk.VTK_WEDGE, vtk.VTK_PYRAMID,
+                 vtk.VTK_QUADRATIC_TETRA, vtk.VTK_QUADRATIC_HEXAHEDRON, vtk.VTK_QUADRATIC_WEDGE,
+                 vtk.VTK_QUADRATIC_PYRAMID):
+        data = volume_of(kind)
+        path = os.path.join(folder, f"volume_{kind}.vtu")
+        writer = vtk.vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(data)
+        writer.Write()
+        subprocess.run([brindle, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1",
+                        "--quiet", "--output", path + ".out.vtp"], check=True)
+        problem = boundary_difference(data, boundary_by_vtk(data), read_by_vtk(path + ".out.vtp"))
+        kinds += 1
+        wrong += problem != ""
+        if problem:
+            print(f"{path} {problem}")
+    print(f"{kinds} kinds of volume cells with VTK's boundary, {wrong} of them wrong")
+    return wrong == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("brindle", help="the program")
@@ -571,7 +645,7 @@ def main():
         mesh = os.path.abspath(mesh)
     good = [check(brindle, mesh, tile, folder) for tile in arguments.tiles.split(",")]
     good += [check_arrays(brindle, mesh, folder), check_sine(brindle, mesh, folder),
-             check_reading(brindle, folder)]
+             check_reading(brindle, folder), check_volumes(brindle, folder)]
     if not arguments.keep and all(good):
         shutil.rmtree(folder)
     sys.exit(0 if all(good) else 1)

@@ -6,7 +6,8 @@ usage: check_rooms.py [ROOT]
 The table whose first column is 'room' has, in a row per room, what is in it, its public headers and
 the rooms that it may include, which stand for all that these may include, too. The README's program must be that of tests/consumer. Fails if a file
 includes what its room may not, if a room, a public header or a permission is missing from the
-table, or if the table has one that the sources do not.
+table, or if the table has one that the sources do not. The table of the tool's rooms, in apps/brindle,
+is checked in the same way.
 """
 import pathlib
 import re
@@ -55,16 +56,26 @@ def check(root):
     for header in sorted(public ^ room_of.keys()):
         complaints.append(f"public header '{header}' is in {'include' if header in public else 'the table'} alone")
 
-    used = {name: set() for name in rooms}
     files = [(p, p.parent.name) for p in (root / 'src/brindle').glob('*/*.[hc]*') if p.suffix in ('.h', '.cpp')]
     files += [(p, room_of.get(p.stem)) for p in (root / 'include/brindle').glob('*.h')]
+
+    def room_of_include(target):
+        parts = target.removesuffix('.h').split('/')
+        return parts[0] if len(parts) == 2 else room_of.get(parts[0])
+
+    return complaints + check_arrows(root, rooms, files, INCLUDE, room_of_include)
+
+
+def check_arrows(root, rooms, files, include, room_of_include):
+    """Of files with their rooms, whose includes `include` finds."""
+    complaints = []
+    used = {name: set() for name in rooms}
     for path, room in files:
         if room not in rooms:
             continue
-        for target in INCLUDE.findall(path.read_text()):
-            parts = target.removesuffix('.h').split('/')
-            other = parts[0] if len(parts) == 2 else room_of.get(parts[0])
-            if other is None or other == room:
+        for target in include.findall(path.read_text()):
+            other = room_of_include(target)
+            if other not in rooms or other == room:
                 continue
             used[room].add(other)
             if other not in reachable(rooms, room):
@@ -72,10 +83,36 @@ def check(root):
     for name, room in rooms.items():
         if name in reachable(rooms, name):
             complaints.append(f"'{name}' can be reached from itself")
-        for other in room['may']:
-            if other not in used[name]:
-                complaints.append(f"'{name}' may include '{other}' but does not")
+        complaints += [f"'{name}' may include '{other}' but does not"
+                       for other in room['may'] if other not in used[name]]
     return complaints
+
+
+TOOL_INCLUDE = re.compile(r'^\s*#\s*include "([a-z]+/[a-z_0-9]+)\.h"', re.MULTILINE)
+
+
+def read_tool_table(text):
+    rooms = {}
+    section = text[text.index('\n## The tool'):]
+    for line in section[:section.index('\n### ')].splitlines():
+        cells = [cell.strip() for cell in line.strip().strip('|').split('|')]
+        if len(cells) == 3 and re.fullmatch(r'`[a-z]+`', cells[0]):
+            rooms[words(cells[0])[0]] = {'may': words(cells[2])}
+    return rooms
+
+
+def check_tool(root):
+    """The rooms of apps/brindle, whose includes name the room."""
+    rooms = read_tool_table((root / 'docs/architecture.md').read_text())
+    folder = root / 'apps/brindle'
+    folders = {p.name for p in folder.iterdir() if p.is_dir()}
+    complaints = [f"room '{name}' of the tool is in {'the sources' if name in folders else 'the table'} alone"
+                  for name in sorted(folders ^ rooms.keys())]
+    rooms = {name: room for name, room in rooms.items() if name in folders}
+    complaints += [f'{path.relative_to(root)} is in no room' for path in folder.glob('*.cpp')
+                   if path.name != 'main.cpp']
+    files = [(path, path.parent.name) for path in folder.glob('*/*.[hc]*')]
+    return complaints + check_arrows(root, rooms, files, TOOL_INCLUDE, lambda target: target.split('/')[0])
 
 
 def check_program(root):
@@ -87,7 +124,7 @@ def check_program(root):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
-    complaints = check(root) + check_program(root)
+    complaints = check(root) + check_tool(root) + check_program(root)
     print('\n'.join(complaints) or 'the rooms are as drawn')
     return 1 if complaints else 0
 

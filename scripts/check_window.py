@@ -2,10 +2,12 @@
 """Works with the window of brindle view as a user does, and looks at what happens.
 
     scripts/check_window.py build/release/apps/brindle/brindle [NAME...] [--keep FOLDER]
+    scripts/check_window.py build/release/apps/brindle/brindle --only NAME
 
 Starts a display of its own (Xvfb), moves the mouse and presses keys (xdotool), drops files
 (python3-xlib) and reads the window's log (brindle view --log) for where widgets are and what has been
-drawn. Of the checks, those are run whose names contain a NAME. Ends with 0 if all is well, 1 if not, and
+drawn. Of the checks, those are run whose names contain a NAME, or the one of this name; checks may run at the
+same time, each on a display of its own. Ends with 0 if all is well, 1 if not, and
 77 where Xvfb or xdotool is missing.
 """
 
@@ -28,7 +30,7 @@ from window_driver import (PATIENCE, SKIPPED, Display, Failure, Window, expect, 
 
 
 def check_open_by_command_line_and_menu(start, folder):
-    window = start("shape:torus,resolution=90")
+    window = start("shape:torus,resolution=90", "--rotate", "40")
     window.settled()
     expect(window.wait_for("frame")["branches"] > 0, "the first picture has no branches")
     (folder / "plate.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
@@ -46,7 +48,7 @@ def check_open_by_command_line_and_menu(start, folder):
 
 
 def check_slider_changes_branches(start, folder):
-    window = start("shape:torus,resolution=90")
+    window = start("shape:torus,resolution=90", "--rotate", "40")
     first = window.settled()
     since = window.now()
     window.drag_slider("option stripes", 0.5, 0.8)
@@ -107,8 +109,7 @@ def check_singularity_is_steered(start, folder):
     since = window.now()
     window.drag([(x + (to[0] - x) * i // 8, y + (to[1] - y) * i // 8) for i in range(9)])
     window.settled(since)
-    time.sleep(0.3)
-    window.read()
+    window.hand()
     places = [window.point(name) for name in window.places if name.startswith("singularity ")]
     expect(any(abs(px - to[0]) + abs(py - to[1]) < 30 for px, py in places), f"no singularity at {to}: {places}")
     expect(all(abs(px - x) + abs(py - y) > 30 for px, py in places), f"one stays at {(x, y)}: {places}")
@@ -120,7 +121,7 @@ def check_singularity_is_steered(start, folder):
 
 
 def check_zoom_changes_frequency(start, folder):
-    window = start("shape:torus,resolution=90", "--stripes", "20")
+    window = start("shape:torus,resolution=90", "--stripes", "20", "--rotate", "40")
     first = window.settled()
     since = window.now()
     window.drag_slider("frequency by zoom", 0.05, 0.98, 3)
@@ -128,8 +129,7 @@ def check_zoom_changes_frequency(start, folder):
     since = window.now()
     window.move(*window.point("picture"))
     for _ in range(6):
-        window.xdotool("click", 4)
-        time.sleep(0.1)
+        window.hand("click", 4)
     last = window.settled(since)
     session = json.loads(save_session(window, folder / "session.json"))
     expect(session["camera"]["zoom"] > 1.5, "the wheel does not zoom")
@@ -191,6 +191,136 @@ def check_curves_and_samples_are_live(start, folder):
     window.quit()
 
 
+def check_typed_values_count_as_a_whole(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "30")
+    window.settled()
+
+    def set_to(since):
+        return [e["what"].get("values") for e in window.lines[since:]
+                if e["event"] == "command" and e["what"]["command"] == "set_option" and e["done"]]
+
+    since = window.now()
+    window.type_into_slider("option stripes", "123.456")
+    window.settled(since)
+    expect(set_to(since) == [["123.456"]], f"typing is not one step: {set_to(since)}")
+    since = window.now()
+    window.type_into_slider("option stripes", "-3")
+    message = window.wait_for("message", since, kind="error")
+    expect("--stripes" in message["text"], f"it does not say what is wrong: {message['text']}")
+    expect(not set_to(since), f"what is refused leaves other values: {set_to(since)}")
+    since = window.now()
+    window.type_into_slider("option stripes", "50", "Escape")
+    window.type_into_slider("zoom", "2", "Tab")
+    window.settled(since)
+    expect(not set_to(since), "Escape does not leave the value as it was")
+    session = json.loads(save_session(window, folder / "typed.json"))
+    expect(session["options"]["stripes"] == "123.456" and session["camera"]["zoom"] == 2,
+           f"the session has other values: {session}")
+    for _ in range(2):
+        since = window.now()
+        window.key("ctrl+z")
+        window.settled(since)
+    session = json.loads(save_session(window, folder / "undone.json"))
+    expect(session["options"]["stripes"] == "30", "two values are not two steps")
+    window.quit()
+
+
+def check_escape_closes_lists(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "20")
+    window.settled()
+    window.click("names frequency-by")
+    window.place("choice frequency-by light")
+    window.key("Escape")
+    window.wait_until(lambda: "choice frequency-by light" not in window.places, "end of the list")
+    since = window.now()
+    window.drag([window.point("picture", 0.4), window.point("picture", 0.5)])
+    window.settled(since)
+    expect(any(e["event"] == "command" and e["what"]["command"] == "set_camera" for e in window.lines[since:]),
+           "the picture is not there for the mouse")
+    window.quit()
+
+
+def check_warnings_are_shown(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "1000")
+    frame = window.settled()
+    expect(frame["edges_per_period"] < 2, f"stripes are not too fine: {frame['edges_per_period']}")
+    expect(any(note.startswith("warning: ") for note in frame["notes"]), f"no warning: {frame['notes']}")
+    told = subprocess.run([start.tool, "stripe", "shape:torus,resolution=40", "--stripes", "1000"], cwd=folder,
+                          capture_output=True, text=True, check=True)
+    expect(all(note in told.stdout + told.stderr for note in frame["notes"]), "the tool says something else")
+    window.wait_until(lambda: "note 1" in window.places, "warning in the panel")
+    since = window.now()
+    window.type_into_slider("option stripes", "20")
+    expect(not window.settled(since)["notes"], "a warning stays that is none any more")
+    window.wait_until(lambda: "note 1" not in window.places, "end of the warning")
+    window.quit()
+
+
+def check_pictures_are_what_they_are_called(start, folder):
+    window = start("shape:torus,resolution=40")
+    window.settled()
+    window.key("ctrl+p")
+    for name in ("picture.svg", "picture.jpg"):
+        window.save_as(folder / name)
+        window.place("browser problem")
+        expect("browser name" in window.places, "the dialogue has gone")
+    window.save_as(folder / "picture.png")
+    window.wait_for("message", text=f"wrote {folder / 'picture.png'}")
+    expect((folder / "picture.png").read_bytes()[:4] == b"\x89PNG", "what is called .png is something else")
+    window.quit()
+    for name in ("picture.svg", "picture.jpg"):
+        result = subprocess.run([start.tool, "view", "shape:torus", "-o", name], cwd=folder, capture_output=True,
+                                text=True, env=dict(os.environ, DISPLAY=start.display))
+        expect(result.returncode == 2 and "write .png" in result.stderr, f"{name}: {result.stderr}")
+        expect(not (folder / name).exists(), f"{name} is written")
+
+
+def check_solve_anew(start, folder):
+    window = start("shape:torus,resolution=60")
+    window.settled()
+    since = window.now()
+    window.drag_slider("option stripes", 0.75, 0.76, 3)
+    followed = window.settled(since)
+    expect(followed["followed"], "the pattern does not follow")
+    picture = save_picture(window, folder / "followed.png")
+    since = window.now()
+    window.key("n")
+    anew = window.settled(since)
+    expect(not anew["followed"] and anew["energy"] != followed["energy"], "it is not solved anew")
+    session = json.loads(save_session(window, folder / "anew.json"))
+    expect("phases" not in session, "phases that were let go are saved")
+    expect(save_picture(window, folder / "anew.png") != picture, "the picture is the same")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(save_picture(window, folder / "back.png") == picture, "undo does not bring what followed back")
+    since = window.now()
+    window.click("solve anew")
+    expect(not window.settled(since)["followed"], "the button does nothing")
+    window.quit()
+
+
+def check_what_follows_the_light_fits_at_rest(start, folder):
+    window = start("shape:torus,resolution=60", "--frequency-by", "light", "--stripes", "24")
+    window.settled()
+    since = window.now()
+    window.drag([window.point("picture", 0.2 + 0.06 * i) for i in range(11)])
+    rest = window.settled(since)
+    seen = save_picture(window, folder / "seen.png")
+    session = json.loads(save_session(window, folder / "session.json"))
+    expect(("phases" in session) == rest["followed"], "phases are kept of what has not followed, or the reverse")
+    subprocess.run([start.tool, "render", "session.json", "--output", "rendered.png"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
+    session.pop("phases", None)
+    (folder / "alone.json").write_text(json.dumps(session))
+    subprocess.run([start.tool, "render", "alone.json", "--output", "alone.json.json"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    alone = json.loads((folder / "alone.json.json").read_text())
+    expect(rest["spacing_error"] <= alone["spacing_error_mean"] + 0.03, f"{rest} fits no more: {alone}")
+    window.quit()
+
+
 def check_bad_file_dropped(start, folder):
     window = start("shape:torus,resolution=90")
     window.settled()
@@ -236,7 +366,7 @@ def check_video_is_recorded_or_refused(start, folder):
 def check_quit_while_solving(start, folder):
     window = start("shape:sphere,resolution=400")
     window.wait_for("widgets")
-    time.sleep(1)
+    window.hand()
     window.quit()
     expect(window.wait_until_end()["busy"], "it was not solving any more")
 
@@ -279,14 +409,14 @@ def drop(window, path):
     source.set_selection_owner(atom("XdndSelection"), X.CurrentTime)
     send("XdndEnter", 5 << 24, uris, 0, 0)
     send("XdndPosition", 0, (x << 16) | y, X.CurrentTime, atom("XdndActionCopy"))
-    time.sleep(0.3)
-    send("XdndDrop", 0, X.CurrentTime)
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end:
         if not select.select([connection.fileno()], [], [], 0.2)[0] and not connection.pending_events():
             continue
         received = connection.next_event()
-        if received.type == X.SelectionRequest:
+        if received.type == X.ClientMessage and received.client_type == atom("XdndStatus"):
+            send("XdndDrop", 0, X.CurrentTime)
+        elif received.type == X.SelectionRequest:
             requestor = received.requestor
             requestor.change_property(received.property, received.target, 8, f"file://{path}\r\n".encode())
             requestor.send_event(event.SelectionNotify(
@@ -340,7 +470,8 @@ def check_place_follows_mouse(start, folder):
     window.settled(since)
     frames = [e for e in window.lines[since:] if e["event"] == "frame" and not e["final"]]
     expect(frames and "solve" not in frames[-1]["stages"], "widths do not follow, or all is solved again")
-    time.sleep(0.6)  # a rest ends the motion
+    window.wait_until(lambda: any(e["event"] == "command" and e["what"]["command"] == "end_drag"
+                                  for e in window.lines[since:]), "end of the motion")
     expect(options_of(window, folder / "moved.json")["width-by"] != "distance:1,0,0", "the place stays")
     window.key("ctrl+z")
     expect(options_of(window, folder / "undone.json")["width-by"] == "distance:1,0,0", "no single undo")
@@ -356,12 +487,12 @@ def check_quit_asks_for_what_is_not_saved(start, folder):
     since = window.now()
     window.drag_slider("option stripes", 0.5, 0.7, 3)
     window.settled(since)
-    window.xdotool("key", "ctrl+q")
+    window.key("ctrl+q")
     window.click("quit cancel")
     expect(window.process.poll() is None, "it quits though it was told not to")
-    window.xdotool("key", "ctrl+q")
+    window.key("ctrl+q")
     window.click("quit save")
-    window.save_as(folder / "kept.json")
+    window.save_as(folder / "kept.json", last=True)
     expect(window.process.wait(PATIENCE) == 0, "it does not quit once all is saved")
     options = json.loads((folder / "kept.json").read_text())["options"]
     expect("stripes" in options, "what was saved is not what was shown")
@@ -403,12 +534,16 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("tool")
     parser.add_argument("names", nargs="*")
+    parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--keep", type=pathlib.Path)
     arguments = parser.parse_intermixed_args()
     if say_what_is_missing():
         return SKIPPED
-    checks = {name.removeprefix("check_"): check for name, check in globals().items()
-              if name.startswith("check_") and (not arguments.names or any(n in name for n in arguments.names))}
+    checks = {name.removeprefix("check_"): check for name, check in globals().items() if name.startswith("check_")}
+    if arguments.only:
+        checks = {name: check for name, check in checks.items() if name in arguments.only}
+    if arguments.names:
+        checks = {name: check for name, check in checks.items() if any(n in name for n in arguments.names)}
     expect(checks, "no check has such a name")
     tool = str(pathlib.Path(arguments.tool).resolve())
     folder = (arguments.keep or pathlib.Path(tempfile.mkdtemp(prefix="brindle_window_"))).resolve()

@@ -61,6 +61,9 @@ class Window:
         self.log_path = folder / "log.jsonl"
         self.lines = []
         self.places = {}
+        self.moved = {}  # at which mark a widget has come or moved
+        self.marks = 0  # that were asked for
+        self.seen_marks = 0
         self.size = size
         self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
                                 XDG_CACHE_HOME=str(folder / "cache"))
@@ -92,8 +95,11 @@ class Window:
                 return
             entry = json.loads(line)
             self.lines.append(entry)
+            if entry["event"] == "mark":
+                self.seen_marks = entry["number"]
             if entry["event"] == "widgets":
                 for name, place in entry["places"].items():
+                    self.moved[name] = self.seen_marks
                     if place is None:
                         self.places.pop(name, None)
                     else:
@@ -113,7 +119,7 @@ class Window:
             if time.monotonic() > end:
                 last = [line for line in self.lines if line["event"] != "widgets"][-6:]
                 raise Failure(f"no {what}; the last events: {json.dumps(last)[:1500]}")
-            time.sleep(0.02)
+            time.sleep(0.004)
 
     def wait_for(self, event, since=0, **what):
         """The first entry of the log after number `since` with these values."""
@@ -143,12 +149,20 @@ class Window:
             return last if shown else None
         return self.wait_until(find, "final frame of what was done")
 
-    # The mouse and the keys.
+    # The mouse and the keys. Nothing waits for a time to pass: F12 is pressed behind all that a hand does, and the
+    # window writes a mark into its log once it has taken notice of what came before.
+
+    def hand(self, *words):
+        """What xdotool does, until the window has taken notice of it."""
+        self.marks += 1
+        self.xdotool(*words, "key", "F12")
+        self.wait_until(lambda: self.seen_marks >= self.marks, f"mark {self.marks} after {words}")
 
     def place(self, name):
         self.wait_until(lambda: name in self.places, f"widget '{name}'")
-        time.sleep(0.15)  # popups move while they open
-        self.read()
+        if self.moved[name] >= self.seen_marks - 1:
+            self.hand()  # popups move while they open, and take the keyboard only then
+            self.wait_until(lambda: name in self.places, f"widget '{name}'")
         return self.places[name]
 
     def point(self, name, across=0.5, down=0.5):
@@ -156,33 +170,38 @@ class Window:
         return round(x + across * width), round(y + down * height)
 
     def move(self, x, y):
-        self.xdotool("mousemove", "--window", self.id, x, y)
-        time.sleep(0.03)
+        self.hand("mousemove", "--window", self.id, x, y)
 
     def click(self, name, across=0.5, down=0.5, button=1):
         self.move(*self.point(name, across, down))
-        time.sleep(0.1)
-        self.xdotool("mousedown", button)
-        time.sleep(0.08)
-        self.xdotool("mouseup", button)
-        time.sleep(0.15)
+        self.hand("mousedown", button, "mouseup", button)
 
-    def drag(self, points, button=1, pause=0.06):
+    def last_click(self, name):
+        """Of what closes the window, so that no mark comes."""
+        self.move(*self.point(name))
+        self.xdotool("mousedown", 1, "sleep", 0.2, "mouseup", 1)
+
+    def type_into_slider(self, name, text, end="Return"):
+        """Ctrl and a click make a slider a field."""
+        self.move(*self.point(name))
+        self.hand("keydown", "ctrl", "mousedown", 1)
+        self.hand("mouseup", 1, "keyup", "ctrl")
+        self.key("ctrl+a")
+        self.type(text)
+        self.key(end)
+
+    def drag(self, points, button=1):
         self.move(*points[0])
-        time.sleep(0.1)
-        self.xdotool("mousedown", button)
-        time.sleep(0.1)
+        self.hand("mousedown", button)
         for point in points[1:]:
             self.move(*point)
-            time.sleep(pause)
-        self.xdotool("mouseup", button)
-        time.sleep(0.1)
+        self.hand("mouseup", button)
 
     def drag_slider(self, name, first, last, steps=8):
         self.drag([self.point(name, first + (last - first) * i / steps) for i in range(steps + 1)])
 
     def sweep(self, points, button=1, pause=0.012):
-        """Drags as fast as a hand: all of it is one call of xdotool."""
+        """Drags as fast as a hand, whatever the window makes of it: all of it is one call of xdotool."""
         words = ["mousemove", "--window", self.id, *points[0], "sleep", 0.1]
         if button:
             words += ["mousedown", button, "sleep", 0.05]
@@ -192,32 +211,29 @@ class Window:
 
     def key(self, *keys):
         for key in keys:
-            self.xdotool("key", "--window", self.id, key)
-            time.sleep(0.15)
+            self.hand("key", key)
 
     def type(self, text):
-        self.xdotool("type", "--delay", "25", text)
-        time.sleep(0.1)
+        self.hand("type", "--delay", "4", "--args", 1, "--", text)
 
     def menu(self, menu, *items):
         self.click(f"menu {menu}")
         for item in items:
             self.click(f"item {item}")
 
-    def save_as(self, path):
-        """Types a path into the dialogue of files that is open."""
+    def save_as(self, path, last=False):
+        """Types a path into the dialogue of files that is open. `last`: then the window closes."""
         self.place("browser name")
-        time.sleep(0.2)
         self.key("ctrl+a")
         self.type(str(path))
-        self.key("Return")
+        self.xdotool("key", "Return") if last else self.key("Return")
 
     def quit(self):
         """Without saving, if it asks."""
         self.xdotool("key", "ctrl+q")  # not to a window, which may be gone before keys are let go
         self.wait_for_question()
         if "quit discard" in self.places and self.process.poll() is None:
-            self.click("quit discard")
+            self.last_click("quit discard")
         expect(self.process.wait(PATIENCE) == 0, "quitting does not end with 0")
 
     def wait_for_question(self):
@@ -225,7 +241,7 @@ class Window:
         end = time.monotonic() + PATIENCE
         while self.process.poll() is None and "quit discard" not in self.places and time.monotonic() < end:
             self.read()
-            time.sleep(0.02)
+            time.sleep(0.004)
 
     def wait_until_end(self):
         self.process.wait(PATIENCE)
@@ -243,7 +259,7 @@ def wait_for_file(path):
     end = time.monotonic() + PATIENCE
     while not path.exists():
         expect(time.monotonic() < end, f"no {path.name} is written")
-        time.sleep(0.05)
+        time.sleep(0.01)
 
 
 def save_picture(window, path):

@@ -1,20 +1,24 @@
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"
 #include "brindle/shapes.h"
 #include "brindle/version.h"
-#include "commands.h"
+#include "cli/blas_threads.h"
+#include "cli/commands.h"
+#include "cli/progress_display.h"
 
 namespace brindle::tool {
 namespace {
 
-enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kCancelled = 130 };
+enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2 };
 
 constexpr const char* kToolExamples = R"(Examples:
   brindle stripe shape:torus --output torus.png
@@ -26,10 +30,11 @@ constexpr const char* kToolExamples = R"(Examples:
   brindle info horse.ply
 
 'brindle COMMAND --help' tells more of each command. All end with 0 if the job is done, 1 if it
-failed, 2 if the command line is wrong and 130 if Ctrl-C ended it.)";
+failed, 2 if the command line is wrong and 130 if Ctrl-C ended it (143 for SIGTERM,
+129 for SIGHUP).)";
 
-ExitCode fail(ExitCode code, const std::string& message) {
-  std::cerr << "brindle: " << message << '\n';
+int fail(int code, const std::string& message) {
+  std::cerr << "brindle: " << shown_lines(message) << '\n';
   return code;
 }
 
@@ -72,7 +77,7 @@ std::string explanation(const CLI::ParseError& error, const std::vector<Command>
   return wrong + "; commands are: " + names + "\nbrindle: 'brindle --help' tells more";
 }
 
-ExitCode run(const std::vector<Command>& commands) {
+int run(const std::vector<Command>& commands) {
   try {
     for (const Command& command : commands) {
       if (command.app->parsed()) command.run();
@@ -83,7 +88,7 @@ ExitCode run(const std::vector<Command>& commands) {
   } catch (const CLI::ParseError& error) {
     return fail(kWrongUsage, error.what());
   } catch (const Cancelled&) {
-    return fail(kCancelled, "cancelled");
+    return fail(cancelled_exit_code(), "cancelled");
   } catch (const std::bad_alloc&) {
     return fail(kFailed, "not enough memory; try a smaller mesh or a smaller --subdivide");
   } catch (const std::exception& error) {
@@ -91,7 +96,7 @@ ExitCode run(const std::vector<Command>& commands) {
   }
 }
 
-ExitCode parse_and_run(int argc, char** argv) {
+int parse_and_run(int argc, char** argv) {
   CLI::App app{"Lays stripe patterns over surfaces, aligned to a direction field.", "brindle"};
   app.set_version_flag("--version", "brindle " BRINDLE_VERSION, "Print the version and exit");
   app.add_flag_callback(
@@ -122,6 +127,8 @@ ExitCode parse_and_run(int argc, char** argv) {
 }  // namespace brindle::tool
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit is to be a message, not the end
+  brindle::tool::leave_out_blas_threads(argv);
   try {
     return brindle::tool::parse_and_run(argc, argv);
   } catch (const std::exception& error) {

@@ -1,19 +1,25 @@
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "brindle/base/printable.h"
 #include "brindle/distributed/communicator.h"
 #include "brindle/error.h"
-#include "brindle/shapes.h"
 #include "brindle/version.h"
+#include "cli/blas_threads.h"
 #include "mpi_curves.h"
 #include "mpi_sample.h"
 #include "mpi_stripe.h"
+#include "request.h"
+#include "stall_watch.h"
 
 namespace brindle::tool {
 namespace {
@@ -21,9 +27,9 @@ namespace {
 enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2 };
 
 /// Whether all ranks come here within some time. What one rank alone throws leaves the others
-/// waiting for it elsewhere.
+/// waiting for it elsewhere; that is rare, and a rank that comes late on a busy machine is not.
 bool all_have_failed() {
-  constexpr auto kPatience = std::chrono::seconds(5);
+  constexpr auto kPatience = std::chrono::seconds(60);
   MPI_Request request;
   MPI_Ibarrier(MPI_COMM_WORLD, &request);
   const auto end = std::chrono::steady_clock::now() + kPatience;
@@ -35,31 +41,40 @@ bool all_have_failed() {
   return done != 0;
 }
 
-/// One message, whoever fails; ends the others where they wait.
-ExitCode fail(ExitCode code, const std::string& message) {
+/// Of one rank alone; ends the others where they wait.
+ExitCode fail_alone(ExitCode code, const std::string& message) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (all_have_failed()) {
-    if (rank == 0) std::cerr << "brindle-mpi: " << message << std::endl;
-    return code;
-  }
-  std::cerr << "brindle-mpi: rank " << rank << ": " << message << std::endl;
+  std::cerr << "brindle-mpi: rank " << rank << ": " << shown_lines(message) << std::endl;
   MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }
 
+/// One message, whoever fails.
+ExitCode fail(ExitCode code, const std::string& message) {
+  if (!all_have_failed()) return fail_alone(code, message);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) std::cerr << "brindle-mpi: " << shown_lines(message) << std::endl;
+  return code;
+}
+
+/// What many ranks do together they tell each other of as an Error (`Communicator::together`).
+/// Whatever else is thrown is one rank's.
 ExitCode run(const Command& command) {
   try {
     command.run();
     std::cout.flush();
-    if (!std::cout) throw Error("cannot write to standard output");
+    if (!std::cout) throw std::runtime_error("cannot write to standard output");
     return kDone;
   } catch (const CLI::ParseError& error) {
     return fail(kWrongUsage, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(kFailed, "not enough memory; take more ranks on more machines");
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     return fail(kFailed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail_alone(kFailed, "not enough memory; take more ranks on more machines");
+  } catch (const std::exception& error) {
+    return fail_alone(kFailed, error.what());
   }
 }
 
@@ -67,6 +82,27 @@ ExitCode run(const Command& command) {
 std::string help_of(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? "" : commands.front()->get_name() + " ";
+}
+
+/// What this rank's words are, whether or not they are understood.
+struct Parsed {
+  Request request;
+  std::optional<CLI::Success> asked_for_help;
+  std::optional<std::string> error;
+};
+
+Parsed parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return {request_of(argc, argv), success, {}};
+  } catch (const CLI::ParseError& error) {
+    return {request_of(argc, argv),
+            {},
+            error.what() + std::string("\nbrindle-mpi: 'brindle-mpi ") + help_of(app) +
+                "--help' tells more"};
+  }
+  return {request_of(app, argc, argv), {}, {}};
 }
 
 ExitCode parse_and_run(int argc, char** argv) {
@@ -78,15 +114,20 @@ ExitCode parse_and_run(int argc, char** argv) {
   const std::vector<Command> commands = {add_mpi_stripe_command(app, ranks),
                                          add_mpi_curves_command(app, ranks),
                                          add_mpi_sample_command(app, ranks)};
+  double stall_limit = kStallLimit;
+  for (const Command& command : commands) add_stall_option(*command.app, stall_limit);
+  const Parsed parsed = parse(app, argc, argv);
+  const StallWatch watch(ranks.rank(), stall_limit);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    if (ranks.rank() == 0) app.exit(success);
-    return kDone;
+    check_same_request(ranks, parsed.request);
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, error.what() + std::string("\nbrindle-mpi: 'brindle-mpi ") +
-                                 help_of(app) + "--help' tells more");
+    return fail(kWrongUsage, error.what());
   }
+  if (parsed.asked_for_help) {
+    if (ranks.rank() == 0) app.exit(*parsed.asked_for_help);
+    return kDone;
+  }
+  if (parsed.error) return fail(kWrongUsage, *parsed.error);
   return run(*std::ranges::find_if(commands,
                                    [](const Command& command) { return command.app->parsed(); }));
 }
@@ -95,6 +136,8 @@ ExitCode parse_and_run(int argc, char** argv) {
 }  // namespace brindle::tool
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit is to be a message, not the end
+  brindle::tool::leave_out_blas_threads(argv);
   // Other threads work between messages; they send none.
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
@@ -102,7 +145,7 @@ int main(int argc, char** argv) {
   try {
     code = brindle::tool::parse_and_run(argc, argv);
   } catch (const std::exception& error) {
-    code = brindle::tool::fail(brindle::tool::kFailed, error.what());
+    code = brindle::tool::fail_alone(brindle::tool::kFailed, error.what());
   }
   MPI_Finalize();
   return code;

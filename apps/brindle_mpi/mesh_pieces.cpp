@@ -3,15 +3,18 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "array_source.h"
+#include "brindle/base/array_numbers.h"
 #include "brindle/distributed/partition.h"
 #include "brindle/distributed/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "first_rank.h"
+#include "input/array_source.h"
+#include "input/preparation.h"
 #include "pvtp_pieces.h"
 #include "rank_arrays.h"
 
@@ -86,11 +89,13 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const Wa
                     JobListener& listener) {
   PackedPieces packed(static_cast<std::size_t>(ranks.size()));
   DataArrays arrays;
+  std::vector<DataArray> original;
   std::array<double, 3> origin{};
   ReadPiece result;
   on_first_rank(ranks, [&] {
     LoadedSurface loaded = load_whole(options, listener);
     result.vertices_joined = loaded.repair.vertices_joined;
+    original.push_back(make_data_array("original_id", 1, original_ids_of(loaded)));
     if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
     if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
     for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
@@ -98,6 +103,10 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const Wa
     packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
   });
   result.arrays.points = scattered_rows(ranks, arrays.points, rows_of_ranks(packed.ids));
+  const auto numbers = scattered_rows(ranks, original, rows_of_ranks(packed.ids));
+  for (const double id : doubles_of(numbers[0].view())) {
+    result.original_ids.push_back(static_cast<std::int64_t>(id));
+  }
   result.arrays.cells = scattered_rows(ranks, arrays.cells, rows_of_ranks(packed.triangle_ids));
   result.piece.vertex_ids = ranks.swap_lists(packed.ids)[0];
   result.piece.triangle_ids = ranks.swap_lists(packed.triangle_ids)[0];
@@ -110,6 +119,20 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const Wa
   result.piece.mesh.origin = {x, y, z};
   result.vertices_joined = ranks.all(result.vertices_joined)[0];
   return result;
+}
+
+void subdivide_piece(Communicator& ranks, int times, ReadPiece& read) {
+  std::unordered_map<std::uint64_t, std::int64_t> original;
+  for (std::size_t v = 0; v < read.original_ids.size(); ++v) {
+    original[read.piece.vertex_ids[v]] = read.original_ids[v];
+  }
+  read.piece = subdivided_piece(ranks, std::move(read.piece), read.arrays, times);
+  if (!read.numbered) return;
+  read.original_ids.clear();
+  for (const std::uint64_t id : read.piece.vertex_ids) {
+    const auto found = original.find(id);
+    read.original_ids.push_back(found == original.end() ? -1 : found->second);
+  }
 }
 
 }  // namespace
@@ -128,9 +151,10 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const W
     read = cut_piece(ranks, options, wanted, listener);
   }
   read.file = options.mesh;
-  if (options.subdivide > 0) {
-    read.piece = subdivided_piece(ranks, std::move(read.piece), read.arrays, options.subdivide);
+  if (read.original_ids.empty() && read.numbered) {
+    read.original_ids.assign(read.piece.vertex_ids.begin(), read.piece.vertex_ids.end());
   }
+  if (options.subdivide > 0) subdivide_piece(ranks, options.subdivide, read);
   return read;
 }
 

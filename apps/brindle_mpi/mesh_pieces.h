@@ -2,14 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "brindle/data_arrays.h"
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
-#include "job_listener.h"
-#include "surface_options.h"
+#include "cli/job_listener.h"
+#include "input/surface_options.h"
 
 namespace brindle::tool {
 
@@ -19,6 +20,9 @@ struct ReadPiece {
   /// Whether vertices have the numbers that the mesh's file or the shape gives them; a .pvtp
   /// without ids gives none.
   bool numbered = true;
+  /// Per vertex the number that the mesh's file or the shape gives it, -1 for those that are added;
+  /// none if it gives none.
+  std::vector<std::int64_t> original_ids = {};
   std::size_t vertices_joined = 0;
   std::vector<Index> vertex_of_row;  ///< on rank 0, as LoadedMesh has it; none if subdivided
   std::vector<Index> partners;       ///< on rank 0, as Preparation has it

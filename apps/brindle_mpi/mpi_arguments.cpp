@@ -1,10 +1,13 @@
 #include "mpi_arguments.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "brindle/base/file_extension.h"
-#include "command_line.h"
+#include "brindle/files/named_file.h"
+#include "cli/command_line.h"
 #include "pvtp_pieces.h"
+#include "request.h"
 
 namespace brindle::tool {
 namespace {
@@ -69,6 +72,7 @@ void check_mpi_options(const CLI::App& command, const MpiArguments& arguments) {
   refuse_given(command, {"--uv", "--cross", "--texture", "--previous"}, kForOneProcess);
   check_mpi_waves(command, arguments.waves, arguments.solving);
   check_extension("--output", arguments.output, ".pvtp");
+  if (!arguments.output.empty()) check_name_in_xml(arguments.output);
   check_extension("--report", arguments.report, ".json");
 }
 
@@ -78,6 +82,12 @@ std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surf
   if (is_pvtp(surface.mesh)) {
     for (UsedFile& file : files_of_pvtp(ranks, surface.mesh)) inputs.push_back(std::move(file));
   }
+  // Of these every rank reads the whole.
+  std::vector<std::filesystem::path> of_all;
+  for (const UsedFile& file : inputs) {
+    if (file.option == "--field-mesh") of_all.push_back(file.path);
+  }
+  check_same_files(ranks, of_all);
   add_slack_files(solving.slack, inputs);
   return inputs;
 }

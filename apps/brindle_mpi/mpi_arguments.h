@@ -8,10 +8,10 @@
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed/distributed_hierarchy.h"
-#include "solving_options.h"
-#include "surface_options.h"
-#include "used_files.h"
-#include "wave_options.h"
+#include "input/solving_options.h"
+#include "input/surface_options.h"
+#include "input/used_files.h"
+#include "input/wave_options.h"
 
 namespace brindle::tool {
 

@@ -10,21 +10,25 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/curve_measures.h"
+#include "brindle/distributed/joined_measures.h"
 #include "brindle/distributed/moved_peaks.h"
 #include "brindle/files.h"
-#include "command_line.h"
-#include "curves_output.h"
-#include "curves_report.h"
-#include "formatted.h"
-#include "option_values.h"
-#include "outputs.h"
+#include "brindle/files/vtp_rows.h"
+#include "brindle/points/point_tree.h"
+#include "brindle/recipe/report.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+#include "jobs/curves_output.h"
+#include "jobs/curves_report.h"
+#include "outputs/outputs.h"
+#include "outputs/written_files.h"
 #include "piece_output.h"
 #include "piece_patterns.h"
-#include "report.h"
-#include "written_files.h"
+#include "stall_watch.h"
 
 namespace brindle::tool {
 namespace {
@@ -45,6 +49,7 @@ struct MpiCurvesArguments : PatternArguments, LineShape {
   float offset = 0;
   bool join = false;
   Length min_length;
+  std::optional<Length> line_width;
 };
 
 /// One of U and V, on rank 0.
@@ -55,7 +60,11 @@ struct JoinedFamily {
   std::size_t short_curves = 0;  ///< left out
   std::size_t jogs = 0;          ///< edges that moved curves do not cross straight
   double energy = 0;
-  std::size_t branches = 0;
+  std::size_t branches = 0, field_singularities = 0;
+  CurveLengths lengths = {};              ///< before lines were reshaped
+  std::optional<CurveSpacing> spacing{};  ///< of all curves
+  bool yields = false;                    ///< whether frequencies do
+  std::optional<CurveCoverage> coverage{};
 };
 
 /// One of U and V as a rank has it.
@@ -97,7 +106,9 @@ void write_cut_families(Communicator& ranks, const std::string& path, const Mesh
     lines.push_back({family.name, family.curves.lines, border_arrays(family.curves)});
   }
   write_pieces(ranks, path, mesh.origin, announced,
-               [&](const std::filesystem::path& piece) { write_polylines(piece, lines); });
+               [&](std::ostream& out, const std::filesystem::path& piece) {
+                 write_vtp_polylines(out, piece, lines);
+               });
 }
 
 /// Collective. What is known of a family without joining it.
@@ -111,42 +122,65 @@ nlohmann::ordered_json to_json(Communicator& ranks, const CutFamily& family,
   }
   return {{"energy", solved.energy},
           {"branches", solved.quality.branches},
+          {"field_singularities", solved.quality.field_singularities},
           {"curve_pieces", ranks.sum(family.curves.lines.count())},
           {"border_crossings", ranks.sum(crossings) / 2},
           {"length", ranks.sum(lengths.closed_length + lengths.open_length)}};
 }
 
+/// Collective.
 JoinedFamily join_family(const CutFamily& cut, const PiecePatterns& patterns,
                          const SolvedPattern& solved, const MpiCurvesArguments& arguments) {
   JoinedFamily family{cut.name, joined_curves(*patterns.surface, cut.curves)};
   family.ends = family.curves.end_counts();
   family.energy = solved.energy;
   family.branches = solved.quality.branches;
-  const float least = arguments.min_length.on(static_cast<float>(patterns.surface->diagonal()));
+  family.field_singularities = solved.quality.field_singularities;
+  family.yields = solved.frequency_change.has_value();
+  if (PointTree::available()) {
+    const CurveSpacing spacing = measure_joined_spacing(patterns.piece(solved, arguments),
+                                                        family.curves, solved.frequencies_wanted);
+    if (spacing.measured > 0) family.spacing = spacing;
+  }
+  const auto diagonal = static_cast<float>(patterns.surface->diagonal());
+  const float least = arguments.min_length.on(diagonal);
   if (least > 0) {
     const std::size_t all = family.curves.lines.count();
     family.curves = longer_than(family.curves, static_cast<double>(least));
     family.short_curves = all - family.curves.lines.count();
   }
-  reshape(family.curves.lines, arguments, static_cast<float>(patterns.surface->diagonal()));
+  family.lengths = curve_lengths(family.curves.lines);
+  if (arguments.line_width) {
+    family.coverage = measure_joined_coverage(*patterns.surface, family.curves.lines,
+                                              arguments.line_width->on(diagonal));
+  }
+  reshape(family.curves.lines, arguments, diagonal);
   return family;
 }
 
 nlohmann::ordered_json to_json(const JoinedFamily& family) {
   const Polylines& lines = family.curves.lines;
   const CurveLengths lengths = curve_lengths(lines);
-  return {{"energy", family.energy},
-          {"branches", family.branches},
-          {"curves", lines.count()},
-          {"closed", lengths.closed},
-          {"open", lengths.open},
-          {"short_curves_left_out", family.short_curves},
-          {"points", lines.points.size()},
-          {"length", lengths.closed_length + lengths.open_length},
-          {"ends", ends_to_json(family.ends)},
-          {"joined_ends", family.curves.joined_ends},
-          {"ends_at_neighbours", family.curves.ends_at_neighbors},
-          {"edges_with_jogs", family.jogs}};
+  nlohmann::ordered_json json = {{"energy", family.energy},
+                                 {"branches", family.branches},
+                                 {"field_singularities", family.field_singularities},
+                                 {"curves", lines.count()},
+                                 {"closed", lengths.closed},
+                                 {"open", lengths.open},
+                                 {"short_curves_left_out", family.short_curves},
+                                 {"points", lines.points.size()},
+                                 {"length", lengths.closed_length + lengths.open_length},
+                                 {"ends", ends_to_json(family.ends)},
+                                 {"joined_ends", family.curves.joined_ends},
+                                 {"ends_at_neighbours", family.curves.ends_at_neighbors},
+                                 {"edges_with_jogs", family.jogs},
+                                 {"lengths", tool::to_json(family.lengths)}};
+  if (family.spacing) add_spacing(*family.spacing, family.yields, json);
+  if (family.coverage) {
+    json["coverage"] = family.coverage->once;
+    json["covered_twice"] = family.coverage->twice;
+  }
+  return json;
 }
 
 void print(std::ostream& out, const JoinedFamily& family) {
@@ -154,24 +188,18 @@ void print(std::ostream& out, const JoinedFamily& family) {
   out << formatted("%s         %zu curves, %zu of them closed, length %g\n", family.name.c_str(),
                    family.curves.lines.count(), lengths.closed,
                    lengths.closed_length + lengths.open_length)
-      << "          " << line_of_ends(family.ends);
-  if (family.curves.joined_ends + family.curves.ends_at_neighbors > 0) {
-    out << formatted("          %zu more ends joined in pairs, %zu run on into neighbours\n",
-                     family.curves.joined_ends, family.curves.ends_at_neighbors);
-  }
-  if (family.short_curves > 0) {
-    out << formatted("          %zu shorter curves left out\n", family.short_curves);
-  }
-  if (family.jogs > 0) {
-    out << formatted("          the field has no orientation: curves jog at %zu edges\n",
-                     family.jogs);
-  }
+      << "          " << line_of_ends(family.ends)
+      << lines_of({family.curves.joined_ends, family.curves.ends_at_neighbors, family.short_curves,
+                   family.jogs},
+                  "          ");
 }
 
 void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communicator& ranks) {
   if (writes_pieces(arguments)) {
     refuse_given(
-        command, {"--min-length", "--simplify", "--resample", "--tube-radius", "--tube-sides"},
+        command,
+        {"--min-length", "--simplify", "--resample", "--line-width", "--tube-radius",
+         "--tube-sides"},
         "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
   } else if (!arguments.output.empty()) {
     const CurveOutput kind = planned_curves(arguments.output, arguments.tube_radius.has_value());
@@ -187,8 +215,6 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (!arguments.tube_radius) {
     refuse_given(command, {"--tube-sides"}, "no tubes are written; add --tube-radius L");
   }
-  refuse_given(command, {"--line-width"},
-               "it needs the whole surface in one process; 'brindle curves' has it");
   if (arguments.lines == TracedWaves::u) {
     refuse_given(command, {"--stripes-v", "--frequency-v"},
                  "V is not traced; add --lines v or --lines both");
@@ -256,16 +282,18 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
     if (writes_pieces(arguments)) {
       made.report[name] = to_json(ranks, families.back(), **solved);
       made.report[name]["edges_with_jogs"] = jogs;
+      add_frequency_change(**solved, "frequency_change", made.report[name]);
       continue;
     }
     made.joined.push_back(join_family(families.back(), patterns, **solved, arguments));
     made.joined.back().jogs = jogs;
     made.report[name] = to_json(made.joined.back());
+    add_frequency_change(**solved, "frequency_change", made.report[name]);
     if (made.joined.back().curves.lines.count() > 0) continue;
     display.note(std::string(name) + ": no curves; ask for more stripes, or for shorter ones\n");
   }
   if (writes_pieces(arguments)) {
-    ranks.together([&] { display.stage("writing"); });
+    enter_stage(ranks, display, "writing");
     write_cut_families(ranks, arguments.output, patterns.read.piece.mesh, families);
   }
   return made;
@@ -282,7 +310,7 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
     patterns = make_piece_patterns(ranks, arguments, arguments.lines != TracedWaves::v,
                                    arguments.lines != TracedWaves::u, display);
-    ranks.together([&] { display.stage("curves"); });
+    enter_stage(ranks, display, "curves");
     Stopwatch watch;
     made = make_curves(ranks, patterns, arguments, display);
     extract = watch.lap();
@@ -302,9 +330,8 @@ void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
   add_offset_option(command, arguments.offset);
   add_join_option(command, arguments.join);
   add_line_shape_options(command, arguments);
+  add_line_width_option(command, arguments.line_width);
   add_tube_options(command, arguments);
-  // Told apart from what there is not at all.
-  command.add_option("--line-width")->group("");
 }
 
 }  // namespace

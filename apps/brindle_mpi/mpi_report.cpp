@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bench/resident_memory.h"
+#include "brindle/base/formatted.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed/rank_surface.h"
-#include "formatted.h"
 
 namespace brindle::tool {
 namespace {

@@ -8,20 +8,22 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/vtp_rows.h"
 #include "brindle/points/point_tree.h"
-#include "command_line.h"
-#include "formatted.h"
-#include "option_values.h"
-#include "outputs.h"
+#include "brindle/recipe/report.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+#include "jobs/sample_job.h"
+#include "outputs/outputs.h"
+#include "outputs/written_files.h"
 #include "piece_output.h"
 #include "piece_patterns.h"
-#include "report.h"
-#include "sample_job.h"
-#include "written_files.h"
+#include "stall_watch.h"
 
 namespace brindle::tool {
 namespace {
@@ -77,9 +79,10 @@ void write_sample_pieces(Communicator& ranks, const std::string& path, const Mes
     announced.points.push_back({name, NumberType::float32, 1, {}});
   }
   announced.points.push_back({"triangle", NumberType::uint32, 1, {}});
-  write_pieces(ranks, path, mesh.origin, announced, [&](const std::filesystem::path& piece) {
-    write_samples(piece, own, mesh.origin, frequency_arrays(own));
-  });
+  write_pieces(ranks, path, mesh.origin, announced,
+               [&](std::ostream& out, const std::filesystem::path& piece) {
+                 write_vtp_samples(out, piece, own, mesh.origin, frequency_arrays(own));
+               });
 }
 
 nlohmann::ordered_json to_json(const GatheredSamples& gathered, const PiecePatterns& patterns) {
@@ -87,7 +90,9 @@ nlohmann::ordered_json to_json(const GatheredSamples& gathered, const PiecePatte
                                  {"doubles_left_out", gathered.doubles},
                                  {"branches_u", patterns.u->quality.branches},
                                  {"branches_v", patterns.v->quality.branches}};
-  if (gathered.spacing) json["nearest_neighbour"] = tool::to_json(*gathered.spacing);
+  add_frequency_change(*patterns.u, "frequency_change_u", json);
+  add_frequency_change(*patterns.v, "frequency_change_v", json);
+  if (gathered.spacing) json["nearest_neighbour"] = brindle::to_json(*gathered.spacing);
   return json;
 }
 
@@ -144,7 +149,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
   {
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
     patterns = make_piece_patterns(ranks, arguments, true, true, display);
-    ranks.together([&] { display.stage("samples"); });
+    enter_stage(ranks, display, "samples");
     Stopwatch watch;
     gathered = gather_samples(ranks, patterns, arguments);
     ranks.together([&] {
@@ -152,7 +157,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
     });
     extract = watch.lap();
     if (writes_pieces(arguments)) {
-      ranks.together([&] { display.stage("writing"); });
+      enter_stage(ranks, display, "writing");
       write_sample_pieces(ranks, arguments.output, patterns.read.piece.mesh, gathered.own);
     }
     if (ranks.rank() == 0 && gathered.samples.empty()) display.note(kNoSamples);

@@ -11,21 +11,22 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/files.h"
-#include "carried_arrays.h"
-#include "command_line.h"
+#include "brindle/pattern_arrays.h"
+#include "brindle/recipe/report.h"
+#include "brindle/recipe/wave_report.h"
+#include "cli/command_line.h"
+#include "cli/progress_display.h"
+#include "input/used_files.h"
 #include "mesh_pieces.h"
 #include "mpi_arguments.h"
 #include "mpi_report.h"
-#include "outputs.h"
-#include "pattern_arrays.h"
+#include "outputs/carried_arrays.h"
+#include "outputs/outputs.h"
+#include "outputs/written_files.h"
 #include "piece_output.h"
 #include "piece_rows.h"
 #include "piece_waves.h"
-#include "progress_display.h"
-#include "report.h"
-#include "used_files.h"
-#include "wave_figures.h"
-#include "written_files.h"
+#include "stall_watch.h"
 
 namespace brindle::tool {
 namespace {
@@ -42,8 +43,8 @@ constexpr const char* kMpiExamples = R"(Examples:
 Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula; of other meshes
 rank 0 reads the whole and sends the others their pieces. Each rank writes one, FILE_0.vtp and on,
 with phase (radians; not a number where there is no wave, and valid is 0), its sine, direction,
-frequency and global_id (the number in the whole mesh) at every vertex, branch and corner_phase of
-every triangle, and all arrays that MESH has; FILE.pvtp names them. Rows of files belong to vertices
+frequency, branch, global_id (the number in the whole mesh) and original_id (the number in MESH) at
+every vertex, branch and corner_phase of every triangle, and all arrays that MESH has; FILE.pvtp names them. Rows of files belong to vertices
 in the order of these numbers. With --slack, frequency is the one chosen and
 frequency_wanted the one asked for. Where one rank fails, all end with 1 and one message.)";
 
@@ -72,7 +73,8 @@ Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& ar
 }
 
 /// What the piece's file has of the pattern.
-DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<CornerPhases> corners) {
+DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<CornerPhases> corners,
+                     const std::vector<float>& branches) {
   DataArrays arrays;
   std::vector<float> wanted;
   if (has_yielded(frame)) {
@@ -80,11 +82,12 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
     waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
   }
   add_waves(arrays.points, {waves, wanted, frame.z, ""}, std::numeric_limits<float>::quiet_NaN(),
-            {});
+            branches);
   // Pieces without a vertex have all arrays, too.
   if (has_yielded(frame) && wanted.empty()) {
     arrays.points.push_back(make_data_array("frequency_wanted", 1, wanted));
   }
+  if (branches.empty()) arrays.points.push_back(make_data_array("branch", 1, branches));
   StripePattern pattern;
   pattern.corners = std::move(corners);
   arrays.cells.push_back(branches_in_triangles(pattern, "branch"));
@@ -94,7 +97,7 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
 
 /// What the piece's file has beside the mesh, with the input's arrays.
 DataArrays with_input(DataArrays own, const DataArrays& input, JobListener& listener) {
-  FittedArrays fitted = fitted_arrays("piece.vtp", joined(std::move(own), input));
+  FittedArrays fitted = fitted_arrays("piece.vtp", joined(std::move(own), without_turn(input)));
   for (const std::string& line : fitted.left_out) listener.note(line + "\n");
   return std::move(fitted.arrays);
 }
@@ -138,10 +141,11 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
   {
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
     // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
-    const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
+    const auto stage = [&](const char* name) { enter_stage(ranks, display, name); };
     Stopwatch watch;
     WantedArrays wanted = wanted_arrays(arguments.waves);
     wanted.all = !arguments.output.empty();
+    stage("loading");
     const ReadPiece read = read_piece(ranks, arguments.surface, wanted, display);
     const double load_milliseconds = watch.lap();
     stage("neighbourhood and normals");
@@ -170,9 +174,15 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     display.note(branch_warning(report.waves, report.quality.branches, report.triangles));
     if (!arguments.output.empty()) {
       stage("writing");
-      DataArrays own = arrays_of(w, frame, std::move(measures.corners));
+      const std::vector<float> branches =
+          flags_of_all(ranks, read, branches_at_vertices(read.piece.mesh, measures.corners));
+      DataArrays own = arrays_of(w, frame, std::move(measures.corners), branches);
       copy_from_partners(ranks, surface, read, own.points);
       own.points.push_back(make_data_array("global_id", 1, read.piece.vertex_ids));
+      if (read.numbered) {
+        own.points.push_back(make_data_array("original_id", 1, read.original_ids));
+      }
+      add_turn(own.points, turn_deg(arguments.waves), read.piece.mesh.vertex_count());
       write_pieces(ranks, arguments.output, read.piece.mesh,
                    with_input(std::move(own), read.arrays, display));
     }

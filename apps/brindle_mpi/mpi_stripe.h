@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brindle/distributed/communicator.h"
-#include "commands.h"
+#include "cli/commands.h"
 
 namespace brindle::tool {
 

@@ -21,8 +21,8 @@
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "brindle/waves/frequency_parts.h"
-#include "csv_field.h"
 #include "first_rank.h"
+#include "input/csv_field.h"
 #include "piece_rows.h"
 
 namespace brindle::tool {

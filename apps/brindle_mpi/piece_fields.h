@@ -10,21 +10,16 @@
 #include "brindle/distributed/distributed_hierarchy.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/frequency_field.h"
+#include "brindle/recipe/wave_report.h"
+#include "input/make_waves.h"
+#include "input/wave_options.h"
 #include "mesh_pieces.h"
 #include "piece_rows.h"
-#include "wave_figures.h"
-#include "wave_options.h"
 
 namespace brindle::tool {
 
 /// Of the piece's vertices; counts are of all ranks.
-struct PieceField {
-  DirectionField directions;
-  FrequencyField frequencies;    ///< empty if the field says nothing of them
-  FrequencyField frequencies_v;  ///< the same of crossing stripes
-  std::optional<std::size_t> rows_nonfinite = {};
-  MissingWaves missing = {};
-  std::string notes = {};
+struct PieceField : FoundField {
   /// Of the mesh's file or another one; refers to the surface and to what was read.
   std::shared_ptr<const PieceArrays> arrays = {};
 };

@@ -8,8 +8,8 @@
 #include "brindle/distributed/piece_curvatures.h"
 #include "brindle/waves/frequency_parts.h"
 #include "first_rank.h"
+#include "input/vertex_values.h"
 #include "piece_rows.h"
-#include "vertex_values.h"
 
 namespace brindle::tool {
 namespace {

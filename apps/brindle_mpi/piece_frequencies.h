@@ -5,9 +5,9 @@
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
+#include "input/wave_options.h"
 #include "mesh_pieces.h"
 #include "piece_fields.h"
-#include "wave_options.h"
 
 namespace brindle::tool {
 

@@ -1,14 +1,17 @@
 #include "piece_output.h"
 
+#include <optional>
 #include <ostream>
-#include <random>
+#include <set>
 #include <span>
 #include <string_view>
 
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
-#include "brindle/files.h"
+#include "brindle/files/named_file.h"
+#include "brindle/files/pvtp_file.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/written_arrays.h"
 #include "brindle/files/xml_text.h"
 
 namespace brindle::tool {
@@ -27,6 +30,7 @@ void put_arrays(std::ostream& out, std::string_view element, std::span<const Dat
 
 void write_index(const fs::path& pvtp, int ranks, const Eigen::Vector3d& origin,
                  const DataArrays& arrays) {
+  check_name_in_xml(pvtp);  // pieces are called like it
   write_file(pvtp, [&](std::ostream& out) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PPolyData\" version=\"1.0\" "
            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n";
@@ -41,36 +45,32 @@ void write_index(const fs::path& pvtp, int ranks, const Eigen::Vector3d& origin,
   });
 }
 
-fs::path temporary_name(const fs::path& piece) {
-  std::random_device seed;
-  fs::path name = piece;
-  name.replace_extension(".tmp" + std::to_string(seed()) + ".vtp");
-  return name;
-}
-
-/// A file that goes unless it gets its name.
-class TemporaryPiece {
- public:
-  explicit TemporaryPiece(const fs::path& path) : path_(path), temporary_(temporary_name(path)) {}
-  ~TemporaryPiece() {
-    std::error_code ignored;
-    fs::remove(temporary_, ignored);
+/// The pieces that an older .pvtp of this name has beyond those of so many ranks, as a run of more
+/// ranks leaves them behind.
+std::vector<fs::path> older_pieces(const fs::path& pvtp, int ranks) {
+  std::error_code ignored;
+  if (!fs::exists(pvtp, ignored)) return {};
+  std::set<fs::path> named;
+  try {
+    for (const fs::path& piece : read_pvtp(pvtp).pieces) named.insert(piece.lexically_normal());
+  } catch (const Error&) {
+    return {};  // none of ours
   }
-  TemporaryPiece(const TemporaryPiece&) = delete;
-  TemporaryPiece& operator=(const TemporaryPiece&) = delete;
-
-  const fs::path& path() const { return temporary_; }
-  void rename() const { fs::rename(temporary_, path_); }
-
- private:
-  fs::path path_, temporary_;
-};
+  // None of another name, whatever the list says.
+  std::vector<fs::path> older;
+  for (int r = ranks; r < ranks + static_cast<int>(named.size()); ++r) {
+    const fs::path piece = piece_path(pvtp, r);
+    if (named.contains(piece.lexically_normal())) older.push_back(piece);
+  }
+  return older;
+}
 
 }  // namespace
 
 std::vector<UsedFile> files_of_pieces(const std::string& pvtp, int ranks) {
   std::vector<UsedFile> files = {{"--output", pvtp}};
   for (int r = 0; r < ranks; ++r) files.push_back({"--output", piece_path(pvtp, r)});
+  for (const fs::path& piece : older_pieces(pvtp, ranks)) files.push_back({"--output", piece});
   return files;
 }
 
@@ -89,18 +89,34 @@ void check_pieces(Communicator& ranks, const fs::path& pvtp) {
 
 void write_pieces(Communicator& ranks, const fs::path& pvtp, const Mesh& mesh,
                   const DataArrays& arrays) {
-  write_pieces(ranks, pvtp, mesh.origin, arrays, [&](const fs::path& piece) {
-    write_mesh(piece, mesh, arrays.points, arrays.cells);
+  write_pieces(ranks, pvtp, mesh.origin, arrays, [&](std::ostream& out, const fs::path& piece) {
+    check_rows(piece, arrays.points, mesh.vertex_count(), "vertex");
+    check_rows(piece, arrays.cells, mesh.triangle_count(), "triangle");
+    write_vtp(out, {.points = mesh.positions,
+                    .triangles = mesh.triangles,
+                    .point_arrays = arrays.points,
+                    .cell_arrays = arrays.cells,
+                    .origin = mesh.origin});
   });
 }
 
 void write_pieces(Communicator& ranks, const fs::path& pvtp, const Eigen::Vector3d& origin,
-                  const DataArrays& arrays, const std::function<void(const fs::path&)>& write) {
-  const TemporaryPiece piece(piece_path(pvtp, ranks.rank()));
-  ranks.together([&] { write(piece.path()); });
-  ranks.together([&] { piece.rename(); });
+                  const DataArrays& arrays, const PieceWriter& write) {
+  const fs::path path = piece_path(pvtp, ranks.rank());
+  std::optional<UnfinishedFile> piece;
   ranks.together([&] {
-    if (ranks.rank() == 0) write_index(pvtp, ranks.size(), origin, arrays);
+    piece.emplace(path);
+    piece->write([&](std::ostream& out) { write(out, path); });
+  });
+  ranks.together([&] { piece->finish(); });
+  ranks.together([&] {
+    if (ranks.rank() != 0) return;
+    const std::vector<fs::path> older = older_pieces(pvtp, ranks.size());
+    write_index(pvtp, ranks.size(), origin, arrays);
+    for (const fs::path& old : older) {
+      std::error_code ignored;  // it is in nobody's way
+      fs::remove(old, ignored);
+    }
   });
 }
 

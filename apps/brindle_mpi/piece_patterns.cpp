@@ -7,18 +7,20 @@
 
 #include "bench/resident_memory.h"
 #include "brindle/base/file_extension.h"
+#include "brindle/base/formatted.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/frequency_field.h"
-#include "command_line.h"
-#include "formatted.h"
+#include "brindle/recipe/frequency_report.h"
+#include "brindle/recipe/report.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+#include "input/used_files.h"
 #include "mpi_arguments.h"
-#include "option_values.h"
-#include "outputs.h"
+#include "outputs/outputs.h"
 #include "piece_output.h"
-#include "report.h"
-#include "used_files.h"
+#include "stall_watch.h"
 
 namespace brindle::tool {
 namespace {
@@ -47,15 +49,18 @@ SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
       animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
   solved.z.assign(frame.z.begin(), frame.z.end());
   patterns.topology += animator.topology_milliseconds();
+  patterns.frequency += frame.milliseconds.frequency;
   patterns.couple += frame.milliseconds.couple;
   patterns.solve += frame.milliseconds.sum + frame.milliseconds.solve;
   Stopwatch watch;
   solved.quality = animator.measure().quality;
   solved.energy = animator.energy();
   patterns.pattern += watch.lap();
+  if (frame.frequency_change.sweeps > 0) solved.frequency_change = frame.frequency_change;
   solved.waves = std::move(waves);
   if (!frame.frequencies.empty()) {
-    solved.waves.frequencies.assign(frame.frequencies.begin(), frame.frequencies.end());
+    solved.frequencies_wanted = std::exchange(solved.waves.frequencies,
+                                              {frame.frequencies.begin(), frame.frequencies.end()});
   }
   return solved;
 }
@@ -107,8 +112,9 @@ void check_pattern_options(const CLI::App& command, const PatternArguments& argu
 
 PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& arguments,
                                   bool with_u, bool with_v, ProgressDisplay& display) {
-  const auto stage = [&](const char* name) { ranks.together([&] { display.stage(name); }); };
+  const auto stage = [&](const char* name) { enter_stage(ranks, display, name); };
   PiecePatterns patterns;
+  stage("loading");
   Stopwatch watch;
   patterns.read = read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
   patterns.load = watch.lap();
@@ -138,6 +144,12 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   return patterns;
 }
 
+void add_frequency_change(const SolvedPattern& solved, const char* name,
+                          nlohmann::ordered_json& json) {
+  const auto report = frequency_report(solved.frequency_change, solved.quality);
+  if (report) json[name] = to_json(*report);
+}
+
 nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& patterns,
                                double extract_milliseconds) {
   const DistributedSurface& surface = *patterns.surface;
@@ -156,6 +168,10 @@ nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& pattern
                           {"topology", patterns.topology},  {"couple", patterns.couple},
                           {"solve", patterns.solve},        {"pattern", patterns.pattern},
                           {"extract", extract_milliseconds}};
+  for (const auto& solved : {&patterns.u, &patterns.v}) {
+    if (!*solved || !(*solved)->frequency_change) continue;
+    json["milliseconds"]["frequency"] = patterns.frequency;
+  }
   return json;
 }
 

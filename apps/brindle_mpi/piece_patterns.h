@@ -11,9 +11,9 @@
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/distributed_stripes.h"
+#include "cli/progress_display.h"
 #include "mesh_pieces.h"
 #include "piece_waves.h"
-#include "progress_display.h"
 
 namespace brindle::tool {
 
@@ -43,19 +43,26 @@ void check_pattern_options(const CLI::App& command, const PatternArguments& argu
 
 /// A solved pattern of a piece.
 struct SolvedPattern {
-  WaveSet waves;
+  WaveSet waves;                      ///< with the frequencies chosen
+  FrequencyField frequencies_wanted;  ///< where they are others; else empty
   std::vector<Complex> z;
   double energy = 0;
   PatternQuality quality;
+  std::optional<FrequencyChange> frequency_change;  ///< with slack
 };
+
+/// With slack: what has become of the frequencies, as `name`.
+void add_frequency_change(const SolvedPattern& solved, const char* name,
+                          nlohmann::ordered_json& json);
 
 struct PiecePatterns {
   ReadPiece read;
   std::optional<DistributedSurface> surface;
-  WaveFigures figures;
+  WaveReport figures;
   std::optional<std::size_t> field_rows_nonfinite;
   std::optional<SolvedPattern> u, v;
-  double load = 0, field = 0, topology = 0, couple = 0, solve = 0, pattern = 0;  ///< milliseconds
+  /// Milliseconds.
+  double load = 0, field = 0, topology = 0, frequency = 0, couple = 0, solve = 0, pattern = 0;
 
   PiecePattern piece(const SolvedPattern& solved, const PatternArguments& arguments) const {
     return {*surface, solved.waves, solved.z, arguments.solving.stripes.phase_shift};

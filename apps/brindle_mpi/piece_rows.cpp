@@ -3,14 +3,15 @@
 #include <cstdint>
 #include <cstring>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
-#include "array_source.h"
 #include "brindle/array_field.h"
 #include "brindle/distributed/piece_data.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/error.h"
 #include "first_rank.h"
+#include "input/array_source.h"
 #include "rank_arrays.h"
 
 namespace brindle::tool {
@@ -124,6 +125,32 @@ void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
       }
     }
   }
+}
+
+std::vector<float> flags_of_all(Communicator& ranks, const ReadPiece& read,
+                                std::vector<float> flags) {
+  if (ranks.size() == 1) return flags;
+  const std::vector<std::uint64_t>& ids = read.piece.vertex_ids;
+  const auto size = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<std::uint64_t>> flagged(size), asked(size);
+  for (std::size_t v = 0; v < ids.size(); ++v) {
+    asked[ids[v] % size].push_back(ids[v]);
+    if (flags[v] != 0) flagged[ids[v] % size].push_back(ids[v]);
+  }
+  std::unordered_set<std::uint64_t> known;
+  for (const auto& list : ranks.swap_lists(flagged)) known.insert(list.begin(), list.end());
+  std::vector<std::vector<std::uint8_t>> answers(size);
+  const auto questions = ranks.swap_lists(asked);
+  for (std::size_t r = 0; r < size; ++r) {
+    for (const std::uint64_t id : questions[r]) answers[r].push_back(known.contains(id) ? 1 : 0);
+  }
+  const auto answered = ranks.swap_lists(answers);
+  std::vector<std::size_t> next(size);
+  for (std::size_t v = 0; v < ids.size(); ++v) {
+    const std::size_t knows = ids[v] % size;
+    flags[v] = answered[knows][next[knows]++];
+  }
+  return flags;
 }
 
 DataArray own_rows(const DistributedSurface& surface, const DataArray& array) {

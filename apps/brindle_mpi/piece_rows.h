@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "array_source.h"
 #include "brindle/data_arrays.h"
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
+#include "input/array_source.h"
 #include "mesh_pieces.h"
 
 namespace brindle::tool {
@@ -59,6 +59,10 @@ class PieceArrays {
 /// Collective. As `copy_from_partners` of files.h, where the partners on rank 0 may be others'.
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
                         const ReadPiece& read, std::vector<DataArray>& arrays);
+
+/// Collective. For every vertex of the piece the greatest flag, 0 or 1, that a rank has for it.
+std::vector<float> flags_of_all(Communicator& ranks, const ReadPiece& read,
+                                std::vector<float> flags);
 
 /// Those of the piece's vertices that this rank owns and that have neighbours.
 std::vector<std::uint8_t> used_own(const DistributedSurface& surface);

@@ -5,8 +5,8 @@
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
+#include "input/slack_options.h"
 #include "mesh_pieces.h"
-#include "slack_options.h"
 
 namespace brindle::tool {
 

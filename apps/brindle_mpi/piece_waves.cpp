@@ -1,64 +1,15 @@
 #include "piece_waves.h"
 
-#include <algorithm>
-#include <limits>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/rank_surface.h"
-#include "brindle/distributed/selection.h"
+#include "brindle/distributed_pattern.h"
 #include "piece_fields.h"
 #include "piece_frequencies.h"
 #include "piece_slack.h"
 
 namespace brindle::tool {
-namespace {
-
-/// Of several ranks the median is one of floats.
-void measure_edges(Communicator& ranks, std::vector<double>& edges, WaveFigures& figures) {
-  const std::size_t count = ranks.sum(edges.size());
-  if (count == 0) return;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double number : edges) least = std::min(least, number);
-  figures.edges_per_period_min = -ranks.greatest(-least);
-  if (ranks.size() > 1) {
-    const std::vector<float> floats(edges.begin(), edges.end());
-    figures.edges_per_period_median = static_cast<double>(kth_smallest(ranks, floats, count / 2));
-    return;
-  }
-  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(edges.begin(), middle, edges.end());
-  figures.edges_per_period_median = *middle;
-}
-
-/// The figures of all ranks' waves.
-WaveFigures measure_waves(Communicator& ranks, const DistributedSurface& surface,
-                          const WaveSet& of_piece) {
-  const RankSurface& own = surface.rank_surface();
-  const Surface nodes{own.mesh, own.graph.adjacency, own.normals};
-  WaveSet waves;
-  waves.directions.resize(own.graph.own, Vec3::Zero());
-  waves.frequencies.resize(own.graph.own, 1);
-  for (std::size_t p = 0; p < of_piece.directions.size(); ++p) {
-    const Index v = own.vertex_of_piece[p];
-    if (v >= own.graph.own) continue;
-    waves.directions[v] = of_piece.directions[p];
-    waves.frequencies[v] = of_piece.frequencies[p];
-  }
-  WaveTally tally = tally_waves(nodes, waves);
-  tally.used = ranks.sum(tally.used);
-  tally.without_wave = ranks.sum(tally.without_wave);
-  tally.frequency_sum = ranks.sum(tally.frequency_sum);
-  tally.frequency_max = ranks.greatest(tally.frequency_max);
-  tally.frequency_min = -ranks.greatest(-tally.frequency_min);
-  WaveFigures figures = figures_of(tally, surface.diagonal());
-  measure_edges(ranks, tally.edges_per_period, figures);
-  return figures;
-}
-
-}  // namespace
 
 WantedArrays wanted_arrays(const WaveOptions& options) {
   WantedArrays wanted;
@@ -91,9 +42,8 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   made.waves = {read.piece.mesh.positions, std::move(field.directions),
                 std::move(field.frequencies)};
   made.field_rows_nonfinite = field.rows_nonfinite;
-  made.figures = measure_waves(ranks, surface, made.waves);
-  made.figures.missing = field.missing;
-  ranks.together([&] { check_waves(made.figures, source_of(options)); });
+  made.figures = {measure_waves(surface, made.waves), field.missing};
+  ranks.together([&] { check_wave_report(made.figures, source_of(options)); });
   listener.note(warnings(made.figures, source_of(options)));
   made.milliseconds = watch.lap();
   return made;

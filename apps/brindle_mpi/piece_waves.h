@@ -6,19 +6,19 @@
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_stripes.h"
-#include "job_listener.h"
+#include "brindle/recipe/wave_report.h"
+#include "cli/job_listener.h"
+#include "input/solving_options.h"
+#include "input/wave_options.h"
 #include "mesh_pieces.h"
 #include "piece_fields.h"
-#include "solving_options.h"
-#include "wave_figures.h"
-#include "wave_options.h"
 
 namespace brindle::tool {
 
 /// Waves of the piece's vertices, and what they took.
 struct PieceWaves {
   WaveSet waves;
-  WaveFigures figures;
+  WaveReport figures;
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, on all ranks
   double milliseconds = 0;
 };

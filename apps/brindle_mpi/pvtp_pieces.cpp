@@ -14,7 +14,6 @@
 
 #include <Eigen/Geometry>
 
-#include "array_source.h"
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
@@ -23,7 +22,9 @@
 #include "brindle/files/pvtp_file.h"
 #include "brindle/files/vtk_xml_file.h"
 #include "brindle/geometry/local_positions.h"
+#include "input/array_source.h"
 #include "rank_arrays.h"
+#include "request.h"
 
 namespace brindle::tool {
 namespace {
@@ -58,14 +59,14 @@ const DataArray* find_ids(const PieceList& list, std::span<const DataArray> arra
 
 std::vector<std::uint64_t> numbers_of(const fs::path& piece, const DataArray& ids) {
   if (ids.components != 1 || is_floating(ids.type)) {
-    throw Error(piece.string() + ": array " + in_quotes(ids.name) +
+    throw Error(shown(piece.native()) + ": array " + in_quotes(ids.name) +
                 " should number the vertices and holds no whole numbers; write it as Int64");
   }
   std::vector<std::uint64_t> numbers;
   numbers.reserve(ids.rows());
   for_each_number(ids.view(), [&](std::size_t row, std::size_t, auto number) {
     if (number < 0) {
-      throw Error(piece.string() + ": array " + in_quotes(ids.name) + " has " +
+      throw Error(shown(piece.native()) + ": array " + in_quotes(ids.name) + " has " +
                   std::to_string(static_cast<std::int64_t>(number)) + " for point " +
                   std::to_string(row) + "; numbers of vertices are not below zero");
     }
@@ -155,6 +156,11 @@ struct RankRows {
   bool any = false;   ///< whether there is a piece with points
 };
 
+/// The first of a rank's pieces: ranks get them in contiguous runs.
+std::size_t first_piece(std::size_t pieces, int rank, int ranks) {
+  return pieces * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks);
+}
+
 /// Reads a rank's pieces.
 class PieceReader {
  public:
@@ -163,11 +169,8 @@ class PieceReader {
 
   RankRows read(int rank, int ranks) {
     list_ = read_pvtp(pvtp_);
-    const std::size_t count = list_.pieces.size();
-    const auto begin_of = [&](int r) {
-      return count * static_cast<std::size_t>(r) / static_cast<std::size_t>(ranks);
-    };
-    for (std::size_t p = begin_of(rank); p < begin_of(rank + 1); ++p) add(p);
+    const std::size_t end = first_piece(list_.pieces.size(), rank + 1, ranks);
+    for (std::size_t p = first_piece(list_.pieces.size(), rank, ranks); p < end; ++p) add(p);
     return std::move(rows_);
   }
 
@@ -179,7 +182,7 @@ class PieceReader {
     const fs::path& path = list_.pieces[p];
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-      throw Error(pvtp_.string() + ": names the piece " + in_quotes(path.string()) +
+      throw Error(shown(pvtp_.native()) + ": names the piece " + in_quotes(path.string()) +
                   ", which is not there; keep all pieces where the .pvtp has them");
     }
     std::vector<Eigen::Vector3d> exact;
@@ -195,10 +198,27 @@ class PieceReader {
     DataArrays arrays = wanted_of(raw.arrays, list_, wanted_, path);
     arrays.cells = rows_of(arrays.cells, add_triangles(raw, first));
     append_rows(std::move(arrays), path);
+    note_unannounced(path, raw.arrays);
     std::istringstream lines(raw.left_out);
     for (std::string line; std::getline(lines, line);) {
-      rows_.left_out += path.string() + ": " + line + "\n";
+      rows_.left_out += shown(path.native()) + ": " + line + "\n";
     }
+  }
+
+  /// Of what not all pieces have nobody can make one array.
+  void note_unannounced(const fs::path& path, const DataArrays& arrays) {
+    const DataArray* ids = find_ids(list_, arrays.points);
+    const auto note = [&](std::span<const DataArray> of_piece, std::span<const PieceArray> known) {
+      for (const DataArray& array : of_piece) {
+        if (marks_ghosts(array.name) || &array == ids) continue;
+        if (std::ranges::find(known, array.name, &PieceArray::name) != known.end()) continue;
+        rows_.left_out += path.string() + ": array " + in_quotes(array.name) +
+                          " is not announced by " + pvtp_.string() +
+                          ", and left out where it is not asked for by its name\n";
+      }
+    };
+    note(arrays.points, list_.points);
+    note(arrays.cells, list_.cells);
   }
 
   void append_rows(DataArrays more, const fs::path& path) {
@@ -219,7 +239,7 @@ class PieceReader {
 
   void check_room(const fs::path& path, std::size_t more) const {
     if (rows_.exact.size() + more < std::numeric_limits<Index>::max() / 6) return;
-    throw Error(path.string() +
+    throw Error(shown(path.native()) +
                 ": with it a rank has more points than brindle can number; take more ranks");
   }
 
@@ -308,19 +328,16 @@ void refuse_torn(Communicator& ranks, const PieceReader& reader, const RankRows&
       kMostTorn * static_cast<double>(ranks.greatest(mesh.positions.empty() ? 0 : box.diagonal())));
   const auto torn = find_torn_vertex(ranks, rows.ids, mesh.positions, rows.piece, distance);
   if (!torn) return;
-  const std::string first = reader.piece(torn->label).string(),
-                    second = reader.piece(torn->other_label).string();
+  const std::string first = shown(reader.piece(torn->label).native()),
+                    second = shown(reader.piece(torn->other_label).native());
   throw Error(second + ": its point with the global id " + std::to_string(torn->id) +
               " stands elsewhere than that of " + (first == second ? "another row" : first) +
               "; ids must be numbers in the whole surface: in ParaView, apply the filter Generate "
               "Global Ids, or leave the array out");
 }
 
-/// Lets triangles use the first of all rows with one id, and leaves rows that are a vertex of this
-/// rank: used, or alone and in no triangle at all.
-/// Numbers of these rows go to `kept`.
-SurfacePiece joined_piece(Mesh mesh, const std::vector<std::uint64_t>& ids,
-                          std::span<const std::uint8_t> in_ghost, std::vector<Index>& kept) {
+/// For every row the first with its id.
+std::vector<Index> first_rows(const std::vector<std::uint64_t>& ids) {
   std::vector<Index> order(ids.size()), first(ids.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::ranges::sort(order,
@@ -329,27 +346,54 @@ SurfacePiece joined_piece(Mesh mesh, const std::vector<std::uint64_t>& ids,
     const bool again = i > 0 && ids[order[i]] == ids[order[i - 1]];
     first[order[i]] = again ? first[order[i - 1]] : order[i];
   }
-  std::vector<std::uint8_t> wanted(ids.size());
-  for (Index v = 0; v < ids.size(); ++v) {
-    wanted[v] = first[v] == v && !in_ghost[v] && mesh.positions[v].allFinite();
+  return first;
+}
+
+/// Lets triangles use the first of all rows with one id, and leaves rows that are a vertex of this
+/// rank: used, or alone and in no triangle at all. Numbers of these rows go to `kept`. Several
+/// ranks know vertices by their ids alone; one rank, which counts them, has them in that order if
+/// `by_id` says so, so that the pattern is the same.
+SurfacePiece joined_piece(Mesh mesh, const RankRows& rows, bool by_id, std::vector<Index>& kept) {
+  const std::vector<Index> first = first_rows(rows.ids);
+  std::vector<std::uint8_t> wanted(first.size());
+  for (Index v = 0; v < first.size(); ++v) {
+    wanted[v] = first[v] == v && !rows.in_ghost[v] && mesh.positions[v].allFinite();
   }
   for (Triangle& triangle : mesh.triangles) {
     for (Index& v : triangle) wanted[v = first[v]] = 1;
   }
+  for (Index v = 0; v < wanted.size(); ++v) {
+    if (wanted[v] != 0) kept.push_back(v);
+  }
+  if (by_id) std::ranges::sort(kept, {}, [&](Index v) { return rows.ids[v]; });
   SurfacePiece piece;
   piece.mesh.origin = mesh.origin;
-  std::vector<Index> number(ids.size());
-  for (Index v = 0; v < ids.size(); ++v) {
-    if (!wanted[v]) continue;
+  std::vector<Index> number(wanted.size());
+  for (const Index v : kept) {
     number[v] = static_cast<Index>(piece.vertex_ids.size());
-    kept.push_back(v);
-    piece.vertex_ids.push_back(ids[v]);
+    piece.vertex_ids.push_back(rows.ids[v]);
     piece.mesh.positions.push_back(mesh.positions[v]);
   }
   for (const auto& [a, b, c] : mesh.triangles) {
     piece.mesh.triangles.push_back({number[a], number[b], number[c]});
   }
   return piece;
+}
+
+/// Leaves out triangles that other ranks have, too, without saying that they are ghosts. Returns
+/// how many; `kept` loses them.
+std::size_t drop_repeated(Communicator& ranks, SurfacePiece& piece, std::vector<Index>& kept) {
+  if (ranks.size() == 1) return 0;  // the repair has left them out
+  const std::vector<std::uint8_t> repeated = repeated_triangles(piece, MPI_COMM_WORLD);
+  std::size_t left = 0;
+  for (std::size_t t = 0; t < repeated.size(); ++t) {
+    if (repeated[t] != 0) continue;
+    piece.mesh.triangles[left] = piece.mesh.triangles[t];
+    kept[left++] = kept[t];
+  }
+  piece.mesh.triangles.resize(left);
+  kept.resize(left);
+  return repeated.size() - left;
 }
 
 MeshRepair sum_of(Communicator& ranks, const MeshRepair& own) {
@@ -398,9 +442,20 @@ bool is_pvtp(const std::string& mesh) { return lower_extension(mesh) == ".pvtp";
 
 std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path) {
   std::vector<UsedFile> files = {{"MESH", path}};
+  check_same_files(ranks, {path});
+  std::vector<fs::path> looked_at;
   ranks.together([&] {
-    for (const fs::path& piece : read_pvtp(path).pieces) files.push_back({"MESH", piece});
+    const std::vector<fs::path> pieces = read_pvtp(path).pieces;
+    for (const fs::path& piece : pieces) files.push_back({"MESH", piece});
+    // Nobody reads another's pieces. So each looks at the next one as well: then two neighbours
+    // that see different pieces have one that both know.
+    const std::size_t end = first_piece(pieces.size(), ranks.rank() + 1, ranks.size());
+    for (std::size_t p = first_piece(pieces.size(), ranks.rank(), ranks.size()); p < end; ++p) {
+      looked_at.push_back(pieces[p]);
+    }
+    looked_at.push_back(pieces[end % pieces.size()]);
   });
+  check_same_files(ranks, looked_at);
   return files;
 }
 
@@ -426,10 +481,13 @@ ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, const W
   ReadPiece result;
   result.numbered = ids;
   MeshRepair repair;
+  std::vector<Index> vertices, triangles;
   ranks.together([&] {
-    std::vector<Index> vertices, triangles;
-    result.piece = joined_piece(std::move(mesh), rows.ids, rows.in_ghost, vertices);
+    result.piece = joined_piece(std::move(mesh), rows, ids && ranks.size() == 1, vertices);
     repair = repair_mesh(result.piece.mesh, triangles);
+  });
+  repair.triangles_duplicate += drop_repeated(ranks, result.piece, triangles);
+  ranks.together([&] {
     result.arrays = {rows_of(rows.arrays.points, vertices), rows_of(rows.arrays.cells, triangles)};
   });
   if (ranks.sum(result.piece.mesh.triangle_count()) == 0) {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "brindle/distributed/communicator.h"
-#include "job_listener.h"
+#include "cli/job_listener.h"
+#include "input/used_files.h"
 #include "mesh_pieces.h"
-#include "used_files.h"
 
 namespace brindle::tool {
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/geometry/translate_mesh.h"
@@ -56,8 +57,9 @@ std::array<Point, 2> vortex_cores(int number) {
     return p;
   };
   // Each on a circle of its own, so that they come nearer and part again.
-  return {on_surface({1.4, -0.45 + 0.3 * std::cos(turn), 0.35 + 0.28 * std::sin(turn)}),
-          on_surface({0.35 + 0.2 * std::sin(turn), -1.3, 0.15 - 0.25 * std::cos(turn)})};
+  return {
+      on_surface({1.4, -0.45 + 0.3 * elementary::cos(turn), 0.35 + 0.28 * elementary::sin(turn)}),
+      on_surface({0.35 + 0.2 * elementary::sin(turn), -1.3, 0.15 - 0.25 * elementary::cos(turn)})};
 }
 
 Mesh vortex_pebble(double detail) {
@@ -101,8 +103,9 @@ GalleryFile hare_flow(double detail) {
   Flow flow;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3 p = 2.1f * file.mesh.positions[v];
-    const Vec3 abc(std::sin(p.z()) + std::cos(p.y()), std::sin(p.x()) + std::cos(p.z()),
-                   std::sin(p.y()) + std::cos(p.x()));
+    const Vec3 abc(elementary::sin(p.z()) + elementary::cos(p.y()),
+                   elementary::sin(p.x()) + elementary::cos(p.z()),
+                   elementary::sin(p.y()) + elementary::cos(p.x()));
     flow.add(abc - abc.dot(normals[v]) * normals[v]);
   }
   file.arrays.points = {make_data_array("velocity", flow.velocity),

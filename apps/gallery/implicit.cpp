@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/shapes/capsules.h"
 
@@ -18,7 +19,7 @@ using Point = Eigen::Vector3d;
 
 /// Of two values: -blend * log(exp(-a / blend) + exp(-b / blend)).
 double smooth_minimum(double a, double b, double blend) {
-  return std::min(a, b) - blend * std::log1p(std::exp(-std::abs(a - b) / blend));
+  return std::min(a, b) - blend * elementary::log(1 + elementary::exp(-std::abs(a - b) / blend));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle {
 namespace {
 
@@ -30,8 +32,8 @@ ImplicitFunction endless_bar(const Point& through, const Point& along, double ra
 /// An upright wall from the axis outwards whose top slants from `high` at radius `from` to 0 at
 /// `to`.
 ImplicitFunction rib(double angle, double half_width, double from, double to, double high) {
-  const Point along(std::cos(angle), std::sin(angle), 0),
-      side(-std::sin(angle), std::cos(angle), 0);
+  const Point along(elementary::cos(angle), elementary::sin(angle), 0),
+      side(-elementary::sin(angle), elementary::cos(angle), 0);
   const Point slope = Point(high, 0, to - from).normalized();
   return [=](const Point& p) {
     const double out = p.dot(along);
@@ -54,7 +56,8 @@ Mesh flange_mesh(float edge_length) {
   for (int k = 0; k < 4; ++k) {
     const double angle = k * std::numbers::pi / 2;
     for (const double turn : {-0.3, 0.3}) {
-      const Point place(0.78 * std::cos(angle + turn), 0.78 * std::sin(angle + turn), 0);
+      const Point place(0.78 * elementary::cos(angle + turn), 0.78 * elementary::sin(angle + turn),
+                        0);
       part = without(part, endless_bar(place, Point::UnitZ(), 0.1), 0.015);
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "brindle/base/elementary.h"
 #include "brindle/shapes/random.h"
 
 namespace brindle {
@@ -149,7 +150,7 @@ std::vector<Capsule> grow_vessels(const VascularTree& tree, const std::vector<Po
   const std::vector<Node> nodes = Growth(tree, places).grown();
   const auto radius = [&](const Node& node) {
     const double share = static_cast<double>(node.leaves) / nodes.front().leaves;
-    return std::max(tree.radius * std::cbrt(share), tree.thinnest);
+    return std::max(tree.radius * elementary::cbrt(share), tree.thinnest);
   };
   std::vector<Capsule> vessels;
   for (std::size_t i = 1; i < nodes.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
@@ -55,9 +56,9 @@ void set_directions(SceneFrame& frame, const VectorAt& vector_at) {
 std::array<Vec3, 2> cores_at(const BoundingBox& box, int frame) {
   const float angle = static_cast<float>(frame % 360) * kDegree;
   const float tilt = 40 * kDegree;
-  const Vec3 first(std::cos(angle), std::sin(angle), 0);
-  const Vec3 second(-std::cos(angle), -std::sin(angle) * std::cos(tilt),
-                    -std::sin(angle) * std::sin(tilt));
+  const Vec3 first(elementary::cos(angle), elementary::sin(angle), 0);
+  const Vec3 second(-elementary::cos(angle), -elementary::sin(angle) * elementary::cos(tilt),
+                    -elementary::sin(angle) * elementary::sin(tilt));
   const Vec3 half = 0.5f * (box.upper - box.lower);
   return {box.center() + half.cwiseProduct(first), box.center() + half.cwiseProduct(second)};
 }
@@ -70,7 +71,8 @@ Vec3 arm_of_vortex(const Vec3& core, const Vec3& point, float radius) {
 }
 
 void zoom(const SceneOptions& options, int number, SceneFrame& frame) {
-  const float frequency = options.frequency * std::pow(kZoomGrowth, static_cast<float>(number));
+  const float frequency =
+      options.frequency * elementary::pow(kZoomGrowth, static_cast<float>(number));
   std::ranges::fill(frame.waves.frequencies, frequency);
 }
 
@@ -89,7 +91,7 @@ void rotate(const SceneOptions& options, int number, SceneFrame& frame) {
   const Vec3 from = options.direction.normalized();
   const Vec3 across = from.unitOrthogonal();
   const float angle = static_cast<float>(number % 360) * kDegree;
-  const Vec3 direction = std::cos(angle) * from + std::sin(angle) * across;
+  const Vec3 direction = elementary::cos(angle) * from + elementary::sin(angle) * across;
   set_directions(frame, [&](std::size_t) { return direction; });
 }
 
@@ -111,7 +113,7 @@ void wobble(const SceneOptions& options, const BoundingBox& box, std::span<const
     Vec3& position = frame.mesh.positions[v];
     position = at_rest[v];
     position[shortest] +=
-        height * std::sin(turns_per_length * along - kTurn * std::fmod(periods, 1.0f));
+        height * elementary::sin(turns_per_length * along - kTurn * std::fmod(periods, 1.0f));
   }
   frame.waves.positions = frame.mesh.positions;
   frame.normals = vertex_normals(frame.mesh);

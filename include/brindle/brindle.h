@@ -4,10 +4,10 @@
 /// Surfaces: `make_mesh` and `make_surface` from arrays, `read_mesh` from files, `make_shape`.
 /// Fields: `smooth_direction_field`, `projected_direction_field`, `curvature_direction_field`,
 /// `tangent_directions`, `direction_field_of` arrays, `tensor_field_of`. Patterns:
-/// `stripe_pattern`, `texture_pattern`, `cross_pattern`. From patterns: `stripe_curves`,
-/// `stripe_samples`, `texture_coordinates`. Frequencies that yield, alone: `YieldingFrequency`.
-/// Moving input: `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`,
-/// `carried_phases`.
+/// `stripe_pattern`, `texture_pattern`, `cross_pattern`, `pattern_warnings`. From patterns:
+/// `stripe_curves`, `stripe_samples`, `texture_coordinates`. Frequencies that yield, alone:
+/// `YieldingFrequency`. Moving input: `StripeAnimator`, `SmoothFieldAnimator`; time series:
+/// `matched_phases`, `carried_phases`, `matched_directions`, `carried_directions`.
 ///
 /// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
 /// threads may do at the same time stands in threads.h.
@@ -18,6 +18,7 @@
 #include "brindle/arrays.h"
 #include "brindle/boundary_phases.h"
 #include "brindle/branch_pairs.h"
+#include "brindle/carried_field.h"
 #include "brindle/carried_phases.h"
 #include "brindle/corner_phases.h"
 #include "brindle/cross_animator.h"
@@ -35,9 +36,13 @@
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
 #include "brindle/nearby_data.h"
+#include "brindle/option_table.h"
+#include "brindle/pattern_warnings.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phase_shift.h"
+#include "brindle/pimpl.h"
 #include "brindle/points.h"
+#include "brindle/polygon.h"
 #include "brindle/polylines.h"
 #include "brindle/progress.h"
 #include "brindle/quality.h"
@@ -58,5 +63,6 @@
 #include "brindle/threads.h"
 #include "brindle/types.h"
 #include "brindle/version.h"
+#include "brindle/wave_figures.h"
 #include "brindle/windings.h"
 #include "brindle/yielding_frequency.h"

@@ -10,6 +10,7 @@
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -37,9 +38,10 @@ std::vector<Complex> matched_phases(const LastPattern& last, const WaveSet& wave
 /// of its wave at the nearest place of its triangles, or at its nearest vertex if it has none, led
 /// from there to the vertex by the phase shift between both waves. Directions count as above. 0
 /// where either wave is missing, and where the last pattern is farther away than `max_periods` of
-/// its wave: what is new has no last phase. Throws Error if sizes do not match.
+/// its wave: what is new has no last phase. Throws Error if sizes do not match, and Cancelled if
+/// `progress` asks for it.
 std::vector<Complex> carried_phases(const LastPattern& last, const Mesh& mesh, const WaveSet& waves,
-                                    double max_periods = 1);
+                                    double max_periods = 1, const Progress& progress = {});
 
 /// How far phases moved since the last pattern.
 struct PhaseStep {

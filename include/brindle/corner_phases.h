@@ -9,6 +9,7 @@
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -57,10 +58,11 @@ CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftK
 
 /// The same for all triangles of a mesh, with the wave of every vertex.
 std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
-                                        std::span<const Complex> z, PhaseShiftKind kind);
+                                        std::span<const Complex> z, PhaseShiftKind kind,
+                                        const Progress& progress = {});
 
 /// The same for triangles whose corners have waves of their own, as TextureWaves has them.
 std::vector<CornerPhases> corner_phases(std::span<const std::array<CornerWave, 3>> triangles,
-                                        PhaseShiftKind kind);
+                                        PhaseShiftKind kind, const Progress& progress = {});
 
 }  // namespace brindle

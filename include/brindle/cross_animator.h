@@ -1,11 +1,11 @@
 /// Stripes and textures of cross fields that follow changing input, frame by frame.
 #pragma once
 
-#include <memory>
 #include <span>
 
 #include "brindle/cross_cover.h"
 #include "brindle/export.h"
+#include "brindle/pimpl.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"
@@ -15,7 +15,8 @@ namespace BRINDLE_EXPORT brindle {
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
 struct CrossFrameInput {
-  FrameInput waves;                    ///< one of each cross's directions, whichever of the four
+  FrameInput waves;  ///< one of each cross's directions, whichever of the four; waves.normals are
+                     ///< not looked at
   std::span<const Vec3> normals = {};  ///< unit vectors; empty: those of the surface
 };
 
@@ -73,7 +74,7 @@ class CrossAnimator {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

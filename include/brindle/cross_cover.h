@@ -9,6 +9,7 @@
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -53,8 +54,9 @@ bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
                        const CrossCover& cover);
 
 /// `crosses` has two waves for every vertex of `neighborhood`, as `cross_waves` gives them. Throws
-/// Error if it has not, or for more vertices than half an Index can count.
+/// Error if it has not, or for more vertices than half an Index can count; Cancelled if `progress`
+/// asks for it.
 CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> triangles,
-                       WaveSet crosses);
+                       WaveSet crosses, const Progress& progress = {});
 
 }  // namespace brindle

@@ -53,6 +53,7 @@ struct CrossTexture {
 /// crosses along its own edge, so that it fits its neighbour there; between the parts, inside the
 /// triangle, the texture turns. V runs to the left of U everywhere, seen from outside.
 CrossTexture cross_texture(const Surface& surface, const CrossPattern& cross,
-                           PhaseShiftKind phase_shift = PhaseShiftKind::aligned);
+                           PhaseShiftKind phase_shift = PhaseShiftKind::aligned,
+                           const Progress& progress = {});
 
 }  // namespace brindle

@@ -7,6 +7,7 @@
 #include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -20,9 +21,11 @@ struct PrincipalCurvature {
 };
 
 /// One value per vertex, by a least-squares fit of the shape operator to the change of the normal
-/// along the edges of each vertex. Vertices without neighbours have zero directions.
+/// along the edges of each vertex. Vertices without neighbours have zero directions. Throws
+/// Cancelled if `progress` asks for it.
 std::vector<PrincipalCurvature> principal_curvatures(std::span<const Vec3> positions,
                                                      std::span<const Vec3> normals,
-                                                     const Adjacency& neighborhood);
+                                                     const Adjacency& neighborhood,
+                                                     const Progress& progress = {});
 
 }  // namespace brindle

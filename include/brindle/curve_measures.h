@@ -8,6 +8,7 @@
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/polylines.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -28,13 +29,26 @@ struct CurveGaps {
   double least = 0, mean = 0, most = 0;    ///< in units of length
   double least_ratio = 0, mean_ratio = 0;  ///< times f, the frequency asked for there: 1 is ideal
   double most_ratio = 0;
+  /// Times the frequency chosen there, which with slack is another one.
+  double least_ratio_chosen = 0, mean_ratio_chosen = 0, most_ratio_chosen = 0;
 };
 
 /// The share of the surface's area, 0 to 1, that is nearer to a curve than half of `width` (units
 /// of length), through space: the other side of a sheet thinner than that counts too. Measured at
 /// 100,000 places spread evenly over the area: good to about 0.002. 0 for a surface without area.
-/// Throws Error if the width is not finite and above zero.
-double curve_coverage(const Mesh& mesh, const Polylines& lines, double width);
+/// Throws Error if the width is not finite and above zero, and Cancelled if `progress` asks for it.
+double curve_coverage(const Mesh& mesh, const Polylines& lines, double width,
+                      const Progress& progress = {});
+
+/// Shares of the surface's area that lines of a width cover, 0 to 1.
+struct CurveCoverage {
+  double once = 0;   ///< by one line or more: `curve_coverage`
+  double twice = 0;  ///< of this, by lines on either side, nearer than half of the width both
+};
+
+/// Both, measured and refused as `curve_coverage`.
+CurveCoverage measure_coverage(const Mesh& mesh, const Polylines& lines, double width,
+                               const Progress& progress = {});
 
 /// All of it.
 struct CurveMeasures {
@@ -42,6 +56,7 @@ struct CurveMeasures {
   std::optional<CurveGaps> gaps;   ///< not where this would take more than a million points, nor in
                                    ///< a build without nanoflann
   std::optional<double> coverage;  ///< if a width was given
+  std::optional<double> covered_twice;  ///< CurveCoverage::twice, if a width was given
 };
 
 }  // namespace brindle

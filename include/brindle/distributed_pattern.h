@@ -1,5 +1,5 @@
-/// What follows from a pattern that many processes hold: curves and samples. Needs a build with
-/// BRINDLE_MPI.
+/// What follows from waves and patterns that many processes hold: figures, curves and samples.
+/// Needs a build with BRINDLE_MPI.
 #pragma once
 
 #include <array>
@@ -14,8 +14,16 @@
 #include "brindle/export.h"
 #include "brindle/phase_graph.h"
 #include "brindle/samples.h"
+#include "brindle/wave_figures.h"
 
 namespace BRINDLE_EXPORT brindle {
+
+/// Collective. As `measure_waves` of the whole surface, on every rank; `waves` has an entry per
+/// vertex of the piece, but positions, which may be missing. What counts of a vertex is what its
+/// owner says. Counts and the extremes of frequencies are those of one process that has the same
+/// waves, the other figures too, but for rounding. Throws Error on all ranks for waves that do not
+/// match the piece.
+WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& waves);
 
 /// A solved pattern, as frames have it: entries per vertex of the piece. What counts of a vertex is
 /// what its owner says. What it refers to must outlive the call that it is handed to.

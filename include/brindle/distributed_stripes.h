@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "brindle/corner_phases.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
+#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
@@ -68,6 +68,10 @@ class DistributedStripeAnimator {
   /// Forgets the last frame's phases.
   void restart();
 
+  /// As StripeAnimator::set_last_phases, of the piece's vertices: so stripes go on where a surface
+  /// has been dealt to ranks anew. What counts of a vertex is what its owner says.
+  void set_last_phases(std::span<const Complex> z);
+
   /// Milliseconds of the first frame that later ones do not need.
   double topology_milliseconds() const;
 
@@ -91,7 +95,7 @@ class DistributedStripeAnimator {
   void iterate();
   void keep();
   void take_back();
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

@@ -24,6 +24,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/pimpl.h"
 #include "brindle/smooth_field.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -44,6 +45,13 @@ struct SurfacePiece {
   /// order of these numbers; empty: triangles count as numbered rank by rank.
   std::vector<std::uint64_t> triangle_ids = {};
 };
+
+/// Collective. For every triangle of the piece 1 if it stands elsewhere already: with the same
+/// three vertices, in whatever order, on a lower rank, or before it in the piece; otherwise 0. So
+/// of the triangles that ranks have together one of each is left, as `repair_mesh` leaves of one
+/// process's. Ghosts do not count. Throws Error on all ranks for a piece that a DistributedSurface
+/// would refuse by itself.
+std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm communicator);
 
 /// What a rank has sent to others, and how long it has waited for them.
 struct Traffic {
@@ -82,8 +90,14 @@ class DistributedSurface {
   const Traffic& traffic() const;
 
   /// For the library itself.
-  const RankSurface& rank_surface() const { return *surface_; }
-  std::shared_ptr<const RankSurface> shared() const { return surface_; }
+  const RankSurface& rank_surface() const {
+    if (surface_ == nullptr) refuse_moved_from();
+    return *surface_;
+  }
+  std::shared_ptr<const RankSurface> shared() const {
+    if (surface_ == nullptr) refuse_moved_from();
+    return surface_;
+  }
 
  private:
   std::shared_ptr<const RankSurface> surface_;

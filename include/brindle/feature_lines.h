@@ -10,6 +10,7 @@
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
 #include "brindle/polylines.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -20,8 +21,10 @@ namespace BRINDLE_EXPORT brindle {
 Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye);
 
 /// Borders, and edges at which the surface bends by more than `angle_deg` degrees (0: flat).
+/// Throws Cancelled if `progress` asks for it.
 Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
-                       const Adjacency& neighborhood, float angle_deg);
+                       const Adjacency& neighborhood, float angle_deg,
+                       const Progress& progress = {});
 
 /// The parts of lines that a pattern's strokes cover, which are `width` of a period wide: dashes
 /// that lie where the surface's own strokes would. Where there is no wave, lines are whole. `lines`

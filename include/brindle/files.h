@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,7 +74,8 @@ struct LoadedMesh {
 /// Reads VTP, VTU, legacy VTK, PLY, OBJ, OFF, STL, glTF and GLB, told apart by the path's
 /// extension; polygons are cut into triangles, and all objects of the file become one mesh. Arrays
 /// of numbers in files of VTK, properties of PLY and attributes of glTF come with it, of the types
-/// that they have there. What else the file holds is told in `left_out`.
+/// that they have there. What else the file holds is told in `left_out`. Of a file of VTK with
+/// volume cells alone the mesh is their boundary: the faces that belong to one cell only.
 ///
 /// Vertices of VTK, OBJ, PLY and OFF files keep their numbers, so that data per vertex match,
 /// whether or not a triangle uses them. In every format, triangles use the first of all vertices
@@ -94,10 +96,11 @@ Mesh read_vertices(const std::filesystem::path& path);
 /// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all, with
 /// arrays of a row per vertex and per triangle (`fitted_arrays`).
 /// Throws Error for an unknown extension, for arrays that the format cannot hold or that have
-/// another number of rows, and what write_file throws.
+/// another number of rows, and what write_file throws; Cancelled if `progress` asks for it, which
+/// leaves what stood at the path.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                 std::span<const DataArray> point_arrays = {},
-                std::span<const DataArray> cell_arrays = {});
+                std::span<const DataArray> cell_arrays = {}, const Progress& progress = {});
 
 /// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
 /// `point_arrays` have "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for
@@ -105,14 +108,44 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
 /// Throws Error as `write_mesh` does, and if "uv" is missing.
 void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
                          std::span<const DataArray> point_arrays, const std::string& png,
-                         std::span<const DataArray> cell_arrays = {});
+                         std::span<const DataArray> cell_arrays = {},
+                         const Progress& progress = {});
 
-/// All files that `write_textured_mesh` writes for `path`, that itself last.
+/// All files that `write_textured_mesh` writes for `path`, that itself last. Throws Error if the
+/// mesh would name a file beside it whose name has control characters, such as line breaks.
 std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
 
+/// A file of a mesh or of points, which is read once whatever is asked of it and in which order:
+/// what had to be read to know whether it has faces is kept until the mesh or the points are taken.
+class SurfaceFile {
+ public:
+  /// Reads nothing.
+  explicit SurfaceFile(std::filesystem::path path);
+  ~SurfaceFile();
+  SurfaceFile(SurfaceFile&&) noexcept;
+  SurfaceFile& operator=(SurfaceFile&&) noexcept;
+
+  const std::filesystem::path& path() const;
+
+  /// False for .csv, and for .vtp, .vtu, .vtk, .ply and .obj without faces (and without volume
+  /// cells, whose boundary are faces). True for what cannot be read: `mesh` will say why. Throws
+  /// Cancelled if `progress` asks for it.
+  bool has_faces(const Progress& progress = {});
+
+  /// What `read_mesh` returns, and throws.
+  LoadedMesh mesh(const Progress& progress = {});
+
+  /// What `read_points` returns, and throws; and Cancelled if `progress` asks for it.
+  LoadedPoints points(const Progress& progress = {});
+
+ private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
 /// Whether a file holds points and no faces: .csv, and .vtp, .vtu, .vtk, .ply and .obj without
-/// faces (and without volume cells, of which VTK can make faces). False for what
-/// cannot be read: `read_mesh` will say why.
+/// faces (and without volume cells, whose boundary are faces). False for what cannot be read:
+/// `read_mesh` will say why. Who reads the file next asks a `SurfaceFile`.
 bool is_point_file(const std::filesystem::path& path);
 
 /// Reads points, and normals if there are as many, from
@@ -147,7 +180,8 @@ bool is_polyline_format(const std::filesystem::path& path);
 /// Throws Error for another extension, for more points than an Index can count, for arrays with
 /// other numbers of rows or that differ between kinds or do not fit (`fitted_arrays`), and what
 /// write_file throws.
-void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds);
+void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds,
+                     const Progress& progress = {});
 
 /// Whether `write_samples` knows the path's extension.
 bool is_sample_format(const std::filesystem::path& path);
@@ -159,7 +193,7 @@ bool is_sample_format(const std::filesystem::path& path);
 /// `write_polylines` does, and what write_file throws.
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
-                   std::span<const DataArray> arrays = {});
+                   std::span<const DataArray> arrays = {}, const Progress& progress = {});
 
 /// The columns of a CSV file whose first row names them, as arrays of float64 with a row each.
 /// Commas, semicolons, tabs or spaces part the columns, and cells may stand in quotation marks;

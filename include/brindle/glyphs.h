@@ -8,6 +8,7 @@
 
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/samples.h"
 #include "brindle/texture_waves.h"
 
@@ -46,8 +47,9 @@ std::vector<GlyphSize> glyph_sizes(std::span<const Sample> samples, float share,
 
 /// A glyph at every sample, just above the side that normals point to; flat ones below, too, as
 /// surfaces may be wound either way. Sizes have an entry per sample. Throws Error if they have not,
-/// or if there would be more vertices than an Index can count.
+/// if there would be more vertices than an Index can count, and, before any is made, for more than
+/// memory holds, naming how many it does; Cancelled if `progress` asks for it.
 Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
-                 std::span<const GlyphSize> sizes);
+                 std::span<const GlyphSize> sizes, const Progress& progress = {});
 
 }  // namespace brindle

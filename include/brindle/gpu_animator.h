@@ -10,6 +10,7 @@
 
 #include "brindle/export.h"
 #include "brindle/gpu_solver.h"
+#include "brindle/pimpl.h"
 #include "brindle/stripe_animator.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -109,7 +110,7 @@ class GpuAnimator {
   explicit GpuAnimator(std::unique_ptr<State> state);
   template <class Prepare>
   void solve(const Progress& progress, const Prepare& prepare);
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

@@ -1,11 +1,11 @@
 /// OpenGL without a window.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 
 #include "brindle/export.h"
+#include "brindle/pimpl.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -32,7 +32,7 @@ class HeadlessContext {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "brindle/export.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -67,13 +68,16 @@ struct Image {
 void check_image_size(std::int64_t width, std::int64_t height);
 
 /// The content of a PNG file: with an alpha channel only if a pixel is not opaque.
-/// Throws Error if the picture is empty or its pixels do not match its size.
-std::string png_of(const Image& image);
+/// Throws Error if the picture is empty or its pixels do not match its size, and Cancelled if
+/// `progress` asks for it: how large a file will be is not known, so that the fraction nears 1 ever
+/// more slowly.
+std::string png_of(const Image& image, const Progress& progress = {});
 
 /// Writes a PNG file: with an alpha channel only if a pixel is not opaque.
-/// Throws Error if the picture is empty or its pixels do not match its size, and what `write_file`
-/// throws.
-void write_png(const std::filesystem::path& path, const Image& image);
+/// Throws Error if the file is not named .png, if the picture is empty or its pixels do not match
+/// its size, and what `write_file` throws; Cancelled if `progress` asks for it.
+void write_png(const std::filesystem::path& path, const Image& image,
+               const Progress& progress = {});
 
 /// Reads any PNG file and converts it to 8 bits a channel.
 /// Throws Error, naming the file and the reason, if it cannot be read, is no PNG file, is cut off

@@ -11,6 +11,11 @@
 #include "brindle/image.h"
 #include "brindle/mesh.h"
 #include "brindle/polylines.h"
+#include "brindle/progress.h"
+
+namespace brindle {
+class Reporter;
+}
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -21,17 +26,19 @@ using Stroke = std::vector<Eigen::Vector2f>;
 class Visibility {
  public:
   /// The picture of `width` x `height` pixels from `view`, in which the mesh is framed.
-  /// Throws Error if a side is not in 1 .. 8192.
-  Visibility(const Mesh& mesh, const CameraView& view, int width, int height);
+  /// Throws Error if a side is not in 1 .. 8192, and Cancelled if `progress` asks for it.
+  Visibility(const Mesh& mesh, const CameraView& view, int width, int height,
+             const Progress& progress = {});
   /// The same with a camera of its own. `mesh` is all that can hide lines.
-  Visibility(const Mesh& mesh, const Camera& camera, int width, int height);
+  Visibility(const Mesh& mesh, const Camera& camera, int width, int height,
+             const Progress& progress = {});
 
   /// The parts of lines on the surface that nothing is in front of, in the order of the lines; or,
   /// if `hidden` is asked for, the others.
   /// Corners that change a stroke by less than a twentieth of a pixel are left out.
   /// What lies behind the surface by less than `tolerance` times its distance counts as on it.
-  std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f,
-                              bool hidden = false) const;
+  std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f, bool hidden = false,
+                              const Progress& progress = {}) const;
 
  private:
   struct Seen {
@@ -40,8 +47,10 @@ class Visibility {
   };
   Seen project(const Vec3& point) const;
   float nearness(std::span<const Seen> seen, std::span<const float> weights) const;
-  void draw(const Mesh& mesh);
-  void draw_triangle(const std::array<Seen, 3>& corners);
+  struct Cells;
+  void draw(const Mesh& mesh, const Progress& progress);
+  Cells cells_of(const std::array<Seen, 3>& corners) const;
+  void draw_triangle(const std::array<Seen, 3>& corners, Reporter& reporter);
   bool visible(const Seen& seen, float tolerance) const;
   void add_strokes(std::span<const Seen> path, float tolerance, bool hidden,
                    std::vector<Stroke>& strokes) const;
@@ -56,9 +65,10 @@ class Visibility {
 };
 
 /// The edges of the mesh that bound what is seen of it: between triangles that face the viewer and
-/// triangles that do not, and edges of a single triangle; joined into lines.
+/// triangles that do not, and edges of a single triangle; joined into lines. Throws Cancelled if
+/// `progress` asks for it.
 Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
-                  int width, int height);
+                  int width, int height, const Progress& progress = {});
 
 /// Strokes of one pen.
 struct Pen {
@@ -70,7 +80,8 @@ struct Pen {
 };
 
 /// Writes a path per stroke, or one of all that are filled, in a group per pen; no background.
-/// Throws what write_file does.
-void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens);
+/// Throws what write_file does, and Cancelled if `progress` asks for it.
+void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
+               const Progress& progress = {});
 
 }  // namespace brindle

@@ -9,6 +9,7 @@
 
 #include "brindle/arrays.h"
 #include "brindle/export.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -42,13 +43,23 @@ struct BoundingBox {
 
 BoundingBox bounding_box(const Mesh& mesh);
 
+/// What `make_mesh` does with triangles that have two corners alike or stand twice.
+enum class BadTriangles {
+  refused,
+  kept  ///< for `repair_mesh`, or where patterns have nothing to do with them
+};
+
 /// A mesh of another program's arrays: three coordinates per vertex, three vertex numbers from 0
 /// per triangle, signed or not. Vertices and triangles keep their numbers. Coordinates that are
 /// large against the mesh's size are made relative to `Mesh::origin`. Throws Error, naming the
-/// first vertex or triangle, for coordinates that are not finite or beyond 1e18, corners that are
-/// no vertices, and arrays that have not three columns or no whole numbers where these are asked
-/// for.
-Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles);
+/// first vertex or triangle and the remedy, for coordinates that are not finite or beyond 1e18,
+/// corners that are no vertices, triangles with two corners alike or with the corners of an earlier
+/// one, and arrays that have not three columns or no whole numbers where these are asked for.
+/// Vertices at one place stay apart, and so do the triangles on both sides: `surface_warnings`
+/// tells, `make_repaired_mesh` joins them.
+/// Throws Cancelled if `progress` asks for it.
+Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles,
+               BadTriangles bad = BadTriangles::refused, const Progress& progress = {});
 
 /// What was wrong with a mesh. Apart from `vertices_unreferenced`, nothing of it is left.
 struct MeshRepair {
@@ -80,6 +91,24 @@ MeshRepair repair_mesh(Mesh& mesh);
 /// As above; `kept` receives, of every triangle that is left, the number that it had.
 MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept);
 
+/// A mesh of another program's arrays, and what became of their rows.
+struct RepairedMesh {
+  Mesh mesh;
+  MeshRepair repair;
+  /// For every vertex the one that triangles use in its place: itself, or the first at the same
+  /// place. Empty if nothing was joined.
+  std::vector<Index> vertex_of_row;
+  /// Of every triangle that is left the number that it had. Empty if all are left.
+  std::vector<Index> kept_triangles;
+};
+
+/// As `make_mesh`, with what `read_mesh` does to a file's mesh: triangles use the first of all
+/// vertices that stand at exactly one place, so that meshes split along sharp edges or seams of
+/// texture are whole; and triangles that cannot be used are dropped (`MeshRepair`). Vertices keep
+/// their numbers. Throws Error for arrays that have not three columns or no whole numbers where
+/// these are asked for.
+RepairedMesh make_repaired_mesh(const ArrayView& positions, const ArrayView& triangles);
+
 /// Moves positions with a coordinate that is NaN, infinite or beyond 1e18 to the centroid of the
 /// others. Returns, for every position, whether it was good.
 std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
@@ -102,7 +131,7 @@ std::vector<Index> drop_unreferenced_vertices(Mesh& mesh);
 /// an edge, however many, share its midpoint. Old vertices keep their numbers; the midpoints
 /// follow, ordered by the numbers of their edge's ends. The triangles of triangle t are 4 t .. 4 t
 /// + 3, the inner one last. Throws Error if `times` is negative, or the result would have more
-/// triangles than brindle can number.
-Mesh subdivide(Mesh mesh, int times = 1);
+/// triangles than brindle can number. Throws Cancelled if `progress` asks for it.
+Mesh subdivide(Mesh mesh, int times = 1, const Progress& progress = {});
 
 }  // namespace brindle

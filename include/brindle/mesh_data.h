@@ -16,6 +16,6 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells);
 /// As `subdivide` of mesh.h, with the mesh's arrays: a midpoint has the mean of its edge's ends
 /// (`blended`), and the four triangles of a triangle have its row. Throws Error as that does, and,
 /// naming the array, for one without a row per vertex or triangle; then nothing was changed.
-void subdivide(Mesh& mesh, DataArrays& arrays, int times = 1);
+void subdivide(Mesh& mesh, DataArrays& arrays, int times = 1, const Progress& progress = {});
 
 }  // namespace brindle

@@ -6,6 +6,7 @@
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -18,8 +19,10 @@ struct NearbyRows {
 
 /// What of `from` is nearest to the vertices of `to`, up to `max_distance` away: places on its
 /// triangles, or vertices if it has none. Origins need not be the same. Throws Error as
-/// `NearestOnMesh` and `NearestVertex` do, and for a mesh without vertices.
-NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance);
+/// `NearestOnMesh` and `NearestVertex` do, and for a mesh without vertices; Cancelled if `progress`
+/// asks for it.
+NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
+                       const Progress& progress = {});
 
 /// A row per point of an array with a row per vertex: between vertices the blend of three
 /// (`blended`); in double precision, NaN where nothing was found. Throws Error, naming the array,

@@ -9,6 +9,7 @@
 #include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -54,7 +55,8 @@ struct WaveSet {
 /// `check_edge_weights` of wave_check.h refuse.
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind = PhaseShiftKind::aligned,
-                             std::span<const float> edge_weights = {});
+                             std::span<const float> edge_weights = {},
+                             const Progress& progress = {});
 
 /// Draws every node to a phase: T_i = lambda deg_i z_i with deg_i = sum_j |A_ij| + |B_ij|, so that
 /// `lambda` (0 or above) compares with the couplings. `z` has a unit number per node, or 0 for a

@@ -8,6 +8,7 @@
 
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
+#include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
 
@@ -44,18 +45,20 @@ struct LoadedPoints {
 };
 
 /// Makes a valid cloud of any positions and normals (one per position, of any length above zero;
-/// or none). Positions that are not finite are moved to the centroid of the others.
-LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> normals = {});
+/// or none). Positions that are not finite are moved to the centroid of the others. Throws
+/// Cancelled if `progress` asks for it.
+LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> normals = {},
+                              const Progress& progress = {});
 
 /// The same of coordinates as a file has them, relative to `origin_near` (local_positions.h).
 LoadedPoints make_placed_point_cloud(std::span<const Eigen::Vector3d> positions,
-                                     std::vector<Vec3> normals = {});
+                                     std::vector<Vec3> normals = {}, const Progress& progress = {});
 
 /// Joins every point to its `neighbors` nearest and, if the cloud has no normals, fits and orients
 /// them. Points that are not used, and those whose neighbours lie on a line, have a zero normal and
 /// so carry no wave. Everything that works on a Surface works on the result, from direction fields
 /// to `stripe_pattern`; what needs triangles finds none. Throws Error if no point has a normal, and
-/// what `point_neighborhood` throws.
-Surface make_point_surface(PointCloud cloud, int neighbors = 8);
+/// what `point_neighborhood` throws; Cancelled if `progress` asks for it.
+Surface make_point_surface(PointCloud cloud, int neighbors = 8, const Progress& progress = {});
 
 }  // namespace brindle

@@ -9,6 +9,7 @@
 
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -19,8 +20,8 @@ struct TrianglePoint {
   std::array<double, 3> barycentric{};  ///< not negative, sums to 1
 };
 
-/// Line i runs through `points[offsets[i]] .. points[offsets[i + 1] - 1]`, and back to the first of
-/// them if it is closed (the first point is not repeated).
+/// Line i runs through the points offsets[i] to offsets[i + 1] - 1, and back to the first of them
+/// if it is closed (the first point is not repeated).
 struct Polylines {
   std::vector<Vec3> points;          ///< relative to `origin`
   std::vector<Vec3> normals;         ///< of the surface, unit vectors, one per point
@@ -52,14 +53,14 @@ double length_of(const Polylines& lines, std::size_t line);
 /// Leaves out points as long as no point left out is farther than `tolerance` from the line
 /// (Douglas and Peucker 1973), and with them what is known of their segments. Ends stay; of a
 /// closed line two points at least, its first and the one farthest from it.
-Polylines simplified(const Polylines& lines, float tolerance);
+Polylines simplified(const Polylines& lines, float tolerance, const Progress& progress = {});
 
 /// Points at equal distances along every line, as near to `spacing` as a whole number of steps
 /// allows. Ends stay. They lie on the segments, so corners between them are cut; they have places
 /// if it is known where the segments run.
 /// Throws Error if the spacing is not above zero, or if there would be more points than an Index
 /// can count.
-Polylines resampled(const Polylines& lines, float spacing);
+Polylines resampled(const Polylines& lines, float spacing, const Progress& progress = {});
 
 struct TubeOptions {
   float radius = 0.01f;  ///< in units of length, above zero
@@ -70,6 +71,6 @@ struct TubeOptions {
 /// segments, the ends of open lines closed by flat caps. Points nearer to the one before than a
 /// tenth of the radius are passed over; lines without length have no tube. Throws Error for options
 /// out of range and for more vertices than an Index can count.
-Mesh tubes(const Polylines& lines, const TubeOptions& options);
+Mesh tubes(const Polylines& lines, const TubeOptions& options, const Progress& progress = {});
 
 }  // namespace brindle

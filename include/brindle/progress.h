@@ -1,9 +1,13 @@
 /// Progress reports and cancellation of long jobs.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <memory>
+#include <span>
+#include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "brindle/error.h"
 #include "brindle/export.h"
@@ -16,22 +20,88 @@ class Cancelled : public Error {
   using Error::Error;
 };
 
-/// Handed into long jobs; a default-constructed one is silent and never cancels.
+/// A part of a job that comes before or after others.
+struct JobStage {
+  std::string name;
+  double weight = 1;  ///< how long it takes, against the others'; above 0
+};
+
+/// What a job says of itself, again and again.
+struct ProgressReport {
+  double fraction = 0;               ///< done of the whole job, in [0, 1]; never falls
+  std::string_view step;             ///< what is being done: a stage, or a step within one
+  double step_fraction = 0;          ///< done of that, in [0, 1]
+  std::span<const JobStage> stages;  ///< of the whole job, in their order; weights sum to 1
+  std::size_t stage = 0;             ///< the number of the one that is under way
+};
+
+/// Handed into long jobs; a default-constructed one is silent and never cancels. Jobs report on the
+/// thread that called them. One Progress serves one job after the other, not several at once.
 class Progress {
  public:
-  /// Receives the stage's name and how much of it is done, in [0, 1]. Returning false cancels.
-  using Callback = std::function<bool(std::string_view stage, double fraction)>;
+  /// Receives the step's name and how much of it is done, in [0, 1]. Returning false cancels.
+  using Callback = std::function<bool(std::string_view step, double fraction)>;
+  /// Receives the same with where that is in the whole job.
+  using JobCallback = std::function<bool(const ProgressReport& report)>;
 
   Progress() = default;
-  explicit Progress(Callback callback) : callback_(std::move(callback)) {}
+  explicit Progress(Callback callback);
+  explicit Progress(JobCallback callback);
 
-  /// Throws Cancelled if the callback asks for it.
-  void report(std::string_view stage, double fraction) const {
-    if (callback_ && !callback_(stage, fraction)) throw Cancelled("cancelled");
-  }
+  /// Says that so much of a step is done, which is so much of what this was handed out for. Throws
+  /// Cancelled if the callback asks for it.
+  void report(std::string_view step, double fraction) const;
+
+  /// The same of the stage that this was handed out for.
+  void report(double fraction) const;
+
+  /// Hands on what another job says, all of which is what this was handed out for.
+  void report(const ProgressReport& inner) const;
+
+  /// What to hand to a job that does a share of this: `begin` to `end`, in [0, 1].
+  Progress part(double begin, double end) const;
+
+  /// The same as this, with another name for what `report(fraction)` is about.
+  Progress step(std::string_view name) const;
+
+  /// The stages of the whole job, once it has begun; `ProgressReport` has the same.
+  std::span<const JobStage> stages() const;
+
+  /// Whether anybody listens.
+  bool is_heard() const { return state_ != nullptr; }
 
  private:
-  Callback callback_;
+  friend class JobStages;
+  struct State;
+
+  void tell(double whole, std::string_view step, double fraction) const;
+
+  std::shared_ptr<State> state_;
+  bool is_whole_ = true;        // a job that begins with this is the whole one
+  double begin_ = 0, end_ = 1;  // in the whole job
+  std::string step_;            // the stage that this was handed out for
+  double from_ = 0, to_ = 1;    // in that
+};
+
+/// How a job divides what it was handed, stage by stage. The outermost job's stages are those that
+/// `ProgressReport` lists.
+class JobStages {
+ public:
+  /// Throws Error if no stage is given, or one whose weight is not above 0.
+  JobStages(const Progress& progress, std::vector<JobStage> stages);
+
+  /// The next stage of that name begins; those before it are over. Reports it, which may throw
+  /// Cancelled. What is done in the stage is handed the result. Throws Error for an unknown name.
+  Progress begin(std::string_view name);
+
+  /// All is done. Reports it, which may throw Cancelled.
+  void finish() const;
+
+ private:
+  Progress progress_;
+  std::vector<JobStage> stages_;
+  std::vector<double> begins_;  // of all stages, and the end of the last
+  std::size_t next_ = 0;
 };
 
 }  // namespace brindle

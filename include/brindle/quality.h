@@ -9,6 +9,7 @@
 
 #include "brindle/corner_phases.h"
 #include "brindle/export.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -39,6 +40,7 @@ std::vector<float> angle_errors_deg(const Mesh& mesh, const WaveSet& waves,
 /// Errors are weighted by the areas of triangles; `waves` has one entry per vertex, `corners` one
 /// per triangle.
 PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
-                               std::span<const CornerPhases> corners);
+                               std::span<const CornerPhases> corners,
+                               const Progress& progress = {});
 
 }  // namespace brindle

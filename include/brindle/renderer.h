@@ -1,7 +1,6 @@
 /// What a picture shows on top of the stripes: coloured triangles and marks (paper, Fig. 8).
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -14,6 +13,8 @@
 #include "brindle/image.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
+#include "brindle/pimpl.h"
+#include "brindle/progress.h"
 #include "brindle/texture_waves.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -160,15 +161,17 @@ class Renderer {
   void use_phases(unsigned buffer);
 
   /// Draws the uploaded drawing. Pictures larger than the driver's framebuffers are drawn in tiles.
-  /// Throws Error if an option is out of its range or the picture is beyond the limits of image.h.
-  Image draw(const RenderOptions& options) const;
+  /// Throws Error if an option is out of its range or the picture is beyond the limits of image.h;
+  /// Cancelled if `progress` asks for it, between one tile and the next.
+  Image draw(const RenderOptions& options, const Progress& progress = {}) const;
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 /// Draws one picture in a headless context of its own. Throws what HeadlessContext and Renderer do.
-Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options = {});
+Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options = {},
+                     const Progress& progress = {});
 
 }  // namespace brindle

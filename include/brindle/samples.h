@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/export.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -27,8 +28,10 @@ inline constexpr float kDoubleShare = 0.25f;
 /// Leaves out every sample that is nearer to an earlier one than `share` of the smallest of their
 /// four spacings: lines of one pattern run together at its branches and singularities. Returns how
 /// many. Samples on sides of the surface that face different ways do not count as near. Throws
-/// Error in a build without nanoflann, if there are samples and `share` is above zero.
-std::size_t drop_doubles(std::vector<Sample>& samples, float share = kDoubleShare);
+/// Error in a build without nanoflann, if there are samples and `share` is above zero; Cancelled if
+/// `progress` asks for it, and then none was left out.
+std::size_t drop_doubles(std::vector<Sample>& samples, float share = kDoubleShare,
+                         const Progress& progress = {});
 
 /// How regular samples are: distances to the nearest other sample over the smaller of the sample's
 /// two spacings, which is what a perfect grid has.
@@ -39,7 +42,8 @@ struct SampleSpacing {
   double double_share = 0;  ///< share of samples with another one within a tenth of the spacing
 };
 
-/// Throws Error in a build without nanoflann.
-SampleSpacing measure_sample_spacing(std::span<const Sample> samples);
+/// Throws Error in a build without nanoflann, and Cancelled if `progress` asks for it.
+SampleSpacing measure_sample_spacing(std::span<const Sample> samples,
+                                     const Progress& progress = {});
 
 }  // namespace brindle

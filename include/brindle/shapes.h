@@ -9,6 +9,7 @@
 
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -17,8 +18,10 @@ namespace BRINDLE_EXPORT brindle {
 /// default) and `noise_seed`.
 ///
 /// Throws Error, listing what is known, for an unknown name or parameter, and for a value that is
-/// no number or out of the parameter's range.
-Mesh make_shape(std::string_view spec);
+/// no number or out of the parameter's range; also, before anything is made, for a resolution whose
+/// vertices memory does not hold, naming one that would do. Throws Cancelled if `progress` asks for
+/// it.
+Mesh make_shape(std::string_view spec, const Progress& progress = {});
 
 /// A part of a shape. Vertices have the numbers that they have in the whole, and its positions.
 struct ShapePart {

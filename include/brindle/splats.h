@@ -2,13 +2,14 @@
 /// overlap are blended into a closed surface (Botsch et al. 2005).
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/phase_graph.h"
+#include "brindle/pimpl.h"
+#include "brindle/progress.h"
 #include "brindle/renderer.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -44,15 +45,16 @@ class SplatRenderer {
   /// Draws the uploaded drawing. Each pixel takes the phase that every disc there has from its own
   /// wave, Phi + 2 pi f <x - p, d>, weighted by how near the disc's centre is. Options as for
   /// `Renderer::draw`; marks are not drawn.
-  Image draw(const RenderOptions& options) const;
+  Image draw(const RenderOptions& options, const Progress& progress = {}) const;
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 /// Draws one picture in a headless context of its own. Throws what HeadlessContext and
 /// SplatRenderer do.
-Image render_splats(const SplatDrawing& drawing, const RenderOptions& options = {});
+Image render_splats(const SplatDrawing& drawing, const RenderOptions& options = {},
+                    const Progress& progress = {});
 
 }  // namespace brindle

@@ -8,6 +8,7 @@
 #include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
+#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
@@ -42,6 +43,10 @@ struct FrameInput {
   std::span<const Vec3> positions;
   std::span<const Vec3> directions;  ///< unit tangent vectors, or zero for no wave
   std::span<const float> frequencies;
+  /// Unit vectors that directions must be tangent to (`check_tangent` of wave_check.h), or zero
+  /// where that is not known. Empty: those of the surface that an animator was made of, as long as
+  /// vertices stand where they stood there; otherwise nobody looks.
+  std::span<const Vec3> normals = {};
 };
 
 /// What StripeAnimator and GpuAnimator stand on: throw Error for options out of range, and for
@@ -88,9 +93,9 @@ class StripeAnimator {
 
   /// Solves for the next frame. The first frame has no last one and is solved from scratch.
   /// `progress` hears of the first frame's frequencies and topology, and of cycles. Throws Error if
-  /// the input has not one entry per vertex, and for values that `check_waves` (wave_check.h)
-  /// refuses; Cancelled if `progress` asks for it. Whatever it throws, the animator then is as it
-  /// was before the call.
+  /// the input has not one entry per vertex, and for values that `stripe_pattern` refuses;
+  /// Cancelled if `progress` asks for it. Whatever it throws, the animator then is as it was before
+  /// the call.
   FrameResult frame(const FrameInput& input, const Progress& progress = {});
 
   /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it. Throws Error
@@ -122,16 +127,20 @@ class StripeAnimator {
 
  private:
   struct State;
+  friend class TextureAnimator;  // keeps the frames of both its patterns or none
   explicit StripeAnimator(std::unique_ptr<State> state);
-  FrameResult unchanged_frame() const;
+  void allow_take_back();
+  FrameResult solve(const FrameInput& input, const Progress& progress);
+  void keep(const FrameInput& input, FrameResult& solved);
+  void take_back(const FrameResult& solved);
   void start();
   void take_given();
   FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
   void couple_next();
   void iterate();
-  void keep();
-  void take_back();
-  std::unique_ptr<State> state_;
+  void keep_phases();
+  void take_phases_back();
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

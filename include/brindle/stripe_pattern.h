@@ -71,8 +71,11 @@ struct StripePattern {
 /// Lets frequencies yield where the options have slack, couples the waves along the edges of the
 /// surface, solves for phases, lifts them to the corners of the triangles and measures the result;
 /// on points without triangles as `measure_point_quality` does. `waves` has one entry per vertex.
-/// Throws Error for waves that `check_waves` refuses, for last or fixed phases that `anchor_phases`
-/// does or another solver than multilevel has, and what `solve_phases` throws.
+/// Throws Error for waves that `check_waves` (wave_check.h) refuses, for directions that are no
+/// tangent ones (`check_tangent` there), for waves that pass less than a 10,000th of an edge a
+/// period at half of the vertices or a millionth at any, for last or fixed phases that
+/// `anchor_phases` refuses or another solver than multilevel has, and what `solve_phases` throws.
+/// `pattern_warnings` says what is probably not meant.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});
 
@@ -88,25 +91,29 @@ StripePattern stripe_pattern(const Surface& surface, DirectionField field,
 /// for. Several cross a triangle where the frequency asks for it. Curves do not cross; each is
 /// closed, or both its ends have one of the reasons of CurveEnd. They run so that waves run to
 /// their left, seen from outside, where the field and the surface can be oriented. Throws Error for
-/// a pattern of another surface, and on points without triangles.
+/// a pattern of another surface, and on points without triangles; Cancelled if `progress` asks for
+/// it.
 StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
-                           const CurveOptions& options = {});
+                           const CurveOptions& options = {}, const Progress& progress = {});
 
 /// What a maker asks of curves that `stripe_curves` has traced of this pattern: lengths, gaps and,
 /// for a `line_width` above 0 (units of length), coverage. Throws Error as `stripe_curves` does,
-/// and for a width below 0 or not finite.
+/// and for a width below 0 or not finite; Cancelled if `progress` asks for it.
 CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
-                             const StripeCurves& curves, double line_width = 0);
+                             const StripeCurves& curves, double line_width = 0,
+                             const Progress& progress = {});
 
 /// Points where the stripes of two patterns on one surface cross, or of points without triangles;
 /// of those nearer to each other than a quarter of their spacing only one. Throws Error for
-/// patterns of another surface, and in a build without nanoflann.
+/// patterns of another surface, and in a build without nanoflann; Cancelled if `progress` asks for
+/// it.
 std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,
-                                   const StripePattern& v);
+                                   const StripePattern& v, const Progress& progress = {});
 
-/// Throws Error unless `waves` has one entry for each of the surface's vertices, for values that
-/// `check_waves` (wave_check.h) refuses, and for directions that stick out of the tangent plane by
-/// more than 4 degrees: a quarter turn about the normal would not leave them as long as they are.
+/// What textures and crosses ask of waves: throws Error unless `waves` has one entry for each of
+/// the surface's vertices, for values that `check_waves` (wave_check.h) refuses, and for a
+/// direction that sticks out of the tangent plane by more than 4 degrees: a quarter turn about the
+/// normal would not leave it as long as it is.
 void check_tangent_waves(const Surface& surface, const WaveSet& waves);
 
 /// The same for vertices with these normals.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/export.h"
+#include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
 
@@ -40,13 +41,16 @@ void check_strokes(std::span<const FieldStroke> strokes);
 /// triangles that a stroke runs over are drawn however small its radius is. Anchors of several
 /// strokes at one vertex add up. Throws Error as `check_strokes` does, and for a stroke that is
 /// farther from the surface than its radius (and than a hundredth of the surface's diagonal),
-/// naming it and the distance. Nothing depends on how a stroke is divided, but for rounding.
+/// naming it and the distance; Cancelled if `progress` asks for it. Nothing depends on how a stroke
+/// is divided, but for rounding.
 std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
-                                        std::span<const FieldStroke> strokes);
+                                        std::span<const FieldStroke> strokes,
+                                        const Progress& progress = {});
 
 /// Boundaries, edges of three triangles or more and edges where the surface bends by more than
-/// `angle_deg`, as strokes of this radius and strength, each from corner to corner.
+/// `angle_deg`, as strokes of this radius and strength, each from corner to corner. Throws
+/// Cancelled if `progress` asks for it.
 std::vector<FieldStroke> feature_strokes(const Surface& surface, float angle_deg, double radius,
-                                         double strength);
+                                         double strength, const Progress& progress = {});
 
 }  // namespace brindle

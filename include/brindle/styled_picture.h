@@ -1,13 +1,13 @@
 /// Pictures of several surfaces, each with strokes of its own style.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "brindle/color_map.h"
 #include "brindle/export.h"
+#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/renderer.h"
 
@@ -149,7 +149,7 @@ class StyledRenderer {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 /// Draws one picture in a headless context of its own. Throws what HeadlessContext and

@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -21,8 +23,16 @@ struct Surface {
 /// Derives neighbourhood and normals. Takes the mesh over. Throws Error, naming the first vertex or
 /// triangle, for a position that is not finite and a corner that is no vertex of the mesh.
 /// Triangles with two corners alike have no area, and no edge from a vertex to itself comes of
-/// them.
-Surface make_surface(Mesh mesh);
+/// them. Throws Error, too, if edges are shorter than 1e-10 or longer than 1e9 on average: squares
+/// of areas would leave the range of float, and other units are needed. Throws Cancelled if
+/// `progress` asks for it.
+Surface make_surface(Mesh mesh, const Progress& progress = {});
+
+/// What is probably not meant, a sentence each without a full stop; `join` says how vertices are
+/// joined: edges at the border of the surface that stand exactly where others do, so that the
+/// surface is cut there, and stripes end. Empty if there is nothing to say.
+std::vector<std::string> surface_warnings(
+    const Surface& surface, const std::string& join = "join them with make_repaired_mesh");
 
 /// Throws Error, naming the first vertex, for a position that is not finite.
 void check_positions(std::span<const Vec3> positions);

@@ -18,7 +18,9 @@ struct SurfaceLoop {
   /// In order, the first not repeated. The surface lies to the left of a boundary where triangles
   /// are wound alike.
   std::vector<Index> vertices;
-  double length = 0;          ///< in units of length
+  double length = 0;  ///< in units of length
+  /// The mean place along the loop, relative to the mesh's origin: boundaries are told apart by it.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   std::size_t component = 0;  ///< which connected piece of the surface, from 0
 };
 

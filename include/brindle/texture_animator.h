@@ -1,11 +1,11 @@
 /// Textures that follow changing input, frame by frame.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "brindle/export.h"
+#include "brindle/pimpl.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"
@@ -21,7 +21,7 @@ struct TextureAnimatorOptions {
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
 struct TextureFrameInput {
-  FrameInput u;                               ///< V runs along u.directions turned by 90 degrees
+  FrameInput u;  ///< V runs along u.directions turned by 90 degrees; u.normals are not looked at
   std::span<const float> frequencies_v = {};  ///< stripes per unit length of V; empty: those of U
   std::span<const Vec3> normals = {};         ///< unit vectors; empty: those of the surface
 };
@@ -64,17 +64,18 @@ struct TextureFrameResult {
 /// and is what computing it afresh would give.
 class TextureAnimator {
  public:
-  /// Keeps what it needs of the surface. Throws Error for options out of range, and for a surface
-  /// without triangles.
+  /// Keeps what it needs of the surface. With slack, frequencies of both patterns yield as those of
+  /// StripeAnimator do. Throws Error for options out of range, and for a surface without triangles.
   explicit TextureAnimator(const Surface& surface, const TextureAnimatorOptions& options = {});
   ~TextureAnimator();
   TextureAnimator(TextureAnimator&&) noexcept;
   TextureAnimator& operator=(TextureAnimator&&) noexcept;
 
-  /// Solves for the next frame of both patterns, orients and measures it. Throws Error as
-  /// `texture_pattern` does, and for normals or frequencies that are not one per vertex; the
-  /// animator then is as it was before the call.
-  TextureFrameResult frame(const TextureFrameInput& input);
+  /// Solves for the next frame of both patterns, orients and measures it. `progress` hears of both
+  /// as StripeAnimator's does, and of the orientation. Throws Error as `texture_pattern` does, and
+  /// for normals or frequencies that are not one per vertex; Cancelled if `progress` asks for it.
+  /// Whatever it throws, both patterns and the orientation then are as they were before the call.
+  TextureFrameResult frame(const TextureFrameInput& input, const Progress& progress = {});
 
   /// The energies of the last frame's phases, as `energy` of phase_graph.h defines it. Throw Error
   /// before the first frame.
@@ -86,7 +87,7 @@ class TextureAnimator {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

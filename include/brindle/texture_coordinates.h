@@ -11,6 +11,7 @@
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
+#include "brindle/progress.h"
 #include "brindle/texture_waves.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -31,8 +32,10 @@ struct TexturedMesh {
 /// use the same copy of a vertex wherever their coordinates agree; whole tiles are added to make
 /// that so. Triangles at branches and singularities of the field are split at their barycentre
 /// (Knöppel et al. 2015), which keeps the seam that remains inside of them. Triangles without waves
-/// have the coordinates 0, 0. `waves` has one entry per triangle of the mesh.
-TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind);
+/// have the coordinates 0, 0. `waves` has one entry per triangle of the mesh. Throws Cancelled if
+/// `progress` asks for it.
+TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind,
+                                 const Progress& progress = {});
 
 /// Values per vertex of the original mesh (`components` numbers each), carried to the vertices of
 /// the textured mesh.

@@ -38,15 +38,16 @@ TexturePattern texture_pattern(const Surface& surface, DirectionField field, flo
                                const TextureOptions& options = {}, const Progress& progress = {});
 
 /// The surface with texture coordinates, for files and other programs. Throws Error for a pattern
-/// of another surface.
-TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern);
+/// of another surface, and Cancelled if `progress` asks for it.
+TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern,
+                                 const Progress& progress = {});
 
 /// The same of stripes alone: U is across the stripes, as a texture's, and V 1/2 everywhere, the
 /// middle of the tile. Triangles are oriented as those of a texture that is `oriented` or not; an
 /// orientation of vectors, or of directions whose signs agree already, takes a third of the time.
-/// Throws Error for a pattern of another surface.
+/// Throws Error for a pattern of another surface, and Cancelled if `progress` asks for it.
 TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pattern,
                                  PhaseShiftKind phase_shift = PhaseShiftKind::aligned,
-                                 bool oriented = false);
+                                 bool oriented = false, const Progress& progress = {});
 
 }  // namespace brindle

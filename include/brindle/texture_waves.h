@@ -9,6 +9,7 @@
 #include "brindle/corner_phases.h"
 #include "brindle/export.h"
 #include "brindle/fragment_phase.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -45,7 +46,7 @@ bool is_oriented(const TextureWaves& waves, std::size_t triangle);
 /// the ways to do so it takes the one that leaves most corners of U as they stand and the turn from
 /// U to V (counter-clockwise or clockwise) as it is at most corners. Other triangles stay as they
 /// are; `texture_fragment` splits them.
-void orient_corners(TextureWaves& waves);
+void orient_corners(TextureWaves& waves, const Progress& progress = {});
 
 /// The waves U and V at a fragment.
 struct TextureFragment {

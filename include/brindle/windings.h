@@ -23,6 +23,19 @@ using Winding = std::optional<int>;
 std::vector<Winding> windings(const Surface& surface, std::span<const SurfaceLoop> loops,
                               const StripePattern& pattern);
 
+/// The boundaries of a connected piece of the surface, with one orientation of the field all over.
+struct WindingSum {
+  std::vector<std::size_t> boundaries;  ///< numbers of loops, two or more
+  /// What is gained round all of them together, in periods: the indices of the branches and
+  /// singularities between them. 0: what winds in at some winds out at others.
+  int periods = 0;
+};
+
+/// Those of all pieces with two boundaries or more, each of which has a winding. Throws Error as
+/// `windings` does.
+std::vector<WindingSum> winding_sums(const Surface& surface, std::span<const SurfaceLoop> loops,
+                                     const StripePattern& pattern);
+
 /// How many branches a piece of the surface has: where it has any, or singularities of its field,
 /// the windings of its loops may differ.
 std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
@@ -56,11 +69,13 @@ struct WoundPattern {
 /// Adds to the waves of `pattern` the closed change of phase of least norm (the harmonic one-form)
 /// that has the periods that are missing, which turns all of them by a small angle, and solves
 /// again. Round a boundary that is named, it runs to the nearest boundary that is not; other loops
-/// keep their numbers. Branches and singularities stay what they were, and so does what they make
+/// keep their numbers. All boundaries of a piece may be named where what is asked of them adds up
+/// (`winding_sums`). Branches and singularities stay what they were, and so does what they make
 /// differ between loops. Throws Error for a surface without a way round, for names that are none,
-/// an empty name where there are several ways round (naming them), a boundary without another, a
-/// loop without a winding, numbers beyond a million, where a wave would change by as much as it is
-/// or the solver comes to other numbers, and what `stripe_pattern` throws.
+/// an empty name where there are several ways round (naming them), a boundary without another,
+/// boundaries that do not add up (saying what the last would have to have), a loop without a
+/// winding, numbers beyond a million, where waves would change by as much as they are or the solver
+/// comes to other numbers, and what `stripe_pattern` throws.
 WoundPattern wind(const Surface& surface, const StripePattern& pattern,
                   std::span<const WantedWinding> wanted, const StripeOptions& options = {},
                   const Progress& progress = {});

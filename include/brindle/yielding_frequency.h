@@ -9,6 +9,7 @@
 #include "brindle/export.h"
 #include "brindle/frequency_field.h"
 #include "brindle/phase_graph.h"
+#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 
@@ -59,8 +60,9 @@ struct FrequencyChange {
 /// triangles that they make with their neighbours.
 class YieldingFrequency {
  public:
-  /// Throws Error as `check` does.
-  YieldingFrequency(const Surface& surface, const Slack& slack);
+  /// Throws Error as `check` does, and Cancelled if `progress` asks for it: of points it takes a
+  /// while to find the triangles.
+  YieldingFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
   ~YieldingFrequency();
   YieldingFrequency(YieldingFrequency&&) noexcept;
   YieldingFrequency& operator=(YieldingFrequency&&) noexcept;
@@ -90,7 +92,7 @@ class YieldingFrequency {
  private:
   struct State;
   explicit YieldingFrequency(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  Pimpl<State> state_;
 };
 
 }  // namespace brindle

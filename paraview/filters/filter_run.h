@@ -8,11 +8,14 @@
 #include "ranks.h"
 #include "surface_cache.h"
 #include "vtkBrindleFilter.h"
+#include "warnings.h"
 
 struct vtkBrindleFilter::Run {
   brindle::paraview::Ranks ranks;
   const brindle::paraview::InputSurface* input = nullptr;
   brindle::WaveSet waves;
+  float turn_deg = 0;  ///< by which they are turned from their field
+  brindle::paraview::RunFigures figures;
   brindle::paraview::SeriesOptions options;
   bool follows = false;  ///< whether this time comes after the last one
   brindle::paraview::PatternSeries* series = nullptr;
@@ -24,10 +27,15 @@ struct vtkBrindleFilter::Run {
     ranks.together([&] { progress(from, to).report(stage, 0); });
   }
 
-  brindle::paraview::PatternSurface surface() const { return {input->surface, input->piece}; }
+  brindle::paraview::PatternSurface surface() const {
+    return {input->surface, input->piece, input->ids};
+  }
 
   /// The pattern of the waves. Collective.
   const brindle::StripePattern& pattern() {
-    return series->next(surface(), waves, options, follows, progress(0.4, 0.8));
+    const brindle::StripePattern& made =
+        series->next(surface(), waves, options, follows, progress(0.4, 0.8));
+    figures.branches = made.quality.branches;
+    return made;
   }
 };

@@ -4,6 +4,11 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include <brindle/mesh.h>
 
 namespace brindle::paraview {
 namespace {
@@ -14,31 +19,71 @@ constexpr double kRounding = 1e-5;
 /// Numbers above are of vertices that no other rank knows.
 constexpr std::uint64_t kUnshared = std::uint64_t{1} << 63;
 
-/// A position's bits, and the vertex's id or 0.
-struct Place {
-  std::array<std::uint32_t, 3> bits;
-  std::uint64_t id;
+/// What points may have in common: a place or an id.
+struct Key {
+  std::uint64_t first, second;
 
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const Key&) const = default;
 };
 
-Place place_of(const Vec3& position, std::uint64_t id) {
-  Place place{{}, id};
+Key key_of(const Vec3& position) {
+  std::array<std::uint64_t, 3> bits;
   for (int k = 0; k < 3; ++k) {
-    place.bits[static_cast<std::size_t>(k)] =
+    bits[static_cast<std::size_t>(k)] =
         std::bit_cast<std::uint32_t>(position[k] + 0.0f);  // -0 is 0
   }
-  return place;
+  return {bits[0] << 32 | bits[1], bits[2]};
 }
 
-/// Spreads places over ranks, those of a lattice as well.
-std::uint64_t hash(const Place& place) {
+Key key_of(std::int64_t id) { return {static_cast<std::uint64_t>(id), 0}; }
+
+/// Spreads keys over ranks, those of a lattice as well.
+std::uint64_t hash(const Key& key) {
   std::uint64_t h = 0;
-  for (const std::uint32_t bits : place.bits) {
-    h = (h ^ bits) * 0x9e3779b97f4a7c15u;
+  for (const std::uint64_t part : {key.first >> 32, key.first & 0xffffffffu, key.second}) {
+    h = (h ^ part) * 0x9e3779b97f4a7c15u;
     h ^= h >> 29;
   }
   return h;
+}
+
+struct Labelled {
+  Key key;
+  std::uint64_t label;
+
+  auto operator<=>(const Labelled&) const = default;
+};
+
+/// For every point asked for the lowest label of all points with its key, list by list.
+std::vector<std::vector<std::uint64_t>> lowest(const std::vector<std::vector<Labelled>>& asked) {
+  std::vector<Labelled> known;
+  for (const auto& list : asked) known.insert(known.end(), list.begin(), list.end());
+  std::ranges::sort(known);
+  std::vector<std::vector<std::uint64_t>> answers(asked.size());
+  for (std::size_t r = 0; r < asked.size(); ++r) {
+    for (const Labelled& point : asked[r]) {
+      answers[r].push_back(std::ranges::lower_bound(known, point.key, {}, &Labelled::key)->label);
+    }
+  }
+  return answers;
+}
+
+/// Collective. Every point gets the lowest label of all points, of all ranks, with its key.
+template <class Thing>
+std::vector<std::uint64_t> lowest_labels(const Ranks& ranks, std::span<const Thing> things,
+                                         std::span<const std::uint64_t> labels) {
+  std::vector<std::vector<Labelled>> told(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::size_t> knows;  // which rank
+  for (std::size_t p = 0; p < things.size(); ++p) {
+    const Key key = key_of(things[p]);
+    knows.push_back(hash(key) % told.size());
+    told[knows.back()].push_back({key, labels[p]});
+  }
+  const auto answers = ranks.swap_lists(lowest(ranks.swap_lists(told)));
+  std::vector<std::size_t> next(told.size());
+  std::vector<std::uint64_t> result;
+  for (const std::size_t rank : knows) result.push_back(answers[rank][next[rank]++]);
+  return result;
 }
 
 struct IdPlace {
@@ -52,89 +97,84 @@ bool near(const IdPlace& a, const IdPlace& b, double distance) {
   return (Vec3(a.position.data()) - Vec3(b.position.data())).cast<double>().norm() <= distance;
 }
 
-bool stands_first(const PieceVertices& vertices, std::size_t v) { return vertices.first[v] == v; }
-
-/// Collective: whether ids say which vertices are one.
-bool ids_hold(const Ranks& ranks, const PieceVertices& vertices, double rounding) {
-  const std::size_t count = vertices.positions.size();
-  const bool has_ids =
-      count == 0 || (vertices.ids.size() == count && std::ranges::min(vertices.ids) >= 0);
-  if (!ranks.every(has_ids)) return false;
+/// Collective: whether every id belongs to one place.
+bool ids_hold(const Ranks& ranks, const PiecePoints& points, double rounding) {
   std::vector<std::vector<IdPlace>> told(static_cast<std::size_t>(ranks.size()));
-  for (std::size_t v = 0; v < count; ++v) {
-    if (!stands_first(vertices, v)) continue;
-    const auto id = static_cast<std::uint64_t>(vertices.ids[v]);
-    const Vec3& p = vertices.positions[v];
-    told[id % told.size()].push_back({id, {p.x(), p.y(), p.z()}});
+  for (std::size_t p = 0; p < points.ids.size(); ++p) {
+    const auto id = static_cast<std::uint64_t>(points.ids[p]);
+    const Vec3& at = points.positions[p];
+    told[id % told.size()].push_back({id, {at.x(), at.y(), at.z()}});
   }
   std::vector<IdPlace> heard;
-  bool hold = true;
-  for (auto& list : ranks.swap_lists(told)) {
-    std::ranges::sort(list);
-    // Twice in a piece, and not joined: at two places.
-    hold = hold && std::ranges::adjacent_find(list, {}, &IdPlace::id) == list.end();
+  for (const auto& list : ranks.swap_lists(told)) {
     heard.insert(heard.end(), list.begin(), list.end());
   }
   std::ranges::sort(heard);
-  for (std::size_t i = 1; i < heard.size(); ++i) {
-    const bool same = heard[i].id == heard[i - 1].id;
-    hold = hold && (!same || near(heard[i], heard[i - 1], rounding));
+  bool hold = true;
+  for (std::size_t i = 1, first = 0; i < heard.size(); ++i) {
+    if (heard[i].id != heard[first].id) first = i;
+    hold = hold && near(heard[i], heard[first], rounding);
   }
   return ranks.every(hold);
 }
 
-/// The numbers of places that ranks told of: the lowest id there, or one after the other.
-class PlaceNumbers {
- public:
-  PlaceNumbers(const std::vector<std::vector<Place>>& told, bool by_id) : by_id_(by_id) {
-    for (const auto& list : told) places_.insert(places_.end(), list.begin(), list.end());
-    std::ranges::sort(places_);
-    const auto same = [](const Place& a, const Place& b) { return a.bits == b.bits; };
-    places_.erase(std::ranges::unique(places_, same).begin(), places_.end());
+/// Collective. Points at one place, with one id, and whatever that leads to, are one.
+std::vector<std::uint64_t> numbers_by_id(const Ranks& ranks, const PiecePoints& points) {
+  std::vector<std::uint64_t> labels(points.ids.begin(), points.ids.end());
+  while (true) {
+    std::vector<std::uint64_t> next = lowest_labels(ranks, points.positions, labels);
+    next = lowest_labels(ranks, points.ids, std::span<const std::uint64_t>(next));
+    if (!ranks.any(next != labels)) return labels;
+    labels = std::move(next);
   }
+}
 
-  std::uint64_t number_of(const Place& place, const Ranks& ranks) const {
-    const auto found = std::ranges::lower_bound(places_, place.bits, {}, &Place::bits);
-    if (by_id_) return found->id;
-    const auto index = static_cast<std::uint64_t>(found - places_.begin());
-    return index * static_cast<std::uint64_t>(ranks.size()) +
-           static_cast<std::uint64_t>(ranks.rank());
+std::vector<std::uint64_t> numbers_by_place(const Ranks& ranks, std::span<const Vec3> positions) {
+  if (ranks.alone()) {
+    const std::vector<Index> first = first_at_each_place(positions);
+    return {first.begin(), first.end()};
   }
-
- private:
-  std::vector<Place> places_;
-  bool by_id_;
-};
+  const std::vector<std::uint64_t> counts = ranks.all<std::uint64_t>(positions.size());
+  std::vector<std::uint64_t> rows(positions.size());
+  std::iota(rows.begin(), rows.end(),
+            std::accumulate(counts.begin(), counts.begin() + ranks.rank(), std::uint64_t{0}));
+  return lowest_labels(ranks, positions, std::span<const std::uint64_t>(rows));
+}
 
 }  // namespace
 
-std::vector<std::uint64_t> global_numbers(const Ranks& ranks, const PieceVertices& vertices,
-                                          double diagonal) {
-  const bool by_id = ids_hold(ranks, vertices, kRounding * diagonal);
-  const std::size_t count = vertices.positions.size();
-  std::vector<std::vector<Place>> told(static_cast<std::size_t>(ranks.size()));
-  std::vector<std::size_t> knows(count);  // which rank
-  for (std::size_t v = 0; v < count; ++v) {
-    if (!stands_first(vertices, v)) continue;
-    const Place place =
-        place_of(vertices.positions[v], by_id ? static_cast<std::uint64_t>(vertices.ids[v]) : 0);
-    knows[v] = hash(place) % told.size();
-    told[knows[v]].push_back(place);
-  }
-  const auto heard = ranks.swap_lists(told);
-  const PlaceNumbers numbers(heard, by_id);
-  std::vector<std::vector<std::uint64_t>> answers(heard.size());
-  for (std::size_t r = 0; r < heard.size(); ++r) {
-    for (const Place& place : heard[r]) answers[r].push_back(numbers.number_of(place, ranks));
-  }
-  const auto answered = ranks.swap_lists(answers);
+PointNumbers global_numbers(const Ranks& ranks, const PiecePoints& points, double diagonal) {
+  const std::size_t count = points.positions.size();
+  const bool any = ranks.any(!points.ids.empty());
+  const bool all =
+      ranks.every(count == 0 || (points.ids.size() == count && std::ranges::min(points.ids) >= 0));
+  PointNumbers numbers;
+  numbers.by_id = any && all && ids_hold(ranks, points, kRounding * diagonal);
+  numbers.ids_refused = any && !numbers.by_id;
+  numbers.of_points =
+      numbers.by_id ? numbers_by_id(ranks, points) : numbers_by_place(ranks, points.positions);
+  return numbers;
+}
 
-  std::vector<std::size_t> next(answered.size());
-  std::vector<std::uint64_t> result(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    result[v] = stands_first(vertices, v)
-                    ? answered[knows[v]][next[knows[v]]++]
-                    : kUnshared + v * told.size() + static_cast<std::size_t>(ranks.rank());
+std::vector<Index> first_points(std::span<const std::uint64_t> numbers) {
+  std::unordered_map<std::uint64_t, Index> first_with;
+  first_with.reserve(numbers.size());
+  std::vector<Index> first;
+  for (Index p = 0; p < numbers.size(); ++p) {
+    first.push_back(first_with.emplace(numbers[p], p).first->second);
+  }
+  return first;
+}
+
+std::vector<std::uint64_t> vertex_numbers(const Ranks& ranks,
+                                          std::span<const std::uint64_t> numbers,
+                                          std::span<const Index> first) {
+  std::vector<std::uint64_t> result;
+  for (Index p = 0; p < numbers.size(); ++p) {
+    const auto here = static_cast<std::uint64_t>(ranks.rank());
+    result.push_back(first[p] == p
+                         ? numbers[p]
+                         : kUnshared + p * static_cast<std::uint64_t>(ranks.size()) + here);
   }
   return result;
 }

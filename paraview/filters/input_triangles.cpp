@@ -1,10 +1,12 @@
 #include "input_triangles.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include <brindle/data_arrays.h>
 #include <brindle/error.h>
+#include <brindle/polygon.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -13,12 +15,13 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "outputs.h"
 #include "vtk_arrays.h"
 
 namespace brindle::paraview {
@@ -86,14 +89,39 @@ vtkSmartPointer<vtkDataSet> without_ghosts(vtkDataSet& data) {
   return copy;
 }
 
-std::vector<std::int64_t> ids_of(vtkPolyData& triangles) {
-  std::vector<std::int64_t> ids;
-  vtkDataArray* found = triangles.GetPointData()->GetGlobalIds();
-  if (found == nullptr || found->GetNumberOfComponents() != 1) return ids;
-  for (vtkIdType point = 0; point < found->GetNumberOfTuples(); ++point) {
-    ids.push_back(static_cast<std::int64_t>(found->GetVariantValue(point).ToLongLong()));
+/// Triangles, and the numbers of the polygons among all cells that they are of.
+struct CutCells {
+  std::vector<Triangle> triangles;
+  std::vector<Index> cells;
+};
+
+void cut_polygons(vtkCellArray& polygons, Index first_cell, std::span<const Vec3> positions,
+                  CutCells& cut) {
+  std::vector<Index> corners;
+  for (vtkIdType cell = 0; cell < polygons.GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    polygons.GetCellAtId(cell, count, points);
+    corners.assign(points, points + count);
+    triangulate_polygon(positions, corners, cut.triangles);
+    cut.cells.resize(cut.triangles.size(), first_cell + static_cast<Index>(cell));
   }
-  return ids;
+}
+
+/// Every other triangle of a strip is wound the other way.
+void take_strips_apart(vtkCellArray& strips, Index first_cell, CutCells& cut) {
+  for (vtkIdType cell = 0; cell < strips.GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    strips.GetCellAtId(cell, count, points);
+    for (vtkIdType i = 0; i + 2 < count; ++i) {
+      const bool turned = i % 2 == 1;
+      cut.triangles.push_back({static_cast<Index>(points[i]),
+                               static_cast<Index>(points[turned ? i + 2 : i + 1]),
+                               static_cast<Index>(points[turned ? i + 1 : i + 2])});
+    }
+    cut.cells.resize(cut.triangles.size(), first_cell + static_cast<Index>(cell));
+  }
 }
 
 }  // namespace
@@ -131,24 +159,53 @@ vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* own
   throw Error("the input has no surface");
 }
 
+std::vector<Vec3> positions_about(const Eigen::Vector3d& origin, vtkPolyData& data) {
+  std::vector<Vec3> positions;
+  positions.reserve(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    Eigen::Vector3d p;
+    data.GetPoint(i, p.data());
+    positions.emplace_back((p - origin).cast<float>());
+  }
+  return positions;
+}
+
+std::vector<std::int64_t> ids_of(vtkPolyData& triangles) {
+  std::vector<std::int64_t> ids;
+  vtkDataArray* found = triangles.GetPointData()->GetGlobalIds();
+  if (found == nullptr || found->GetNumberOfComponents() != 1) return ids;
+  for (vtkIdType point = 0; point < found->GetNumberOfTuples(); ++point) {
+    ids.push_back(static_cast<std::int64_t>(found->GetVariantValue(point).ToLongLong()));
+  }
+  return ids;
+}
+
 vtkSmartPointer<vtkPolyData> triangles_of(vtkSmartPointer<vtkPolyData> polygons,
-                                          vtkAlgorithm* owner) {
+                                          const Eigen::Vector3d& origin) {
   if (polygons->GetNumberOfPoints() == 0 || are_triangles(*polygons)) return polygons;
   check_corners(*polygons);
-  vtkNew<vtkTriangleFilter> cut;
-  cut->PassVertsOff();
-  cut->PassLinesOff();
-  return filtered(*cut, polygons, owner);
+  // Cells are numbered in this order.
+  const vtkIdType first_polygon = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
+  const vtkIdType first_strip = first_polygon + polygons->GetNumberOfPolys();
+  CutCells cut;
+  cut_polygons(*polygons->GetPolys(), static_cast<Index>(first_polygon),
+               positions_about(origin, *polygons), cut);
+  take_strips_apart(*polygons->GetStrips(), static_cast<Index>(first_strip), cut);
+  auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  triangles->SetPoints(polygons->GetPoints());
+  triangles->SetPolys(triangle_cells(cut.triangles));
+  triangles->GetPointData()->PassData(polygons->GetPointData());
+  triangles->GetFieldData()->PassData(polygons->GetFieldData());
+  carry(*polygons->GetCellData(), whole_rows(cut.cells), *triangles->GetCellData());
+  return triangles;
 }
 
-Mesh raw_mesh(vtkPolyData& data) {
-  const DataArray positions = data_array_of(*data.GetPoints()->GetData());
-  return make_mesh(positions.view(), corners_of(data).view());
-}
-
-RawMesh raw_piece(vtkPolyData& triangles) {
+RawMesh raw_mesh(vtkPolyData& triangles) {
   if (triangles.GetNumberOfPoints() == 0) return {};
-  return {raw_mesh(triangles), ghosts_of(triangles), ids_of(triangles)};
+  const DataArray positions = data_array_of(*triangles.GetPoints()->GetData());
+  // Repeated triangles are dropped when ranks and ghosts are joined.
+  return {make_mesh(positions.view(), corners_of(triangles).view(), BadTriangles::kept),
+          ghosts_of(triangles), ids_of(triangles)};
 }
 
 bool same(const RawMesh& a, const RawMesh& b) {

@@ -70,13 +70,15 @@ std::vector<RowBlend> whole_rows(std::span<const Index> rows) {
   return blends;
 }
 
-void add_figures(const PatternQuality& quality, vtkFieldData& data) {
+void add_figures(const PatternQuality& quality, const WaveFigures& waves, vtkFieldData& data) {
   const auto add = [&](const char* name, double value) {
     data.AddArray(vtk_array(make_data_array(name, 1, std::vector<double>{value})));
   };
   add("branches", static_cast<double>(quality.branches));
   add("angle_error_mean_deg", quality.angle_error_mean_deg);
   add("spacing_error_mean", quality.spacing_error_mean);
+  add("edges_per_period_min", waves.edges_per_period_min);
+  add("edges_per_period_median", waves.edges_per_period_median);
 }
 
 }  // namespace brindle::paraview

@@ -8,6 +8,7 @@
 #include <brindle/data_arrays.h>
 #include <brindle/quality.h>
 #include <brindle/types.h>
+#include <brindle/wave_figures.h>
 #include <vtkSmartPointer.h>
 
 class vtkCellArray;
@@ -29,7 +30,8 @@ vtkSmartPointer<vtkCellArray> triangle_cells(std::span<const std::array<Index, 3
 /// A blend per row.
 std::vector<RowBlend> whole_rows(std::span<const Index> rows);
 
-/// branches, angle_error_mean_deg and spacing_error_mean of a whole pattern.
-void add_figures(const PatternQuality& quality, vtkFieldData& data);
+/// branches, angle_error_mean_deg, spacing_error_mean, edges_per_period_min and
+/// edges_per_period_median of a whole pattern.
+void add_figures(const PatternQuality& quality, const WaveFigures& waves, vtkFieldData& data);
 
 }  // namespace brindle::paraview

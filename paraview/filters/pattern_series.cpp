@@ -1,8 +1,12 @@
 #include "pattern_series.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <chrono>
 #include <utility>
 
+#include <brindle/carried_phases.h>
 #include <brindle/corner_phases.h>
 #include <brindle/quality.h>
 
@@ -14,18 +18,124 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
       .count();
 }
 
+Ranks ranks_of(const PatternSurface& surface) {
+  return surface.piece ? surface.piece->ranks() : Ranks();
+}
+
 /// Whether it holds on all ranks.
 bool everywhere(const PatternSurface& surface, bool holds) {
-  return surface.piece ? surface.piece->ranks().every(holds) : holds;
+  return ranks_of(surface).every(holds);
+}
+
+/// What a vertex is known by at all times: its id, or its place.
+struct VertexKey {
+  std::uint64_t first, second;
+
+  auto operator<=>(const VertexKey&) const = default;
+};
+
+std::uint64_t hash(const VertexKey& key) {
+  std::uint64_t h = 0;
+  for (const std::uint64_t part : {key.first >> 32, key.first & 0xffffffffu, key.second}) {
+    h = (h ^ part) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 29;
+  }
+  return h;
+}
+
+std::vector<VertexKey> keys_of(const PatternSurface& surface, std::span<const Vec3> positions,
+                               bool by_id) {
+  std::vector<VertexKey> keys;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (by_id) {
+      keys.push_back({(*surface.ids)[v], 0});
+      continue;
+    }
+    const auto bits = [&](int k) {
+      return std::uint64_t{std::bit_cast<std::uint32_t>(positions[v][k] + 0.0f)};
+    };
+    keys.push_back({bits(0) << 32 | bits(1), bits(2)});
+  }
+  return keys;
+}
+
+/// A wave as ranks tell each other of it.
+struct KnownWave {
+  VertexKey key{};
+  std::array<float, 3> direction{};
+  std::array<float, 2> z{};
+};
+
+/// Collective. Those of all ranks whose keys this one knows of, in the order of keys.
+std::vector<KnownWave> known_waves(const Ranks& ranks, std::span<const VertexKey> keys,
+                                   std::span<const Vec3> directions, std::span<const Complex> z) {
+  std::vector<std::vector<KnownWave>> told(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t v = 0; v < keys.size(); ++v) {
+    const Vec3& d = directions[v];
+    told[hash(keys[v]) % told.size()].push_back(
+        {keys[v], {d.x(), d.y(), d.z()}, {z[v].real(), z[v].imag()}});
+  }
+  std::vector<KnownWave> known;
+  for (const auto& list : ranks.swap_lists(told))
+    known.insert(known.end(), list.begin(), list.end());
+  std::ranges::stable_sort(known, {}, &KnownWave::key);
+  return known;
+}
+
+/// A wave for every question, without a direction where none is known.
+std::vector<std::vector<KnownWave>> answered(std::span<const KnownWave> known,
+                                             const std::vector<std::vector<VertexKey>>& questions) {
+  std::vector<std::vector<KnownWave>> answers;
+  for (const auto& list : questions) {
+    std::vector<KnownWave>& of_rank = answers.emplace_back();
+    for (const VertexKey& key : list) {
+      const auto found = std::ranges::lower_bound(known, key, {}, &KnownWave::key);
+      const bool is_there = found != known.end() && found->key == key;
+      of_rank.push_back(is_there ? *found : KnownWave());
+    }
+  }
+  return answers;
 }
 
 }  // namespace
+
+std::vector<Complex> phases_elsewhere(const PatternSurface& last, const StripePattern& pattern,
+                                      const PatternSurface& surface, const WaveSet& waves) {
+  const Ranks ranks = ranks_of(surface);
+  const bool by_id = ranks.every(last.ids && surface.ids);
+  // Places are relative to an origin, which all ranks of a surface have alike.
+  if (!by_id && last.surface->mesh.origin != surface.surface->mesh.origin) {
+    return std::vector<Complex>(waves.positions.size());
+  }
+  const std::vector<VertexKey> known = keys_of(last, pattern.waves.positions, by_id);
+  const std::vector<VertexKey> asked = keys_of(surface, waves.positions, by_id);
+  const std::vector<KnownWave> of_ranks =
+      known_waves(ranks, known, pattern.waves.directions, pattern.solution.z);
+  const auto size = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<VertexKey>> questions(size);
+  for (const VertexKey& key : asked) questions[hash(key) % size].push_back(key);
+  const auto answers = ranks.swap_lists(answered(of_ranks, ranks.swap_lists(questions)));
+  WaveSet before = waves;
+  std::vector<Complex> z;
+  std::vector<std::size_t> next(size);
+  for (std::size_t v = 0; v < asked.size(); ++v) {
+    const std::size_t rank = hash(asked[v]) % size;
+    const KnownWave& wave = answers[rank][next[rank]++];
+    before.directions[v] = Vec3(wave.direction.data());
+    z.emplace_back(wave.z[0], wave.z[1]);
+  }
+  return matched_phases({surface.surface->mesh, before, z}, waves);
+}
 
 bool same_connectivity(const PatternSurface& a, const PatternSurface& b) {
   if (a.surface == b.surface && a.piece == b.piece) return true;
   if (!a.piece != !b.piece || (a.piece && !a.piece->is_shared_like(*b.piece))) return false;
   return a.surface->mesh.vertex_count() == b.surface->mesh.vertex_count() &&
          a.surface->mesh.triangles == b.surface->mesh.triangles;
+}
+
+bool same_connectivity_everywhere(const PatternSurface& a, const PatternSurface& b) {
+  return everywhere(b, a.surface && same_connectivity(a, b));
 }
 
 const StripePattern& PatternSeries::next(const PatternSurface& surface, WaveSet waves,
@@ -36,12 +146,17 @@ const StripePattern& PatternSeries::next(const PatternSurface& surface, WaveSet 
     surface_ = surface;
     return pattern_;
   }
+  const bool renumbered = follows && !fitting && options == options_ && has_animator();
+  std::optional<std::vector<Complex>> last;
+  if (renumbered) last = phases_to_follow(surface, waves);
+  lost_track_ = renumbered && !last;
   try {
     // Restarted, an animator would still have the aggregates of its first frame.
     if (!fitting || !follows) start(surface, options);
+    if (last) set_last_phases(*last);
     surface_ = surface;
     solve(std::move(waves), progress);
-    patterns_followed_ += fitting && follows ? 1 : 0;
+    patterns_followed_ += follows && (fitting || last) ? 1 : 0;
   } catch (...) {
     forget();
     throw;
@@ -49,9 +164,30 @@ const StripePattern& PatternSeries::next(const PatternSurface& surface, WaveSet 
   return pattern_;
 }
 
+/// Nothing if fewer than half of the waves have one.
+std::optional<std::vector<Complex>> PatternSeries::phases_to_follow(const PatternSurface& surface,
+                                                                    const WaveSet& waves) const {
+  std::vector<Complex> last = phases_elsewhere(surface_, pattern_, surface, waves);
+  std::array<std::size_t, 2> counts{};  // of waves, and of those with a last phase
+  for (std::size_t v = 0; v < last.size(); ++v) {
+    if (waves.directions[v].isZero(0)) continue;
+    ++counts[0];
+    counts[1] += last[v] != Complex(0) ? 1 : 0;
+  }
+  std::array<std::size_t, 2> sums{};
+  for (const auto& of_rank : ranks_of(surface).all(counts)) {
+    sums = {sums[0] + of_rank[0], sums[1] + of_rank[1]};
+  }
+  if (sums[1] == 0 || 2 * sums[1] < sums[0]) return std::nullopt;
+  return last;
+}
+
+void PatternSeries::set_last_phases(std::span<const Complex> z) {
+  ranks_animator_ ? ranks_animator_->set_last_phases(z) : animator_->set_last_phases(z);
+}
+
 bool PatternSeries::fits(const PatternSurface& surface, const SeriesOptions& options) const {
-  return (animator_ || ranks_animator_) && options == options_ &&
-         same_connectivity(surface_, surface);
+  return has_animator() && options == options_ && same_connectivity(surface_, surface);
 }
 
 bool PatternSeries::has_pattern_of(const WaveSet& waves) const {

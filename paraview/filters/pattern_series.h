@@ -1,8 +1,11 @@
 /// One pattern after another, of which those over one connectivity may follow each other.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <brindle/distributed_stripes.h>
 #include <brindle/phase_graph.h>
@@ -26,11 +29,22 @@ struct SeriesOptions {
 struct PatternSurface {
   std::shared_ptr<const Surface> surface;
   std::shared_ptr<const RankPiece> piece;  ///< null if this process is alone
+  /// Numbers of vertices in the whole that tell them apart at any time; null if there are none.
+  std::shared_ptr<const std::vector<std::uint64_t>> ids = {};
 };
 
 /// Whether vertices and triangles of both surfaces are the same, wherever they stand, and, of
 /// pieces, other ranks' parts in them.
 bool same_connectivity(const PatternSurface& a, const PatternSurface& b);
+
+/// Whether that holds on all ranks. Collective.
+bool same_connectivity_everywhere(const PatternSurface& a, const PatternSurface& b);
+
+/// Collective. The phases that a pattern of one surface had at another surface's vertices,
+/// whichever ranks have these now: those of one id, or, where surfaces have no ids, at exactly the
+/// same place; 0 where there is none. Of `waves`, which stand on the other surface.
+std::vector<Complex> phases_elsewhere(const PatternSurface& last, const StripePattern& pattern,
+                                      const PatternSurface& surface, const WaveSet& waves);
 
 /// Lays patterns as `stripe_pattern` and StripeAnimator do, over several ranks as
 /// DistributedStripeAnimator does. A pattern that follows another renews what depends on the waves;
@@ -38,11 +52,12 @@ bool same_connectivity(const PatternSurface& a, const PatternSurface& b);
 class PatternSeries {
  public:
   /// The pattern of these waves, valid until the next call. It follows the last one if `follows`
-  /// says so and the surface's connectivity and the options are the same; otherwise it is that of
-  /// `stripe_pattern`, whatever came before. The same waves on the same cells as last time give
-  /// the pattern of last time. Collective over ranks; a piece's pattern has phases of all its
-  /// vertices and triangles, ghosts included, and the quality of the whole. Throws what
-  /// StripeAnimator does, and then forgets the last pattern.
+  /// says so, the options are the same, and so is the surface's connectivity or at least half of
+  /// its vertices (`phases_elsewhere`); otherwise it is that of `stripe_pattern`, whatever came
+  /// before. The same waves on the same cells as last time give the pattern of last time.
+  /// Collective over ranks; a piece's pattern has phases of all its vertices and triangles, ghosts
+  /// included, and the quality of the whole. Throws what StripeAnimator does, and then forgets the
+  /// last pattern.
   const StripePattern& next(const PatternSurface& surface, WaveSet waves,
                             const SeriesOptions& options, bool follows,
                             const Progress& progress = {});
@@ -51,6 +66,8 @@ class PatternSeries {
   int solvers_made() const { return solvers_made_; }
   /// How many patterns followed the one before.
   int patterns_followed() const { return patterns_followed_; }
+  /// Whether the last pattern should have followed one whose vertices it does not have.
+  bool lost_track() const { return lost_track_; }
   /// Milliseconds that the last pattern took to be solved, without measuring it.
   double solve_milliseconds() const { return solve_milliseconds_; }
 
@@ -59,6 +76,10 @@ class PatternSeries {
   bool has_pattern_of(const WaveSet& waves) const;
   void start(const PatternSurface& surface, const SeriesOptions& options);
   void forget();
+  bool has_animator() const { return animator_ || ranks_animator_; }
+  void set_last_phases(std::span<const Complex> z);
+  std::optional<std::vector<Complex>> phases_to_follow(const PatternSurface& surface,
+                                                       const WaveSet& waves) const;
   void solve(WaveSet waves, const Progress& progress);
   FrameResult solve_frame(const WaveSet& waves, const Progress& progress);
   double energy() const;
@@ -71,6 +92,7 @@ class PatternSeries {
   StripePattern pattern_;
   int solvers_made_ = 0;
   int patterns_followed_ = 0;
+  bool lost_track_ = false;
   double solve_milliseconds_ = 0;
 };
 

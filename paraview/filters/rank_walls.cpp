@@ -2,82 +2,75 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
 
 namespace brindle::paraview {
 namespace {
 
-using Point = std::array<double, 3>;
+constexpr const char* kSolid = "brindle_has_volume";
 
-/// What tells a face: the first three of its points, from left to right; no other face has them.
-struct Face {
-  std::array<Point, 3> points;
-
-  auto operator<=>(const Face&) const = default;
-};
+/// What tells a face: the lowest three numbers of its vertices; no other face has them.
+using Face = std::array<std::uint64_t, 3>;
 
 std::uint64_t hash(const Face& face) {
   std::uint64_t h = 0;
-  for (const Point& point : face.points) {
-    for (const double coordinate : point) {
-      h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
+  for (const std::uint64_t number : face) {
+    h = (h ^ number) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 29;
   }
   return h;
 }
 
-/// Own faces, ghosts left out, and the numbers of their cells.
-std::vector<std::pair<vtkIdType, Face>> own_faces(vtkPolyData& surface) {
+/// Own faces of solids, ghosts left out, and the numbers of their cells.
+std::vector<std::pair<vtkIdType, Face>> own_faces(vtkPolyData& surface,
+                                                  std::span<const std::uint64_t> numbers) {
   std::vector<std::pair<vtkIdType, Face>> faces;
   vtkUnsignedCharArray* flags = surface.GetCellGhostArray();
+  auto* solid = vtkUnsignedCharArray::SafeDownCast(surface.GetCellData()->GetArray(kSolid));
   vtkNew<vtkIdList> corners;
-  std::vector<Point> points;
+  std::vector<std::uint64_t> vertices;
   for (vtkIdType cell = 0; cell < surface.GetNumberOfCells(); ++cell) {
+    if (solid != nullptr && solid->GetValue(cell) == 0) continue;
     if (flags != nullptr && (flags->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0) {
       continue;
     }
     surface.GetCellPoints(cell, corners);
     if (corners->GetNumberOfIds() < 3) continue;
-    points.clear();
+    vertices.clear();
     for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) {
-      Point& point = points.emplace_back();
-      surface.GetPoint(corners->GetId(k), point.data());
-      for (double& coordinate : point) coordinate += 0.0;  // -0 is 0
+      vertices.push_back(numbers[static_cast<std::size_t>(corners->GetId(k))]);
     }
-    std::ranges::sort(points);
-    faces.push_back({cell, {{points[0], points[1], points[2]}}});
+    std::ranges::sort(vertices);
+    faces.push_back({cell, {vertices[0], vertices[1], vertices[2]}});
   }
   return faces;
 }
 
-/// For every face of every rank's list: whether another rank has it.
+/// For every face of every rank's list: whether there is another one, on that rank or elsewhere.
 std::vector<std::vector<std::uint8_t>> are_shared(const std::vector<std::vector<Face>>& told) {
-  std::vector<std::pair<Face, std::size_t>> known;
-  for (std::size_t r = 0; r < told.size(); ++r) {
-    for (const Face& face : told[r]) known.emplace_back(face, r);
-  }
+  std::vector<Face> known;
+  for (const auto& list : told) known.insert(known.end(), list.begin(), list.end());
   std::ranges::sort(known);
   std::vector<std::vector<std::uint8_t>> shared(told.size());
   for (std::size_t r = 0; r < told.size(); ++r) {
     for (const Face& face : told[r]) {
-      const auto same =
-          std::ranges::equal_range(known, face, {}, &std::pair<Face, std::size_t>::first);
-      shared[r].push_back(same.front().second != same.back().second ? 1 : 0);
+      shared[r].push_back(std::ranges::equal_range(known, face).size() > 1 ? 1 : 0);
     }
   }
   return shared;
@@ -87,10 +80,44 @@ vtkSmartPointer<vtkPolyData> without_cells(vtkPolyData& surface,
                                            const std::vector<vtkIdType>& cells) {
   auto rest = vtkSmartPointer<vtkPolyData>::New();
   rest->ShallowCopy(&surface);
+  rest->GetCellData()->RemoveArray(kSolid);
+  if (cells.empty()) return rest;
   rest->BuildCells();
   for (const vtkIdType cell : cells) rest->DeleteCell(cell);
   rest->RemoveDeletedCells();
   return rest;
+}
+
+/// 3 for cells with a volume.
+int dimension_of(int cell_type, vtkGenericCell& cell) {
+  cell.SetCellType(cell_type);
+  return cell.GetCellDimension();
+}
+
+bool has_cells_without_volume(vtkDataObject* leaf) {
+  auto* data = vtkDataSet::SafeDownCast(leaf);
+  if (data == nullptr || data->GetNumberOfCells() == 0) return false;
+  vtkNew<vtkGenericCell> cell;
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (grid == nullptr) return dimension_of(data->GetCellType(0), *cell) < 3;
+  vtkUnsignedCharArray* types = grid->GetDistinctCellTypesArray();
+  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i) {
+    if (dimension_of(types->GetValue(i), *cell) < 3) return true;
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkDataSet> marked(vtkDataSet& data) {
+  vtkNew<vtkUnsignedCharArray> solid;
+  solid->SetName(kSolid);
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
+    solid->InsertNextValue(dimension_of(data.GetCellType(i), *cell) == 3 ? 1 : 0);
+  }
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data.NewInstance());
+  copy->ShallowCopy(&data);
+  copy->GetCellData()->AddArray(solid);
+  return copy;
 }
 
 }  // namespace
@@ -105,10 +132,32 @@ bool is_grid(vtkDataObject* data) {
   return true;
 }
 
+vtkSmartPointer<vtkDataObject> with_solids_marked(vtkDataObject* input) {
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
+  if (blocks == nullptr) {
+    if (!has_cells_without_volume(input)) return input;
+    return marked(*vtkDataSet::SafeDownCast(input));
+  }
+  bool any = false;
+  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
+    any = any || has_cells_without_volume(block->GetCurrentDataObject());
+  }
+  if (!any) return input;
+  auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(blocks->NewInstance());
+  copy->CopyStructure(blocks);
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
+    auto* data = vtkDataSet::SafeDownCast(block->GetCurrentDataObject());
+    if (data != nullptr) copy->SetDataSet(block, marked(*data));
+  }
+  return copy;
+}
+
 vtkSmartPointer<vtkPolyData> without_walls(vtkSmartPointer<vtkPolyData> surface,
+                                           std::span<const std::uint64_t> numbers,
                                            const Ranks& ranks) {
   std::vector<std::pair<vtkIdType, Face>> faces;
-  ranks.together([&] { faces = own_faces(*surface); });
+  ranks.together([&] { faces = own_faces(*surface, numbers); });
   std::vector<std::vector<Face>> told(static_cast<std::size_t>(ranks.size()));
   for (const auto& [cell, face] : faces) told[hash(face) % told.size()].push_back(face);
   const auto answers = ranks.swap_lists(are_shared(ranks.swap_lists(told)));
@@ -119,7 +168,6 @@ vtkSmartPointer<vtkPolyData> without_walls(vtkSmartPointer<vtkPolyData> surface,
     const std::size_t knows = hash(face) % told.size();
     if (answers[knows][next[knows]++] != 0) walls.push_back(cell);
   }
-  if (walls.empty()) return surface;
   return without_cells(*surface, walls);
 }
 

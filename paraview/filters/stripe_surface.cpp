@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include <brindle/pattern_arrays.h>
 #include <brindle/texture_coordinates.h>
 #include <brindle/texture_pattern.h>
 
-#include "pattern_arrays.h"
 #include "vtk_arrays.h"
 
 namespace brindle::paraview {
@@ -78,7 +78,7 @@ void set_branches(std::vector<DataArray>& arrays, const TexturedMesh& textured,
 }  // namespace
 
 std::vector<float> branches_at_vertices(const InputSurface& input, const StripePattern& pattern) {
-  std::vector<float> flags = tool::branches_at_vertices(input.surface->mesh, pattern.corners);
+  std::vector<float> flags = brindle::branches_at_vertices(input.surface->mesh, pattern.corners);
   if (!input.piece) return flags;
   input.piece->owners().sum(std::span(flags));
   for (float& flag : flags) flag = std::min(flag, 1.0f);
@@ -91,10 +91,10 @@ StripeSurface plain_surface(const InputSurface& input, const StripePattern& patt
   for (Index p = 0; p < input.vertex_of_point.size(); ++p) surface.sources.push_back(whole_row(p));
   surface.triangles = input.points_of_triangle;
   surface.cells = input.cell_of_triangle;
-  surface.branches = tool::branches_in_triangles(pattern, "branch");
+  surface.branches = brindle::branches_in_triangles(pattern, "branch");
   std::vector<DataArray> arrays;
-  tool::add_waves(arrays, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
-                  kMissing, branches);
+  brindle::add_waves(arrays, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
+                     kMissing, branches);
   surface.point_arrays = rows_of(arrays, input.vertex_of_point);
   return surface;
 }
@@ -115,13 +115,13 @@ StripeSurface textured_surface(const InputSurface& input, const StripePattern& p
   }
   surface.sources = std::move(points.sources);
   surface.branches =
-      rows_of(tool::branches_in_triangles(pattern, "branch"), textured.triangle_origins);
+      rows_of(brindle::branches_in_triangles(pattern, "branch"), textured.triangle_origins);
   for (const Index v : points.vertices) {
     surface.coordinates.push_back(textured.coordinates[v].x());
     surface.coordinates.push_back(textured.coordinates[v].y());
   }
   std::vector<DataArray> arrays;
-  tool::add_carried_waves(arrays, textured, input.surface->mesh, pattern, "", kMissing);
+  brindle::add_carried_waves(arrays, textured, input.surface->mesh, pattern, "", kMissing);
   set_branches(arrays, textured, branches);
   surface.point_arrays = rows_of(arrays, points.vertices);
   return surface;

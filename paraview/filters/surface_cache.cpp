@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/Core>
+#include <brindle/distributed_surface.h>
 #include <brindle/error.h>
 #include <brindle/mesh_data.h>
 #include <vtkCellArray.h>
@@ -34,13 +36,19 @@ vtkDataArray& found_array(vtkPolyData& triangles, const std::string& name, bool 
   return *found;
 }
 
-/// Collective: where positions of all ranks are relative to, as `make_mesh` chooses it for all.
-Eigen::Vector3d common_origin(vtkPolyData& triangles, const Ranks& ranks) {
+/// What points of all ranks stand in.
+struct CommonBox {
+  Eigen::Vector3d origin;  ///< that positions are relative to, as `make_mesh` chooses it for all
+  double diagonal = 0;
+};
+
+/// Collective.
+CommonBox common_box(vtkPolyData& data, const Ranks& ranks) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<double, 6> box = {kFar, kFar, kFar, -kFar, -kFar, -kFar};
-  for (vtkIdType i = 0; i < triangles.GetNumberOfPoints(); ++i) {
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
     double p[3];
-    triangles.GetPoint(i, p);
+    data.GetPoint(i, p);
     for (std::size_t k = 0; k < 3; ++k) {
       box[k] = std::min(box[k], p[k]);
       box[k + 3] = std::max(box[k + 3], p[k]);
@@ -52,38 +60,80 @@ Eigen::Vector3d common_origin(vtkPolyData& triangles, const Ranks& ranks) {
       box[k + 3] = std::max(box[k + 3], other[k + 3]);
     }
   }
-  const std::vector<Index> no_triangles;
-  return make_mesh({box.data(), 2, 3}, {no_triangles, 3}).origin;
-}
-
-void place_about(const Eigen::Vector3d& origin, vtkPolyData& triangles, Mesh& mesh) {
-  mesh.origin = origin;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    Eigen::Vector3d p;
-    triangles.GetPoint(static_cast<vtkIdType>(v), p.data());
-    mesh.positions[v] = (p - origin).cast<float>();
+  if (!std::ranges::all_of(box, [](double x) { return std::isfinite(x); })) {
+    return {Eigen::Vector3d::Zero(), 0};  // nothing, or what is refused later
   }
+  const std::vector<Index> no_triangles;
+  return {make_mesh({box.data(), 2, 3}, {no_triangles, 3}).origin,
+          (Eigen::Vector3d(&box[3]) - Eigen::Vector3d(&box[0])).norm()};
 }
 
-/// Own triangles first: of triangles that stand twice, a repair keeps the first. Returns the number
-/// that each had.
-std::vector<Index> put_ghosts_last(Mesh& mesh, std::span<const std::uint8_t> ghosts) {
+/// Collective: which of the data's points are one vertex.
+PointNumbers point_numbers(vtkPolyData& data, const CommonBox& box, const Ranks& ranks) {
+  std::vector<Vec3> positions;
+  std::vector<std::int64_t> ids;
+  ranks.together([&] {
+    positions = positions_about(box.origin, data);
+    ids = ids_of(data);
+  });
+  return global_numbers(ranks, {positions, ids}, box.diagonal);
+}
+
+/// Own triangles first: of triangles that stand twice, a repair keeps the first. One rank knows who
+/// else has its ghosts: itself, or nobody; they go. Returns the number that each had.
+std::vector<Index> put_ghosts_last(Mesh& mesh, std::span<const std::uint8_t> ghosts, bool alone) {
   std::vector<Index> order(mesh.triangle_count());
   std::iota(order.begin(), order.end(), Index{0});
   if (ghosts.empty()) return order;
-  std::ranges::stable_partition(order, [&](Index t) { return ghosts[t] == 0; });
+  const auto own = std::ranges::stable_partition(order, [&](Index t) { return ghosts[t] == 0; });
+  if (alone) order.erase(own.begin(), own.end());
   std::vector<Triangle> triangles;
   for (const Index t : order) triangles.push_back(mesh.triangles[t]);
   mesh.triangles = std::move(triangles);
   return order;
 }
 
+/// One rank has its vertices in the order of their ids, as several ranks have, so that all lay the
+/// same pattern.
+void order_vertices(std::span<const std::uint64_t> numbers, Mesh& mesh, InputSurface& made) {
+  const auto key = [&](Index p) { return std::pair(numbers[p], p); };
+  if (std::ranges::is_sorted(made.point_of_vertex, {}, key)) return;
+  std::vector<Index> order(numbers.size()), place(numbers.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, {}, key);
+  std::vector<Vec3> positions;
+  std::vector<Index> points;
+  for (Index v = 0; v < order.size(); ++v) {
+    place[order[v]] = v;
+    positions.push_back(mesh.positions[order[v]]);
+    points.push_back(made.point_of_vertex[order[v]]);
+  }
+  mesh.positions = std::move(positions);
+  made.point_of_vertex = std::move(points);
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& v : triangle) v = place[v];
+  }
+  for (Index& v : made.vertex_of_point) v = place[v];
+  made.joined = true;
+}
+
+/// Vertices that others stand for have the numbers of those.
+void keep_ids(const PointNumbers& numbers, InputSurface& made) {
+  if (!numbers.by_id) return;
+  std::vector<std::uint64_t> ids;
+  for (const Index p : made.point_of_vertex) ids.push_back(numbers.of_points[p]);
+  made.ids = std::make_shared<const std::vector<std::uint64_t>>(std::move(ids));
+}
+
 /// The points' vertices, the triangles that can be used, and the surface of this process's own.
-InputSurface local_surface(const RawMesh& raw, Mesh mesh) {
+InputSurface local_surface(const RawMesh& raw, Mesh mesh, const PointNumbers& numbers, bool alone) {
   InputSurface made;
-  made.vertex_of_point = first_at_each_place(mesh.positions);
+  made.ids_refused = numbers.ids_refused;
+  made.vertex_of_point = made.point_of_vertex = first_points(numbers.of_points);
   made.joined = join_vertices(mesh, made.vertex_of_point) > 0;
-  const std::vector<Index> order = put_ghosts_last(mesh, raw.ghosts);
+  if (alone && numbers.by_id) order_vertices(numbers.of_points, mesh, made);
+  keep_ids(numbers, made);
+  const std::vector<Index> order = put_ghosts_last(mesh, raw.ghosts, alone);
   repair_mesh(mesh, made.cell_of_triangle);
   for (Index& cell : made.cell_of_triangle) {
     cell = order[cell];
@@ -93,21 +143,46 @@ InputSurface local_surface(const RawMesh& raw, Mesh mesh) {
   return made;
 }
 
-/// Collective: one of the surfaces of all ranks.
-void join_ranks(InputSurface& made, const RawMesh& raw, const Ranks& ranks) {
+/// Leaves out triangles that other ranks have, too.
+void drop_repeated(std::span<const std::uint8_t> repeated, InputSurface& made) {
+  if (std::ranges::count(repeated, 1) == 0) return;
+  Mesh mesh = made.surface->mesh;
+  std::size_t left = 0;
+  for (std::size_t t = 0; t < repeated.size(); ++t) {
+    if (repeated[t] != 0) continue;
+    mesh.triangles[left] = mesh.triangles[t];
+    made.points_of_triangle[left] = made.points_of_triangle[t];
+    made.cell_of_triangle[left++] = made.cell_of_triangle[t];
+  }
+  mesh.triangles.resize(left);
+  made.points_of_triangle.resize(left);
+  made.cell_of_triangle.resize(left);
+  made.surface = std::make_shared<const Surface>(make_surface(std::move(mesh)));
+}
+
+std::vector<std::uint8_t> ghosts_among(const InputSurface& made, const RawMesh& raw) {
   std::vector<std::uint8_t> ghosts;
   for (const Index cell : made.cell_of_triangle) {
     ghosts.push_back(raw.ghosts.empty() ? 0 : raw.ghosts[cell]);
   }
+  return ghosts;
+}
+
+/// Collective: one of the surfaces of all ranks.
+void join_ranks(InputSurface& made, const RawMesh& raw, const PointNumbers& numbers,
+                const Ranks& ranks) {
+  const std::vector<std::uint64_t> of_vertices =
+      vertex_numbers(ranks, numbers.of_points, made.vertex_of_point);
+  const std::vector<std::uint8_t> repeated = repeated_triangles(
+      {made.surface->mesh, of_vertices, ghosts_among(made, raw)}, ranks.communicator());
+  ranks.together([&] { drop_repeated(repeated, made); });
+  std::vector<std::uint8_t> ghosts = ghosts_among(made, raw);
   if (!ranks.any(std::ranges::count(ghosts, 0) > 0)) {
     throw Error("the input's surface has no triangle with an area");
   }
   Surface surface = *made.surface;
-  const float diagonal = std::ranges::max(ranks.all(bounding_box(surface.mesh).diagonal()));
-  std::vector<std::uint64_t> numbers = global_numbers(
-      ranks, {surface.mesh.positions, made.vertex_of_point, raw.ids}, double{diagonal});
   made.piece =
-      std::make_shared<const RankPiece>(ranks, surface.mesh, std::move(numbers), std::move(ghosts));
+      std::make_shared<const RankPiece>(ranks, surface.mesh, of_vertices, std::move(ghosts));
   const std::span<const Vec3> normals = made.piece->surface().normals();
   surface.normals.assign(normals.begin(), normals.end());
   made.surface = std::make_shared<const Surface>(std::move(surface));
@@ -127,7 +202,7 @@ DataArray InputSurface::array(const std::string& name, bool of_points) const {
   if (piece) return rows_of_piece(name, of_points);
   DataArray rows = data_array_of(found_array(*triangles, name, of_points));
   if (!of_points) return cells_to_points(surface->mesh, rows_of(rows, cell_of_triangle));
-  return joined ? rows_of(rows, vertex_of_point) : std::move(rows);
+  return joined ? rows_of(rows, point_of_vertex) : std::move(rows);
 }
 
 /// As `array`. Ranks without rows need not have the array.
@@ -138,7 +213,7 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
   ranks.together([&] {
     if (!any_rows) return;
     rows = data_array_of(found_array(*triangles, name, of_points));
-    rows = rows_of(rows, of_points ? vertex_of_point : cell_of_triangle);
+    rows = rows_of(rows, of_points ? point_of_vertex : cell_of_triangle);
   });
   const std::vector<int> columns = ranks.all(any_rows ? rows.components : 0);
   const int most = std::ranges::max(columns);
@@ -156,21 +231,25 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
 
 const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm* owner,
                                              const Ranks& ranks) {
+  const bool grid = is_grid(input);
   vtkSmartPointer<vtkPolyData> triangles;
   ranks.together([&] {
-    triangles =
-        ranks.alone() ? polygons_of(input, owner) : polygons_of(with_ghosts_of_all(input), owner);
+    vtkSmartPointer<vtkDataObject> marked = input;
+    if (grid) marked = with_solids_marked(input);
+    triangles = polygons_of(with_ghosts_of_all(marked), owner);
   });
-  const bool grid = is_grid(input) || triangles->GetNumberOfCells() == 0;
-  if (!ranks.alone() && ranks.every(grid)) triangles = without_walls(triangles, ranks);
-  ranks.together([&] { triangles = with_points(triangles_of(triangles, owner)); });
+  const CommonBox box = common_box(*triangles, ranks);
+  if (ranks.every(grid || triangles->GetNumberOfCells() == 0)) {
+    triangles = without_walls(triangles, point_numbers(*triangles, box, ranks).of_points, ranks);
+  }
+  ranks.together([&] { triangles = with_points(triangles_of(triangles, box.origin)); });
   if (!ranks.any(triangles->GetNumberOfPoints() > 0)) return nullptr;
   if (!ranks.any(triangles->GetNumberOfPolys() > 0)) {
     throw Error("the input has points, but no surface: stripes need polygons");
   }
   bool renewed = false;
   try {
-    ranks.together([&] { renewed = this->read(*triangles, ranks); });
+    ranks.together([&] { renewed = this->read(*triangles); });
   } catch (...) {
     current_ = {};  // what other ranks have read belongs to no surface
     throw;
@@ -181,7 +260,7 @@ const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm*
 }
 
 /// Takes the numbers over if they are other ones than before, and returns whether they are.
-bool SurfaceCache::read(vtkPolyData& triangles, const Ranks& ranks) {
+bool SurfaceCache::read(vtkPolyData& triangles) {
   Stamp stamp{triangles.GetPoints()->GetData(), triangles.GetPolys(),
               std::max(triangles.GetPoints()->GetMTime(), triangles.GetPolys()->GetMTime())};
   for (vtkObject* more : {static_cast<vtkObject*>(triangles.GetCellGhostArray()),
@@ -189,7 +268,7 @@ bool SurfaceCache::read(vtkPolyData& triangles, const Ranks& ranks) {
     if (more != nullptr) stamp.time = std::max(stamp.time, more->GetMTime());
   }
   if (current_.surface && stamp == stamp_) return false;
-  RawMesh raw = ranks.alone() ? RawMesh{raw_mesh(triangles), {}, {}} : raw_piece(triangles);
+  RawMesh raw = raw_mesh(triangles);
   stamp_ = stamp;
   if (current_.surface && same(raw, raw_)) return false;
   raw_ = std::move(raw);
@@ -198,21 +277,21 @@ bool SurfaceCache::read(vtkPolyData& triangles, const Ranks& ranks) {
 
 void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks) {
   current_ = {};
+  const CommonBox box = common_box(triangles, ranks);
+  const PointNumbers numbers = point_numbers(triangles, box, ranks);
   InputSurface made;
-  if (ranks.alone()) {
-    made = local_surface(raw_, raw_.mesh);
-    if (made.surface->mesh.triangles.empty()) {
+  ranks.together([&] {
+    Mesh mesh = raw_.mesh;
+    if (!ranks.alone()) {
+      mesh.origin = box.origin;
+      mesh.positions = positions_about(box.origin, triangles);
+    }
+    made = local_surface(raw_, std::move(mesh), numbers, ranks.alone());
+    if (ranks.alone() && made.surface->mesh.triangles.empty()) {
       throw Error("the input's surface has no triangle with an area");
     }
-  } else {
-    const Eigen::Vector3d origin = common_origin(triangles, ranks);
-    ranks.together([&] {
-      Mesh mesh = raw_.mesh;
-      place_about(origin, triangles, mesh);
-      made = local_surface(raw_, std::move(mesh));
-    });
-    join_ranks(made, raw_, ranks);
-  }
+  });
+  if (!ranks.alone()) join_ranks(made, raw_, numbers, ranks);
   current_ = std::move(made);
   ++surfaces_made_;
 }

@@ -24,17 +24,25 @@ class vtkPolyData;
 
 namespace brindle::paraview {
 
-/// A surface, and what its vertices and triangles were in VTK's data. Over several ranks that of
-/// this rank's points and triangles, ghosts included, with the normals of the whole.
+/// A surface, and what its vertices and triangles were in VTK's data. There are as many vertices as
+/// points: those that others stand for are in no triangle. Over several ranks it is that of this
+/// rank's points and triangles, ghosts included, with the normals of the whole; one rank has no
+/// ghosts.
 struct InputSurface {
   vtkSmartPointer<vtkPolyData> triangles;  ///< cells are triangles, without others
-  std::shared_ptr<const Surface> surface;  ///< vertex i stands where point i of `triangles` does
-  /// For every point the vertex that triangles use: of points at one place the first.
+  std::shared_ptr<const Surface> surface;
+  /// For every point the vertex that triangles use: of points that are one vertex
+  /// (`global_numbers`) the first stands for all.
   std::vector<Index> vertex_of_point;
+  std::vector<Index> point_of_vertex;        ///< the point that it stands for, or that does for it
   std::vector<Index> cell_of_triangle;       ///< triangles without area are left out
   std::vector<Triangle> points_of_triangle;  ///< at its corners
-  bool joined = false;                       ///< whether any point stands where another one does
-  std::shared_ptr<const RankPiece> piece;    ///< null if this process is alone
+  bool joined = false;       ///< whether any point's vertex has another number than the point
+  bool ids_refused = false;  ///< whether points had ids that cannot be numbers in the whole
+  std::shared_ptr<const RankPiece> piece;  ///< null if this process is alone
+
+  /// Of vertices, where points have ids that say which vertex they are; else null.
+  std::shared_ptr<const std::vector<std::uint64_t>> ids;
 
   /// The array of that name, with a row per vertex: of cells (`of_points` false) the mean around
   /// it. Collective over ranks. Throws Error for an array that is not there or holds no numbers.
@@ -67,11 +75,11 @@ class SurfaceCache {
     bool operator==(const Stamp&) const = default;
   };
 
-  bool read(vtkPolyData& triangles, const Ranks& ranks);
+  bool read(vtkPolyData& triangles);
   void derive(vtkPolyData& triangles, const Ranks& ranks);
 
   InputSurface current_;
-  RawMesh raw_;  ///< before points at one place were joined
+  RawMesh raw_;  ///< before points were joined
   Stamp stamp_;
   int surfaces_made_ = 0;
 };

@@ -55,14 +55,12 @@ brindle::Polylines local_lines(const brindle::Surface& surface,
   return std::move(curves.lines);
 }
 
-/// All but the input's arrays; points in the type of the points of `from`.
-void fill(vtkPolyData& from, const brindle::Polylines& lines,
-          const brindle::PatternQuality& quality, vtkPolyData* output) {
+/// All but figures and the input's arrays; points in the type of the points of `from`.
+void fill(vtkPolyData& from, const brindle::Polylines& lines, vtkPolyData* output) {
   output->SetPoints(bp::placed_points(from, lines.points, lines.origin));
   output->SetLines(line_cells(lines));
   output->GetPointData()->SetNormals(bp::vtk_array(make_data_array("normal", lines.normals)));
   add_line_arrays(lines, *output->GetCellData());
-  bp::add_figures(quality, *output->GetFieldData());
 }
 
 }  // namespace
@@ -87,7 +85,8 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
     const bp::WholeLines whole = bp::whole_lines(input, pattern, options);
     run.ranks.together([&] {
       report();
-      fill(*whole.points, whole.lines, pattern.quality, output);
+      fill(*whole.points, whole.lines, output);
+      bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
       bp::carry(*whole.points->GetPointData(), bp::whole_rows(whole.rows), *output->GetPointData());
     });
     return;
@@ -96,7 +95,8 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
                                                : local_lines(*input.surface, pattern, options);
   run.ranks.together([&] {
     report();
-    fill(*input.triangles, lines, pattern.quality, output);
+    fill(*input.triangles, lines, output);
+    bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
     bp::carry_to_places(input, lines.places, *output->GetPointData());
   });
 }

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include <brindle/carried_field.h>
 #include <brindle/error.h>
-#include <brindle/quality.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkInformation.h>
@@ -21,6 +21,7 @@
 #include "pattern_series.h"
 #include "ranks.h"
 #include "surface_cache.h"
+#include "warnings.h"
 #include "wave_settings.h"
 
 using brindle::Error;
@@ -39,20 +40,49 @@ struct vtkBrindleFilter::State {
   brindle::DirectionField made_directions;
   bp::PatternSurface made_surface;
   std::pair<int, int> made_settings;
+  bool made_follows = false;  ///< went on from those of the time before
   std::optional<double> last_time;
   vtkMTimeType settings_time = 0;  ///< of the filter, in the last run
+  int warned_surface = 0;          ///< whose ids were looked at, by SurfacesMade
 
-  /// Collective over ranks, which all have a new surface if one of them has.
+  /// How a run stands to the one before. The same on all ranks.
+  struct Step {
+    bool follows = false;  ///< time has gone on, and no setting was changed
+    bool repeats = false;  ///< neither time nor a setting was changed
+  };
+
+  /// Collective. What a step shows must not depend on how settings came about, nor, played from the
+  /// start, on what was shown before: only time that goes on is followed.
+  Step step_to(const std::optional<double>& time, vtkBrindleFilter& filter,
+               const bp::Ranks& ranks) const {
+    const bool same_settings = settings_time == filter.GetMTime();
+    const bool goes_on = time && last_time && *time > *last_time;
+    return {ranks.every(goes_on && filter.TimeAnchor > 0 && same_settings),
+            ranks.every(time == last_time && same_settings)};
+  }
+
+  /// Collective over ranks, which all have a new surface if one of them has. Directions follow
+  /// those of the time before over the same connectivity, as patterns do.
   const brindle::DirectionField& directions(const bp::PatternSurface& surface,
-                                            const bp::WaveSettings& settings) {
+                                            const bp::WaveSettings& settings, const Step& step) {
     const std::pair<int, int> wanted = {static_cast<int>(settings.field),
                                         static_cast<int>(settings.curvature_direction)};
-    if (made_surface.surface != surface.surface || made_settings != wanted) {
-      made_surface = {};
-      made_directions = bp::made_directions(*surface.surface, settings, surface.piece.get());
-      made_settings = wanted;
-      made_surface = surface;
+    const bool same_surface = made_surface.surface == surface.surface && made_settings == wanted;
+    if (same_surface && (!made_follows || step.follows || step.repeats)) return made_directions;
+    const bool follows = step.follows && made_settings == wanted &&
+                         bp::same_connectivity_everywhere(made_surface, surface);
+    brindle::DirectionField last;
+    if (follows) {
+      const brindle::Surface& before = *made_surface.surface;
+      last = brindle::matched_directions({before.mesh, before.normals, made_directions},
+                                         *surface.surface);
     }
+    made_surface = {};
+    made_directions =
+        bp::made_directions(*surface.surface, settings, surface.piece.get(), std::move(last));
+    made_settings = wanted;
+    made_surface = surface;
+    made_follows = follows;
     return made_directions;
   }
 
@@ -148,7 +178,10 @@ int vtkBrindleFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
         return !this->CheckAbort();
       });
     };
-    if (this->Prepare(vtkDataObject::GetData(inputs[0]), run)) this->Fill(run, output);
+    if (this->Prepare(vtkDataObject::GetData(inputs[0]), run)) {
+      this->Fill(run, output);
+      this->WarnOf(run);
+    }
   } catch (const brindle::Cancelled&) {
     output->Initialize();
     this->Stopped = true;
@@ -178,27 +211,40 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   std::optional<brindle::DataArray> vectors, frequencies;
   if (settings.field == bp::FieldSource::array) vectors = chosen_array(*this, 0, *run.input);
   if (settings.needs_frequency_array()) frequencies = chosen_array(*this, 1, *run.input);
+  const std::optional<double> time = time_of(input, run.ranks);
+  const State::Step step = state.step_to(time, *this, run.ranks);
+  run.follows = step.follows;
   brindle::DirectionField made;
-  if (settings.is_made()) made = state.directions(run.surface(), settings);
+  if (settings.is_made()) made = state.directions(run.surface(), settings, step);
   run.waves = bp::make_waves(*run.input->surface, settings, std::move(made), pointer_to(vectors),
                              pointer_to(frequencies), run.input->piece.get());
-  const brindle::DirectionField& directions = run.waves.directions;
-  const bool here = brindle::count_without_wave(directions) < directions.size();
-  if (!run.ranks.any(here) && run.ranks.rank() == 0) {
-    vtkWarningMacro(<< "no point has a wave, and there are no stripes: at each the field is zero, "
-                       "not finite or normal to the surface, or the frequency is not finite");
-  }
+  run.turn_deg = settings.turn_deg;
+  run.figures.waves = bp::wave_figures(run.surface(), run.waves);
   run.options = {number(this->Slack), number(this->TimeAnchor)};
   run.series = &state.series;
-
-  // What a step shows must not depend on how settings came about, nor, played from the start, on
-  // what was shown before: only time that goes on is followed.
-  const std::optional<double> time = time_of(input, run.ranks);
-  run.follows = run.ranks.every(time && state.last_time && *time > *state.last_time &&
-                                this->TimeAnchor > 0 && state.settings_time == this->GetMTime());
   state.last_time = time;
   state.settings_time = this->GetMTime();
   return true;
+}
+
+/// What all ranks know the first one says.
+void vtkBrindleFilter::WarnOf(const Run& run) {
+  if (run.ranks.rank() != 0) return;
+  const int surfaces = this->GetSurfacesMade();
+  if (run.input->ids_refused && this->Internals->warned_surface != surfaces) {
+    vtkWarningMacro(<< "the points' global ids are no numbers in the whole surface: some are "
+                       "missing, below zero, or of several places. Points at exactly the same "
+                       "place are one vertex; apply Generate Global Ids, or leave the array out");
+  }
+  this->Internals->warned_surface = surfaces;
+  for (const std::string& sentence : bp::warnings_of(run.figures, run.surface()))
+    vtkWarningMacro(<< sentence);
+  if (run.series->lost_track()) {
+    vtkWarningMacro(<< "the stripes do not follow those of the time before: the surface has other "
+                       "cells, and its vertices are not known by global ids or by their places. "
+                       "Apply Generate Global Ids before cells are dealt anew, or set Time Anchor "
+                       "to 0");
+  }
 }
 
 void vtkBrindleFilter::Fail(vtkPolyData* output, const char* message) {

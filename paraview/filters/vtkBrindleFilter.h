@@ -89,6 +89,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   bool Prepare(vtkDataObject* input, Run& run);
   void Fail(vtkPolyData* output, const char* message);
   void EndIfOthersWait(const Run& run);
+  void WarnOf(const Run& run);
 
   int Field = 0;
   int CurvatureDirection = 0;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <brindle/pattern_arrays.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -23,8 +24,9 @@ vtkBrindleStripes::~vtkBrindleStripes() = default;
 
 namespace {
 
-void fill(const bp::InputSurface& input, const bp::StripeSurface& surface,
-          const brindle::PatternQuality& quality, vtkPolyData* output) {
+/// All but the figures.
+void fill(const bp::InputSurface& input, const bp::StripeSurface& surface, float turn_deg,
+          vtkPolyData* output) {
   vtkPolyData& from = *input.triangles;
   output->SetPoints(bp::blended_points(from, surface.sources));
   output->SetPolys(bp::triangle_cells(surface.triangles));
@@ -36,10 +38,13 @@ void fill(const bp::InputSurface& input, const bp::StripeSurface& surface,
     points.SetTCoords(bp::vtk_array(brindle::make_data_array("uv", 2, surface.coordinates)));
   }
   bp::carry(*from.GetPointData(), surface.sources, points);
+  points.RemoveArray(brindle::kTurnArray);  // the input's says it of other waves
+  std::vector<brindle::DataArray> turn;
+  brindle::add_turn(turn, turn_deg, surface.sources.size());
+  for (const brindle::DataArray& array : turn) points.AddArray(bp::vtk_array(array));
   output->GetCellData()->AddArray(bp::vtk_array(surface.branches));
   bp::carry(*from.GetCellData(), bp::whole_rows(surface.cells), *output->GetCellData());
   output->GetFieldData()->PassData(from.GetFieldData());
-  bp::add_figures(quality, *output->GetFieldData());
 }
 
 }  // namespace
@@ -53,6 +58,7 @@ void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
                                           ? bp::textured_surface(*run.input, pattern, branches)
                                           : bp::plain_surface(*run.input, pattern, branches);
     run.progress(0.9, 1).report("arrays", 0);
-    fill(*run.input, surface, pattern.quality, output);
+    fill(*run.input, surface, run.turn_deg, output);
+    bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
   });
 }

@@ -132,8 +132,9 @@ WaveSet local_waves(const Surface& surface, const WaveSettings& settings, const 
 }  // namespace
 
 DirectionField made_directions(const Surface& surface, const WaveSettings& settings,
-                               const RankPiece* piece) {
+                               const RankPiece* piece, DirectionField last) {
   SmoothFieldOptions options;
+  options.last.directions = std::move(last);
   if (settings.field == FieldSource::curvature) options.curvature_anchor = kCurvatureAnchor;
   options.curvature_direction = settings.curvature_direction;
   if (piece != nullptr) return smooth_direction_field(piece->surface(), options);

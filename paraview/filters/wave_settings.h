@@ -44,9 +44,10 @@ struct WaveSettings {
 };
 
 /// The directions of FieldSource::smooth and ::curvature, before `turn_deg`; with a piece,
-/// collective, those of the whole at its vertices.
+/// collective, those of the whole at its vertices. They go on from the directions `last`, one per
+/// vertex (`SmoothFieldOptions::last`), on all ranks or on none.
 DirectionField made_directions(const Surface& surface, const WaveSettings& settings,
-                               const RankPiece* piece = nullptr);
+                               const RankPiece* piece = nullptr, DirectionField last = {});
 
 /// Waves of all vertices. `made` has what `made_directions` gave where the settings ask for it;
 /// `vectors` (3 numbers a row, 2 in the plane, or a tensor's 6 or 9) and `frequencies` have a row

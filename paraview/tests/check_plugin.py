@@ -9,6 +9,7 @@ for bit. Ends with 0 if all is well and 1 if not.
 """
 
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -92,8 +93,9 @@ def check_tool(tool, folder):
     """The same file, in ParaView and by the tool."""
     path = os.path.join(folder, "swirl.vtp")
     pv.SaveData(path, proxy=pv.Triangulate(Input=swirl()))
+    report = os.path.join(folder, "tool.json")
     subprocess.run([tool, "stripe", path, "--field", "array:v", "--along", "--stripes", "30", "--uv",
-                    "--quiet", "--output", os.path.join(folder, "tool.vtp")], check=True)
+                    "--quiet", "--output", os.path.join(folder, "tool.vtp"), "--report", report], check=True)
     theirs = servermanager.Fetch(pv.OpenDataFile(os.path.join(folder, "tool.vtp")))
     stripes = BrindleStripes(Input=pv.OpenDataFile(path), Field="Array", Stripes=30)
     stripes.Vectors = ["POINTS", "v"]
@@ -104,6 +106,11 @@ def check_tool(tool, folder):
     for name in ("phase", "sin_phase", "frequency", "direction", "branch", "valid"):
         check(np.array_equal(array(ours, name)[:points], array(theirs, name)[:points], equal_nan=True),
               f"'{name}' is that of brindle stripe")
+    with open(report) as file:
+        told = json.load(file)
+    for name in ("edges_per_period_min", "edges_per_period_median"):
+        figure = ours.GetFieldData().GetArray(name).GetValue(0)
+        check(abs(figure - told[name]) <= 1e-5 * figure, f"{name} is {figure:.3g}, as in the tool's report")
 
 
 def check_series(folder):

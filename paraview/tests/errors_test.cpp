@@ -1,7 +1,9 @@
 // What filters refuse, and how they end.
 #include <limits>
+#include <random>
 
 #include "filter_runs.h"
+#include "vtkBrindleCurves.h"
 #include "vtkBrindleSamples.h"
 
 namespace brindle::paraview {
@@ -82,6 +84,7 @@ TEST(BrindleStripes, WarnsWhereNothingHasAWave) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(polygons_of(make_shape("plane,resolution=12")));
   filter->SetField(kDirection);
+  filter->SetStripes(4);
   Errors errors(*filter), warnings(*filter, vtkCommand::WarningEvent);
   for (const double across : {0.0, 1.0}) {  // straight up, and aslant
     warnings.messages.clear();
@@ -93,11 +96,99 @@ TEST(BrindleStripes, WarnsWhereNothingHasAWave) {
   }
 }
 
-TEST(BrindleSamples, RefusesMoreThanMemoryHolds) {
+// What the library says of the same waves, in ParaView's words, and its figures; once an update.
+TEST(BrindleFilters, WarnOfStripesThatAreTooFine) {
+  const auto data = swirling("torus,resolution=40");
+  const Surface surface = make_surface(make_shape("torus,resolution=40"));
+  vtkNew<vtkBrindleStripes> stripes;
+  vtkNew<vtkBrindleCurves> curves;
+  vtkNew<vtkBrindleSamples> samples;
+  for (vtkBrindleFilter* filter :
+       {static_cast<vtkBrindleFilter*>(stripes), static_cast<vtkBrindleFilter*>(curves),
+        static_cast<vtkBrindleFilter*>(samples)}) {
+    Errors warnings(*filter, vtkCommand::WarningEvent);
+    filter->SetInputData(data);
+    filter->SetField(kArray);
+    choose(*filter, 0, "v");
+    for (const float count : {8.0f, 150.0f, 151.0f, 9.0f}) {
+      SCOPED_TRACE(count);
+      const StripePattern pattern = expected(*data, surface, count, 0);
+      const WaveFigures figures = measure_waves(surface, pattern.waves);
+      warnings.messages.clear();
+      filter->SetStripes(count);
+      filter->Update();
+      ASSERT_EQ(warnings.messages.size(), wave_warnings(figures).size());
+      ASSERT_EQ(warnings.messages.size(), count > 100 ? 1u : 0u);
+      if (count > 100) {
+        EXPECT_TRUE(tells_of_edges(warnings.messages[0], figures)) << warnings.messages[0];
+      }
+      if (filter == samples) continue;  // which have no figures
+      EXPECT_EQ(figure(*filter->GetOutput(), "edges_per_period_median"),
+                figures.edges_per_period_median);
+      EXPECT_EQ(figure(*filter->GetOutput(), "edges_per_period_min"), figures.edges_per_period_min);
+    }
+  }
+}
+
+TEST(BrindleStripes, WarnsOfBranchesAndOfMissingWaves) {
+  auto data = swirling("torus,resolution=40");
+  vtkNew<vtkBrindleStripes> filter;
+  Errors warnings(*filter, vtkCommand::WarningEvent);
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  choose(*filter, 0, "v");
+  filter->SetStripes(12);
+  vtkDataArray& vectors = *data->GetPointData()->GetArray("v");
+  for (vtkIdType i = 0; i < 100; ++i) vectors.SetTuple3(i, 0, 0, 0);
+  filter->Update();
+  ASSERT_EQ(warnings.messages.size(), 1u);
+  const std::string count = std::to_string(data->GetNumberOfPoints());
+  EXPECT_NE(warnings.messages[0].find("100 of " + count + " vertices have no wave"),
+            std::string::npos)
+      << warnings.messages[0];
+
+  // Directions by chance: nearly every triangle has a branch.
+  data = swirling("torus,resolution=40");
+  std::mt19937 random(1);
+  const auto any = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
+  data->GetPointData()->AddArray(
+      vectors_by("chance", data->GetNumberOfPoints(), [&](vtkIdType) -> Vec3 {
+        const float x = any(), y = any(), z = any();
+        return {x, y, z};
+      }));
+  filter->SetInputData(data);
+  choose(*filter, 0, "chance");
+  warnings.messages.clear();
+  filter->Update();
+  ASSERT_EQ(warnings.messages.size(), 1u);
+  EXPECT_NE(warnings.messages[0].find("stripes begin or end in"), std::string::npos)
+      << warnings.messages[0];
+}
+
+// Of the waves across, too, and what is said of both is said once.
+TEST(BrindleSamples, WarnOfWavesAcross) {
+  const auto data = swirling("torus,resolution=40");
+  vtkDataArray& vectors = *data->GetPointData()->GetArray("v");
+  for (vtkIdType i = 0; i < 100; ++i) vectors.SetTuple3(i, 0, 0, 0);
+  vtkNew<vtkBrindleSamples> filter;
+  Errors warnings(*filter, vtkCommand::WarningEvent);
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  choose(*filter, 0, "v");
+  filter->SetStripes(8);
+  filter->SetCrossingFactor(20);
+  filter->Update();
+  ASSERT_EQ(warnings.messages.size(), 2u);
+  EXPECT_NE(warnings.messages[0].find("have no wave"), std::string::npos) << warnings.messages[0];
+  EXPECT_NE(warnings.messages[1].find("edges a period"), std::string::npos) << warnings.messages[1];
+}
+
+TEST(BrindleSamples, RefusesStripesOfWhichNothingCanBeTold) {
   vtkNew<vtkBrindleSamples> filter;
   filter->SetInputData(polygons_of(make_shape("sphere,resolution=12")));
-  filter->SetCrossingFactor(1e9);
-  EXPECT_NE(only_error(*filter).find("ask for fewer"), std::string::npos);
+  filter->SetCrossingFactor(1e6);
+  const std::string error = only_error(*filter);
+  EXPECT_NE(error.find("take fewer stripes"), std::string::npos) << error;
 }
 
 TEST(BrindleStripes, HasNothingToSayOfNothing) {

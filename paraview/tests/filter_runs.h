@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <brindle/direction_field.h>
 #include <brindle/stripe_pattern.h>
+#include <brindle/wave_figures.h>
+#include <vtkFieldData.h>
 
 #include "vtkBrindleStripes.h"
 #include "vtk_surfaces.h"
@@ -53,6 +55,18 @@ inline double area(vtkPolyData& data) {
     sum += (p[1] - p[0]).cross(p[2] - p[0]).norm() / 2;
   }
   return sum;
+}
+
+inline double figure(vtkPolyData& output, const char* name) {
+  return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+/// Whether a warning says of the figures what the library does, but for the remedies.
+inline bool tells_of_edges(const std::string& warning, const WaveFigures& figures) {
+  const std::string of_library = wave_warnings(figures).at(0);
+  const std::size_t reason = of_library.find(';');
+  return warning.find(of_library.substr(0, reason)) != std::string::npos &&
+         warning.find("edges a period or fewer") != std::string::npos;
 }
 
 /// What a filter says, once, of an input or a setting that cannot be; its output is then empty.

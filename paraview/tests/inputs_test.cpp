@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <brindle/polygon.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
@@ -214,6 +215,64 @@ TEST(BrindleStripes, CutsPolygonsAndLeavesLinesOut) {
   vtkPolyData& output = *filter->GetOutput();
   EXPECT_EQ(output.GetNumberOfCells(), 2 * kSide * kSide);
   EXPECT_EQ(output.GetCellData()->GetArray("cell")->GetComponent(0, 0), 1) << "0 is the line";
+}
+
+// Quadrangles and larger polygons are cut as the library cuts those of files; strips are taken
+// apart, all wound alike.
+TEST(BrindleStripes, CutsPolygonsAsTheLibraryDoes) {
+  const Mesh torus = make_shape("torus,resolution=12");
+  auto data = polygons_of(torus);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {  // no quadrangle is flat
+    double p[3];
+    data->GetPoint(i, p);
+    data->GetPoints()->SetPoint(i, p[0] + 0.03 * std::sin(7.0 * double(i)), p[1], p[2]);
+  }
+  std::vector<Vec3> positions;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    double p[3];
+    data->GetPoint(i, p);
+    positions.emplace_back(float(p[0]), float(p[1]), float(p[2]));
+  }
+  // Pairs of triangles that share an edge, and the star around a vertex.
+  std::vector<Triangle> expected;
+  vtkNew<vtkCellArray> polygons, strips;
+  for (std::size_t t = 0; t + 1 < torus.triangle_count(); t += 2) {
+    const Triangle &a = torus.triangles[t], &b = torus.triangles[t + 1];
+    const auto apex =
+        std::ranges::find_if(b, [&](Index v) { return std::ranges::find(a, v) == a.end(); });
+    std::size_t k = 0;
+    while (k < 3 && std::ranges::find(b, a[k]) != b.end()) ++k;
+    if (apex == b.end() || k == 3) continue;
+    const std::vector<Index> quad = {a[k], a[(k + 1) % 3], *apex, a[(k + 2) % 3]};
+    triangulate_polygon(positions, quad, expected);
+    polygons->InsertNextCell({quad[0], quad[1], quad[2], quad[3]});
+  }
+  ASSERT_GT(expected.size(), 100u);
+  strips->InsertNextCell({0, 1, 2, 3, 4});
+  expected.insert(expected.end(), {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}});
+  data->SetPolys(polygons);
+  data->SetStrips(strips);
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("number");
+  for (int i = 0; i < data->GetNumberOfCells(); ++i) numbers->InsertNextValue(i);
+  data->GetCellData()->AddArray(numbers);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kDirection);
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  vtkPolyData& output = *filter->GetOutput();
+  ASSERT_EQ(output.GetNumberOfPolys(), static_cast<vtkIdType>(expected.size()));
+  for (vtkIdType t = 0; t < output.GetNumberOfPolys(); ++t) {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    output.GetPolys()->GetCellAtId(t, count, points);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(points[c], expected[static_cast<std::size_t>(t)][c]);
+    const auto cell =
+        static_cast<vtkIdType>(output.GetCellData()->GetArray("number")->GetComponent(t, 0));
+    EXPECT_EQ(cell, std::min(t / 2, polygons->GetNumberOfCells()));
+  }
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <brindle/corner_phases.h>
 #include <brindle/quality.h>
 #include <brindle/stripe_pattern.h>
-#include <vtkFieldData.h>
 
 #include "filter_runs.h"
 #include "global_numbers.h"
@@ -19,10 +18,6 @@
 #include "vtkBrindleStripes.h"
 
 namespace brindle::paraview {
-
-inline double figure(vtkPolyData& output, const char* name) {
-  return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
 
 /// A pattern of the whole from what ranks have of it.
 inline StripePattern whole_pattern(const Mesh& whole, vtkPolyData& output) {
@@ -127,8 +122,7 @@ class Twin {
 };
 
 inline std::vector<std::uint64_t> numbers_by_place(const Pieces& pieces) {
-  const std::vector<Index> first = first_at_each_place(pieces.own.positions);
-  return global_numbers(ranks(), {pieces.own.positions, first, {}}, 1);
+  return global_numbers(ranks(), {pieces.own.positions, {}}, 1).of_points;
 }
 
 }  // namespace brindle::paraview

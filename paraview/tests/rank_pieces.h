@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <string>
 #include <unordered_map>
@@ -13,6 +14,7 @@
 #include <vtkGhostCellsGenerator.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
+#include <vtkMultiProcessController.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "ranks.h"
@@ -21,6 +23,7 @@
 namespace brindle::paraview {
 
 inline constexpr const char* kShape = "torus,resolution=40";
+inline constexpr double kCoarse = 20;  // stripes that it carries
 
 inline Ranks ranks() { return Ranks(MPI_COMM_WORLD); }
 inline int rank() { return ranks().rank(); }
@@ -82,7 +85,25 @@ inline const std::vector<Cut>& cuts() {
   return all;
 }
 
-/// A mesh and this rank's piece of it, whose points are those that its triangles use.
+/// What `work` does where no other rank is known of.
+inline void alone(const std::function<void()>& work) {
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  work();
+  vtkMultiProcessController::SetGlobalController(controller);
+}
+
+/// Which of so many pieces of a file a rank reads, as readers deal them.
+inline std::vector<int> dealt(int pieces) {
+  std::vector<int> own;
+  for (int p = pieces * rank() / rank_count(); p < pieces * (rank() + 1) / rank_count(); ++p) {
+    own.push_back(p);
+  }
+  return own;
+}
+
+/// A mesh and this rank's piece of it, whose points are those that its triangles use; of one rank
+/// in the order of the whole.
 struct Pieces {
   Mesh whole;
   Mesh own;
@@ -90,6 +111,10 @@ struct Pieces {
 
   Pieces(const char* shape, const Cut& cut) : Pieces(make_shape(shape), cut) {}
   Pieces(Mesh mesh, const Cut& cut) : whole(std::move(mesh)) {
+    if (rank_count() == 1) {
+      take_in_order();
+      return;
+    }
     std::unordered_map<Index, Index> number;
     const std::vector<int> rank_of = cut.ranks_of(whole);
     for (std::size_t t = 0; t < whole.triangle_count(); ++t) {
@@ -105,6 +130,12 @@ struct Pieces {
       }
       own.triangles.push_back(corners);
     }
+  }
+
+  void take_in_order() {
+    own = whole;
+    ids.resize(whole.vertex_count());
+    std::iota(ids.begin(), ids.end(), std::uint64_t{0});
   }
 
   /// With the array `whole`, numbers in the whole; if asked for as VTK's global ids.

@@ -1,4 +1,6 @@
 // What comes to ranks.
+#include <unordered_map>
+
 #include <vtkMultiBlockDataSet.h>
 #include <vtkRTAnalyticSource.h>
 #include <vtkUnstructuredGrid.h>
@@ -123,6 +125,182 @@ TEST(RankGrids, OfImagesHaveNoWalls) {
   filter->UpdatePiece(rank(), rank_count(), 0);
   const double faces = 2.0 * (8 * 8 + 2 * 8 * 16);
   EXPECT_EQ(sum(own_cells(*filter->GetOutput())), 2 * faces);
+}
+
+/// Slabs of the beam as a file has them in pieces: each with points of its own, numbered anew if
+/// asked for as global ids that go criss-cross.
+vtkSmartPointer<vtkUnstructuredGrid> beam_in_pieces(const std::vector<int>& pieces, bool ids) {
+  constexpr int kPieces = 4, kLong = 24, kSide = 8, kRow = (kSide + 1) * (kSide + 1);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIdTypeArray> numbers, global;
+  numbers->SetName("whole");
+  global->SetName("GlobalPointIds");
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  for (const int piece : pieces) {
+    const int from = kLong * piece / kPieces, to = kLong * (piece + 1) / kPieces;
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (int v = from * kRow; v < (to + 1) * kRow; ++v) {
+      points->InsertNextPoint(0.1 * (v / kRow), 0.1 * (v / (kSide + 1) % (kSide + 1)),
+                              0.1 * (v % (kSide + 1)));
+      numbers->InsertNextValue(v);
+      global->InsertNextValue(v * 577 % 7919);
+    }
+    const auto at = [&](int x, int y, int z) {
+      return first + static_cast<vtkIdType>(((x - from) * (kSide + 1) + y) * (kSide + 1) + z);
+    };
+    for (int cell = from * kSide * kSide; cell < to * kSide * kSide; ++cell) {
+      const int x = cell / (kSide * kSide), y = cell / kSide % kSide, z = cell % kSide;
+      const vtkIdType corners[] = {
+          at(x, y, z),     at(x + 1, y, z),     at(x + 1, y + 1, z),     at(x, y + 1, z),
+          at(x, y, z + 1), at(x + 1, y, z + 1), at(x + 1, y + 1, z + 1), at(x, y + 1, z + 1)};
+      grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+    }
+  }
+  grid->GetPointData()->AddArray(numbers);
+  if (ids) grid->GetPointData()->SetGlobalIds(global);
+  return grid;
+}
+
+/// Stripes of a direction, without texture coordinates.
+void lay_level(vtkBrindleStripes& filter, vtkDataObject* data) {
+  filter.SetInputDataObject(data);
+  filter.SetField(kDirection);
+  filter.SetDirection(1, 0.3, 0.2);
+  filter.SetTextureCoordinates(false);
+  Errors errors(filter);
+  filter.Update();
+  EXPECT_TRUE(errors.messages.empty()) << errors.messages[0];
+}
+
+/// What ranks have together is the pattern that one process lays over all: surface, phases,
+/// figures.
+void expect_pattern_of_one(std::size_t vertices, vtkDataObject* own, vtkDataObject* all) {
+  vtkNew<vtkBrindleStripes> one, many;
+  alone([&] { lay_level(*one, all); });
+  lay_level(*many, own);
+  vtkPolyData& whole = *one->GetOutput();
+  EXPECT_EQ(sum(own_cells(*many->GetOutput())), own_cells(whole));
+  EXPECT_EQ(sum(many->GetOutput()->GetNumberOfPoints() > 0), rank_count() > 4 ? 4 : rank_count());
+  const Gathered phases(vertices, *many->GetOutput(), "phase");
+  EXPECT_EQ(phases.different, 0u);
+  std::size_t wrong = 0;
+  for (vtkIdType i = 0; i < whole.GetNumberOfPoints(); ++i) {
+    const auto vertex =
+        static_cast<std::size_t>(whole.GetPointData()->GetArray("whole")->GetComponent(i, 0));
+    const auto phase =
+        static_cast<float>(whole.GetPointData()->GetArray("phase")->GetComponent(i, 0));
+    const float told = phases.values[vertex][0];  // none where walls were
+    wrong += told != phase && !(std::isnan(told) && std::isnan(phase));
+  }
+  EXPECT_EQ(wrong, 0u);
+  for (const char* name : {"branches", "angle_error_mean_deg", "spacing_error_mean"}) {
+    if (many->GetOutput()->GetNumberOfPoints() == 0) continue;
+    EXPECT_NEAR(figure(*many->GetOutput(), name), figure(whole, name), 1e-6) << name;
+  }
+}
+
+const std::vector<int> kAllPieces = {0, 1, 2, 3};
+
+// Pieces of a file have no walls between them, and one pattern, however many ranks read them.
+TEST(RankPieces, OfAGridAreOneOnAnyNumberOfRanks) {
+  for (const bool ids : {false, true}) {
+    SCOPED_TRACE(ids ? "ids" : "no ids");
+    const auto all = beam_in_pieces(kAllPieces, ids);
+    vtkNew<vtkBrindleStripes> one;
+    alone([&] { lay_level(*one, all); });
+    EXPECT_EQ(own_cells(*one->GetOutput()), 4.0 * (8 * 8 + 2 * 8 * 24)) << "walls";
+    expect_pattern_of_one(25 * 9 * 9, beam_in_pieces(dealt(4), ids), all);
+  }
+}
+
+/// Slabs of a shape as a file has them in pieces, which overlap if asked for.
+vtkSmartPointer<vtkPolyData> shape_in_pieces(const Mesh& mesh, const std::vector<int>& pieces,
+                                             bool ids, bool overlap) {
+  const std::vector<int> slab = slabs(mesh, 4), fine = slabs(mesh, 16);
+  Pieces own(mesh, {"", [](const Mesh& m) { return std::vector<int>(m.triangle_count(), -1); }});
+  own.own = {};
+  own.ids.clear();
+  for (const int piece : pieces) {
+    std::unordered_map<Index, Index> number;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      const bool added = overlap && fine[t] == 4 * piece + 4;
+      if (slab[t] != piece && !added) continue;
+      Triangle corners = mesh.triangles[t];
+      for (Index& v : corners) {
+        const auto next = static_cast<Index>(own.ids.size());
+        const auto [place, is_new] = number.emplace(v, next);
+        if (is_new) {
+          own.ids.push_back(v);
+          own.own.positions.push_back(mesh.positions[v]);
+        }
+        v = place->second;
+      }
+      own.own.triangles.push_back(corners);
+    }
+  }
+  auto data = own.polygons();
+  if (!ids) return data;
+  vtkNew<vtkIdTypeArray> global;
+  global->SetName("GlobalPointIds");
+  for (const std::uint64_t id : own.ids) {
+    global->InsertNextValue(static_cast<vtkIdType>(id * 577 % 100003));
+  }
+  data->GetPointData()->SetGlobalIds(global);
+  return data;
+}
+
+TEST(RankPieces, OfASurfaceAreOneOnAnyNumberOfRanks) {
+  const Mesh mesh = make_shape(kShape);
+  for (const bool ids : {false, true}) {
+    for (const bool overlap : {false, true}) {
+      SCOPED_TRACE(std::string(ids ? "ids" : "no ids") + (overlap ? ", overlap" : ""));
+      const auto all = shape_in_pieces(mesh, kAllPieces, ids, overlap);
+      EXPECT_EQ(all->GetNumberOfPolys() > static_cast<vtkIdType>(mesh.triangle_count()), overlap);
+      expect_pattern_of_one(mesh.vertex_count(), shape_in_pieces(mesh, dealt(4), ids, overlap),
+                            all);
+    }
+  }
+}
+
+// Of ids that say nothing of the whole one rank tells, once.
+TEST(RankPieces, WithWrongIdsAreTaken) {
+  const Pieces pieces(kShape, cuts()[0]);
+  const auto data = pieces.polygons();
+  vtkNew<vtkIdTypeArray> global;
+  global->SetName("GlobalPointIds");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) global->InsertNextValue(7);
+  data->GetPointData()->SetGlobalIds(global);
+  vtkNew<vtkBrindleStripes> filter;
+  Errors warnings(*filter, vtkCommand::WarningEvent);
+  filter->SetStripes(kCoarse);
+  lay_swirl(*filter, data);
+  expect_one_pattern(pieces.whole, *filter->GetOutput());
+  EXPECT_EQ(sum(double(warnings.messages.size())), 1);
+}
+
+/// Quadrangles beside hexahedra, in one grid.
+vtkSmartPointer<vtkUnstructuredGrid> shell_on_a_cube() {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  for (int v = 0; v < 8; ++v) points->InsertNextPoint(v % 2, v / 2 % 2, v / 4);
+  for (int v = 0; v < 4; ++v) points->InsertNextPoint(v % 2, v / 2 % 2, 2);
+  grid->SetPoints(points);
+  if (rank() == 0) {
+    const vtkIdType cube[] = {0, 1, 3, 2, 4, 5, 7, 6};
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, cube);
+  }
+  const vtkIdType shell[] = {8, 9, 11, 10};
+  grid->InsertNextCell(VTK_QUAD, 4, shell);
+  return grid;
+}
+
+// What all ranks have of a shell is there once; it is no wall.
+TEST(RankPieces, KeepShellsOnce) {
+  vtkNew<vtkBrindleStripes> filter;
+  lay_level(*filter, shell_on_a_cube());
+  EXPECT_EQ(sum(own_cells(*filter->GetOutput())), 2 * 6 + 2);
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("brindle_has_volume"), nullptr);
 }
 
 TEST(RankBlocks, AreOneSurface) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "rank_patterns.h"
 #include "vtkBrindleCurves.h"
@@ -61,6 +62,95 @@ TEST_F(RankSeries, WhatIsNewToOneRankIsNewToAll) {
   EXPECT_EQ(filter->GetSolversMade(), 1);
   EXPECT_EQ(filter->GetPatternsFollowed(), 2);
   expect_one_pattern(pieces.whole, *filter->GetOutput());
+}
+
+/// How far phases moved from one output to the next, in radians, on average.
+double phase_step(const Pieces& pieces, vtkPolyData& before, vtkPolyData& after) {
+  const std::size_t count = pieces.whole.vertex_count();
+  const Gathered a(count, before, "phase"), b(count, after, "phase");
+  const Gathered da(count, before, "direction"), db(count, after, "direction");
+  double steps = 0;
+  for (std::size_t v = 0; v < count; ++v) {
+    const Complex turn = std::polar(1.0f, a.values[v][0]);
+    const bool same = Vec3(da.values[v].data()).dot(Vec3(db.values[v].data())) > 0;
+    const Complex now = std::polar(1.0f, b.values[v][0]);
+    const Complex other = std::polar(1.0f, std::numbers::pi_v<float> - b.values[v][0]);
+    steps += double(std::abs(std::arg((same ? now : other) * std::conj(turn))));
+  }
+  return steps / static_cast<double>(count);
+}
+
+// Cells that are dealt to ranks anew, as a filter does at every time: stripes go on.
+TEST(RankSeriesDealtAnew, FollowsIdsOrPlacesOrSaysSo) {
+  for (const bool moved : {false, true}) {
+    for (const bool ids : {false, true}) {
+      SCOPED_TRACE(std::string(moved ? "moved" : "in place") + (ids ? ", ids" : ", no ids"));
+      const Pieces first(kShape, cuts()[0]);
+      Mesh mesh = first.whole;
+      if (moved) {
+        for (Vec3& p : mesh.positions) p *= 1.001f;
+      }
+      std::ranges::reverse(mesh.triangles);
+      const Pieces second(mesh, cuts()[2]);
+      vtkNew<vtkBrindleStripes> filter;
+      filter->SetStripes(kCoarse);
+      Errors warnings(*filter, vtkCommand::WarningEvent);
+      const auto data = first.polygons(ids);
+      set_time(*data, 0);
+      lay_swirl(*filter, data);
+      vtkNew<vtkPolyData> shown;
+      shown->DeepCopy(filter->GetOutput());
+      data->ShallowCopy(second.polygons(ids));
+      set_time(*data, 1);
+      lay_swirl(*filter, data, 0.02f);
+      expect_one_pattern(mesh, *filter->GetOutput());
+      const bool follows = ids || !moved;
+      EXPECT_EQ(filter->GetPatternsFollowed(), follows ? 1 : 0);
+      EXPECT_EQ(sum(double(warnings.messages.size())), follows ? 0 : 1);
+      const double step = phase_step(first, *shown, *filter->GetOutput());
+      if (follows) {
+        EXPECT_LT(step, 0.5);
+      } else {
+        EXPECT_GT(step, 0.5);
+      }
+    }
+  }
+}
+
+/// The library's figures of a swirl over the whole.
+WaveFigures figures_of_swirl(const Mesh& mesh, float stripes) {
+  const Surface surface = make_surface(mesh);
+  std::vector<Vec3> vectors;
+  for (const Vec3& p : mesh.positions) vectors.push_back(swirl(p, 0));
+  const float frequency = frequency_of_stripes(stripes, bounding_box(mesh).diagonal());
+  return measure_waves(surface, {mesh.positions, tangent_directions(vectors, surface.normals),
+                                 constant_frequency_field(frequency, mesh.vertex_count())});
+}
+
+// The first rank says once what one process says of the whole; all ranks have its figures.
+TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
+  const char* kTorus = "torus,resolution=40";
+  for (const Cut& cut : cuts()) {
+    const Pieces pieces(kTorus, cut);
+    for (const float stripes : {8.0f, 150.0f}) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(stripes));
+      const WaveFigures figures = figures_of_swirl(pieces.whole, stripes);
+      vtkNew<vtkBrindleStripes> filter;
+      Errors warnings(*filter, vtkCommand::WarningEvent);
+      filter->SetStripes(stripes);
+      lay_swirl(*filter, pieces.polygons());
+      const bool speaks = rank() == 0 && stripes > 100;
+      ASSERT_EQ(warnings.messages.size(), speaks ? 1u : 0u);
+      if (speaks) {
+        EXPECT_TRUE(tells_of_edges(warnings.messages[0], figures)) << warnings.messages[0];
+      }
+      for (const auto& [name, number] :
+           {std::pair("edges_per_period_min", figures.edges_per_period_min),
+            std::pair("edges_per_period_median", figures.edges_per_period_median)}) {
+        EXPECT_NEAR(figure(*filter->GetOutput(), name), number, 1e-5 * number) << name;
+      }
+    }
+  }
 }
 
 /// What yields is that of the library: phases, frequencies, those asked for, and the figures.
@@ -172,7 +262,7 @@ TEST(RankErrors, OfOneRankAreEverybodys) {
   runs();
 }
 
-// What holds for all is said once; what holds for one rank alone is no news.
+// What is so of all vertices is said once, and so is of how many it is.
 TEST(RankErrors, WithoutAnyWaveOneRankWarns) {
   const Pieces pieces("plane,resolution=20", cuts()[0]);
   vtkNew<vtkBrindleStripes> filter;
@@ -189,11 +279,14 @@ TEST(RankErrors, WithoutAnyWaveOneRankWarns) {
       v.Modified();
       data->Modified();
     }
-    if (one_has_waves) filter->SetStripes(30);
+    if (one_has_waves) filter->SetStripes(6);
     Errors warnings(*filter, vtkCommand::WarningEvent), errors(*filter);
     filter->Update();
     EXPECT_TRUE(errors.messages.empty());
-    EXPECT_EQ(sum(double(warnings.messages.size())), one_has_waves ? 0 : 1);
+    EXPECT_EQ(sum(double(warnings.messages.size())), one_has_waves && rank_count() == 1 ? 0 : 1);
+    if (warnings.messages.empty()) continue;
+    EXPECT_EQ(rank(), 0);
+    has(warnings.messages[0], one_has_waves ? "vertices have no wave" : "no point has a wave");
   }
 }
 

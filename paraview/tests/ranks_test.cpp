@@ -17,9 +17,11 @@ TEST(GlobalNumbers, AreThoseOfPlacesOrIds) {
   for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const Pieces pieces("sphere,resolution=24", cut);
-    const std::vector<Index> first = first_at_each_place(pieces.own.positions);
     std::vector<std::int64_t> ids(pieces.ids.begin(), pieces.ids.end());
-    EXPECT_EQ(global_numbers(ranks(), {pieces.own.positions, first, ids}, 1), pieces.ids);
+    const PointNumbers by_id = global_numbers(ranks(), {pieces.own.positions, ids}, 1);
+    EXPECT_EQ(by_id.of_points, pieces.ids);
+    EXPECT_TRUE(by_id.by_id);
+    EXPECT_FALSE(by_id.ids_refused);
 
     // One number a vertex of the whole, and no number twice.
     const auto data = pieces.polygons();
@@ -38,21 +40,22 @@ TEST(GlobalNumbers, AreThoseOfPlacesOrIds) {
 // Ids of a rank alone, as programs leave them behind, say nothing of the whole.
 TEST(GlobalNumbers, DoNotTrustIdsThatAreNotOfTheWhole) {
   const Pieces pieces("sphere,resolution=24", cuts()[0]);
-  const std::vector<Index> first = first_at_each_place(pieces.own.positions);
   const std::vector<std::uint64_t> by_place = numbers_by_place(pieces);
   std::vector<std::int64_t> own(pieces.ids.size());
   std::iota(own.begin(), own.end(), 0);
   const std::vector<std::int64_t> same(own.size(), 7), negative(own.size(), -1);
   for (const auto& ids : {own, same, negative}) {
     if (rank_count() == 1 && ids == own) continue;  // which is the whole
-    EXPECT_EQ(global_numbers(ranks(), {pieces.own.positions, first, ids}, 1), by_place);
+    const PointNumbers numbers = global_numbers(ranks(), {pieces.own.positions, ids}, 1);
+    EXPECT_EQ(numbers.of_points, by_place);
+    EXPECT_TRUE(numbers.ids_refused);
+    EXPECT_FALSE(numbers.by_id);
   }
 }
 
 // Points at one place are one vertex, as in one process, whatever ids they have.
 TEST(GlobalNumbers, PlacesJoinWhatIdsPutApart) {
   const Pieces pieces("sphere,resolution=24", cuts()[1]);
-  const std::vector<Index> first = first_at_each_place(pieces.own.positions);
   std::vector<std::int64_t> ids;
   for (const std::uint64_t id : pieces.ids) {
     ids.push_back(static_cast<std::int64_t>(id + pieces.whole.vertex_count() * unsigned(rank())));
@@ -60,7 +63,7 @@ TEST(GlobalNumbers, PlacesJoinWhatIdsPutApart) {
   const auto data = pieces.polygons();
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName("number");
-  for (const std::uint64_t n : global_numbers(ranks(), {pieces.own.positions, first, ids}, 1)) {
+  for (const std::uint64_t n : global_numbers(ranks(), {pieces.own.positions, ids}, 1).of_points) {
     numbers->InsertNextValue(double(n));
   }
   data->GetPointData()->AddArray(numbers);

@@ -1,4 +1,12 @@
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <random>
+
+#include <brindle/carried_field.h>
 #include <brindle/direction_field.h>
+#include <brindle/smooth_field.h>
 #include <brindle/stripe_animator.h>
 #include <brindle/stripe_pattern.h>
 
@@ -89,6 +97,112 @@ TEST_F(Series, WithoutAnchorEveryStepStandsAlone) {
   for (const int step : {0, 1, 2}) show(step, 0.1f * static_cast<float>(step));
   expect_alone(0.2f);
 }
+
+/// A sphere that beats, with noise of its own at every step: smooth fields found anew turn freely.
+Mesh beating(int step) {
+  Mesh mesh = make_shape("sphere,resolution=20");
+  std::mt19937 random(static_cast<unsigned>(step));
+  std::normal_distribution<float> any;
+  for (Vec3& p : mesh.positions) {
+    p *= 1 + 0.01f * std::sin(2 * p.x() + 0.3f * static_cast<float>(step));
+    p += 1e-3f * Vec3(any(random), any(random), any(random));
+  }
+  return mesh;
+}
+
+/// The smooth field of a step that follows the steps before, as the library has it.
+DirectionField followed_field(int last_step, int curvature) {
+  DirectionField directions;
+  std::optional<Surface> before;
+  for (int step = 0; step <= last_step; ++step) {
+    const Surface surface = make_surface(beating(step));
+    SmoothFieldOptions options;
+    if (curvature != 0) options.curvature_anchor = 0.1f;
+    if (before) {
+      options.last.directions =
+          matched_directions({before->mesh, before->normals, directions}, surface);
+    }
+    directions = smooth_direction_field(surface, options);
+    before = surface;
+  }
+  return directions;
+}
+
+/// Of points that stand where a vertex of `mesh` does: texture coordinates split some, and add
+/// others.
+void expect_directions(vtkDataSet& output, const Mesh& mesh, const DirectionField& expected,
+                       double tolerance_deg) {
+  vtkDataArray* found = output.GetPointData()->GetArray("direction");
+  ASSERT_NE(found, nullptr);
+  const auto key = [](const Vec3& p) { return std::array{p.x(), p.y(), p.z()}; };
+  std::map<std::array<float, 3>, Vec3> by_place;
+  for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i) {
+    Eigen::Vector3d p, d;
+    output.GetPoint(i, p.data());
+    found->GetTuple(i, d.data());
+    by_place.emplace(key((p - mesh.origin).cast<float>()), d.cast<float>());
+  }
+  DirectionField directions;
+  for (const Vec3& p : mesh.positions) {
+    const auto there = by_place.find(key(p));
+    ASSERT_NE(there, by_place.end());
+    directions.push_back(there->second);
+  }
+  EXPECT_LE(field_step(directions, expected).mean_deg, tolerance_deg);
+}
+
+class MovingSeries : public testing::TestWithParam<int> {
+ protected:
+  MovingSeries() : data(polygons_of(beating(0))) {
+    filter->SetInputData(data);
+    filter->SetField(GetParam());
+  }
+
+  void show(double time, int step) {
+    data->ShallowCopy(polygons_of(beating(step)));
+    set_time(*data, time);
+    data->Modified();
+    filter->Update();
+  }
+
+  vtkSmartPointer<vtkPolyData> data;
+  vtkNew<vtkBrindleStripes> filter;
+};
+
+TEST_P(MovingSeries, FieldsFollowSurfacesThatMove) {
+  for (int step = 0; step < 4; ++step) {
+    show(step, step);
+    expect_directions(*filter->GetOutput(), beating(step), followed_field(step, GetParam()), 0.05);
+  }
+  EXPECT_EQ(filter->GetPatternsFollowed(), 3);
+}
+
+TEST_P(MovingSeries, GoingBackAndStandingAloneFindFieldsAnew) {
+  const auto alone = [&](int step) {
+    const Surface surface = make_surface(beating(step));
+    SmoothFieldOptions options;
+    if (GetParam() != 0) options.curvature_anchor = 0.1f;
+    return smooth_direction_field(surface, options);
+  };
+  for (const int step : {0, 1, 2, 1}) show(step, step);
+  expect_directions(*filter->GetOutput(), beating(1), alone(1), 0.05);
+  filter->SetTimeAnchor(0);
+  for (const int step : {0, 1}) show(step, step);
+  expect_directions(*filter->GetOutput(), beating(1), alone(1), 0.05);
+}
+
+TEST_P(MovingSeries, WhatIsShownAgainStays) {
+  for (const int step : {0, 1}) show(step, step);
+  const DirectionField followed = followed_field(1, GetParam());
+  data->Modified();
+  filter->Update();
+  expect_directions(*filter->GetOutput(), beating(1), followed, 0.05);
+  show(1, 1);
+  expect_directions(*filter->GetOutput(), beating(1), followed, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields, MovingSeries, testing::Values(0, 1),
+                         [](const auto& test) { return test.param == 0 ? "smooth" : "curvature"; });
 
 // A change of the output alone neither lays a new pattern nor breaks the series.
 TEST_F(Series, FormsOfTheOutputDoNotMatter) {

@@ -29,6 +29,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle::paraview {
 
 /// The mesh's points, as doubles, and triangles.
@@ -125,7 +127,7 @@ inline void expect_phases(vtkDataSet& output, std::span<const Complex> z) {
   const std::vector<float> phases = numbers(output, "phase");
   ASSERT_GE(phases.size(), z.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
-    ASSERT_EQ(phases[i], std::arg(z[i])) << "at vertex " << i;
+    ASSERT_EQ(phases[i], elementary::arg(z[i])) << "at vertex " << i;
   }
 }
 

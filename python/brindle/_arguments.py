@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import re
 import warnings
-from typing import Any, Iterable, Mapping
+from typing import Any, Mapping
 
 from . import _core
 
@@ -22,22 +21,17 @@ class PatternWarning(UserWarning):
 
 
 def path_of(path: Any) -> str:
-    """The path as text. Raises TypeError for anything but a string or an os.PathLike."""
-    if not isinstance(path, (str, os.PathLike)):
+    """The path as text. Raises TypeError for anything but a string, bytes or an os.PathLike."""
+    if not isinstance(path, (str, bytes, os.PathLike)):
         raise TypeError(f"expected a path, got {type(path).__name__}; open files are not taken")
     text = os.fspath(path)
     return os.fsdecode(text) if isinstance(text, bytes) else text
 
 
-def in_pythons_words(text: str) -> str:
-    """The tool's messages name options; here they are arguments: --frequency-by is frequency_by."""
-    return re.sub(r"--([a-z][a-z-]*)", lambda found: found.group(1).replace("-", "_"), text)
-
-
 def warn(text: str, level: int = 3) -> None:
     """A warning for every line."""
     for line in text.splitlines():
-        line = in_pythons_words(line).removeprefix("warning: ")
+        line = _core.in_pythons_words(line).removeprefix("warning: ")
         warnings.warn(line, PatternWarning, stacklevel=level)
 
 
@@ -49,6 +43,14 @@ def number(value: Any, what: str) -> float:
         return float(value)
     except (TypeError, ValueError) as error:
         raise TypeError(f"{what}: expected a number, got {type(value).__name__}") from error
+
+
+def distance(value: Any, what: str) -> float:
+    """A number of 0 or more, which may be infinite. Raises Error for any other."""
+    result = number(value, what)
+    if not result >= 0:
+        raise Error(f"{what}: expected 0 or more, got {result}")
+    return result
 
 
 def whole_number(value: Any, what: str) -> int:
@@ -75,67 +77,65 @@ def word(value: Any, what: str) -> str:
     return value
 
 
-def refuse(given: Mapping[str, Any], names: Iterable[str], why: str) -> None:
-    """Raises Error for the first of the options that was given, as it has no effect."""
-    for name in names:
-        if given.get(name) is not None:
-            raise Error(f"{name} has no effect here: {why}")
-
-
-_NUMBERS = ("epsilon", "momentum")
+_NUMBERS = ("epsilon", "momentum", "anchor_boundary", "merge_branches", "lambda_")
 _WHOLE_NUMBERS = ("seed", "sweeps", "cycles", "global_iterations")
 
 
-def check_slack(slack: Any, calm: Any) -> None:
-    """Raises TypeError for what is no number or array, Error for calm without slack."""
+def check_slack_type(slack: Any) -> None:
+    """Raises TypeError for what is no number or array."""
     if isinstance(slack, (bool, str)):
         raise TypeError(f"slack: expected a number or an array, got {slack!r}")
-    if calm is not None and slack is None:
-        raise Error("calm has no effect here: no frequency yields; add slack")
+
+
+def check_slack(slack: Any, calm: Any) -> None:
+    """The same; Error for calm without slack."""
+    check_slack_type(slack)
+    made = _core.Solving()
+    made.set_slack(slack, calm)
+    made.check(options_of({"calm": calm}), False)
 
 
 def set_windings(made: "_core.Solving", winding: Any) -> None:
     """A number for the only way round, or numbers by the names of loops."""
     wanted = winding if isinstance(winding, Mapping) else {"": winding}
+    if not wanted:
+        raise Error("winding: it names no loop; give a number, or numbers by names of loops()")
     for loop, periods in wanted.items():
         made.add_winding(word(loop, "winding"), whole_number(periods, "winding"))
 
 
-def solving(solver: str, phase_shift: str, weights: str, threads: int,
-            options: Mapping[str, Any]) -> "_core.Solving":
-    """How to solve. Options that are None have their defaults; those that would change nothing are
-    refused."""
+def options_of(given: Mapping[str, Any]) -> set[str]:
+    """What was given, by the names that the tool has for it: lambda_ is --lambda."""
+    return {"--" + name.strip("_").replace("_", "-") for name, value in given.items()
+            if value is not None and not (isinstance(value, str) and value == _UNLESS_GIVEN.get(name))}
+
+
+_UNLESS_GIVEN = {"weights": "paper", "phase_shift": "aligned", "solver": "multilevel"}
+
+
+def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
+    """How to solve what is asked for, on a mesh or points. Options that are None have their
+    defaults; those that would change nothing are refused."""
+    options = {name: value for name, value in given.items() if value is not None}
     made = _core.Solving()
-    made.solver = word(solver, "solver")
-    made.phase_shift = word(phase_shift, "phase_shift")
-    made.weights = word(weights, "weights")
-    made.threads = whole_number(threads, "threads")
-    if solver not in ("relaxation", "averaged"):
-        refuse(options, ("epsilon", "momentum", "seed"),
-               f"it is for the solvers relaxation and averaged, not for {solver}")
-    if solver != "global":
-        refuse(options, ("global_iterations",), f"it is for the solver global, not for {solver}")
-    if solver != "multilevel" and not options.get("cycles"):
-        refuse(options, ("sweeps",), f"it is for the solver multilevel and for cycles, not for {solver}")
-    check_slack(options.get("slack"), options.get("calm"))
-    if options.get("slack") is not None:
-        made.set_slack(options["slack"], options.get("calm"))
-    if options.get("winding") is not None:
+    for name in ("solver", "phase_shift", "weights"):
+        if name in options:
+            setattr(made, name, word(options[name], name))
+    made.threads = whole_number(options.get("threads", 0), "threads")
+    check_slack_type(options.get("slack"))
+    made.set_slack(options.get("slack"), options.get("calm"))
+    if "winding" in options:
         set_windings(made, options["winding"])
-    if options.get("anchor_boundary") is not None:
-        made.anchor_boundary = number(options["anchor_boundary"], "anchor_boundary")
-    if options.get("merge_branches") is not None:
-        made.merge_branches = number(options["merge_branches"], "merge_branches")
     for name in _NUMBERS:
-        if options.get(name) is not None:
+        if name in options:
             setattr(made, name, number(options[name], name))
     for name in _WHOLE_NUMBERS:
-        if options.get(name) is None:
-            continue
-        value = whole_number(options[name], name)
-        if value < 0:
-            raise Error(f"{name}: {value} is below zero")
-        setattr(made, name, value)
+        if name in options:
+            value = whole_number(options[name], name)
+            if value < 0:
+                raise Error(f"{name}: {value} is below zero")
+            setattr(made, name, value)
+    made.check(options_of(options), points)
     return made
 
 
@@ -156,11 +156,11 @@ def count_and_frequency(stripes: Any, frequency: Any) -> tuple[Any, Any]:
     return stripes, frequency
 
 
-def described(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Options for a report: those that were given, arrays by their shape."""
+def described(options: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
+    """Options for a report: those that are not the defaults, arrays by their shape."""
     result = {}
     for name, value in options.items():
-        if value is None:
+        if value is None or value is defaults.get(name):
             continue
         if isinstance(value, (bool, int, float, str)):
             result[name] = value

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from . import _core
 from ._arguments import (count_and_frequency, flag, number, one_of_both, path_of, solving, warn,
                          whole_number)
-from ._stripes import Field, Stripes, frequencies_of, invocation
+from ._stripes import Field, Stripes, defaults_of, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:
@@ -102,7 +103,9 @@ class Curves:
                 "field_singularities": quality["field_singularities"], "curves": self.count,
                 "closed": closed, "open": self.count - closed,
                 "short_curves_left_out": figures.pop("short_curves_left_out"),
-                "points": len(self.points), "length": float(sum(self.lengths)), **figures}
+                "points": len(self.points), "length": float(sum(self.lengths)), **figures,
+                **json.loads(self.stripes._core.making()),
+                **{key: quality[key] for key in ("frequency_change",) if key in quality}}
 
     def measures(self, line_width: float = 0) -> dict[str, Any]:
         """What a maker asks: ``lengths``, ``gaps`` between neighbours (in a build with nanoflann)
@@ -142,7 +145,9 @@ def curves_of(stripes: Stripes, join: bool, offset: float, min_length: float,
         wishes.simplify = number(simplify, "simplify")
     if resample is not None:
         wishes.resample = number(resample, "resample")
-    return Curves(_core.curves(stripes._core, wishes), stripes)
+    made = _core.curves(stripes._core, wishes)
+    warn(made.warnings(), 4)
+    return Curves(made, stripes)
 
 
 class Samples:
@@ -150,6 +155,7 @@ class Samples:
 
     def __init__(self, core: "_core.Samples", surface: Surface, u: Stripes, v: Stripes) -> None:
         self._core = core
+        self._also_on = u._also_on
         self.surface = surface
         self.u = u
         self.v = v
@@ -211,8 +217,8 @@ class Samples:
 def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, directions_v: "Optional[ArrayLike]" = None,
             stripes_v: Any = None, frequency_v: Any = None, min_distance: float = 0.25,
-            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
-            threads: int = 0, progress: Optional[Progress] = None) -> Samples:
+            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
+            phase_shift: str = "aligned", weights: str = "paper", threads: int = 0, progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: where stripes across ``directions`` (U) cross those along them
     (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
 
@@ -220,8 +226,10 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     are V's, unless U's turned by 90 degrees and U's frequency are wanted. Samples nearer to another
     than ``min_distance`` spacings are left out. Needs a build with nanoflann.
     """
-    surface = as_surface(surface)
-    options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
+    given = dict(locals())
+    surface = as_surface(given.pop("surface"))
+    given.pop("progress")
+    options = solving(given, surface.is_points)
     field = Field(surface, directions, False)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     frequency_v = frequencies_of(surface, frequency_v)
@@ -229,19 +237,23 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     count_v, frequency_v = (count, frequency) if stripes_v is None and frequency_v is None else (
         stripes_v, frequency_v)
 
-    def pattern(of: Field, directions: Any, count: Any, frequency: Any, name: str) -> Stripes:
+    def pattern(of: Field, directions: Any, count: Any, frequency: Any) -> Stripes:
         made = _core.stripes(surface._core, directions, count, frequency, of.origin, options, None,
                              "", progress)
         warn(made.warnings(of.origin.source), 4)
-        return Stripes(made, surface, invocation(name, surface, {}))
+        return Stripes(made, surface, said)
 
-    u = pattern(field, field.directions, count, frequency, "samples")
+    said = invocation("samples", surface, given, _DEFAULTS)
+    u = pattern(field, field.directions, count, frequency)
     if directions_v is None:
-        v = pattern(field, surface.turned_field(u.directions, 90), count_v, frequency_v, "samples")
+        v = pattern(field, surface.turned_field(u.directions, 90), count_v, frequency_v)
     else:
         other = Field(surface, directions_v, False)
-        v = pattern(other, other.directions, count_v, frequency_v, "samples")
+        v = pattern(other, other.directions, count_v, frequency_v)
     return samples_of(u, v, min_distance=min_distance)
+
+
+_DEFAULTS = defaults_of(samples)
 
 
 def samples_of(u: Stripes, v: Stripes, *, min_distance: float = 0.25) -> Samples:

@@ -19,7 +19,7 @@ class Polygons:
 
     def __init__(self, vertices: Any, offsets: Any, corners: Any, point_data: Mapping[str, Any],
                  cell_data: Mapping[str, Any], cell_rows: Any = None, cell_count: int = 0) -> None:
-        self.vertices = np.asarray(vertices)
+        self.vertices = _core.unmasked(vertices)
         if self.vertices.ndim == 2 and self.vertices.shape[1] == 2:
             self.vertices = np.pad(self.vertices, ((0, 0), (0, 1)))
         self.offsets = offsets
@@ -44,12 +44,10 @@ def numbers_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
     """Those of the arrays that hold real numbers, in rows of one or more."""
     result = {}
     for name in arrays.keys():
-        array = np.asarray(arrays[name])
+        array = _core.unmasked(arrays[name])
         if array.ndim > 2:
             array = array.reshape(len(array), -1)
-        if array.dtype.kind == "b":
-            array = array.astype(np.uint8)
-        if array.dtype.kind in "fiu" and array.ndim in (1, 2) and array.size > 0:
+        if array.dtype.kind in "fiub" and array.ndim in (1, 2) and array.size > 0:
             result[str(name)] = array
     return result
 

@@ -73,6 +73,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     picture.transparent = flag(transparent, "transparent")
     picture.shading = flag(shading, "shading")
     _refuse_unused(pattern, view, stripe_width, tile, tube_radius)
+    if isinstance(pattern, (Stripes, Texture, Curves, Samples)):
+        _check_belongs(surface, pattern)
     if view is not None:
         picture.set_view(word(view, "view"))
     if stripe_width is not None:
@@ -84,8 +86,6 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     if pattern is not None and not isinstance(pattern, Stripes):
         raise TypeError(f"pattern: expected Stripes, Texture, Curves or Samples, got "
                         f"{type(pattern).__name__}")
-    if pattern is not None:
-        _check_belongs(surface, pattern.surface)
     return _core.render(surface._core, None if pattern is None else pattern._core, picture)
 
 
@@ -99,8 +99,11 @@ def _refuse_unused(pattern: Any, view: Any, stripe_width: Any, tile: Any, tube_r
             raise Error(f"{name} has no effect here: the picture shows something else")
 
 
-def _check_belongs(surface: Surface, other: Surface) -> None:
-    if (surface.vertex_count, surface.triangle_count) != (other.vertex_count, other.triangle_count):
+def _check_belongs(surface: Surface, pattern: Any) -> None:
+    """Of crosses, that is the surface that was handed over, or the one with split triangles."""
+    made_for = pattern.stripes if isinstance(pattern, Curves) else pattern
+    counts = [(s.vertex_count, s.triangle_count) for s in (made_for.surface, *made_for._also_on)]
+    if (surface.vertex_count, surface.triangle_count) not in counts:
         raise Error("the pattern was not made for this surface")
 
 
@@ -147,16 +150,17 @@ def draw_curves(path: str, curves: Curves, options: Mapping[str, Any]) -> None:
     _core.draw_lines(path, surface._core, [pen], picture)
 
 
-def tile_png(tile: Any, colors: Optional[Sequence[str]]) -> bytes:
-    """The content of a PNG file with a tile, by name or as an array of pixels."""
+def tile_png(tile: Any, colors: Optional[Sequence[str]], of_crosses: bool = False) -> bytes:
+    """The content of a PNG file with a tile, by name or as an array of pixels. Raises Error for a
+    tile that crosses cannot have."""
     picture = _core.Picture()
     if colors is not None:
         picture.set_colors([word(color, "colors") for color in colors])
-    return _core.tile_png(tile, picture)
+    return _core.tile_png(tile, picture, of_crosses)
 
 
 def write_png(path: Any, image: "NDArray[np.uint8]") -> None:
-    """Writes an array of pixels (h, w, 3 or 4) of uint8, whole or not at all."""
+    """Writes an array of pixels (h, w, 3 or 4) of uint8, whole or not at all. The file is named .png."""
     _core.write_png(path_of(path), image)
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
+from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (count_and_frequency, described, flag, number, path_of, refuse, solving, warn, word)
-from ._surface import Progress, Surface, _flat_tensors, as_surface
+from ._arguments import count_and_frequency, described, flag, path_of, solving, warn, word
+from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,16 +19,33 @@ if TYPE_CHECKING:
     from ._textures import TexturedMesh
 
 _TENSOR_COLUMNS = (6, 9)
+_TURN = "turn_deg"
 
 
 class Field:
     """Directions that a pattern follows, and where they come from."""
 
-    def __init__(self, surface: Surface, given: Any, along: bool) -> None:
+    def __init__(self, surface: Surface, given: Any, along: bool,
+                 previous: "Optional[Stripes]" = None, match: Optional[str] = None) -> None:
+        begin = perf_counter()
         self.origin = _core.FieldOrigin()
-        self.directions = self._directions(surface, given)
+        self.directions = (self._following(surface, previous, match)
+                           if given is None and previous is not None
+                           else self._directions(surface, given))
         if along:
             self.directions = surface.turned_field(self.directions, 90)
+            self.origin.turn_deg = 90
+        self.origin.milliseconds = 1000 * (perf_counter() - begin)
+
+    def _following(self, surface: Surface, previous: "Stripes", match: Optional[str]) -> Any:
+        """The smooth field that goes on from that of a pattern, before it was turned."""
+        self.origin.source = "the smooth field"
+        before = previous.directions
+        if previous._core.turn_deg != 0:
+            before = previous.surface.turned_field(before, -previous._core.turn_deg)
+        field, turned = surface._smooth_field(last=_last_of_stripes(previous, before, match))
+        self.origin.field_turned_deg = turned
+        return field
 
     def _directions(self, surface: Surface, given: Any) -> Any:
         self.origin.source = "the field"
@@ -36,11 +54,13 @@ class Field:
             return surface.smooth_field()
         if isinstance(given, str):
             self.origin.source = f"the array '{given}'"
-            name, array, is_of_cells = surface._found(given)
+            name, array, is_of_cells = surface._core.array_named(given)
             directions = self._of_array(surface, name, surface.array(given))
             if is_of_cells:  # before rows were moved to vertices
                 self.origin.rows_nonfinite = _core.nonfinite_rows(array)
             return directions
+        if isinstance(given, (list, tuple)):
+            given = _core.unmasked(given)
         shape = getattr(given, "shape", ())
         if len(shape) == 2 and shape[1] == 2 or len(shape) == 3 or (
                 len(shape) == 2 and shape[1] in _TENSOR_COLUMNS):
@@ -64,10 +84,16 @@ def frequencies_of(surface: Surface, frequency: Any) -> Any:
     return surface.array(frequency) if isinstance(frequency, str) else frequency
 
 
-def invocation(command: str, surface: Surface, options: Mapping[str, Any]) -> str:
-    """What a report says of a call, as JSON."""
+def invocation(command: str, surface: Surface, options: Mapping[str, Any],
+               defaults: Mapping[str, Any]) -> str:
+    """What a report says of a call, as JSON: the options that are not the defaults."""
     return json.dumps({"version": _core.version(), "command": command, "input": surface.name,
-                       "options": described(options)})
+                       "options": described(options, defaults)})
+
+
+def defaults_of(function: Any) -> dict[str, Any]:
+    """What its arguments are unless they are given."""
+    return dict(function.__kwdefaults__ or {})
 
 
 class Stripes:
@@ -76,9 +102,11 @@ class Stripes:
     Arrays share the pattern's memory where they can, are read-only, and keep it alive.
     """
 
-    def __init__(self, core: "_core.Stripes", surface: Surface, said: str) -> None:
+    def __init__(self, core: "_core.Stripes", surface: Surface, said: str,
+                 also_on: tuple[Surface, ...] = ()) -> None:
         self._core = core
         self._said = said
+        self._also_on = also_on
         self.surface = surface
 
     def __repr__(self) -> str:
@@ -86,7 +114,9 @@ class Stripes:
 
     @property
     def phases(self) -> "NDArray[np.complex64]":
-        """(n,) exp(i Phi) per vertex; stripes are where Phi is near pi / 2. Shares memory."""
+        """(n,) exp(i Phi) per vertex; stripes are where Phi is near pi / 2. Where there is no wave
+        it is 1j and says nothing: ``point_data`` has NaN there, and its ``valid`` 0. Shares
+        memory."""
         return self._core.phases
 
     @property
@@ -182,7 +212,7 @@ class Stripes:
     def mesh(self) -> "TexturedMesh":
         """A mesh with texture coordinates: U across the stripes, one unit a period."""
         from ._textures import TexturedMesh
-        return TexturedMesh(_core.textured_stripes(self._core), {"": self}, self.surface)
+        return TexturedMesh(_core.textured_stripes(self._core), self.surface)
 
     def write(self, path: Any, *, uv: bool = False) -> None:
         """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, whole or not at
@@ -195,7 +225,8 @@ class Stripes:
         if self.surface.is_points:
             points = {"normal": self.surface.normals, **points}
         for name, array in self.surface.point_data.items():
-            points.setdefault(name, array)
+            if name != _TURN:  # the surface's says how other waves are turned
+                points.setdefault(name, array)
         for name, array in self.surface.cell_data.items():
             cells.setdefault(name, array)
         for line in _core.write_surface(path_of(path), self.surface._core, points, cells):
@@ -267,7 +298,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     as long as it stays within 1 + so much times what it was; 0: those alone that lower it.
 
     ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
-    are matched by "number" or "position" (``match``; by number if the triangles are the same).
+    are matched by "number" or "position" (``match``; by number if the triangles are the same). The
+    smooth field (``directions`` None) then goes on from that pattern's field, as it was before
+    ``along`` turned it, unless ``lambda_`` is 0.
 
     ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,
     fraction)`` hears of stages, and cancels by returning False. Other threads of Python run
@@ -278,37 +311,34 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
-    options = solving(solver, phase_shift, weights, threads, given)
-    if previous is None:
-        refuse(given, ("lambda_", "match"), "no pattern is followed; add previous")
-    elif not isinstance(previous, Stripes):
+    if previous is not None and not isinstance(previous, Stripes):
         raise TypeError(f"previous: expected brindle.Stripes, got {type(previous).__name__}")
-    if lambda_ is not None:
-        options.lambda_ = number(lambda_, "lambda_")
-    field = Field(surface, directions, flag(along, "along"))
+    options = solving(given, surface.is_points)
+    field = Field(surface, directions, flag(along, "along"),
+                  None if options.lambda_ == 0 else previous, match)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.stripes(surface._core, field.directions, count, frequency, field.origin, options,
                          None if previous is None else previous._core,
                          "" if match is None else word(match, "match"), progress)
     warn(made.warnings(field.origin.source))
-    changed = {name: value for name, value in given.items() if value is not DEFAULTS.get(name)}
-    return Stripes(made, surface, invocation("stripes", surface, changed))
+    return Stripes(made, surface, invocation("stripes", surface, given, _DEFAULTS))
 
 
-DEFAULTS = {**(stripes.__kwdefaults__ or {}), "directions": None}
+_DEFAULTS = defaults_of(stripes)
 
 
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
                         phase_shift: str = "aligned") -> Stripes:
     """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
-    complex (n,), exp(i Phi) per vertex, 0 where there is none. Directions and frequencies are those
-    of the frame. Lifted to the triangles and measured like any other."""
-    given = {"phase_shift": None if phase_shift == "aligned" else phase_shift, "stripes": stripes,
-             "frequency": frequency}
+    complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
+    p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.
+    Lifted to the triangles and measured like any other."""
+    given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency}
     surface = as_surface(surface)
     field = Field(surface, directions, False)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.stripes_from_phases(surface._core, phases, field.directions, count, frequency,
-                                     field.origin, solving("multilevel", phase_shift, "paper", 0, {}))
-    return Stripes(made, surface, invocation("stripes_from_phases", surface, given))
+                                     field.origin, solving({"phase_shift": phase_shift}, surface.is_points))
+    return Stripes(made, surface, invocation("stripes_from_phases", surface, given,
+                                             defaults_of(stripes_from_phases)))

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import (TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union)
 
 from . import _core
-from ._arguments import (Error, count_and_frequency, flag, number, path_of, warn, whole_number,
-                         word)
+from ._arguments import (Error, count_and_frequency, distance, flag, number, path_of, warn,
+                         whole_number, word)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -35,6 +35,33 @@ def _parts_of(strokes: Any) -> list[tuple[Any, float, float]]:
         if not isinstance(stroke, Stroke):
             raise TypeError(f"strokes: expected brindle.Stroke, got {type(stroke).__name__}")
     return [stroke._parts() for stroke in strokes]
+
+
+def _last_field(last: Any, match: Optional[str], max_distance: Optional[float]) -> Any:
+    """The parts of a field before; None if there is none."""
+    from ._stripes import Stripes
+    if last is None:
+        for name, value in (("match", match), ("max_distance", max_distance)):
+            if value is not None:
+                raise Error(f"{name} has no effect here: no field is followed; add last")
+        return None
+    if isinstance(last, Stripes):
+        return _last_of_stripes(last, last.directions, match, max_distance)
+    if not isinstance(last, tuple) or len(last) != 2 or not isinstance(last[0], Surface):
+        raise TypeError("last: expected a pair of a brindle.Surface and its directions, or a "
+                        "brindle.Stripes")
+    distance = float("inf") if max_distance is None else number(max_distance, "max_distance")
+    return last[0]._core, last[1], distance, "" if match is None else word(match, "match")
+
+
+def _last_of_stripes(stripes: Any, directions: Any, match: Optional[str],
+                     max_distance: Optional[float] = None) -> Any:
+    import numpy as np
+    if max_distance is None:
+        frequencies = stripes.frequency[np.any(stripes.directions != 0, axis=1)]
+        max_distance = 1 / float(np.mean(frequencies, dtype=np.float64)) if len(frequencies) else 1
+    return (stripes.surface._core, directions, number(max_distance, "max_distance"),
+            "" if match is None else word(match, "match"))
 
 
 def read_strokes(path: Any) -> list[Stroke]:
@@ -196,8 +223,9 @@ class Surface:
 
     def smooth_field(self, *, symmetry: int = 2, curvature_anchor: float = 0,
                      curvature: str = "max", feature_anchor: float = 0, feature_angle: float = 40,
-                     feature_radius: float = 0,
-                     strokes: Sequence[Stroke] = ()) -> "NDArray[np.float32]":
+                     feature_radius: float = 0, strokes: Sequence[Stroke] = (), last: Any = None,
+                     match: Optional[str] = None,
+                     max_distance: Optional[float] = None) -> "NDArray[np.float32]":
         """(n, 3) unit tangent vectors that turn as little as possible from vertex to vertex.
 
         ``symmetry``: 1 vectors, 2 lines, 4 crosses. ``curvature_anchor``: how strongly principal
@@ -205,13 +233,28 @@ class Surface:
         of edges where the surface bends by more than ``feature_angle`` degrees, as far as
         ``feature_radius`` from them (0: at their vertices). ``strokes``: lines that the field runs
         along (``brindle.Stroke``), for even symmetries.
+
+        ``last``: the field before, that this one goes on from and stays near to, as a pair of a
+        Surface, which this one was before it moved, and its (n, 3) directions; or a Stripes, for
+        the directions of its waves. Vertices are matched by "number" or "position" (``match``; by
+        number if the triangles are the same); by position as far as ``max_distance`` from the
+        surface before (of a pair everywhere, of a Stripes one mean period).
         """
+        return self._smooth_field(symmetry, curvature_anchor, curvature, feature_anchor,
+                                  feature_angle, feature_radius, strokes,
+                                  _last_field(last, match, max_distance))[0]
+
+    def _smooth_field(self, symmetry: Any = 2, curvature_anchor: Any = 0, curvature: Any = "max",
+                      feature_anchor: Any = 0, feature_angle: Any = 40, feature_radius: Any = 0,
+                      strokes: Any = (), last: Any = None) -> Any:
+        """The field, and the degrees that it turned by on average since ``last``, or None."""
         return _core.smooth_field(self._core, whole_number(symmetry, "symmetry"),
                                   number(curvature_anchor, "curvature_anchor"),
                                   word(curvature, "curvature"),
                                   number(feature_anchor, "feature_anchor"),
                                   number(feature_angle, "feature_angle"),
-                                  number(feature_radius, "feature_radius"), _parts_of(strokes))
+                                  number(feature_radius, "feature_radius"), _parts_of(strokes),
+                                  last)
 
     def stroke_anchors(self, strokes: Sequence[Stroke]
                        ) -> "tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]":
@@ -276,7 +319,11 @@ class Surface:
         if frequency is None:
             frequency = self.frequency_of(stripes)
         name, values = self._array(array, "array")
-        lowest, highest = range
+        try:
+            lowest, highest = range
+        except (TypeError, ValueError) as error:
+            raise Error("range: expected two factors, the smaller one first, such as (0.4, 2.5)"
+                        ) from error
         return _core.frequencies_by(self._core, name, values, number(frequency, "frequency"),
                                     (number(lowest, "range"), number(highest, "range")),
                                     flag(inverse, "inverse"))
@@ -305,7 +352,7 @@ class Surface:
         """The array of that name with a row per vertex: "speed", "points/speed", or
         "cells/speed", which is moved to the vertices. Raises Error, listing what there is, for
         another name."""
-        found, array, is_of_cells = self._found(word(name, "name"))
+        found, array, is_of_cells = self._core.array_named(word(name, "name"))
         return self.moved_to_points(array, found) if is_of_cells else array
 
     def moved_to_points(self, cells: "ArrayLike", name: str = "array") -> "NDArray[Any]":
@@ -316,15 +363,15 @@ class Surface:
                 max_distance: float = float("inf")) -> "NDArray[Any]":
         """An array of this surface at the vertices of another one: from the nearest place, or NaN
         where that is farther than ``max_distance``."""
-        name, values = self._found(array)[:2] if isinstance(array, str) else ("array", array)
+        name, values = self._core.array_named(array)[:2] if isinstance(array, str) else ("array", array)
         return self._core.carried(name, values, as_surface(to)._core,
-                                  number(max_distance, "max_distance"))
+                                  distance(max_distance, "max_distance"))
 
     def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
                 ) -> "tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.float64]]":
         """What of the triangles is nearest to k points (k, 3): triangles (k,), -1 where none is
         near enough, barycentric coordinates (k, 3), distances (k,)."""
-        return self._core.nearest(points, number(max_distance, "max_distance"))
+        return self._core.nearest(points, distance(max_distance, "max_distance"))
 
     def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None,
               cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
@@ -335,18 +382,6 @@ class Surface:
         for line in _core.write_surface(path_of(path), self._core, points, cells):
             warn(line)
 
-    def _found(self, name: str) -> tuple[str, Any, bool]:
-        """An array by its name, as it is, and whether it is of cells."""
-        where, _, rest = name.partition("/")
-        points, cells = self.point_data, self.cell_data
-        if where != "cells" and (found := rest if where == "points" else name) in points:
-            return found, points[found], False
-        if where != "points" and (found := rest if where == "cells" else name) in cells:
-            return found, cells[found], True
-        known = [*points, *(f"cells/{cell}" for cell in cells)]
-        raise Error(f"{self.name}: there is no array '{name}'; "
-                    + (f"there are {', '.join(known)}" if known else "there are none at all"))
-
     def _array(self, given: Any, what: str) -> tuple[str, Any]:
         """A name for messages, and the array."""
         if isinstance(given, str):
@@ -356,14 +391,9 @@ class Surface:
 
 def _flat_tensors(array: Any) -> Any:
     """(n, 3, 3) as (n, 9)."""
-    shape = getattr(array, "shape", None)
-    if shape is None:
-        import numpy as np
-        try:
-            array = np.asarray(array)
-        except ValueError as error:
-            raise Error(f"tensors: no table of numbers: {error}") from error
-        shape = array.shape
+    if not hasattr(array, "shape"):
+        array = _core.unmasked(array)
+    shape = array.shape
     return array.reshape(-1, 9) if len(shape) == 3 and tuple(shape[1:]) == (3, 3) else array
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
+from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
 from ._arguments import count_and_frequency, flag, one_of_both, path_of, solving, warn
 from ._curves import placed
-from ._stripes import Field, Stripes, fitting, frequencies_of, invocation
+from ._stripes import Field, Stripes, defaults_of, fitting, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:
@@ -21,10 +22,9 @@ class TexturedMesh:
     """A mesh whose vertices have texture coordinates, for other programs. Vertices of the surface
     keep their numbers; copies and new ones follow them."""
 
-    def __init__(self, core: "_core.TexturedMesh", stripes: Mapping[str, Stripes],
-                 surface: Surface) -> None:
+    def __init__(self, core: "_core.TexturedMesh", surface: Surface, of_crosses: bool = False) -> None:
         self._core = core
-        self._stripes = dict(stripes)
+        self._of_crosses = of_crosses
         self.surface = surface
 
     @cached_property
@@ -54,34 +54,18 @@ class TexturedMesh:
         return self._core.triangle_origins
 
     @cached_property
+    def _arrays(self) -> "tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]":
+        return self._core.arrays()
+
+    @property
     def point_data(self) -> "dict[str, NDArray[Any]]":
         """Named arrays of a row per vertex: normal, uv, those of the patterns and of the surface."""
-        import numpy as np
-        normals = self._core.carried_numbers(self.surface.normals, 3)
-        arrays = {"normal": normals, "uv": self.uv}
-        whole = (self.vertex_origins[:, 0] == self.vertex_origins[:, 1])
-        for suffix, stripes in self._stripes.items():
-            z, directions, frequency = self._core.carried_stripes(stripes._core)
-            valid = (z != 0) & directions.any(axis=1)
-            phase = np.where(valid, np.angle(z), np.float32(np.nan)).astype(np.float32)
-            branch = self._core.carried_numbers(stripes.point_data["branch"], 1)
-            arrays.update({f"phase{suffix}": phase, f"direction{suffix}": directions,
-                           f"frequency{suffix}": frequency, f"branch{suffix}": np.floor(branch),
-                           f"sin_phase{suffix}": np.sin(phase), f"valid{suffix}": valid.astype(np.uint8)})
-        origin = self.vertex_origins[:, 0].astype(np.int64)
-        arrays["original_id"] = np.where(whole, origin, -1)
-        for name, array in self._core.carried_data()[0].items():
-            arrays.setdefault(name, array)
-        return arrays
+        return self._arrays[0]
 
-    @cached_property
+    @property
     def cell_data(self) -> "dict[str, NDArray[Any]]":
         """Named arrays of a row per triangle: branch, and those of the surface."""
-        arrays = {f"branch{suffix}": stripes.cell_data["branch"][self.triangle_origins]
-                  for suffix, stripes in self._stripes.items()}
-        for name, array in self._core.carried_data()[1].items():
-            arrays.setdefault(name, array)
-        return arrays
+        return self._arrays[1]
 
     def write(self, path: Any, *, tile: Any = None, colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: a picture that
@@ -92,7 +76,7 @@ class TexturedMesh:
         png = b""
         if tile is not None:
             from ._pictures import tile_png
-            png = tile_png(tile, colors)
+            png = tile_png(tile, colors, self._of_crosses)
         for line in _core.write_mesh(text, self._core.origin, self._core.local_vertices,
                                      self.triangles, points, cells, png):
             warn(line)
@@ -105,9 +89,11 @@ class Texture:
     singular triangle split in three at its barycentre.
     """
 
-    def __init__(self, core: "_core.Texture", surface: Surface, said: str) -> None:
+    def __init__(self, core: "_core.Texture", surface: Surface, said: str,
+                 also_on: tuple[Surface, ...] = ()) -> None:
         self._core = core
         self._said = said
+        self._also_on = also_on
         self.surface = surface
 
     def __repr__(self) -> str:
@@ -140,7 +126,8 @@ class Texture:
         """Of crosses: both waves, on a surface that has each vertex twice (2 i and 2 i + 1) and
         each triangle for either wave. Its curves are both families of lines."""
         core = self._core.cover
-        return None if core is None else Stripes(core, Surface._of(core.surface), self._said)
+        return None if core is None else Stripes(core, Surface._of(core.surface), self._said,
+                                                 (self.surface, *self._also_on))
 
     @property
     def triangle_origins(self) -> "NDArray[np.int32]":
@@ -159,8 +146,7 @@ class Texture:
 
     def mesh(self) -> TexturedMesh:
         """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
-        stripes = {} if self.u is None or self.v is None else {"": self.u, "_v": self.v}
-        return TexturedMesh(self._core.mesh(), stripes, self.surface)
+        return TexturedMesh(self._core.mesh(), self.surface, self.is_cross)
 
     def write(self, path: Any, *, tile: Any = "checker",
               colors: Optional[tuple[str, ...]] = None) -> None:
@@ -193,18 +179,17 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
-    options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
+    options = solving(given, surface.is_points)
     field = Field(surface, directions, flag(along, "along"))
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.texture(surface._core, field.directions, count, frequency, stripes_v,
                          frequencies_of(surface, frequency_v), flag(oriented, "oriented"),
                          field.origin, options, progress)
     warn(made.warnings(field.origin.source))
-    changed = {name: value for name, value in given.items() if value is not _DEFAULTS.get(name)}
-    return Texture(made, surface, invocation("texture", surface, changed))
+    return Texture(made, surface, invocation("texture", surface, given, _DEFAULTS))
 
 
-_DEFAULTS = {**(texture.__kwdefaults__ or {}), "directions": None}
+_DEFAULTS = defaults_of(texture)
 
 
 def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
@@ -214,13 +199,22 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     """Square tiles along a cross field: directions and their quarter turns, which are not told
     apart. ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``.
     """
-    surface = as_surface(surface)
-    options = solving(solver, phase_shift, weights, threads, {"slack": slack, "calm": calm})
+    given = dict(locals())
+    surface = as_surface(given.pop("surface"))
+    given.pop("progress")
+    options = solving(given, surface.is_points)
+    begin = perf_counter()
     field = Field(surface, surface.smooth_field(symmetry=4) if directions is None else directions,
                   False)
+    field.origin.milliseconds = 1000 * (perf_counter() - begin)
+    if directions is None:
+        field.origin.source = "the smooth field"
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.crosses(surface._core, field.directions, count, frequency, field.origin,
                          options, progress)
     warn(made.warnings(field.origin.source))
     return Texture(made, Surface._of(made.surface),
-                   invocation("crosses", surface, {"stripes": stripes, "frequency": frequency}))
+                   invocation("crosses", surface, given, _CROSS_DEFAULTS), (surface,))
+
+
+_CROSS_DEFAULTS = defaults_of(crosses)

@@ -5,10 +5,13 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
+#include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -34,6 +37,9 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
                                             const std::string& phase_shift,
                                             const py::object& edge_weights, py::handle slack,
                                             py::handle calm) {
+  check_numbers(lambda, sweeps, cycles);
+  saying_in_pythons_words(
+      [&] { brindle::check_whole_number("--iterations", iterations, 1, brindle::kMostSweeps); });
   AnimatorOptions options;
   if (solver != "multilevel" && solver != "relaxation") {
     throw Error("solver: '" + solver + "' is neither multilevel nor relaxation");
@@ -58,10 +64,8 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
   return std::make_unique<AnimatorData>(surface, StripeAnimator(surface->surface, options));
 }
 
-// Frequencies of a number or an array; the number's vector is kept for the next frames.
-std::span<const float> frame_frequencies(AnimatorData& data, const Table& table,
-                                         const RowsIn<float>& rows) {
-  if (!table.is_number) return rows.rows();
+// One frequency for all vertices; the vector is kept for the next frames.
+std::span<const float> everywhere(AnimatorData& data, const Table& table) {
   const float frequency = numbers_of(table.view, "frequencies").front();
   const std::size_t vertices = data.surface->surface.mesh.vertex_count();
   if (data.everywhere.size() != vertices ||
@@ -96,10 +100,12 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
                                            ? RowsIn<float>()
                                            : RowsIn<float>(frequency_table.array, "frequencies");
   py::array_t<Complex> phases = phase_array(out, vertices);
+  const FrameWaves waves(directions_in.rows(), frequencies_in.rows());
   const FrameInput input{
       positions.is_none() ? std::span<const Vec3>(data.surface->surface.mesh.positions)
                           : positions_in.rows(),
-      directions_in.rows(), frame_frequencies(data, frequency_table, frequencies_in)};
+      waves.directions(),
+      frequency_table.is_number ? everywhere(data, frequency_table) : waves.frequencies()};
   Complex* target = phases.mutable_data();
   Job(progress).run([&](const Progress& reports) {
     const FrameResult result = data.animator.frame(input, reports);
@@ -124,6 +130,7 @@ struct FieldAnimatorData {
 py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle directions,
                       py::handle weights) {
   const OneAtATime alone(data.busy, "this animator");
+  refuse_masked(vertices, "vertices");
   const Table numbers = table_of(vertices, "vertices");
   const std::vector<Vec3> vectors =
       vectors_of(table_of(directions, "directions").view, "directions");
@@ -211,6 +218,7 @@ void bind_animators(py::module_& module) {
   bind_animator(module);
   py::class_<FieldAnimatorData>(module, "FieldAnimator")
       .def(py::init([](const SurfacePointer& surface, int symmetry, float lambda, int sweeps) {
+             check_numbers(lambda, sweeps, 0);
              return std::make_unique<FieldAnimatorData>(
                  surface, SmoothFieldAnimatorOptions{symmetry, lambda, sweeps});
            }),

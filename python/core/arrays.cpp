@@ -2,7 +2,10 @@
 
 #include <atomic>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "brindle/error.h"
 
@@ -38,9 +41,35 @@ py::dtype dtype_of(NumberType type) {
   return py::dtype(kNames[static_cast<std::size_t>(type)]);
 }
 
+bool is_masked_array(py::handle object) {
+  const auto& numpy = py::detail::npy_api::get();
+  if (Py_TYPE(object.ptr()) == numpy.PyArray_Type_ || !py::isinstance<py::array>(object)) {
+    return false;  // which is nearly always so, and costs nothing
+  }
+  return py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray"));
+}
+
+bool has_masked(py::handle object) {
+  return is_masked_array(object) &&
+         py::cast<bool>(py::module_::import("numpy.ma").attr("is_masked")(object));
+}
+
+// NaN where a mask says that there is nothing.
+py::array without_mask(py::array array) {
+  if (!is_masked_array(array)) return array;
+  if (!has_masked(array)) return array.attr("data");
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'c') array = array.attr("astype")("f8");
+  return array.attr("filled")(std::numeric_limits<double>::quiet_NaN());
+}
+
 // What numpy makes of an object. Whatever numpy cannot read is an argument of the wrong shape.
 py::array array_of(py::handle object, const std::string& what) {
-  if (py::isinstance<py::array>(object)) return py::reinterpret_borrow<py::array>(object);
+  if (py::isinstance<py::array>(object)) {
+    auto array = py::reinterpret_borrow<py::array>(object);
+    const char kind = array.dtype().kind();
+    return kind == 'O' || kind == 'U' || kind == 'S' ? array : without_mask(std::move(array));
+  }
   if (object.is_none()) throw py::type_error(what + ": expected numbers, got None");
   try {
     return py::module_::import("numpy").attr("asarray")(object);
@@ -86,8 +115,9 @@ std::vector<float> converted(const ArrayView& view, const std::string& what, flo
 
 std::size_t converted_arrays() { return conversions; }
 
-Table table_of(py::handle object, const std::string& what) {
-  py::array array = array_of(object, what);
+namespace {
+
+Table table_of_array(py::array array, const std::string& what) {
   const char kind = array.dtype().kind();
   const py::ssize_t dimensions = array.ndim();
   if (kind != 'f' && kind != 'i' && kind != 'u') {
@@ -109,6 +139,21 @@ Table table_of(py::handle object, const std::string& what) {
                        static_cast<std::size_t>(columns), dimensions > 0 ? array.strides(0) : 0,
                        dimensions > 1 ? array.strides(1) : 0);
   return {std::move(array), view, dimensions == 0};
+}
+
+}  // namespace
+
+Table table_of(py::handle object, const std::string& what) {
+  return table_of_array(array_of(object, what), what);
+}
+
+py::array unmasked(py::handle object) { return array_of(object, "array"); }
+
+void refuse_masked(py::handle object, const std::string& what) {
+  if (!has_masked(object)) return;
+  throw Error(what +
+              ": some are masked, and whole numbers have no NaN; fill them, or leave "
+              "those rows out");
 }
 
 void check_rows(const Table& table, std::size_t rows, const std::string& what) {
@@ -139,11 +184,25 @@ std::vector<Complex> phases_of(py::handle object, const std::string& what) {
   }
   if (array.ndim() != 1) throw Error(what + ": expected one number per vertex");
   const py::array_t<Complex, py::array::c_style | py::array::forcecast> numbers(array);
-  return {numbers.data(), numbers.data() + numbers.size()};
+  std::vector<Complex> phases(numbers.data(), numbers.data() + numbers.size());
+  for (Complex& z : phases) {
+    if (std::isnan(z.real()) || std::isnan(z.imag())) z = 0;
+  }
+  return phases;
 }
 
 DataArray data_array_of(const std::string& name, py::handle object) {
-  const Table table = table_of(object, "array '" + name + "'");
+  const std::string what = "array '" + name + "'";
+  py::array given = array_of(object, what);
+  if (given.dtype().kind() == 'b') given = given.attr("astype")("u1");
+  if (given.ndim() == 3 && given.shape(1) == 3 && given.shape(2) == 3) {
+    given = given.attr("reshape")(given.shape(0), 9);
+  }
+  if (given.ndim() > 2) {
+    throw Error(what + ": rows of " + std::to_string(given.ndim() - 1) +
+                " dimensions; give rows of numbers, (n,) or (n, k), or tensors (n, 3, 3)");
+  }
+  const Table table = table_of_array(std::move(given), what);
   if (table.view.columns() == 0) throw Error("array '" + name + "': its rows have no numbers");
   const py::array packed = py::module_::import("numpy").attr("ascontiguousarray")(table.array);
   DataArray array{name, table.view.type(), static_cast<int>(table.view.columns()), {}};

@@ -30,9 +30,16 @@ struct Table {
   bool is_number = false;  ///< no dimension at all: a row of one
 };
 
-/// `what` names the argument in messages. Throws TypeError for what holds no real numbers (complex
-/// ones, booleans, text, objects), Error for ragged lists and for more dimensions than two.
+/// `what` names the argument in messages. Numbers that numpy masks are NaN. Throws TypeError for
+/// what holds no real numbers (complex ones, booleans, text, objects), Error for ragged lists and
+/// for more dimensions than two.
 Table table_of(py::handle object, const std::string& what);
+
+/// The object as an array without mask: NaN where it masks numbers.
+py::array unmasked(py::handle object);
+
+/// Throws Error, naming the remedy, for whole numbers of which some are masked: they have no NaN.
+void refuse_masked(py::handle object, const std::string& what);
 
 /// Throws Error unless there is a row per vertex.
 void check_rows(const Table& table, std::size_t rows, const std::string& what);
@@ -55,10 +62,12 @@ class RowsIn {
 extern template class RowsIn<Vec3>;
 extern template class RowsIn<float>;
 
-/// Phases exp(i Phi), one per vertex, of complex numbers of either precision; a copy.
+/// Phases exp(i Phi), one per vertex, of complex numbers of either precision; a copy. 0 where they
+/// are masked or not a number.
 std::vector<Complex> phases_of(py::handle object, const std::string& what);
 
-/// A named array of a row per vertex or triangle; a copy.
+/// A named array of a row per vertex or triangle; a copy. Of True and False it has 1 and 0, of
+/// tensors (n, 3, 3) rows of nine numbers.
 DataArray data_array_of(const std::string& name, py::handle object);
 std::vector<DataArray> data_arrays_of(const py::dict& arrays);
 

@@ -12,9 +12,12 @@
 #include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
+#include "brindle/recipe/curve_notes.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/samples.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -33,6 +36,9 @@ void check_not_negative(float value, const char* name) {
   throw Error(std::string(name) + ": " + std::to_string(value) + "; give 0 or a length above");
 }
 
+// Shares of making curves.
+constexpr double kEdges = 0.1, kLifted = 0.3, kTraced = 0.7, kResampled = 0.5;
+
 struct CurveWishes {
   bool join = false;
   float offset = 0;
@@ -41,7 +47,7 @@ struct CurveWishes {
 };
 
 // Throws away short curves after all ends were counted.
-void shape_lines(CurvesData& made, const CurveWishes& wishes) {
+void shape_lines(CurvesData& made, const CurveWishes& wishes, const Progress& progress) {
   made.ends = made.curves.end_counts();
   if (wishes.min_length > 0) {
     const std::size_t all = made.curves.lines.count();
@@ -49,8 +55,13 @@ void shape_lines(CurvesData& made, const CurveWishes& wishes) {
     made.short_curves = all - made.curves.lines.count();
   }
   Polylines& lines = made.curves.lines;
-  if (wishes.resample) lines = resampled(lines, *wishes.resample);
-  if (wishes.simplify) lines = simplified(lines, *wishes.simplify);
+  if (wishes.resample) lines = resampled(lines, *wishes.resample, progress.part(0, kResampled));
+  if (wishes.simplify) lines = simplified(lines, *wishes.simplify, progress.part(kResampled, 1));
+}
+
+// Lines about what is probably not meant.
+std::string warnings_of_curves(const CurvesData& data) {
+  return data.curves.lines.count() > 0 ? "" : brindle::why_no_curves("u", data.short_curves);
 }
 
 CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
@@ -58,18 +69,20 @@ CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
   check_not_negative(wishes.min_length, "min_length");
   if (wishes.simplify) check_not_negative(*wishes.simplify, "simplify");
   if (!std::isfinite(wishes.offset)) throw Error("offset: give a finite number of periods");
-  return without_lock([&] {
+  return until_interrupted([&](const Progress& progress) {
     auto made = std::make_shared<CurvesData>();
     made->surface = stripes.surface;
     const Surface& surface = stripes.surface->surface;
-    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+    const MeshEdges edges =
+        mesh_edges(surface.mesh, *surface.neighborhood, progress.part(0, kEdges));
     WaveSet waves = stripes.pattern.waves;
     std::vector<Complex> z = stripes.pattern.solution.z;
     made->jogs = move_peaks(*surface.neighborhood, wishes.offset, waves, z);
     const WavePattern pattern{surface.mesh, edges, surface.normals,
                               waves,        z,     stripes.pattern.phase_shift};
-    made->curves = stripe_curves(LiftedWaves(pattern), {.join = wishes.join});
-    shape_lines(*made, wishes);
+    made->curves = stripe_curves(LiftedWaves(pattern, progress.part(kEdges, kLifted)),
+                                 {.join = wishes.join}, progress.part(kLifted, kTraced));
+    shape_lines(*made, wishes, progress.part(kTraced, 1));
     return made;
   });
 }
@@ -165,8 +178,9 @@ py::dict dict_of(const CurveGaps& gaps) {
 }
 
 py::dict measures_of(const CurvesData& data, const StripesData& stripes, double line_width) {
-  const CurveMeasures measures = without_lock([&] {
-    return measure_curves(data.surface->surface, stripes.pattern, data.curves, line_width);
+  const CurveMeasures measures = until_interrupted([&](const Progress& progress) {
+    return measure_curves(data.surface->surface, stripes.pattern, data.curves, line_width,
+                          progress);
   });
   py::dict result;
   result["lengths"] = dict_of(measures.lengths);
@@ -176,7 +190,9 @@ py::dict measures_of(const CurvesData& data, const StripesData& stripes, double 
 }
 
 py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
-  Mesh mesh = without_lock([&] { return tubes(data.curves.lines, {radius, sides}); });
+  Mesh mesh = until_interrupted([&](const Progress& progress) {
+    return tubes(data.curves.lines, {radius, sides}, progress);
+  });
   const auto count = static_cast<py::ssize_t>(mesh.triangles.size());
   return py::make_tuple(owned(std::move(mesh.positions)),
                         owned<std::int32_t>(std::move(mesh.triangles), {count, 3}));
@@ -208,6 +224,7 @@ void bind_curve_properties(py::module_& module) {
       .def("ends", ends_of)
       .def("lengths", lengths_of)
       .def("figures", figures_of)
+      .def("warnings", warnings_of_curves)
       .def("measures", measures_of, py::arg("stripes"), py::arg("line_width"))
       .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))
       .def("write", [](const CurvesData& data, const std::string& path, const std::string& name,
@@ -229,34 +246,39 @@ void check_same(const StripesData& u, const StripesData& v) {
   throw Error("samples: both patterns must be of one surface");
 }
 
-std::vector<Sample> crossings(const StripesData& u, const StripesData& v) {
+std::vector<Sample> crossings(const StripesData& u, const StripesData& v,
+                              const Progress& progress) {
   const Surface& surface = u.surface->surface;
   const PointWaves waves_u{u.pattern.waves, u.pattern.solution.z};
   const PointWaves waves_v{v.pattern.waves, v.pattern.solution.z};
   if (surface.mesh.triangles.empty()) {
     return point_samples(*surface.neighborhood, surface.normals, waves_u, waves_v);
   }
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
-  const auto lifted = [&](const StripesData& data) {
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, progress.part(0, kEdges));
+  const auto lifted = [&](const StripesData& data, const Progress& part) {
     return LiftedWaves({surface.mesh, edges, surface.normals, data.pattern.waves,
-                        data.pattern.solution.z, data.pattern.phase_shift});
+                        data.pattern.solution.z, data.pattern.phase_shift},
+                       part);
   };
-  const LiftedWaves lifted_u = lifted(u), lifted_v = lifted(v);
+  const double between = (kEdges + kTraced) / 2;
+  const LiftedWaves lifted_u = lifted(u, progress.part(kEdges, between));
+  const LiftedWaves lifted_v = lifted(v, progress.part(between, kTraced));
   return wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
-                      sampled_waves(lifted_v));
+                      sampled_waves(lifted_v), progress.part(kTraced, 1));
 }
 
 SamplesPointer samples(const StripesData& u, const StripesData& v, float min_distance) {
   check_same(u, v);
   check_not_negative(min_distance, "min_distance");
-  if (u.surface->is_points() && min_distance < kDoubleShare) {
-    throw Error("min_distance: on points, samples nearer than 0.25 are merged anyway");
+  if (u.surface->is_points()) {
+    saying_in_pythons_words([&] { brindle::check_min_distance_on_points(min_distance); });
   }
-  return without_lock([&] {
+  return until_interrupted([&](const Progress& progress) {
+    constexpr double kFound = 0.8;
     auto made = std::make_shared<SamplesData>();
     made->surface = u.surface;
-    made->samples = crossings(u, v);
-    made->doubles = drop_doubles(made->samples, min_distance);
+    made->samples = crossings(u, v, progress.part(0, kFound));
+    made->doubles = drop_doubles(made->samples, min_distance, progress.part(kFound, 1));
     return made;
   });
 }
@@ -289,7 +311,8 @@ py::dict sample_columns(const SamplesData& data) {
 }
 
 py::dict spacing_of(const SamplesData& data) {
-  const SampleSpacing spacing = without_lock([&] { return measure_sample_spacing(data.samples); });
+  const SampleSpacing spacing = until_interrupted(
+      [&](const Progress& progress) { return measure_sample_spacing(data.samples, progress); });
   py::dict result;
   result["measured"] = spacing.samples;
   result["mean"] = spacing.mean;

@@ -1,4 +1,6 @@
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <tuple>
 
 #include <pybind11/stl.h>
@@ -6,17 +8,20 @@
 #include "arrays.h"
 #include "brindle/array_field.h"
 #include "brindle/base/array_numbers.h"
+#include "brindle/carried_field.h"
 #include "brindle/curvature.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "brindle/waves/orientation.h"
 #include "job.h"
 #include "surface_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -53,9 +58,58 @@ std::vector<FieldStroke> strokes_of(const std::vector<StrokeTuple>& tuples) {
   return strokes;
 }
 
-py::array smooth_field(const SurfaceData& data, int symmetry, float curvature_anchor,
+// Throws Error for what has no effect: other values than the defaults are those that were given.
+void check_smooth(const SmoothFieldOptions& options, bool points) {
+  const SmoothFieldOptions unless_given;
+  const brindle::IsGiven given = [&](const std::string& option) {
+    if (option == "--curvature-direction") {
+      return options.curvature_direction != unless_given.curvature_direction;
+    }
+    if (option == "--feature-angle") {
+      return options.feature_angle_deg != unless_given.feature_angle_deg;
+    }
+    if (option == "--feature-radius") {
+      return options.feature_radius != unless_given.feature_radius;
+    }
+    return option == "--feature-anchor" && options.feature_anchor != unless_given.feature_anchor;
+  };
+  saying_in_pythons_words([&] {
+    brindle::check_weight("--curvature-anchor", options.curvature_anchor);
+    brindle::check_weight("--feature-anchor", options.feature_anchor);
+    brindle::check_smooth_field(given, options.curvature_anchor, options.feature_anchor);
+    if (points) brindle::check_triangle_options(given);
+  });
+}
+
+// (surface, directions, max_distance, match) of the field before; match is empty, "number" or
+// "position".
+using LastTuple = std::tuple<SurfacePointer, py::object, double, std::string>;
+
+DirectionField last_directions_of(const LastTuple& last) {
+  const Surface& surface = std::get<0>(last)->surface;
+  const RowsIn<Vec3> rows(std::get<1>(last), "last");
+  if (rows.rows().size() != surface.mesh.vertex_count()) {
+    throw Error("last: there are " + std::to_string(rows.rows().size()) + " directions for " +
+                std::to_string(surface.mesh.vertex_count()) + " vertices; give one to each");
+  }
+  return tangent_directions(rows.rows(), surface.normals);
+}
+
+DirectionField carried_last(const LastTuple& last, const DirectionField& directions,
+                            const Surface& surface, int symmetry) {
+  const Surface& before = std::get<0>(last)->surface;
+  const LastField field{before.mesh, before.normals, directions};
+  if (matches_by_number(before.mesh, surface.mesh, std::get<3>(last))) {
+    return matched_directions(field, surface);
+  }
+  return carried_directions(field, surface, symmetry, std::get<2>(last));
+}
+
+// The field, and the mean degrees that it turned by against the last one or None.
+py::tuple smooth_field(const SurfaceData& data, int symmetry, float curvature_anchor,
                        const std::string& curvature, float feature_anchor, float feature_angle,
-                       float feature_radius, const std::vector<StrokeTuple>& tuples) {
+                       float feature_radius, const std::vector<StrokeTuple>& tuples,
+                       const std::optional<LastTuple>& last) {
   SmoothFieldOptions options;
   options.symmetry = symmetry;
   options.curvature_anchor = curvature_anchor;
@@ -63,11 +117,24 @@ py::array smooth_field(const SurfaceData& data, int symmetry, float curvature_an
   options.feature_anchor = feature_anchor;
   options.feature_angle_deg = feature_angle;
   options.feature_radius = feature_radius;
+  check_smooth(options, data.is_points());
   const std::vector<FieldStroke> strokes = strokes_of(tuples);
-  return owned(without_lock([&] {
-    if (!strokes.empty()) options.anchors = stroke_anchors(data.surface, strokes);
-    return smooth_direction_field(data.surface, options);
-  }));
+  std::optional<double> turned_deg;
+  DirectionField last_directions;
+  if (last) last_directions = last_directions_of(*last);
+  DirectionField field = until_interrupted([&](const Progress& progress) {
+    constexpr double kStrokes = 0.2;
+    if (!strokes.empty()) {
+      options.anchors = stroke_anchors(data.surface, strokes, progress.part(0, kStrokes));
+    }
+    if (last)
+      options.last.directions = carried_last(*last, last_directions, data.surface, symmetry);
+    DirectionField found =
+        smooth_direction_field(data.surface, options, progress.part(kStrokes, 1));
+    if (last) turned_deg = field_step(found, options.last.directions, symmetry).mean_deg;
+    return found;
+  });
+  return py::make_tuple(owned(std::move(field)), turned_deg);
 }
 
 py::tuple anchors_of_strokes(const SurfaceData& data, const std::vector<StrokeTuple>& tuples) {
@@ -75,8 +142,9 @@ py::tuple anchors_of_strokes(const SurfaceData& data, const std::vector<StrokeTu
   std::vector<std::int32_t> vertices;
   std::vector<Vec3> directions;
   std::vector<float> weights;
-  for (const FieldAnchor& anchor :
-       without_lock([&] { return stroke_anchors(data.surface, strokes); })) {
+  for (const FieldAnchor& anchor : until_interrupted([&](const Progress& progress) {
+         return stroke_anchors(data.surface, strokes, progress);
+       })) {
     vertices.push_back(static_cast<std::int32_t>(anchor.vertex));
     directions.push_back(anchor.direction);
     weights.push_back(anchor.weight);
@@ -106,10 +174,11 @@ py::array projected_field(const SurfaceData& data, float x, float y, float z) {
 py::array raw_curvature_field(const SurfaceData& data, const std::string& which) {
   const CurvatureDirection direction = curvature_direction(which);
   const Surface& surface = data.surface;
-  return owned(without_lock([&] {
-    DirectionField directions = curvature_direction_field(
-        principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood),
-        direction);
+  return owned(until_interrupted([&](const Progress& progress) {
+    DirectionField directions =
+        curvature_direction_field(principal_curvatures(surface.mesh.positions, surface.normals,
+                                                       *surface.neighborhood, progress),
+                                  direction);
     orient_alike(*surface.neighborhood, directions);  // solvers are faster so, as in the tool
     return directions;
   }));
@@ -134,6 +203,8 @@ py::array turned_field(const SurfaceData& data, py::handle directions, float deg
     throw Error("directions: there are " + std::to_string(rows.rows().size()) + " for " +
                 std::to_string(data.surface.mesh.vertex_count()) + " vertices; give one to each");
   }
+  if (!std::isfinite(degrees))
+    throw Error("degrees: give a finite number, not " + std::to_string(degrees));
   const float radians = degrees * std::numbers::pi_v<float> / 180;
   return owned(rotated(rows.rows(), data.surface.normals, radians));
 }
@@ -150,10 +221,20 @@ float stripes_to_frequency(const SurfaceData& data, float stripes) {
 
 }  // namespace
 
+bool matches_by_number(const Mesh& last, const Mesh& mesh, const std::string& match) {
+  if (match.empty()) {
+    return last.vertex_count() == mesh.vertex_count() && last.triangles == mesh.triangles;
+  }
+  if (match == "number") return true;
+  if (match == "position") return false;
+  throw Error("match: '" + match + "' is neither 'number' nor 'position'");
+}
+
 void bind_fields(py::module_& module) {
   module.def("smooth_field", smooth_field, py::arg("surface"), py::arg("symmetry"),
              py::arg("curvature_anchor"), py::arg("curvature"), py::arg("feature_anchor"),
-             py::arg("feature_angle"), py::arg("feature_radius"), py::arg("strokes"));
+             py::arg("feature_angle"), py::arg("feature_radius"), py::arg("strokes"),
+             py::arg("last").none(true));
   module.def("stroke_anchors", anchors_of_strokes, py::arg("surface"), py::arg("strokes"));
   module.def("read_strokes", strokes_in, py::arg("path"));
   module.def(

@@ -13,7 +13,7 @@ namespace {
 Mesh mesh_of(const py::tuple& origin, py::handle vertices, py::handle triangles) {
   const Table positions = table_of(vertices, "vertices");
   const Table corners = table_of(triangles, "triangles");
-  Mesh mesh = make_mesh(positions.view, corners.view);
+  Mesh mesh = make_mesh(positions.view, corners.view, BadTriangles::kept);
   for (int axis = 0; axis < 3; ++axis) mesh.origin[axis] += py::cast<double>(origin[axis]);
   return mesh;
 }

@@ -1,12 +1,22 @@
 #include "job.h"
 
 #include <string>
+#include <string_view>
 
 namespace brindle::python {
 namespace {
 
 // Taking Python's lock for every report would make frames wait for other threads.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
+
+// Python's False and numpy's, as comparing makes it.
+bool is_false(const py::object& answer) {
+  const std::string_view type = Py_TYPE(answer.ptr())->tp_name;
+  if (type != "bool" && type != "numpy.bool_" && type != "numpy.bool") return false;
+  const int truth = PyObject_IsTrue(answer.ptr());
+  if (truth < 0) throw py::error_already_set();
+  return truth == 0;
+}
 
 }  // namespace
 
@@ -21,15 +31,15 @@ Job::Job(py::object callback, int threads)
 }
 
 bool Job::go_on(std::string_view stage, double fraction) {
+  if (is_leaving()) return false;
   const auto now = std::chrono::steady_clock::now();
   if (callback_.is_none() && now - last_look_ < kBetweenLooks) return true;
   last_look_ = now;
-  const py::gil_scoped_acquire locked;
+  const BackInPython back;
   try {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (callback_.is_none()) return true;
-    const py::object answer = callback_(stage, fraction);
-    return !answer.is(py::bool_(false));
+    return !is_false(back.call(callback_, py::make_tuple(stage, fraction)));
   } catch (py::error_already_set& error) {
     pending_.emplace(std::move(error));
     return false;

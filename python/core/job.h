@@ -10,6 +10,7 @@
 
 #include "brindle/progress.h"
 #include "brindle/threads.h"
+#include "process.h"
 
 namespace brindle::python {
 
@@ -26,7 +27,7 @@ class Job {
   template <class Work>
   auto run(const Work& work) {
     try {
-      const py::gil_scoped_release released;
+      const OutsidePython outside;
       const ThreadLimit limit(threads_);
       return work(Progress(
           [this](std::string_view stage, double fraction) { return go_on(stage, fraction); }));
@@ -46,10 +47,16 @@ class Job {
   std::optional<py::error_already_set> pending_;
 };
 
+/// As `Job::run` for work that nobody hears of: until Ctrl-C.
+template <class Work>
+auto until_interrupted(const Work& work) {
+  return Job().run(work);
+}
+
 /// As `Job::run` for work that reports no progress.
 template <class Work>
 auto without_lock(const Work& work) {
-  const py::gil_scoped_release released;
+  const OutsidePython outside;
   return work();
 }
 

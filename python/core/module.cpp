@@ -10,7 +10,9 @@
 #include "brindle/threads.h"
 #include "brindle/version.h"
 #include "pattern_data.h"
+#include "process.h"
 #include "surface_data.h"
+#include "words.h"
 
 namespace brindle::python {
 
@@ -27,6 +29,9 @@ PYBIND11_MODULE(_core, module) {
   });
   module.def("converted_arrays", converted_arrays,
              "How many arrays were converted to be read where none had to be; for tests.");
+  module.def("unmasked", unmasked, py::arg("array"));
+  module.def("in_pythons_words", in_pythons_words, py::arg("text"));
+  bind_process(module);
   bind_surfaces(module);
   bind_fields(module);
   bind_solving(module);

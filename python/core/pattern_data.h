@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,11 +12,12 @@
 
 #include "brindle/branch_pairs.h"
 #include "brindle/cross_texture.h"
+#include "brindle/recipe/making.h"
+#include "brindle/recipe/preparation_figures.h"
+#include "brindle/recipe/report.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_pattern.h"
 #include "brindle/windings.h"
-#include "preparation_figures.h"
-#include "report.h"
 #include "surface_data.h"
 
 namespace brindle::python {
@@ -24,9 +26,7 @@ namespace brindle::python {
 struct Solving {
   StripeOptions stripes;
   int threads = 0;
-  std::optional<float> anchor_boundary;  ///< periods from the rim to the first stripe
-  std::vector<WantedWinding> windings;
-  std::optional<double> merge_branches;  ///< share by which the energy may rise for it
+  brindle::MakingOptions making;
 };
 
 /// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
@@ -36,25 +36,24 @@ Slack slack_of(py::handle slack, py::handle calm);
 struct StripesData {
   SurfacePointer surface;
   StripePattern pattern;
-  tool::PreparationFigures prepared;
+  brindle::PreparationFigures prepared;
   Solver solver = Solver::multilevel;
   int threads = 0;  ///< that were in force
-  std::optional<tool::FollowedReport> followed;
-  std::optional<WoundPattern> wound;  ///< what it took to have the windings wanted; without pattern
-  std::optional<MergedBranches> merged;
+  std::optional<brindle::FollowedReport> followed;
+  brindle::MakingFigures making;
 };
 using StripesPointer = std::shared_ptr<StripesData>;
 
 /// Texture coordinates along two stripe patterns, or along the waves of a cross field.
 struct TextureData {
   SurfacePointer surface;  ///< that corners belong to
-  StripesPointer u, v;     ///< nothing for a cross field
+  StripesPointer u, v;     ///< of a cross field: its waves as far as they can be told apart
   StripesPointer cover;    ///< of a cross field: both waves, on its covering
   TextureWaves waves;
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   std::vector<Index> triangle_origins;  ///< of a cross field: in the surface that was handed over
   std::vector<Index> singular;          ///< of a cross field: triangles of that surface
-  tool::WaveFigures figures;
+  brindle::WaveReport figures;
   std::size_t branches = 0;
   nlohmann::ordered_json report;  ///< without the invocation
 
@@ -65,7 +64,7 @@ using TexturePointer = std::shared_ptr<TextureData>;
 /// Waves of arrays.
 struct WavesIn {
   WaveSet waves;
-  tool::PreparationFigures prepared;
+  brindle::PreparationFigures prepared;
 };
 
 /// Where waves come from, for messages, and what is known of an array that they were made of.
@@ -73,14 +72,19 @@ struct FieldOrigin {
   std::string source;  ///< "the array 'velocity'"
   std::optional<std::size_t> rows_nonfinite;
   std::optional<std::pair<std::size_t, std::size_t>> tensor;  ///< near the normal, isotropic
+  double milliseconds = 0;                                    ///< that making the field took
+  float turn_deg = 0;                      ///< by which waves are turned from their field
+  std::optional<double> field_turned_deg;  ///< of a smooth field that went on from a last one
 };
 
 /// `directions` are of any length, a row per vertex, projected into the tangent planes: but unit
 /// tangent vectors stay as they are, so that fields that Brindle made are not rounded once more.
 /// One of `stripes` and `frequency`, a number or one per vertex where not finite means no wave, is
-/// given. Throws Error, as the tool does, if there is no wave at all.
+/// given. Where `phases`, if there are any, are 0, there is no wave. Throws Error, as the tool
+/// does, if there is no wave at all.
 WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle stripes,
-                 py::handle frequency, const FieldOrigin& origin);
+                 py::handle frequency, const FieldOrigin& origin,
+                 std::span<const Complex> phases = {});
 
 void bind_solving(py::module_& module);
 void bind_patterns(py::module_& module);

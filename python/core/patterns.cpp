@@ -1,19 +1,21 @@
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include <pybind11/stl.h>
 
 #include "arrays.h"
-#include "brindle/boundary_phases.h"
 #include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/pipeline/stripes_again.h"
+#include "brindle/pattern_arrays.h"
 #include "brindle/quality.h"
+#include "brindle/recipe/json_text.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/threads.h"
 #include "job.h"
-#include "pattern_arrays.h"
 #include "pattern_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -23,22 +25,15 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 // The phases that a pattern stays near to, and what a report says of them.
 struct Followed {
   std::vector<Complex> z;
-  tool::FollowedReport report;
+  brindle::FollowedReport report;
 };
-
-bool same_triangles(const Mesh& a, const Mesh& b) {
-  return a.vertex_count() == b.vertex_count() && a.triangles == b.triangles;
-}
 
 Followed follow(const StripesData& last, const SurfaceData& surface, const WaveSet& waves,
                 const std::string& match, float lambda) {
   const Mesh& mesh = surface.surface.mesh;
   const LastPattern pattern{last.surface->surface.mesh, last.pattern.waves,
                             last.pattern.solution.z};
-  const bool by_number = match == "number" || (match.empty() && same_triangles(pattern.mesh, mesh));
-  if (!by_number && !match.empty() && match != "position") {
-    throw Error("match: '" + match + "' is neither 'number' nor 'position'");
-  }
+  const bool by_number = matches_by_number(pattern.mesh, mesh, match);
   Followed followed;
   followed.z = by_number ? matched_phases(pattern, waves) : carried_phases(pattern, mesh, waves);
   followed.report.previous = last.surface->name;
@@ -67,44 +62,6 @@ void copy_to_joined(StripesData& made) {
   }
 }
 
-// Fixes the phases of the first stripe along boundaries, where it is wanted.
-void fix_boundary(const Surface& surface, const WaveSet& waves, const Solving& solving,
-                  StripeOptions& options) {
-  if (!solving.anchor_boundary) return;
-  options.fixed_phases = boundary_phases(surface, waves, *solving.anchor_boundary);
-  if (std::ranges::any_of(options.fixed_phases, [](Complex z) { return z != Complex(0); })) return;
-  throw Error(
-      "anchor_boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "
-      "field");
-}
-
-// As the tool does: windings first, whose waves then meet the boundary.
-StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& options,
-                            const Solving& solving, StripesData& made, const Progress& reports) {
-  if (solving.windings.empty()) {
-    fix_boundary(surface, waves, solving, options);
-    return stripe_pattern(surface, std::move(waves), options, reports);
-  }
-  const StripePattern first = stripe_pattern(surface, std::move(waves), options, reports);
-  WoundPattern wound = wind(surface, first, solving.windings, options, reports);
-  StripePattern pattern = std::move(wound.pattern);
-  wound.pattern = {};
-  made.wound = std::move(wound);
-  if (!solving.anchor_boundary) return pattern;
-  fix_boundary(surface, pattern.waves, solving, options);
-  WaveSet turned = pattern.waves;
-  return stripes_again(surface, std::move(turned), pattern, options, reports);
-}
-
-StripePattern made_pattern(const Surface& surface, WaveSet waves, StripeOptions options,
-                           const Solving& solving, StripesData& made, const Progress& reports) {
-  StripePattern pattern = wound_pattern(surface, std::move(waves), options, solving, made, reports);
-  if (solving.merge_branches) {
-    made.merged = merge_branches(surface, pattern, *solving.merge_branches, options, reports);
-  }
-  return pattern;
-}
-
 StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py::handle count,
                        py::handle frequency, const FieldOrigin& origin, const Solving& solving,
                        const StripesPointer& previous, const std::string& match,
@@ -118,13 +75,21 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
       followed = follow(*previous, *surface, in.waves, match, options.lambda);
       options.last_phases = followed->z;
     }
-    made->pattern =
-        made_pattern(surface->surface, std::move(in.waves), options, solving, *made, reports);
+    made->pattern = saying_in_pythons_words([&] {
+      return brindle::make_pattern(surface->surface, std::move(in.waves), options, solving.making,
+                                   reports, made->making);
+    });
+    if (!solving.making.windings.empty()) {
+      brindle::measure_windings(surface->surface, made->pattern, made->making);
+    }
     made->surface = surface;
     made->prepared = in.prepared;
     made->solver = options.solver.solver;
     made->threads = ThreadLimit::current();
-    if (followed) tell_step(*followed, *made);
+    if (followed) {
+      tell_step(*followed, *made);
+      made->followed->field_turned_deg = origin.field_turned_deg;
+    }
     copy_to_joined(*made);
     return made;
   });
@@ -134,18 +99,15 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
 StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle phases,
                                    py::handle directions, py::handle count, py::handle frequency,
                                    const FieldOrigin& origin, const Solving& solving) {
-  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
   std::vector<Complex> z = phases_of(phases, "phases");
+  WavesIn in = waves_of(*surface, directions, count, frequency, origin, z);
   StripeOptions options = solving.stripes;
   options.solve = [&](const PhaseGraph& graph, const SolverOptions&, const Progress&,
                       const SolverData&) {
     PhaseSolution solution;
-    if (z.size() != graph.node_count()) {
-      throw Error("phases: there are " + std::to_string(z.size()) + " for " +
-                  std::to_string(graph.node_count()) + " vertices; give one to each");
-    }
     anchor_phases(*std::make_unique<PhaseGraph>(graph), z,
-                  1);  // throws for other than unit numbers
+                  1);                                    // throws for other than unit numbers
+    std::ranges::replace(z, Complex(0), Complex(0, 1));  // as solvers leave it without a wave
     solution.energy = energy(graph, z);
     solution.z = std::move(z);
     return solution;
@@ -162,26 +124,27 @@ StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle pha
 }
 
 py::array corner_phases_array(const StripesData& data) {
-  return array_owning(tool::corner_phases_of(data.pattern, "corner_phase"));
+  return array_owning(brindle::corner_phases_of(data.pattern, "corner_phase"));
 }
 
 py::dict point_arrays(const StripesData& data) {
   std::vector<DataArray> arrays;
   const Mesh& mesh = data.surface->surface.mesh;
-  tool::add_waves(
+  brindle::add_waves(
       arrays, {data.pattern.waves, data.pattern.frequencies_wanted, data.pattern.solution.z, ""},
       kNan,
       data.surface->is_points() ? std::vector<float>()
-                                : tool::branches_at_vertices(mesh, data.pattern.corners));
+                                : brindle::branches_at_vertices(mesh, data.pattern.corners));
   copy_from_partners(arrays, data.surface->partners);
   arrays.push_back(make_data_array("original_id", 1, data.surface->original_ids));
+  brindle::add_turn(arrays, data.prepared.turn_deg, mesh.vertex_count());
   return dict_owning(std::move(arrays));
 }
 
 py::dict cell_arrays(const StripesData& data) {
   if (data.surface->is_points()) return {};
-  return dict_owning({tool::branches_in_triangles(data.pattern, "branch"),
-                      tool::corner_phases_of(data.pattern, "corner_phase")});
+  return dict_owning({brindle::branches_in_triangles(data.pattern, "branch"),
+                      brindle::corner_phases_of(data.pattern, "corner_phase")});
 }
 
 template <class Number, class Value>
@@ -217,19 +180,32 @@ py::array angle_errors_of(const StripesData& data) {
 }
 
 std::string report_of(const StripesData& data, const std::string& invocation) {
-  tool::Report report =
-      tool::make_report(data.surface->surface, data.prepared, data.pattern, data.solver);
+  brindle::Report report =
+      brindle::make_report(data.surface->surface, data.prepared, data.pattern, data.solver);
   report.threads = data.threads;
   report.followed = data.followed;
+  brindle::add_to_json(data.making, report.making);
   report.invocation = nlohmann::ordered_json::parse(invocation);
-  return tool::to_json(report).dump();
+  return brindle::json_text(brindle::to_json(report));
+}
+
+// What the tool's report of a family of curves says of loops, windings and branches.
+std::string making_of(const StripesData& data) {
+  brindle::MakingFigures figures = data.making;
+  figures.loops.clear();
+  figures.windings.clear();
+  figures.branches.clear();
+  without_lock([&] { brindle::measure_windings(data.surface->surface, data.pattern, figures); });
+  auto json = nlohmann::ordered_json::object();
+  brindle::add_to_json(figures, json);
+  return json.dump();
 }
 
 // Lines about what is probably not meant.
 std::string warnings_of(const StripesData& data, const std::string& source) {
-  return tool::warnings(data.prepared.figures, source) +
-         tool::branch_warning(data.prepared.figures, data.pattern.quality.branches,
-                              data.surface->surface.mesh.triangle_count());
+  return brindle::warnings(data.prepared.figures, source) +
+         brindle::branch_warning(data.prepared.figures, data.pattern.quality.branches,
+                                 data.surface->surface.mesh.triangle_count());
 }
 
 py::object frequency_change_of(const StripesData& data) {
@@ -250,23 +226,24 @@ py::object frequency_change_of(const StripesData& data) {
 }
 
 py::object turned_of(const StripesData& data) {
-  if (!data.wound) return py::none();
+  if (data.making.windings_before.empty()) return py::none();
   py::dict result;
-  result["energy_before"] = data.wound->energy_before;
-  result["largest_deg"] = data.wound->largest_turn_deg;
-  result["mean_deg"] = data.wound->mean_turn_deg;
-  result["largest_frequency_change"] = data.wound->largest_frequency_change;
+  result["energy_before"] = data.making.energy_before;
+  result["largest_deg"] = data.making.largest_turn_deg;
+  result["mean_deg"] = data.making.mean_turn_deg;
+  result["largest_frequency_change"] = data.making.largest_frequency_change;
   return result;
 }
 
 py::object merged_of(const StripesData& data) {
-  if (!data.merged) return py::none();
+  if (!data.making.merged) return py::none();
+  const MergedBranches& merged = *data.making.merged;
   py::dict result;
-  result["pairs"] = data.merged->pairs;
-  result["branches_before"] = data.merged->branches_before;
-  result["branches_after"] = data.merged->branches_after;
-  result["energy_before"] = data.merged->energy_before;
-  result["energy_after"] = data.merged->energy_after;
+  result["pairs"] = merged.pairs;
+  result["branches_before"] = merged.branches_before;
+  result["branches_after"] = merged.branches_after;
+  result["energy_before"] = merged.energy_before;
+  result["energy_after"] = merged.energy_after;
   return result;
 }
 
@@ -295,6 +272,8 @@ void bind_stripes(py::module_& module) {
                              })
       .def("frequency_change", frequency_change_of)
       .def("turned", turned_of)
+      .def_property_readonly("turn_deg",
+                             [](const StripesData& data) { return data.prepared.turn_deg; })
       .def("merged", merged_of)
       .def_property_readonly(
           "directions",
@@ -308,6 +287,7 @@ void bind_stripes(py::module_& module) {
       .def("branch_indices", branch_indices_of)
       .def("angle_errors", angle_errors_of)
       .def("report", report_of, py::arg("invocation"))
+      .def("making", making_of)
       .def("warnings", warnings_of, py::arg("source"));
 }
 
@@ -328,12 +308,42 @@ Slack slack_of(py::handle slack, py::handle calm) {
   return result;
 }
 
+namespace {
+
+// The options that are given by their names, each at the first of the functions that refuses it.
+void check_solving(const Solving& solving, const std::set<std::string>& names, bool points) {
+  const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
+  const SolverOptions& solver = solving.stripes.solver;
+  saying_in_pythons_words([&] {
+    brindle::check_calm(given, solving.stripes.slack.yields());
+    brindle::check_solver_options(given, solver.solver, solver.cycles);
+    brindle::check_whole_number("--sweeps", solver.sweeps, 0, brindle::kMostSweeps);
+    brindle::check_whole_number("--cycles", solver.cycles, 0, brindle::kMostSweeps);
+    brindle::check_whole_number("--global-iterations", solver.global_iterations, 1,
+                                brindle::kMostSweeps);
+    brindle::check_whole_number("--threads", solving.threads, 0, brindle::kMostThreads);
+    brindle::check_following(given, given("--previous"), solver.solver);
+    brindle::check_weight("--lambda", solving.stripes.lambda);
+    brindle::check_making(solving.making, solver.solver);
+    if (!points) return;
+    brindle::check_making_on_points(given);
+    brindle::check_triangle_options(given);
+  });
+  if (solver.solver == Solver::global) use_unforkable(UnforkableWork::global_solver);
+}
+
+}  // namespace
+
 void bind_solving(py::module_& module) {
   py::class_<Solving>(module, "Solving")
       .def(py::init<>())
       .def_readwrite("threads", &Solving::threads)
-      .def_readwrite("anchor_boundary", &Solving::anchor_boundary)
-      .def_readwrite("merge_branches", &Solving::merge_branches)
+      .def_property(
+          "anchor_boundary", [](const Solving& s) { return s.making.anchor_boundary; },
+          [](Solving& s, std::optional<float> periods) { s.making.anchor_boundary = periods; })
+      .def_property(
+          "merge_branches", [](const Solving& s) { return s.making.merge_branches; },
+          [](Solving& s, std::optional<float> share) { s.making.merge_branches = share; })
       .def(
           "set_slack",
           [](Solving& s, py::handle slack, py::handle calm) {
@@ -343,7 +353,7 @@ void bind_solving(py::module_& module) {
       .def(
           "add_winding",
           [](Solving& s, const std::string& loop, int periods) {
-            s.windings.push_back({loop, periods});
+            s.making.windings.push_back({loop, periods});
           },
           py::arg("loop"), py::arg("periods"))
       .def_property(
@@ -392,12 +402,16 @@ void bind_solving(py::module_& module) {
 #undef BRINDLE_SOLVER_OPTION
       .def_property(
           "lambda_", [](const Solving& s) { return s.stripes.lambda; },
-          [](Solving& s, float lambda) { s.stripes.lambda = lambda; });
+          [](Solving& s, float lambda) { s.stripes.lambda = lambda; })
+      .def("check", check_solving, py::arg("given"), py::arg("points"));
   py::class_<FieldOrigin>(module, "FieldOrigin")
       .def(py::init<>())
       .def_readwrite("source", &FieldOrigin::source)
       .def_readwrite("rows_nonfinite", &FieldOrigin::rows_nonfinite)
-      .def_readwrite("tensor", &FieldOrigin::tensor);
+      .def_readwrite("turn_deg", &FieldOrigin::turn_deg)
+      .def_readwrite("field_turned_deg", &FieldOrigin::field_turned_deg)
+      .def_readwrite("tensor", &FieldOrigin::tensor)
+      .def_readwrite("milliseconds", &FieldOrigin::milliseconds);
 }
 
 void bind_patterns(py::module_& module) {

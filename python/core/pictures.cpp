@@ -109,7 +109,7 @@ void draw_lines(const std::string& path, const SurfaceData& data, const std::vec
 Ornament ornament(py::handle vertices, py::handle triangles, const std::string& color) {
   const Table positions = table_of(vertices, "vertices");
   const Table corners = table_of(triangles, "triangles");
-  Ornament made{make_mesh(positions.view, corners.view), color_of(color)};
+  Ornament made{make_mesh(positions.view, corners.view, BadTriangles::kept), color_of(color)};
   return made;
 }
 

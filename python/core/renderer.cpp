@@ -6,10 +6,12 @@
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/quality.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/splats.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "pictures.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -26,6 +28,7 @@ Image image_of(py::handle array) {
   if (!py::isinstance<py::array_t<std::uint8_t>>(array)) {
     throw py::type_error("image: expected an array of uint8");
   }
+  refuse_masked(array, "image");
   const py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast> pixels(
       py::reinterpret_borrow<py::object>(array));
   if (pixels.ndim() != 3 || (pixels.shape(2) != 3 && pixels.shape(2) != 4)) {
@@ -67,7 +70,7 @@ RenderOptions options_of(const Picture& picture) {
 }
 
 Image picture_of_points(const SurfaceData& data, const StripesData* stripes,
-                        const RenderOptions& options) {
+                        const RenderOptions& options, const Progress& progress) {
   const Surface& surface = data.surface;
   const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
   SplatDrawing drawing{
@@ -76,47 +79,62 @@ Image picture_of_points(const SurfaceData& data, const StripesData* stripes,
     drawing.waves = &stripes->pattern.waves;
     drawing.z = stripes->pattern.solution.z;
   }
-  return render_splats(drawing, options);
+  return render_splats(drawing, options, progress);
 }
 
 py::array render_stripes(const SurfaceData& surface, const StripesData* stripes,
                          const Picture& picture) {
-  return array_of(without_lock([&] {
+  if (surface.is_points()) {
+    saying_in_pythons_words([&] { brindle::check_view_of_points(picture.view == "stripes"); });
+  }
+  use_unforkable(UnforkableWork::pictures);
+  return array_of(until_interrupted([&](const Progress& progress) {
     const RenderOptions options = options_of(picture);
-    if (surface.is_points()) return picture_of_points(surface, stripes, options);
+    if (surface.is_points()) return picture_of_points(surface, stripes, options, progress);
     SurfaceDrawing drawing{.mesh = surface.surface.mesh, .normals = surface.surface.normals};
-    if (stripes == nullptr) return render_picture(drawing, options);
+    if (stripes == nullptr) return render_picture(drawing, options, progress);
     const Overlay overlay = overlay_of(picture.view, *stripes);
     drawing.waves = &stripes->pattern.waves;
     drawing.z = stripes->pattern.solution.z;
     drawing.triangle_colors = overlay.triangle_colors;
     drawing.marks = overlay.marks;
-    return render_picture(drawing, options);
+    return render_picture(drawing, options, progress);
   }));
+}
+
+// Throws Error for what does not look as crosses do.
+void check_crosses(py::handle tile, const Picture& picture) {
+  saying_in_pythons_words([&] {
+    brindle::check_view_of_crosses(picture.view == "stripes");
+    if (py::isinstance<py::str>(tile)) brindle::check_tile_of_crosses(py::cast<std::string>(tile));
+  });
 }
 
 py::array render_texture(const TextureData& texture, py::handle tile, const Picture& picture) {
   const TextureTile chosen = tile_of(tile);
-  return array_of(without_lock([&] {
+  if (texture.is_cross()) check_crosses(tile, picture);
+  use_unforkable(UnforkableWork::pictures);
+  return array_of(until_interrupted([&](const Progress& progress) {
     SurfaceDrawing drawing{.mesh = texture.surface->surface.mesh,
                            .normals = texture.surface->surface.normals};
     drawing.texture_waves = &texture.waves;
     drawing.texture_tile = &chosen;
-    if (texture.u) {
+    if (!texture.is_cross()) {
       const Overlay overlay = overlay_of(picture.view, *texture.u);
       drawing.waves = &texture.u->pattern.waves;
       drawing.z = texture.u->pattern.solution.z;
       drawing.triangle_colors = overlay.triangle_colors;
       drawing.marks = overlay.marks;
-      return render_picture(drawing, options_of(picture));
+      return render_picture(drawing, options_of(picture), progress);
     }
-    return render_picture(drawing, options_of(picture));
+    return render_picture(drawing, options_of(picture), progress);
   }));
 }
 
 py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>& ornaments,
                            const Picture& picture) {
-  return array_of(without_lock([&] {
+  use_unforkable(UnforkableWork::pictures);
+  return array_of(until_interrupted([&](const Progress& progress) {
     Mesh mesh = data.surface.mesh;
     std::vector<Vec3> normals = data.surface.normals;
     std::vector<TriangleColor> colors(mesh.triangle_count());
@@ -127,7 +145,7 @@ py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>&
       colors.resize(mesh.triangle_count(), {ornament.color, 1});
     }
     return render_picture({.mesh = mesh, .normals = normals, .triangle_colors = colors},
-                          picture.options);
+                          picture.options, progress);
   }));
 }
 
@@ -150,12 +168,14 @@ void bind_renderer(py::module_& module) {
       py::arg("path"));
   module.def(
       "tile_png",
-      [](py::handle tile, const Picture& picture) {
+      [](py::handle tile, const Picture& picture, bool of_crosses) {
         constexpr int kSide = 512;
-        return py::bytes(png_of(tile_picture(tile_of(tile), kSide, picture.options.stripe_color,
-                                             picture.options.base_color)));
+        const TextureTile chosen = tile_of(tile);
+        if (of_crosses) check_crosses(tile, picture);
+        return py::bytes(png_of(
+            tile_picture(chosen, kSide, picture.options.stripe_color, picture.options.base_color)));
       },
-      py::arg("tile"), py::arg("picture"));
+      py::arg("tile"), py::arg("picture"), py::arg("of_crosses"));
 }
 
 }  // namespace brindle::python

@@ -42,6 +42,10 @@ struct SurfaceData {
 
 using SurfacePointer = std::shared_ptr<SurfaceData>;
 
+/// Whether vertices of `mesh` are those of `last` with the same number: `match` is "number",
+/// "position", or empty for number where the triangles are the same. Throws Error for other words.
+bool matches_by_number(const Mesh& last, const Mesh& mesh, const std::string& match);
+
 void bind_surfaces(py::module_& module);
 void bind_fields(py::module_& module);
 

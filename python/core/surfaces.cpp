@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -8,23 +9,33 @@
 
 #include "arrays.h"
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/geometry/local_positions.h"
 #include "brindle/geometry/nearest.h"
-#include "brindle/geometry/polygon.h"
 #include "brindle/mesh_data.h"
 #include "brindle/nearby_data.h"
+#include "brindle/polygon.h"
+#include "brindle/recipe/array_choice.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/shapes.h"
 #include "job.h"
 #include "surface_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
 
 constexpr std::string_view kShapePrefix = "shape:";
+// Shares of making a surface.
+constexpr double kReading = 0.4, kSplit = 0.6;
+constexpr std::string_view kSearching = "nearest places";
+constexpr std::size_t kPointsBetweenLooks = 1024;  // a tenth of a second, if they are far away
+constexpr std::size_t kPointsOfTask = 32;
 
 // The first `own` vertices have numbers; those that were added have none.
 void number_vertices(SurfaceData& data, std::size_t own) {
@@ -34,15 +45,15 @@ void number_vertices(SurfaceData& data, std::size_t own) {
 }
 
 // Derives all that depends on the mesh.
-SurfacePointer finished(SurfaceData&& data, Mesh&& mesh) {
+SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, const Progress& progress) {
   Stopwatch watch;
-  data.surface = make_surface(std::move(mesh));
+  data.surface = make_surface(std::move(mesh), progress);
   data.topology_milliseconds = watch.lap();
   if (data.original_ids.empty()) number_vertices(data, data.surface.mesh.vertex_count());
   return std::make_shared<SurfaceData>(std::move(data));
 }
 
-void check_array_rows(const DataArrays& arrays, const Mesh& mesh) {
+void check_array_rows(const DataArrays& arrays, std::size_t vertices, std::size_t triangles) {
   const auto check = [](const std::vector<DataArray>& list, std::size_t rows, const char* of) {
     for (const DataArray& array : list) {
       if (array.rows() == rows) continue;
@@ -50,8 +61,8 @@ void check_array_rows(const DataArrays& arrays, const Mesh& mesh) {
                   " rows for " + std::to_string(rows) + " " + of);
     }
   };
-  check(arrays.points, mesh.vertex_count(), "vertices");
-  check(arrays.cells, mesh.triangle_count(), "triangles");
+  check(arrays.points, vertices, "vertices");
+  check(arrays.cells, triangles, "triangles");
 }
 
 Table columns_of_three(py::handle object, const char* what) {
@@ -60,8 +71,7 @@ Table columns_of_three(py::handle object, const char* what) {
   return table;
 }
 
-// A corner that is no vertex becomes one that no mesh has.
-Mesh unchecked_mesh(const ArrayView& positions, const ArrayView& triangles) {
+Mesh unchecked_points(const ArrayView& positions) {
   std::vector<Eigen::Vector3d> places(positions.rows());
   for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
     places[vertex][static_cast<Eigen::Index>(axis)] = static_cast<double>(number);
@@ -69,70 +79,62 @@ Mesh unchecked_mesh(const ArrayView& positions, const ArrayView& triangles) {
   Mesh mesh;
   mesh.origin = origin_near(places);
   mesh.positions = positions_about(mesh.origin, places);
-  mesh.triangles.resize(triangles.rows());
-  for_each_number(triangles, [&](std::size_t triangle, std::size_t corner, auto number) {
-    if constexpr (std::is_integral_v<decltype(number)>) {
-      const bool is_vertex = static_cast<std::uint64_t>(number) < places.size();
-      mesh.triangles[triangle][corner] =
-          is_vertex ? static_cast<Index>(number) : std::numeric_limits<Index>::max();
-    } else {
-      throw Error("triangles: their corners must be whole numbers, not floating-point ones");
-    }
-  });
   return mesh;
 }
 
-// What `read_mesh` does with a file's mesh.
-void repair_all(Mesh& mesh, SurfaceData& data) {
-  const std::size_t triangles = mesh.triangle_count();
-  std::vector<Index> first = first_at_each_place(mesh.positions);
-  for (Triangle& triangle : mesh.triangles) {
-    for (Index& corner : triangle) corner = corner < first.size() ? first[corner] : corner;
+Mesh take_repaired(RepairedMesh&& repaired, SurfaceData& data) {
+  data.repair = repaired.repair;
+  data.vertices_joined = repaired.repair.vertices_joined;
+  data.partners = data.vertex_of_row = std::move(repaired.vertex_of_row);
+  if (!repaired.kept_triangles.empty() || repaired.mesh.triangles.empty()) {
+    data.arrays.cells = rows_of(data.arrays.cells, repaired.kept_triangles);
   }
-  std::size_t joined = 0;
-  for (Index v = 0; v < first.size(); ++v) joined += first[v] != v ? 1 : 0;
-  std::vector<Index> kept;
-  data.repair = repair_mesh(mesh, kept);
-  data.repair.vertices_joined = data.vertices_joined = joined;
-  if (joined > 0) data.partners = data.vertex_of_row = std::move(first);
-  if (kept.size() == triangles) return;
-  data.arrays.cells = rows_of(data.arrays.cells, kept);
-  data.kept_triangles = std::move(kept);
+  data.kept_triangles = std::move(repaired.kept_triangles);
+  return std::move(repaired.mesh);
 }
 
 SurfacePointer from_arrays(py::handle vertices, py::handle triangles, const py::dict& point_arrays,
                            const py::dict& cell_arrays, bool repair) {
   const Table positions = columns_of_three(vertices, "vertices");
+  refuse_masked(triangles, "triangles");
   const Table corners = columns_of_three(triangles, "triangles");
   SurfaceData data;
   data.name = "arrays";
   data.arrays = {data_arrays_of(point_arrays), data_arrays_of(cell_arrays)};
   Stopwatch watch;
-  Mesh mesh = repair ? unchecked_mesh(positions.view, corners.view)
-                     : make_mesh(positions.view, corners.view);
-  check_array_rows(data.arrays, mesh);
-  return without_lock([&] {
-    if (repair) repair_all(mesh, data);
+  check_array_rows(data.arrays, positions.view.rows(), corners.view.rows());
+  return until_interrupted([&](const Progress& progress) {
+    Mesh mesh = repair ? take_repaired(make_repaired_mesh(positions.view, corners.view), data)
+                       : make_mesh(positions.view, corners.view);
     data.load_milliseconds = watch.lap();
-    return finished(std::move(data), std::move(mesh));
+    return finished(std::move(data), std::move(mesh), progress);
   });
 }
 
-SurfacePointer from_points(LoadedPoints&& loaded, int neighbors, SurfaceData&& data) {
+SurfacePointer from_points(LoadedPoints&& loaded, int neighbors, SurfaceData&& data,
+                           const Progress& progress) {
   data.point_repair = loaded.repair;
   data.vertices_joined = loaded.repair.repeated;
   data.partners = data.vertex_of_row = std::move(loaded.first_at_place);
   data.left_out = std::move(loaded.left_out);
   if (!loaded.arrays.empty()) data.arrays.points = std::move(loaded.arrays);
   Stopwatch watch;
-  data.surface = make_point_surface(std::move(loaded.cloud), neighbors);
+  data.surface = make_point_surface(std::move(loaded.cloud), neighbors, progress);
   data.topology_milliseconds = watch.lap();
   number_vertices(data, data.surface.mesh.vertex_count());
   return std::make_shared<SurfaceData>(std::move(data));
 }
 
+void check_neighbors(int neighbors) {
+  saying_in_pythons_words([&] {
+    brindle::check_whole_number("--neighbors", neighbors, brindle::kFewestNeighbors,
+                                brindle::kMostNeighbors);
+  });
+}
+
 SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neighbors,
                                  const py::dict& point_arrays) {
+  check_neighbors(neighbors);
   const Table positions = columns_of_three(points, "points");
   std::vector<Vec3> directions;
   if (!normals.is_none()) {
@@ -146,28 +148,30 @@ SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neig
   SurfaceData data;
   data.name = "arrays";
   data.arrays.points = data_arrays_of(point_arrays);
-  const Mesh placed = unchecked_mesh(positions.view, {});
-  check_array_rows(data.arrays, placed);
-  return without_lock([&] {
-    LoadedPoints loaded = make_point_cloud(placed.positions, std::move(directions));
+  const Mesh placed = unchecked_points(positions.view);
+  check_array_rows(data.arrays, placed.vertex_count(), 0);
+  return until_interrupted([&](const Progress& progress) {
+    LoadedPoints loaded =
+        make_point_cloud(placed.positions, std::move(directions), progress.part(0, kReading));
     loaded.cloud.origin = placed.origin;
-    return from_points(std::move(loaded), neighbors, std::move(data));
+    return from_points(std::move(loaded), neighbors, std::move(data), progress.part(kReading, 1));
   });
 }
 
-SurfacePointer from_mesh_file(const std::filesystem::path& path, SurfaceData&& data, int times,
+SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, int times,
                               const Progress& progress) {
   Stopwatch watch;
-  LoadedMesh loaded = read_mesh(path, progress);
+  LoadedMesh loaded = file.mesh(progress.part(0, kReading));
   const std::size_t own = loaded.mesh.vertex_count();
-  if (times > 0) subdivide(loaded.mesh, loaded.arrays, times);
+  if (times > 0) subdivide(loaded.mesh, loaded.arrays, times, progress.part(kReading, kSplit));
   data.repair = loaded.repair;
   data.vertices_joined = loaded.repair.vertices_joined;
   data.arrays = std::move(loaded.arrays);
   data.left_out = std::move(loaded.left_out);
   if (!loaded.renumbered) data.partners = loaded.vertex_of_row;
   data.load_milliseconds = watch.lap();
-  const SurfacePointer made = finished(std::move(data), std::move(loaded.mesh));
+  const SurfacePointer made =
+      finished(std::move(data), std::move(loaded.mesh), progress.part(kSplit, 1));
   number_vertices(*made, loaded.renumbered ? 0 : own);
   if (loaded.renumbered) {
     for (std::size_t row = loaded.vertex_of_row.size(); row-- > 0;) {
@@ -182,15 +186,17 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
                          int neighbors, int times, const py::object& callback) {
   SurfaceData data;
   data.name = path.string();
+  check_neighbors(neighbors);
   return Job(callback).run([&](const Progress& progress) {
-    if (!points.value_or(is_point_file(path))) {
-      return from_mesh_file(path, std::move(data), times, progress);
+    SurfaceFile file(path);
+    if (!(points ? *points : !file.has_faces(progress))) {
+      return from_mesh_file(file, std::move(data), times, progress);
     }
-    if (times > 0) throw Error(path.string() + ": points have no triangles to subdivide");
+    if (times > 0) throw Error(shown(path.native()) + ": points have no triangles to subdivide");
     Stopwatch watch;
-    LoadedPoints loaded = read_points(path);
+    LoadedPoints loaded = file.points(progress);
     data.load_milliseconds = watch.lap();
-    return from_points(std::move(loaded), neighbors, std::move(data));
+    return from_points(std::move(loaded), neighbors, std::move(data), progress.part(kReading, 1));
   });
 }
 
@@ -198,13 +204,14 @@ SurfacePointer from_shape(const std::string& spec, int times) {
   SurfaceData data;
   data.name = std::string(kShapePrefix) + spec;
   data.stands_on_z = true;
-  return without_lock([&] {
+  return until_interrupted([&](const Progress& progress) {
     Stopwatch watch;
     Mesh mesh = make_shape(spec);
     const std::size_t own = mesh.vertex_count();
-    if (times > 0) mesh = subdivide(std::move(mesh), times);
+    if (times > 0) mesh = subdivide(std::move(mesh), times, progress.part(0, kSplit));
     data.load_milliseconds = watch.lap();
-    const SurfacePointer made = finished(std::move(data), std::move(mesh));
+    const SurfacePointer made =
+        finished(std::move(data), std::move(mesh), progress.part(kSplit, 1));
     number_vertices(*made, own);
     return made;
   });
@@ -225,13 +232,13 @@ SurfaceData data_along_with(const SurfaceData& from) {
 SurfacePointer subdivided(const SurfaceData& from, int times) {
   if (from.is_points()) throw Error("points have no triangles to subdivide");
   SurfaceData data = data_along_with(from);
-  return without_lock([&] {
+  return until_interrupted([&](const Progress& progress) {
     Stopwatch watch;
     Mesh mesh = from.surface.mesh;
-    subdivide(mesh, data.arrays, times);
+    subdivide(mesh, data.arrays, times, progress.part(0, kSplit));
     data.load_milliseconds = watch.lap();
     data.original_ids.resize(mesh.vertex_count(), -1);
-    return finished(std::move(data), std::move(mesh));
+    return finished(std::move(data), std::move(mesh), progress.part(kSplit, 1));
   });
 }
 
@@ -241,10 +248,10 @@ SurfacePointer moved(const SurfaceData& from, py::handle positions) {
   const Mesh& mesh = from.surface.mesh;
   check_rows(table, mesh.vertex_count(), "vertices");
   SurfaceData data = data_along_with(from);
-  return without_lock([&] {
+  return until_interrupted([&](const Progress& progress) {
     Mesh moved_mesh = make_mesh(table.view, {});
     moved_mesh.triangles = mesh.triangles;
-    return finished(std::move(data), std::move(moved_mesh));
+    return finished(std::move(data), std::move(moved_mesh), progress);
   });
 }
 
@@ -301,8 +308,9 @@ std::string description_of_repair(const SurfaceData& data) {
 
 py::tuple curvature_of(const SurfaceData& data) {
   const Surface& surface = data.surface;
-  const auto curvatures = without_lock([&] {
-    return principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
+  const auto curvatures = until_interrupted([&](const Progress& progress) {
+    return principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood,
+                                progress);
   });
   std::vector<float> maximum, minimum;
   std::vector<Vec3> maximum_directions, minimum_directions;
@@ -325,15 +333,26 @@ py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_
   std::vector<std::int32_t> triangles(count, -1);
   std::vector<double> weights(3 * count, 0),
       distances(count, std::numeric_limits<double>::infinity());
-  without_lock([&] {
+  until_interrupted([&](const Progress& progress) {
+    progress.report(kSearching, 0);
     const NearestOnMesh places(mesh);
-    for (std::size_t i = 0; i < count; ++i) {
+    const auto search = [&](std::size_t i) {
       const Eigen::Vector3d point(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
       const auto place = places.nearest(point - mesh.origin, max_distance);
-      if (!place) continue;
+      if (!place) return;
       triangles[i] = static_cast<std::int32_t>(place->triangle);
       std::copy(place->barycentric.begin(), place->barycentric.end(), &weights[3 * i]);
       distances[i] = place->distance;
+    };
+    for (std::size_t begin = 0; begin < count; begin += kPointsBetweenLooks) {
+      progress.report(kSearching, static_cast<double>(begin) / static_cast<double>(count));
+      const std::size_t points_here = std::min(kPointsBetweenLooks, count - begin);
+      parallel_for(
+          points_here,
+          [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = begin + from; i < begin + to; ++i) search(i);
+          },
+          kPointsOfTask);
     }
   });
   return py::make_tuple(owned(std::move(triangles)),
@@ -345,10 +364,16 @@ py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_
 py::array carried(const SurfaceData& from, const std::string& name, py::handle array,
                   const SurfaceData& to, double max_distance) {
   const DataArray values = data_array_of(name, array);
+  const Mesh& mesh = from.surface.mesh;
+  if (values.rows() != mesh.vertex_count() && values.rows() != mesh.triangle_count()) {
+    throw Error("array '" + name + "': it has " + std::to_string(values.rows()) + " rows for " +
+                std::to_string(mesh.vertex_count()) + " vertices and " +
+                std::to_string(mesh.triangle_count()) + " triangles");
+  }
   const bool cells = !from.is_points() && values.rows() == from.surface.mesh.triangle_count() &&
                      values.rows() != from.surface.mesh.vertex_count();
-  return array_owning(without_lock([&] {
-    const NearbyRows rows = nearby_rows(from.surface.mesh, to.surface.mesh, max_distance);
+  return array_owning(until_interrupted([&](const Progress& progress) {
+    const NearbyRows rows = nearby_rows(from.surface.mesh, to.surface.mesh, max_distance, progress);
     return cells ? carried_from_cells(values, rows) : carried_from_points(values, rows);
   }));
 }
@@ -362,7 +387,7 @@ py::array moved_to_points(const SurfaceData& data, const std::string& name, py::
 // triangles; and of which polygon each is.
 py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::handle corners) {
   const Table positions = columns_of_three(vertices, "vertices");
-  const Mesh placed = unchecked_mesh(positions.view, {});
+  const Mesh placed = unchecked_points(positions.view);
   using Numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
   const Numbers rows(py::reinterpret_borrow<py::object>(offsets));
   const Numbers ends(py::reinterpret_borrow<py::object>(corners));
@@ -388,6 +413,13 @@ py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::han
   const auto count = static_cast<py::ssize_t>(triangles.size());
   return py::make_tuple(owned<std::int32_t>(std::move(triangles), {count, 3}),
                         owned(std::move(origins)));
+}
+
+// The array NAME, points/NAME or cells/NAME: its own name, itself, and whether it is of triangles.
+py::tuple array_named(py::handle self, const std::string& name) {
+  const SurfaceData& data = data_of(self);
+  const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);
+  return py::make_tuple(array->name, shared(*array, self), of_cells);
 }
 
 void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
@@ -471,6 +503,7 @@ void bind_surfaces(py::module_& module) {
       .def("nearest", nearest_places, py::arg("points"), py::arg("max_distance"))
       .def("carried", carried, py::arg("name"), py::arg("array"), py::arg("to"),
            py::arg("max_distance"))
+      .def("array_named", array_named, py::arg("name"))
       .def("moved_to_points", moved_to_points, py::arg("name"), py::arg("cells"));
   module.def("surface_of_arrays", from_arrays, py::arg("vertices"), py::arg("triangles"),
              py::arg("point_data"), py::arg("cell_data"), py::arg("repair"));

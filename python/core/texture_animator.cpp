@@ -7,6 +7,7 @@
 #include "arrays.h"
 #include "brindle/error.h"
 #include "corner_uv.h"
+#include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"
 
@@ -33,6 +34,7 @@ std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer&
                                                            bool oriented, float lambda, int sweeps,
                                                            int cycles, py::handle slack,
                                                            py::handle calm) {
+  check_numbers(lambda, sweeps, cycles);
   TextureAnimatorOptions options;
   options.oriented = oriented;
   options.stripes.lambda = lambda;
@@ -55,6 +57,7 @@ class FrequenciesIn {
     }
   }
   std::span<const float> rows() const { return everywhere_.empty() ? rows_.rows() : everywhere_; }
+  std::span<const float> array() const { return rows_.rows(); }
 
  private:
   std::vector<float> everywhere_;
@@ -89,16 +92,18 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
   const RowsIn<Vec3> normals_in = vectors_in(normals, "normals");
   const FrequenciesIn u(frequencies, mesh.vertex_count(), "frequencies");
   const FrequenciesIn v(frequencies_v, mesh.vertex_count(), "frequencies_v");
+  const FrameWaves waves(directions_in.rows(), u.array());
   TextureFrameInput input;
   input.u.positions =
       positions.is_none() ? std::span<const Vec3>(mesh.positions) : positions_in.rows();
-  input.u.directions = directions_in.rows();
-  input.u.frequencies = u.rows();
+  input.u.directions = waves.directions();
+  input.u.frequencies = u.array().empty() ? u.rows() : waves.frequencies();
   input.frequencies_v = v.rows();
   input.normals = normals_in.rows();
   std::vector<float> uv;
   std::optional<TextureFrameResult> result;
-  without_lock([&] {
+  until_interrupted([&](const Progress& progress) {
+    progress.report("frame", 0);
     result.emplace(data.animator.frame(input));
     uv = corner_coordinates(result->waves, data.phase_shift);
   });

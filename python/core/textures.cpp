@@ -1,7 +1,11 @@
+#include <limits>
+
 #include <pybind11/stl.h>
 
 #include "arrays.h"
 #include "brindle/error.h"
+#include "brindle/pattern_arrays.h"
+#include "brindle/recipe/json_text.h"
 #include "brindle/texture_coordinates.h"
 #include "brindle/threads.h"
 #include "corner_uv.h"
@@ -30,7 +34,7 @@ std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, p
 }
 
 StripesPointer stripes_data(const SurfacePointer& surface, StripePattern&& pattern,
-                            const tool::PreparationFigures& prepared, Solver solver) {
+                            const brindle::PreparationFigures& prepared, Solver solver) {
   auto made = std::make_shared<StripesData>();
   made->surface = surface;
   made->pattern = std::move(pattern);
@@ -54,7 +58,8 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
     TexturePattern pattern =
         texture_pattern(surface->surface, std::move(in.waves), options, reports);
     auto made = std::make_shared<TextureData>();
-    made->report = tool::to_json(tool::make_report(surface->surface, in.prepared, pattern, solver));
+    made->report =
+        brindle::to_json(brindle::make_report(surface->surface, in.prepared, pattern, solver));
     made->surface = surface;
     made->figures = in.prepared.figures;
     made->branches = pattern.u.quality.branches;
@@ -90,8 +95,8 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     CrossPattern cross = cross_pattern(surface->surface, in.waves, options, reports);
     CrossTexture texture = cross_texture(surface->surface, cross, options.phase_shift);
     auto made = std::make_shared<TextureData>();
-    made->report = tool::to_json(
-        tool::make_report(surface->surface, in.prepared, texture, options.solver.solver));
+    made->report = brindle::to_json(
+        brindle::make_report(surface->surface, in.prepared, texture, options.solver.solver));
     made->figures = in.prepared.figures;
     made->branches = cross.quality.branches;
     made->phase_shift = options.phase_shift;
@@ -105,6 +110,13 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     made->surface->stands_on_z = surface->stands_on_z;
     made->surface->arrays = split_arrays(*surface, cross.cover, made->triangle_origins);
     made->surface->surface = std::move(texture.surface);
+    made->surface->partners = surface->partners;
+    made->surface->original_ids = surface->original_ids;
+    made->surface->original_ids.resize(made->surface->surface.mesh.vertex_count(), -1);
+    made->u = stripes_data(made->surface, std::move(texture.pattern.u), in.prepared,
+                           options.solver.solver);
+    made->v = stripes_data(made->surface, std::move(texture.pattern.v), in.prepared,
+                           options.solver.solver);
     auto cover = std::make_shared<SurfaceData>();
     cover->name = surface->name;
     cover->stands_on_z = surface->stands_on_z;
@@ -124,23 +136,27 @@ py::array corner_uv(const TextureData& data) {
 // A mesh with coordinates as Python holds it.
 struct TexturedData {
   TexturedMesh textured;
-  std::shared_ptr<SurfaceData> from;
+  SurfacePointer from;
+  std::vector<std::pair<StripesPointer, std::string>> patterns;  ///< with the suffix of each
 };
 
 std::shared_ptr<TexturedData> textured_mesh(const TextureData& data) {
-  return without_lock([&] {
-    return std::make_shared<TexturedData>(
-        TexturedData{texture_coordinates(data.surface->surface.mesh, data.waves, data.phase_shift),
-                     data.surface});
+  return until_interrupted([&](const Progress& progress) {
+    return std::make_shared<TexturedData>(TexturedData{
+        texture_coordinates(data.surface->surface.mesh, data.waves, data.phase_shift, progress),
+        data.surface,
+        {{data.u, ""}, {data.v, "_v"}}});
   });
 }
 
-std::shared_ptr<TexturedData> textured_stripes(const StripesData& data) {
-  if (data.surface->is_points()) throw Error("points have no triangles, and so no coordinates");
-  return without_lock([&] {
-    return std::make_shared<TexturedData>(TexturedData{
-        texture_coordinates(data.surface->surface, data.pattern, data.pattern.phase_shift),
-        data.surface});
+std::shared_ptr<TexturedData> textured_stripes(const StripesPointer& data) {
+  if (data->surface->is_points()) throw Error("points have no triangles, and so no coordinates");
+  return until_interrupted([&](const Progress& progress) {
+    return std::make_shared<TexturedData>(
+        TexturedData{texture_coordinates(data->surface->surface, data->pattern,
+                                         data->pattern.phase_shift, false, progress),
+                     data->surface,
+                     {{data, ""}}});
   });
 }
 
@@ -153,34 +169,32 @@ py::array index_rows(const std::vector<Row>& rows, py::ssize_t columns, py::hand
                 columns == 1 ? Shape{count} : Shape{count, columns}, owner);
 }
 
-py::tuple carried_stripes(const TexturedData& data, const StripesData& stripes) {
-  CarriedWaves carried =
-      carried_waves(data.textured, stripes.pattern.waves, stripes.pattern.solution.z);
-  const auto count = static_cast<py::ssize_t>(carried.z.size());
-  return py::make_tuple(owned<Complex>(std::move(carried.z), {count}),
-                        owned(std::move(carried.waves.directions)),
-                        owned(std::move(carried.waves.frequencies)));
-}
-
-py::array carried_numbers(const TexturedData& data, py::handle values, int columns) {
-  const Table table = table_of(values, "values");
-  check_rows(table, data.from->surface.mesh.vertex_count(), "values");
-  std::vector<float> numbers =
-      columns == 3 ? std::vector<float>() : numbers_of(table.view, "values");
-  if (columns == 3) {
-    for (const Vec3& row : vectors_of(table.view, "values")) {
-      numbers.insert(numbers.end(), row.data(), row.data() + 3);
+// Those of the patterns, then those of the surface with other names.
+py::tuple textured_arrays_of(const TexturedData& data) {
+  DataArrays own = without_lock([&] {
+    std::vector<brindle::NamedPattern> patterns;
+    for (const auto& [stripes, suffix] : data.patterns) {
+      patterns.push_back({stripes->pattern, suffix});
     }
-  }
-  std::vector<float> carried = carried_values(data.textured, numbers, columns);
-  const auto count = static_cast<py::ssize_t>(carried.size()) / columns;
-  return owned<float>(std::move(carried), columns == 1 ? Shape{count} : Shape{count, columns});
-}
-
-py::tuple carried_data(const TexturedData& data) {
-  DataArrays arrays = carried_arrays(data.textured, data.from->arrays);
-  return py::make_tuple(dict_owning(std::move(arrays.points)),
-                        dict_owning(std::move(arrays.cells)));
+    DataArrays arrays = brindle::textured_arrays(data.textured, data.from->surface, patterns,
+                                                 std::numeric_limits<float>::quiet_NaN());
+    copy_from_partners(arrays.points, data.from->partners);
+    arrays.points.push_back(brindle::carried_ids(data.textured, data.from->original_ids));
+    if (!data.patterns.empty()) {
+      brindle::add_turn(arrays.points, data.patterns.front().first->prepared.turn_deg,
+                        data.textured.mesh.vertex_count());
+    }
+    return arrays;
+  });
+  DataArrays input = carried_arrays(data.textured, brindle::without_turn(data.from->arrays));
+  const auto joined = [](std::vector<DataArray>& first, std::vector<DataArray>& second) {
+    py::dict arrays = dict_owning(std::move(first));
+    for (const auto& [name, array] : dict_owning(std::move(second))) {
+      if (!arrays.contains(name)) arrays[name] = array;
+    }
+    return arrays;
+  };
+  return py::make_tuple(joined(own.points, input.points), joined(own.cells, input.cells));
 }
 
 void bind_textured(py::module_& module) {
@@ -212,9 +226,7 @@ void bind_textured(py::module_& module) {
                                return index_rows(textured_of(self).textured.triangle_origins, 1,
                                                  self);
                              })
-      .def("carried_stripes", carried_stripes, py::arg("stripes"))
-      .def("carried_numbers", carried_numbers, py::arg("values"), py::arg("columns"))
-      .def("carried_data", carried_data);
+      .def("arrays", textured_arrays_of);
 }
 
 }  // namespace
@@ -223,8 +235,10 @@ void bind_textures(py::module_& module) {
   bind_textured(module);
   py::class_<TextureData, TexturePointer>(module, "Texture")
       .def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
-      .def_property_readonly("u", [](const TextureData& data) { return data.u; })
-      .def_property_readonly("v", [](const TextureData& data) { return data.v; })
+      .def_property_readonly(
+          "u", [](const TextureData& data) { return data.is_cross() ? nullptr : data.u; })
+      .def_property_readonly(
+          "v", [](const TextureData& data) { return data.is_cross() ? nullptr : data.v; })
       .def_property_readonly("cover", [](const TextureData& data) { return data.cover; })
       .def_property_readonly("is_cross", &TextureData::is_cross)
       .def_property_readonly("triangle_origins",
@@ -241,14 +255,14 @@ void bind_textures(py::module_& module) {
       .def("mesh", textured_mesh)
       .def("warnings",
            [](const TextureData& data, const std::string& source) {
-             return tool::warnings(data.figures, source) +
-                    tool::branch_warning(data.figures, data.branches,
-                                         data.surface->surface.mesh.triangle_count());
+             return brindle::warnings(data.figures, source) +
+                    brindle::branch_warning(data.figures, data.branches,
+                                            data.surface->surface.mesh.triangle_count());
            })
       .def("report", [](const TextureData& data, const std::string& invocation) {
         nlohmann::ordered_json json = nlohmann::ordered_json::parse(invocation);
         json.update(data.report);
-        return json.dump();
+        return brindle::json_text(json);
       });
   module.def("texture", texture, py::arg("surface").none(false), py::arg("directions"),
              py::arg("stripes"), py::arg("frequency"), py::arg("stripes_v"), py::arg("frequency_v"),

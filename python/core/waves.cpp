@@ -1,14 +1,14 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
 #include "arrays.h"
 #include "brindle/array_field.h"
-#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "pattern_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -22,7 +22,7 @@ bool is_direction(const Vec3& vector, const Vec3& normal) {
 }
 
 DirectionField directions_of(const SurfaceData& data, py::handle given,
-                             tool::PreparationFigures& prepared) {
+                             brindle::PreparationFigures& prepared) {
   const RowsIn<Vec3> in(given, "directions");
   const std::span<const Vec3> vectors = in.rows();
   const std::vector<Vec3>& normals = data.surface.normals;
@@ -42,37 +42,33 @@ DirectionField directions_of(const SurfaceData& data, py::handle given,
   return directions;
 }
 
-float number_of(const Table& table) { return numbers_of(table.view, "a number").front(); }
-
-// The tool's messages name options; here they are arguments: --frequency-by is frequency_by.
-std::string in_pythons_words(const std::string& text) {
-  std::string result;
-  bool option = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool begins = text.compare(i, 2, "--") == 0;
-    if (begins) ++i;
-    option = begins ||
-             (option && (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] == '-'));
-    if (!begins) result += option && text[i] == '-' ? '_' : text[i];
+void drop_waves_without_phase(std::span<const Complex> phases, DirectionField& directions) {
+  if (phases.size() != directions.size()) {
+    throw Error("phases: there are " + std::to_string(phases.size()) + " for " +
+                std::to_string(directions.size()) + " vertices; give one to each");
   }
-  return result;
+  if (std::ranges::all_of(phases, [](const Complex& z) { return z == Complex(0); })) {
+    throw Error("phases: there is none at any vertex; give exp(i Phi) where there is a wave");
+  }
+  for (std::size_t v = 0; v < phases.size(); ++v) {
+    if (phases[v] == Complex(0)) directions[v] = Vec3::Zero();
+  }
 }
 
-void tell_origin(const FieldOrigin& origin, tool::PreparationFigures& prepared) {
+float number_of(const Table& table) { return numbers_of(table.view, "a number").front(); }
+
+void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepared) {
+  prepared.turn_deg = origin.turn_deg;
   if (origin.rows_nonfinite) prepared.field_rows_nonfinite = origin.rows_nonfinite;
   if (origin.tensor) {
     prepared.figures.missing.tensor =
-        tool::MissingTensorWaves{origin.tensor->first, origin.tensor->second};
+        brindle::MissingTensorWaves{origin.tensor->first, origin.tensor->second};
   }
-  try {
-    tool::check_waves(prepared.figures, origin.source);
-  } catch (const Error& error) {
-    throw Error(in_pythons_words(error.what()));
-  }
+  saying_in_pythons_words([&] { brindle::check_wave_report(prepared.figures, origin.source); });
 }
 
 FrequencyField frequencies_per_vertex(const Table& table, DirectionField& directions,
-                                      tool::PreparationFigures& prepared) {
+                                      brindle::PreparationFigures& prepared) {
   const DataArray array = data_array_of("frequency", table.array);
   check_rows(table, directions.size(), "frequency");
   FrequencyField frequencies = frequencies_of(array, directions);
@@ -84,7 +80,8 @@ FrequencyField frequencies_per_vertex(const Table& table, DirectionField& direct
 }  // namespace
 
 WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle stripes,
-                 py::handle frequency, const FieldOrigin& origin) {
+                 py::handle frequency, const FieldOrigin& origin, std::span<const Complex> phases) {
+  Stopwatch watch;
   WavesIn in;
   in.prepared.vertices_joined = surface.vertices_joined;
   in.prepared.load_milliseconds = surface.load_milliseconds;
@@ -92,6 +89,7 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
   const Mesh& mesh = surface.surface.mesh;
   in.waves.directions = directions_of(surface, directions, in.prepared);
   in.waves.positions = mesh.positions;
+  if (!phases.empty()) drop_waves_without_phase(phases, in.waves.directions);
   if (!frequency.is_none()) {
     const Table table = table_of(frequency, "frequency");
     in.waves.frequencies = table.is_number
@@ -103,10 +101,9 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
     in.waves.frequencies = constant_frequency_field(
         frequency_of_stripes(number_of(table), bounding_box(mesh).diagonal()), mesh.vertex_count());
   }
-  const tool::MissingWaves missing = in.prepared.figures.missing;
-  in.prepared.figures = tool::measure_waves(surface.surface, in.waves);
-  in.prepared.figures.missing = missing;
+  in.prepared.figures = {measure_waves(surface.surface, in.waves), in.prepared.figures.missing};
   tell_origin(origin, in.prepared);
+  in.prepared.field_milliseconds = origin.milliseconds + watch.lap();
   return in;
 }
 

@@ -47,7 +47,6 @@ OPTIONS = [
      lambda s: {"directions": s.curvature_field("min")}),
     (["--field", "raw-curvature"], lambda s: {"directions": s.curvature_field("max", raw=True)}),
     (["--along", "--stripes", "25"], lambda s: {"along": True, "stripes": 25}),
-    (["--rotate", "30"], lambda s: {"directions": s.turned_field(s.smooth_field(), 30)}),
     (["--frequency", "7.5"], lambda s: {"frequency": 7.5}),
     (["--feature-anchor", "1"], lambda s: {"directions": s.smooth_field(feature_anchor=1)}),
     (["--solver", "relaxation", "--seed", "3", "--epsilon", "0.1"],
@@ -59,6 +58,19 @@ OPTIONS = [
     (["--threads", "1"], lambda s: {"threads": 1}),
     (["--slack", "0.25"], lambda s: {"slack": 0.25}),
 ]
+
+
+def test_turned_fields(tool, tmp_path):
+    """Waves are those of --rotate; files of the tool say `turn_deg` besides, which it knows."""
+    expected = tool("stripe", "shape:torus,resolution=100", "--rotate", "30", "--output", tmp_path / "tool.vtp")
+    s = brindle.shape("torus", resolution=100)
+    p = brindle.stripes(s, s.turned_field(s.smooth_field(), 30))
+    check_report(p.report, expected)
+    p.write(tmp_path / "python.vtp")
+    ours, theirs = (brindle.read(tmp_path / name).point_data for name in ("python.vtp", "tool.vtp"))
+    assert set(theirs) - set(ours) == {"turn_deg"}
+    for name, values in ours.items():
+        np.testing.assert_array_equal(values, theirs[name])
 
 
 @pytest.mark.parametrize("words, arguments", OPTIONS, ids=[" ".join(words) for words, _ in OPTIONS])
@@ -149,13 +161,88 @@ def test_previous(tool, tmp_path):
     surface = brindle.shape("torus", resolution=100)
     d = surface.smooth_field()
     q = brindle.stripes(surface, d, stripes=20)
-    p = brindle.stripes(surface, d, stripes=20.5, previous=q)
+    p = brindle.stripes(surface, stripes=20.5, previous=q)
     assert list(p.report) == list(expected)
+    assert p.report["field_turned_deg"] == pytest.approx(expected["field_turned_deg"], abs=1e-3)
+    given = brindle.stripes(surface, d, stripes=20.5, previous=q)
+    assert "field_turned_deg" not in given.report
+    anew = brindle.stripes(surface, stripes=20.5, previous=q, lambda_=0)
+    assert "field_turned_deg" not in anew.report
     assert p.report["matched_by"] == expected["matched_by"] == "number"
     assert p.report["lambda"] == expected["lambda"]
-    assert p.report["phase_step"] == pytest.approx(expected["phase_step"], abs=1e-5)
+    # The file has the directions as floats, with which the field goes on.
+    assert p.report["phase_step"] == pytest.approx(expected["phase_step"], abs=1e-3)
     other = brindle.shape("torus", resolution=90)
     assert brindle.stripes(other, stripes=20, previous=q).report["matched_by"] == "position"
+
+
+def beating(step):
+    """A knot that moves, with noise of its own at every step."""
+    rest = brindle.shape("trefoil", resolution=48)
+    v = np.array(rest.vertices)
+    v *= 1 + 0.004 * np.sin(2 * v[:, :1] + 0.3 * step)
+    v += 5e-4 * np.ptp(v, axis=0).max() * np.random.default_rng(step).normal(size=v.shape)
+    return brindle.Surface(v, rest.triangles)
+
+
+@pytest.mark.parametrize("along", [False, True])
+def test_smooth_fields_of_moving_surfaces_follow(along):
+    options = {"frequency": 4, "along": along}
+    p = last = brindle.stripes(beating(0), **options)
+    steps, anew = [], []
+    for step in range(1, 8):
+        surface = beating(step)
+        p = brindle.stripes(surface, previous=p, **options)
+        steps.append(p.report["phase_step"])
+        last = brindle.stripes(surface, surface.smooth_field(), previous=last, lambda_=0, **options)
+        anew.append(last.report["phase_step"])
+        assert p.report["field_turned_deg"] < 8
+    assert np.mean(steps) <= 0.25 * np.mean(anew)
+
+
+def test_fields_go_on_from_patterns_that_were_turned():
+    before, surface = beating(0), beating(1)
+    d = before.smooth_field()
+    plain = brindle.stripes(before, d, frequency=4)
+    turned = brindle.stripes(before, d, frequency=4, along=True)
+    a, b, c = (brindle.stripes(surface, previous=q, frequency=4, along=along).directions
+               for q, along in ((plain, False), (turned, False), (plain, True)))
+    assert np.abs(np.sum(a * b, axis=1)).mean() > 0.9999
+    assert np.abs(np.sum(a * c, axis=1)).mean() < 1e-3
+
+
+def test_files_say_how_waves_are_turned(tool, tmp_path):
+    tool("stripe", "shape:torus", "--along", "--output", tmp_path / "tool.vtp")
+    turned = brindle.stripes(brindle.shape("torus"), along=True)
+    assert set(turned.point_data["turn_deg"]) == {90}
+    turned.write(tmp_path / "python.vtp")
+    assert (tmp_path / "python.vtp").read_bytes() == (tmp_path / "tool.vtp").read_bytes()
+    # What an input says of other waves does not go along.
+    again = brindle.stripes(brindle.read(tmp_path / "python.vtp"))
+    for uv in False, True:
+        again.write(tmp_path / "again.vtp", uv=uv)
+        assert "turn_deg" not in brindle.read(tmp_path / "again.vtp").point_data
+
+
+def test_last_field():
+    before, surface = beating(0), beating(1)
+    d = before.smooth_field()
+    followed = surface.smooth_field(last=(before, d))
+    assert np.abs(np.sum(followed * d, axis=1)).mean() > 0.99
+    p = brindle.stripes(before, d, frequency=4)
+    assert np.array_equal(surface.smooth_field(last=p), followed)
+    near = surface.smooth_field(last=(before, d), match="position", max_distance=0.5)
+    assert np.abs(np.sum(followed * near, axis=1)).mean() > 0.98
+    crosses = surface.smooth_field(symmetry=4, last=(before, before.smooth_field(symmetry=4)))
+    assert np.allclose(np.linalg.norm(crosses, axis=1), 1, atol=1e-4)
+    with pytest.raises(brindle.Error, match="last"):
+        surface.smooth_field(last=(before, d[:5]))
+    with pytest.raises(brindle.Error, match="match"):
+        surface.smooth_field(match="number")
+    with pytest.raises(brindle.Error, match="neither"):
+        surface.smooth_field(last=(before, d), match="colour")
+    with pytest.raises(TypeError, match="last"):
+        surface.smooth_field(last=d)
 
 
 @pytest.mark.parametrize("oriented", [False, True])
@@ -170,9 +257,31 @@ def test_textures(oriented, tool):
 
 def test_crosses(tool):
     expected = tool("stripe", "shape:box", "--cross", "--stripes", "20")
-    c = brindle.crosses(brindle.shape("box"), stripes=20)
-    check_report(c.report, expected)
+    c = brindle.crosses(brindle.shape("box"), stripes=20, threads=1, slack=0, solver="multilevel")
+    check_report({**c.report, "threads": expected["threads"]}, expected)
+    assert c.report["options"] == {"stripes": 20, "threads": 1, "slack": 0}
     assert len(c.singular) == c.report["field_singularities"]
+
+
+@pytest.mark.parametrize("kind", ["vtp", "ply", "glb", "obj"])
+@pytest.mark.parametrize("words, make", [
+    (["--uv", "--slack", "0.2"], lambda s: brindle.stripes(s, stripes=20, slack=0.2)),
+    (["--texture", "dots", "--slack", "0.2"], lambda s: brindle.texture(s, stripes=20, slack=0.2)),
+    (["--cross", "--texture", "plus"], lambda s: brindle.crosses(s, stripes=20)),
+], ids=["uv", "texture", "cross"])
+def test_meshes_with_coordinates(kind, words, make, tmp_path):
+    """All arrays of the tool's file, frequency_wanted among them."""
+    run_tool("stripe", "shape:box", "--stripes", "20", *words, "--output", tmp_path / f"tool.{kind}")
+    pattern = make(brindle.shape("box"))
+    if words[0] == "--uv":
+        pattern.write(tmp_path / f"python.{kind}", uv=True)
+        assert "frequency_wanted" in pattern.mesh().point_data
+    else:
+        if not brindle.has_opengl:
+            pytest.skip("this build draws no pictures")
+        pattern.write(tmp_path / f"python.{kind}", tile=words[1] if words[1] != "--texture" else "plus")
+    written, expected = ((tmp_path / f"{who}.{kind}").read_bytes() for who in ("python", "tool"))
+    assert written.replace(b"python", b"tool") == expected
 
 
 def test_curves(tool, tmp_path):

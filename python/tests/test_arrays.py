@@ -1,6 +1,7 @@
 """Arrays of any type, order and stride come in; what goes out is safe."""
 
 import gc
+import os
 
 import numpy as np
 import pytest
@@ -131,9 +132,14 @@ def test_results_outlive_their_owner():
 
 
 def test_fields_are_the_callers_own(torus):
-    d = torus.smooth_field()
-    d *= -1  # may be changed
-    assert d.flags.owndata or d.base is not None
+    """They may be changed, and nobody else hears of it."""
+    for make in (torus.smooth_field, lambda: torus.projected_field((1, 0.2, 0.3)),
+                 lambda: torus.curvature_field(raw=True), lambda: torus.turned_field(torus.smooth_field()),
+                 lambda: brindle.Animator(torus).frame(torus.smooth_field(), 4)):
+        made, kept = make(), make()
+        made *= -1
+        np.testing.assert_array_equal(made, -kept)
+        np.testing.assert_array_equal(make(), kept)
 
 
 def test_shapes_and_types(torus):
@@ -186,3 +192,106 @@ def test_large_coordinates_keep_their_shape(square):
     assert p.report["branches"] == q.report["branches"] == 0
     points, _ = p.curves()
     assert points.dtype == np.float64 and (points.min(axis=0) > far - 1).all()
+
+
+def test_masked_numbers_are_no_wave(torus):
+    """A mask over nonsense says that there is nothing: as NaN does."""
+    d, n = np.array(torus.smooth_field()), torus.vertex_count
+    nothing = np.zeros(n, bool)
+    nothing[5:40] = True
+    for hidden in (1e20, np.nan, 0):
+        directions, frequency = d.copy(), np.full(n, 4.0)
+        directions[nothing], frequency[nothing] = hidden, hidden
+        masked = np.ma.masked_array(directions, np.repeat(nothing[:, None], 3, axis=1))
+        expected = brindle.stripes(torus, np.where(nothing[:, None], np.nan, d), frequency=4)
+        got = brindle.stripes(torus, masked, frequency=4)
+        np.testing.assert_array_equal(got.phases, expected.phases)
+        assert np.isnan(got.point_data["phase"]).sum() == nothing.sum()
+        by_frequency = brindle.stripes(torus, d, frequency=np.ma.masked_array(frequency, nothing))
+        assert by_frequency.report["vertices_without_frequency"] == nothing.sum()
+        animator = brindle.Animator(torus)
+        z = animator.frame(d, np.ma.masked_array(frequency, nothing))
+        np.testing.assert_array_equal(z[nothing], np.full(nothing.sum(), 1j, "c8"))
+    # Nothing is masked: the same as without.
+    np.testing.assert_array_equal(brindle.stripes(torus, np.ma.masked_array(d), frequency=4).phases,
+                                  brindle.stripes(torus, d, frequency=4).phases)
+
+
+def test_masked_arrays_elsewhere(torus, tmp_path):
+    n = torus.vertex_count
+    hidden = np.arange(n) < 7
+    whole = np.ma.masked_array(np.arange(n), hidden)
+    s = brindle.Surface(torus.vertices, torus.triangles, point_data={"whole": whole})
+    np.testing.assert_array_equal(np.isnan(s.point_data["whole"]), hidden)
+    s.write(tmp_path / "masked.vtp", point_data={"half": np.ma.masked_array(np.ones(n, "f2"), hidden)})
+    again = brindle.read(tmp_path / "masked.vtp").point_data
+    np.testing.assert_array_equal(np.isnan(again["half"]), hidden)
+    np.testing.assert_array_equal(again["whole"][~hidden], np.arange(n)[~hidden])
+    triangles = np.ma.masked_array(torus.triangles, False)
+    brindle.Surface(torus.vertices, triangles)
+    triangles[3] = np.ma.masked
+    with pytest.raises(brindle.Error, match="triangles: some are masked"):
+        brindle.Surface(torus.vertices, triangles)
+    vertices = np.ma.masked_array(torus.vertices, False)
+    vertices[2] = np.ma.masked
+    with pytest.raises(brindle.Error, match="vertex 2"):
+        brindle.Surface(vertices, torus.triangles)
+
+
+def test_truth_and_tensors_as_data(torus, tmp_path):
+    n = torus.vertex_count
+    truth, tensors = np.arange(n) % 2 == 0, np.arange(9.0 * n).reshape(n, 3, 3)
+    s = brindle.Surface(torus.vertices, torus.triangles, point_data={"truth": truth, "tensors": tensors},
+                        cell_data={"cells": np.ones((torus.triangle_count, 3, 3))})
+    np.testing.assert_array_equal(s.point_data["truth"], truth)
+    np.testing.assert_array_equal(s.point_data["tensors"], tensors.reshape(n, 9))
+    s.write(tmp_path / "data.vtp", point_data={"other": ~truth})
+    again = brindle.read(tmp_path / "data.vtp")
+    np.testing.assert_array_equal(again.point_data["other"], ~truth)
+    np.testing.assert_array_equal(again.point_data["tensors"], tensors.reshape(n, 9))
+    assert again.cell_data["cells"].shape == (torus.triangle_count, 9)
+    for odd in (np.ones((n, 2, 2)), np.ones((n, 3, 3, 3))):
+        with pytest.raises(brindle.Error, match="tensors"):
+            brindle.Surface(torus.vertices, torus.triangles, point_data={"odd": odd})
+
+
+def test_phases_where_there_is_no_wave(torus):
+    """1j in `phases`, NaN in `point_data`; both come back as they were."""
+    d = np.array(torus.smooth_field())
+    d[:9] = 0
+    p = brindle.stripes(torus, d, frequency=4)
+    np.testing.assert_array_equal(p.phases[:9], np.full(9, 1j, "c8"))
+    assert np.isnan(p.point_data["phase"][:9]).all() and not p.point_data["valid"][:9].any()
+    for nothing in (np.nan, 0):
+        z = p.phases.copy()
+        z[:9] = nothing
+        for given in (z, np.ma.masked_array(z, z != z)):
+            q = brindle.stripes_from_phases(torus, given, torus.smooth_field(), frequency=4)
+            np.testing.assert_array_equal(q.phases, p.phases)
+            np.testing.assert_array_equal(q.corner_phases, p.corner_phases)
+            assert q.report["vertices_without_wave"] == 9
+    q = brindle.stripes_from_phases(torus, np.exp(1j * p.point_data["phase"]), d, frequency=4)
+    np.testing.assert_allclose(q.corner_phases, p.corner_phases, atol=1e-5)
+    with pytest.raises(brindle.Error, match="none at any vertex"):
+        brindle.stripes_from_phases(torus, np.full(torus.vertex_count, np.nan, "c8"), d, frequency=4)
+
+
+def test_frequencies_of_frames_that_are_nan(torus):
+    """As in patterns: no wave there."""
+    d, f = np.array(torus.smooth_field()), np.full(torus.vertex_count, 4, "f4")
+    f[:9] = np.nan
+    without = d.copy()
+    without[:9] = 0
+    for make in (brindle.Animator, brindle.TextureAnimator):
+        expected = make(torus).frame(without, np.full(torus.vertex_count, 4, "f4"))
+        np.testing.assert_array_equal(make(torus).frame(d, f), expected)
+        for nothing in (np.full_like(f, np.nan), np.nan, np.full_like(f, np.inf)):
+            with pytest.raises(brindle.Error):
+                make(torus).frame(d, nothing)
+
+
+def test_paths_of_any_kind(torus, tmp_path):
+    path = tmp_path / "torus.ply"
+    for kind in (path, str(path), os.fsencode(path)):
+        torus.write(kind)
+        assert brindle.read(kind).vertex_count == torus.vertex_count

@@ -85,6 +85,9 @@ def test_repair_takes_what_is_damaged():
     ({"sweeps": -1}, "below zero"),
     ({"sweeps": 2**40}, "out of range"),
     ({"threads": -1}, "threads"),
+    ({"threads": 1025}, "threads: expected a number from 0 to 1024"),
+    ({"sweeps": 10001}, "sweeps: expected a number from 0 to 10000"),
+    ({"global_iterations": 0, "solver": "global"}, "global_iterations: expected a number from 1"),
     ({"directions": "velocity"}, "no array 'velocity'"),
     ({"frequency": 1e9}, "fewer stripes"),
 ])
@@ -119,6 +122,8 @@ def test_fields(torus):
                  lambda: torus.array_field(np.ones((torus.vertex_count, 4))),
                  lambda: torus.turned_field(np.ones((5, 3))), lambda: torus.array("cells/x"),
                  lambda: torus.frequencies_by(np.ones(torus.vertex_count), range=(3, 1)),
+                 lambda: torus.turned_field(torus.smooth_field(), np.nan),
+                 lambda: torus.turned_field(torus.smooth_field(), np.inf),
                  lambda: torus.subdivided(-1), lambda: torus.moved(np.ones((3, 3)))):
         with pytest.raises(brindle.Error):
             call()
@@ -127,6 +132,48 @@ def test_fields(torus):
                  lambda: torus.array(3), lambda: torus.subdivided(1.5)):
         with pytest.raises(TypeError):
             call()
+
+
+@pytest.mark.parametrize("range", [(1, 2, 3), (1,), 5, (), None])
+def test_ranges(torus, range):
+    with pytest.raises(brindle.Error, match="range: expected two factors"):
+        torus.frequencies_by(np.ones(torus.vertex_count), range=range)
+
+
+@pytest.mark.parametrize("neighbors", [-1, 0, 2, 101])
+def test_neighbors(torus, neighbors, tmp_path):
+    torus.write(tmp_path / "torus.ply")
+    for call in (lambda: brindle.points(torus.vertices, neighbors=neighbors),
+                 lambda: brindle.read(tmp_path / "torus.ply", points=True, neighbors=neighbors)):
+        with pytest.raises(brindle.Error, match="neighbors: expected a number from 3 to 100"):
+            call()
+
+
+@pytest.mark.parametrize("distance", [-1, np.nan, -np.inf])
+def test_distances(torus, distance):
+    for call in (lambda: torus.nearest(torus.vertices[:3], distance),
+                 lambda: torus.carried(np.ones(torus.vertex_count), torus, distance)):
+        with pytest.raises(brindle.Error, match="max_distance: expected 0 or more"):
+            call()
+    for rows in (5, torus.triangle_count + 1):
+        with pytest.raises(brindle.Error, match=f"it has {rows} rows for"):
+            torus.carried(np.ones(rows), torus)
+
+
+@pytest.mark.parametrize("make", [brindle.Animator, brindle.TextureAnimator, brindle.FieldAnimator])
+def test_bounds_of_frames(torus, make):
+    for options, message in (({"sweeps": 10**9}, "sweeps: expected a number from 0 to 10000"),
+                             ({"sweeps": -1}, "sweeps: expected"), ({"lambda_": np.nan}, "lambda_: expected"),
+                             ({"lambda_": 1e9}, "lambda_: expected a number from 0 to 1000000")):
+        with pytest.raises(brindle.Error, match=message):
+            make(torus, **options)
+    with pytest.raises(brindle.Error, match="iterations: expected"):
+        brindle.Animator(torus, solver="relaxation", iterations=0)
+
+
+def test_windings_that_name_nothing(torus):
+    with pytest.raises(brindle.Error, match="names no loop"):
+        brindle.stripes(torus, winding={})
 
 
 def test_animator(torus):
@@ -200,6 +247,8 @@ def test_curves_and_samples(torus):
     for options in ({"resample": 0}, {"simplify": -1}, {"min_length": -1}, {"offset": np.inf}):
         with pytest.raises(brindle.Error):
             p.curves(**options)
+    with pytest.warns(brindle.PatternWarning, match="u: no curves left: all .* shorter than min_length"):
+        assert p.curves(min_length=1e6).count == 0
     for options in ({"join": 1}, {"resample": "fine"}):
         with pytest.raises(TypeError):
             p.curves(**options)
@@ -222,6 +271,26 @@ def test_phases_of_others(torus):
 
 
 @pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_what_points_and_crosses_do_not_show(torus, tmp_path):
+    c = brindle.crosses(torus, stripes=10)
+    cloud = brindle.points(torus.vertices, torus.normals)
+    on_points = brindle.stripes(cloud, stripes=10)
+    for view in ("branches", "angle_error"):
+        with pytest.raises(brindle.Error, match="of a cross field, branches and angle errors are not"):
+            brindle.render(torus, c, view=view, size=(20, 20))
+        with pytest.raises(brindle.Error, match="points have no triangles: branches"):
+            brindle.render(cloud, on_points, view=view, size=(20, 20))
+    for call in (lambda: brindle.render(torus, c, tile="arrows", size=(20, 20)),
+                 lambda: c.write(tmp_path / "c.glb", tile="arrows"),
+                 lambda: c.mesh().write(tmp_path / "c.glb", tile="bricks")):
+        with pytest.raises(brindle.Error, match="does not look the same turned by 90 degrees"):
+            call()
+    assert not (tmp_path / "c.glb").exists()
+    brindle.render(torus, c, tile="plus", size=(20, 20))
+    brindle.render(cloud, on_points, view="stripes", size=(20, 20))
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
 def test_pictures(torus, tmp_path):
     p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
     for options in ({"size": (0, 5)}, {"size": (10**6, 10**6)}, {"size": 5}, {"camera": (1,)},
@@ -235,8 +304,14 @@ def test_pictures(torus, tmp_path):
             brindle.render(torus, p, **options)
     with pytest.raises(TypeError):
         brindle.render(torus, "stripes")
-    with pytest.raises(brindle.Error, match="not made for"):
-        brindle.render(brindle.shape("sphere"), p)
+    c = brindle.crosses(torus, stripes=10)
+    for pattern in (p, p.curves(), brindle.texture(torus, stripes=20), brindle.samples(torus, stripes=20),
+                    c, c.cover.curves()):
+        with pytest.raises(brindle.Error, match="not made for"):
+            brindle.render(brindle.shape("sphere"), pattern)
+    for surface in (torus, c.surface):
+        for pattern in (c, c.cover.curves()):
+            assert brindle.render(surface, pattern, size=(20, 20)).any()
     with pytest.raises(brindle.Error):
         brindle.write_png(tmp_path / "x.png", np.zeros((4, 4), "u1"))
     with pytest.raises(TypeError):

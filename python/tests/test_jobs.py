@@ -1,6 +1,8 @@
 """Long calls: threads, progress, Ctrl-C; frames."""
 
+import functools
 import os
+import signal
 import subprocess
 import sys
 import textwrap
@@ -143,6 +145,21 @@ def test_ctrl_c_interrupts():
     assert done.stdout.split() == ["interrupted", "True", "True"], done.stderr
 
 
+def test_every_frame_tells_and_cancels(torus):
+    """What is cancelled leaves the animator as it was: the next frame is the one that was due."""
+    d = torus.smooth_field()
+    animator, twin = brindle.Animator(torus), brindle.Animator(torus)
+    for number in range(3):
+        heard = []
+        z = animator.frame(d, 4 + 0.1 * number, progress=lambda *report: heard.append(report))
+        assert heard and all(0 <= share <= 1 for _, share in heard)
+        with pytest.raises(brindle.Cancelled):
+            animator.frame(d, 5 + 0.1 * number, progress=lambda *report: False)
+        with pytest.raises(LookupError):
+            animator.frame(d, 5 + 0.1 * number, progress=lambda *report: {}["nothing"])
+        np.testing.assert_array_equal(z, twin.frame(d, 4 + 0.1 * number))
+
+
 def test_frames_are_those_of_stripes(torus):
     d = torus.smooth_field()
     p = brindle.stripes(torus, d, frequency=4)
@@ -195,17 +212,21 @@ def test_one_frame_at_a_time(torus):
     animator = brindle.Animator(torus)
     d = torus.smooth_field()
 
+    refused = []
+
     def progress(stage, share):
         with pytest.raises(brindle.Error, match="at work already"):
             animator.frame(d, 4)
+        refused.append(stage)
 
     animator.frame(d, 4, progress=progress)
-    errors = []
+    assert refused
+    errors, frames = [], []
 
     def work():
         for number in range(20):
             try:
-                animator.frame(d, 4 + 0.01 * number)
+                frames.append(animator.frame(d, 4 + 0.01 * number))
             except brindle.Error as error:
                 errors.append(str(error))
 
@@ -215,6 +236,9 @@ def test_one_frame_at_a_time(torus):
     for thread in threads:
         thread.join()
     assert all("at work already" in error for error in errors)
+    assert frames and len(frames) + len(errors) == 60
+    for z in frames:
+        np.testing.assert_allclose(np.abs(z), 1, atol=1e-5)
 
 
 def test_siblings_and_last_phases(torus):
@@ -249,3 +273,203 @@ def test_fields_follow_anchors(torus):
     wish = torus.turned_field(animator.frame(), 60)[vertex]
     got = animator.frame([vertex], [wish], 50)
     assert abs(got[vertex] @ wish) > 0.9
+
+
+def run_program(program):
+    return subprocess.run([sys.executable, "-c", textwrap.dedent(program)], capture_output=True, text=True,
+                          env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+
+
+@pytest.mark.parametrize("call", [
+    "brindle.stripes(s, d, stripes=40)",
+    "brindle.stripes(s, d, stripes=40, progress=lambda *report: time.sleep(0.0005))",
+    "s.smooth_field()",
+    "a.frame(s.turned_field(d, next(degrees)), 5.0)",
+    "brindle.stripes(s, d, stripes=40, progress=lambda *report: started.set() or threading.Event().wait())",
+])
+def test_leaving_while_a_thread_is_at_work(call):
+    """A thread that nobody waits for stands still; the process ends well."""
+    program = f"""
+        import itertools, threading, time, brindle
+        s = brindle.shape("torus", resolution=100)
+        d = s.smooth_field()
+        a = brindle.Animator(s)
+        degrees = itertools.count()
+        started = threading.Event()
+        def work():
+            while True:
+                {call}
+                started.set()
+        threading.Thread(target=work, daemon=True).start()
+        started.wait()
+        print("left")
+    """
+    for _ in range(4):
+        done = run_program(program)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "left\n", "")
+
+
+def test_functions_at_exit_may_work():
+    done = run_program("""
+        import atexit
+        atexit.register(lambda: print(brindle.stripes(brindle.shape("torus", resolution=60), stripes=9)))
+        import brindle
+    """)
+    assert done.returncode == 0 and "Stripes" in done.stdout, done.stderr
+
+
+FORKED = """
+    import os, sys, brindle
+    s = brindle.shape("torus", resolution=60)
+    d = s.smooth_field()
+    {before}
+    read, write = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            said = str({after})
+        except BaseException as error:
+            said = type(error).__name__ + ": " + str(error)
+        os.write(write, said.encode())
+        os._exit(0)
+    os.close(write)
+    print(open(read).read())
+    os.waitpid(child, 0)
+"""
+
+
+@pytest.mark.parametrize("work", [
+    pytest.param("brindle.render(s, size=(20, 20)).shape", marks=pytest.mark.skipif(
+        not brindle.has_opengl, reason="this build draws no pictures")),
+    pytest.param("brindle.stripes(s, d, stripes=9, solver='global').report['vertices']",
+                 marks=pytest.mark.skipif(not brindle.has_solver("global"), reason="no CHOLMOD")),
+])
+def test_forked_processes_are_told(work):
+    """What would wait for ever for threads that a forked process does not have says so."""
+    done = run_program(FORKED.format(before=work, after=work))
+    assert done.stdout.startswith("RuntimeError: ") and "'spawn'" in done.stdout, done.stderr
+    # Nothing was used before: it works. And all else does in any case.
+    done = run_program(FORKED.format(before="", after=work))
+    assert done.returncode == 0 and "Error" not in done.stdout, done.stdout
+    stripes = "brindle.stripes(s, d, stripes=9).phases.sum()"
+    done = run_program(FORKED.format(before=f"{work}; print({stripes})", after=stripes))
+    here, there = done.stdout.split()
+    assert here == there
+
+
+def test_forks_amid_a_call_are_told():
+    done = run_program(FORKED.format(
+        before="""import threading
+    started, go_on = threading.Event(), threading.Event()
+    thread = threading.Thread(target=lambda: brindle.stripes(
+        s, d, stripes=9, progress=lambda *report: started.set() or go_on.wait()))
+    thread.start()
+    started.wait()""", after="brindle.stripes(s, d, stripes=9), go_on.set()").replace(
+            "    print(open", "    go_on.set()\n    print(open"))
+    assert done.stdout.startswith("RuntimeError: ") and "'spawn'" in done.stdout, done.stderr
+
+
+@pytest.mark.parametrize("no", [False, np.bool_(False), np.float32(2) < 1])
+def test_progress_cancels_by_any_false(torus, no):
+    with pytest.raises(brindle.Cancelled):
+        brindle.stripes(torus, stripes=20, progress=lambda *report: no)
+
+
+@pytest.mark.parametrize("yes", [True, np.bool_(True), None, 0, "", np.zeros(3)])
+def test_progress_goes_on_by_all_else(torus, yes):
+    assert brindle.stripes(torus, stripes=20, progress=lambda *report: yes).phases.size
+
+
+def test_nearest_hears_ctrl_c():
+    """From its own callback-free loop: the signal comes while it searches."""
+    done = run_program("""
+        import os, signal, threading, time, numpy as np, brindle
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        s = brindle.shape("torus", resolution=100)
+        far = np.random.default_rng(1).normal(size=(3_000_000, 3))
+        searching = threading.Event()
+        def interrupt():
+            searching.wait()
+            time.sleep(0.3)
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Thread(target=interrupt).start()
+        try:
+            searching.set()
+            s.nearest(far)
+            print("not interrupted")
+        except KeyboardInterrupt:
+            print("interrupted")
+        print(s.nearest(far[:5])[0].shape)
+    """)
+    assert done.stdout.split("\n")[:2] == ["interrupted", "(5,)"], done.stderr
+
+
+def test_nearest_of_any_number_of_threads(torus):
+    points = np.random.default_rng(2).normal(size=(20_000, 3))
+    triangles, weights, distances = torus.nearest(points)
+    for part in (slice(0, 1), slice(8190, 8195), slice(19_990, None)):
+        some = torus.nearest(points[part])
+        for got, expected in zip(some, (triangles, weights, distances)):
+            np.testing.assert_array_equal(got, expected[part])
+    found = (weights[:, :, None] * torus.vertices[torus.triangles[triangles]]).sum(axis=1)
+    np.testing.assert_allclose(np.linalg.norm(found - points, axis=1), distances, atol=1e-5)
+
+
+def signals_heard(call):
+    """How often a handler of signals runs while a signal comes every few milliseconds. Signals that
+    nobody looks for until a call is over are one."""
+    heard = []
+    before = signal.signal(signal.SIGALRM, lambda *_: heard.append(1))
+    signal.setitimer(signal.ITIMER_REAL, 0.002, 0.002)
+    try:
+        call()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    return len(heard)
+
+
+def moving(s):
+    fine = s.subdivided(2)
+    return lambda: fine.moved(fine.vertices)
+
+
+def searching_points(s):
+    points = np.random.default_rng(1).normal(size=(20_000, 3))
+    return lambda: s.nearest(points)
+
+
+def making_points(s):
+    points = np.random.default_rng(1).normal(size=(200_000, 3))
+    return lambda: brindle.points(points)
+
+
+LONG_CALLS = {
+    "nearest": searching_points,
+    "carried": lambda s: functools.partial(s.carried, np.ones(s.vertex_count), s.subdivided(1)),
+    "subdivided": lambda s: functools.partial(s.subdivided, 3),
+    "moved": moving,
+    "shape": lambda s: lambda: brindle.shape("torus", resolution=100, subdivide=4),
+    "points": making_points,
+    "smooth_field": lambda s: functools.partial(s.subdivided(1).smooth_field, curvature_anchor=0.1),
+    "curves": lambda s: brindle.stripes(s.subdivided(2), stripes=300).curves,
+    "resampled": lambda s: functools.partial(brindle.stripes(s, stripes=60).curves, resample=1e-4),
+    "render": lambda s: functools.partial(brindle.render, s.subdivided(1), size=(9000, 2000)),
+    "mesh": lambda s: brindle.texture(s.subdivided(1), stripes=40).mesh,
+}
+
+
+@pytest.mark.parametrize("make", LONG_CALLS.values(), ids=LONG_CALLS)
+def test_long_calls_hear_signals(make):
+    if make is LONG_CALLS["render"] and not brindle.has_opengl:
+        pytest.skip("this build draws no pictures")
+    call = make(brindle.shape("torus", resolution=300))
+    assert signals_heard(call) >= 3
+
+
+def test_results_that_no_memory_holds(torus):
+    """Refused, by name, before memory is asked for."""
+    p = brindle.stripes(torus, stripes=20)
+    with pytest.raises(brindle.Error, match="points"):
+        p.curves(resample=1e-9)
+    assert p.curves(resample=1e-2).count > 0

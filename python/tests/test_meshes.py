@@ -77,7 +77,7 @@ def test_meshes_are_surfaces(make, square, data):
     np.testing.assert_array_equal(p.surface.array("cells/number").shape, (len(square[0]),))
     by_name = brindle.stripes(mesh, "velocity", frequency="speed")
     np.testing.assert_array_equal(by_name.frequency, np.float32(data["points"]["speed"]))
-    with pytest.raises(brindle.Error, match="velocity, speed|speed, velocity"):
+    with pytest.raises(brindle.Error, match="velocity .3., speed|speed, velocity .3."):
         brindle.stripes(mesh, "temperature")
 
 

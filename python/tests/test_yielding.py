@@ -48,10 +48,13 @@ def test_slack_and_calm_per_vertex(trefoil):
 
 def test_slack_of_textures_samples_and_frames(trefoil):
     d = crossed(trefoil)
-    for made in (brindle.texture(trefoil, d, stripes=20, slack=0.25),
-                 brindle.crosses(trefoil, d, stripes=20, slack=0.25)):
-        assert np.isfinite(made.corner_uv).any()
-    assert brindle.samples(trefoil, d, stripes=20, slack=0.25).count > 0
+    for make in (brindle.texture, brindle.crosses):
+        rigid, yielding = make(trefoil, d, stripes=20), make(trefoil, d, stripes=20, slack=0.25)
+        assert yielding.report["branches"] < rigid.report["branches"]
+        assert yielding.report["frequency_change"]["ratio_max"] > 1.01
+        assert np.isfinite(yielding.corner_uv).any()
+    samples = brindle.samples(trefoil, d, stripes=20, slack=0.25)
+    assert samples.u.frequency_change["ratio_max"] > 1.01 and samples.count > 0
     animator = brindle.Animator(trefoil, slack=0.25)
     f = trefoil.frequency_of(40)
     z = animator.frame(d, f)

@@ -196,7 +196,7 @@ TEST_F(ArrayWaves, AreTakenByNames) {
   expect_refusal(1, "'speed' has 1 numbers in a row",
                  {"stripe", "hill.vtp", "--field", "array:speed"});
   write("bare.vtp", hill());
-  expect_refusal(1, "bare.vtp: no array 'v': the file has no arrays",
+  expect_refusal(1, "bare.vtp: no array 'v': it has no arrays",
                  {"stripe", "bare.vtp", "--field", "array:v"});
 }
 

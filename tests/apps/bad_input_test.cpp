@@ -24,99 +24,111 @@ void write_truncated_mesh(const ToolTest& test, const std::string& name) {
 }
 
 TEST_F(BadInput, MissingMesh) {
-  expect_refusal(1, "none.ply", {"stripe", "none.ply", "--report", "out.json"});
+  expect_refusal(1, "none.ply: there is no such file",
+                 {"stripe", "none.ply", "--report", "out.json"});
 }
 
 TEST_F(BadInput, FolderAsMesh) {
   fs::create_directory(folder / "scans.ply");
-  expect_refusal(1, "scans.ply", {"stripe", "scans.ply", "--report", "out.json"});
+  expect_refusal(1, "scans.ply: is a folder", {"stripe", "scans.ply", "--report", "out.json"});
 }
 
 TEST_F(BadInput, MeshOfUnknownExtension) {
   write_text(folder / "scan.xyz", kTriangleObj);
-  expect_refusal(1, "scan.xyz", {"stripe", "scan.xyz", "--report", "out.json"});
+  expect_refusal(1, "scan.xyz: brindle cannot tell the format by the extension '.xyz'",
+                 {"stripe", "scan.xyz", "--report", "out.json"});
 }
 
 TEST_F(BadInput, TruncatedPly) {
   write_truncated_mesh(*this, "half.ply");
-  expect_refusal(1, "half.ply", {"stripe", "half.ply", "--report", "out.json"});
+  expect_refusal(1, "half.ply: is too short for the ",
+                 {"stripe", "half.ply", "--report", "out.json"});
 }
 
 TEST_F(BadInput, TruncatedGlb) {
   write_truncated_mesh(*this, "half.glb");
-  expect_refusal(1, "half.glb", {"stripe", "half.glb", "--report", "out.json"});
+  expect_refusal(1, "half.glb: is shorter than its header says: it is truncated",
+                 {"stripe", "half.glb", "--report", "out.json"});
 }
 
 TEST_F(BadInput, ObjIndexOutOfRange) {
   write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
-  expect_refusal(1, "a.obj", {"stripe", "a.obj", "--report", "out.json"});
+  expect_refusal(1, "a.obj:4: vertex 4 does not exist: there are 3",
+                 {"stripe", "a.obj", "--report", "out.json"});
 }
 
 TEST_F(BadInput, ObjIndexFarOutOfRange) {
   write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n");
-  expect_refusal(1, "a.obj", {"stripe", "a.obj", "--report", "out.json"});
+  expect_refusal(1, "a.obj:4: '99999999999999999999' is not a face's corner",
+                 {"stripe", "a.obj", "--report", "out.json"});
 }
 
 TEST_F(BadInput, EmptyFile) {
   write_text(folder / "empty.ply", "");
-  expect_refusal(1, "empty.ply", {"stripe", "empty.ply", "--report", "out.json"});
+  expect_refusal(1, "empty.ply: is empty", {"stripe", "empty.ply", "--report", "out.json"});
 }
 
 TEST_F(BadInput, MeshWithoutTriangles) {
   write_text(folder / "points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
-  expect_refusal(1, "points.off", {"info", "points.off"});
+  expect_refusal(1, "points.off: has no triangles", {"info", "points.off"});
 }
 
 TEST_F(BadInput, OnlyNanPositions) {
   write_text(folder / "nan.obj", "v nan nan nan\nv nan nan nan\nv nan nan nan\nf 1 2 3\n");
-  expect_refusal(1, "nan.obj", {"stripe", "nan.obj", "--report", "out.json"});
+  expect_refusal(
+      1, "nan.obj: has no usable triangle: the corners of all have coordinates that are no numbers",
+      {"stripe", "nan.obj", "--report", "out.json"});
 }
 
 TEST_F(BadInput, MissingField) {
-  expect_refusal(1, "none.csv",
+  expect_refusal(1, "none.csv: there is no such file",
                  {"stripe", kSmallTorus, "--field", "none.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithTooFewRows) {
   write_text(folder / "mesh.obj", kTriangleObj);
   write_text(folder / "short.csv", "1,0,0\n0,1,0\n");
-  expect_refusal(1, "short.csv",
+  expect_refusal(1, "'short.csv' has 2 rows, but the mesh has 3 vertices",
                  {"stripe", "mesh.obj", "--field", "short.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithAWord) {
   write_text(folder / "mesh.obj", kTriangleObj);
   write_text(folder / "word.csv", "1,0,0\n0,north,0\n1,0,0\n");
-  expect_refusal(1, "word.csv",
+  expect_refusal(1, "'word.csv', line 2: '0,north,0' is not a row of numbers",
                  {"stripe", "mesh.obj", "--field", "word.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithImpossibleFrequency) {
   write_text(folder / "mesh.obj", kTriangleObj);
   write_text(folder / "f.csv", "1,0,0,5\n1,0,0,-5\n1,0,0,5\n");
-  expect_refusal(1, "f.csv", {"stripe", "mesh.obj", "--field", "f.csv", "--report", "r.json"});
+  expect_refusal(1, "'f.csv', line 2: the frequency must be a finite number above zero",
+                 {"stripe", "mesh.obj", "--field", "f.csv", "--report", "r.json"});
 }
+
+const char* const kNoFolder = "the folder 'none' does not exist, create it first";
 
 TEST_F(BadInput, OutputFolderDoesNotExist) {
   for (const char* path : {"none/a.png", "none/a.obj", "none/a.json"}) {
-    expect_refusal(1, "none", {"stripe", kSmallTorus, "--output", path});
+    expect_refusal(1, kNoFolder, {"stripe", kSmallTorus, "--output", path});
   }
-  expect_refusal(1, "none", {"stripe", kSmallTorus, "--report", "none/a.json"});
-  expect_refusal(1, "none", {"compare", kSmallTorus, "--json", "none/a.json"});
+  expect_refusal(1, kNoFolder, {"stripe", kSmallTorus, "--report", "none/a.json"});
+  expect_refusal(1, kNoFolder, {"compare", kSmallTorus, "--json", "none/a.json"});
 }
 
 TEST_F(BadInput, OutputIsAFolder) {
   fs::create_directory(folder / "a.png");
-  expect_refusal(1, "a.png", {"stripe", kSmallTorus, "--output", "a.png"});
+  expect_refusal(1, "cannot write 'a.png': it is a folder",
+                 {"stripe", kSmallTorus, "--output", "a.png"});
 }
 
 TEST_F(BadInput, OutputOfUnknownExtension) {
-  expect_refusal(2, ".jpeg", {"stripe", kSmallTorus, "--output", "a.jpeg"});
+  expect_refusal(2, "unknown extension '.jpeg'", {"stripe", kSmallTorus, "--output", "a.jpeg"});
   expect_refusal(2, "'a'", {"stripe", kSmallTorus, "--output", "a"});
 }
 
 TEST_F(BadInput, OutputsAreCheckedBeforeAnythingIsWritten) {
-  expect_refusal(1, "none", {"stripe", kSmallTorus, "--output", "a.png", "-o", "none/b.obj"});
+  expect_refusal(1, kNoFolder, {"stripe", kSmallTorus, "--output", "a.png", "-o", "none/b.obj"});
 }
 
 TEST_F(BadInput, FullDisk) {
@@ -126,10 +138,37 @@ TEST_F(BadInput, FullDisk) {
     fs::create_symlink("/dev/full", folder / name);
     std::vector<std::string> arguments = {"stripe", kSmallTorus, "--output", name};
     if (std::string(name) == "full.png") arguments.insert(arguments.end(), {"--size", "64x48"});
-    expect_refusal(1, name, arguments);
+    expect_refusal(1, "cannot write '" + std::string(name) + "': No space left on device",
+                   arguments);
   }
-  expect_refusal(1, "/dev/full", {"stripe", kSmallTorus, "--report", "/dev/full"});
-  expect_refusal(1, "/dev/full", {"compare", kSmallTorus, "--json", "/dev/full"});
+  expect_refusal(1, "cannot write '/dev/full': No space left on device",
+                 {"stripe", kSmallTorus, "--report", "/dev/full"});
+  expect_refusal(1, "cannot write '/dev/full': No space left on device",
+                 {"compare", kSmallTorus, "--json", "/dev/full"});
+}
+
+TEST_F(BadInput, SizesThatFloatsCannotMeasure) {
+  const auto triangle = [&](const std::string& size) {
+    write_text(folder / "a.obj", "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+  };
+  for (const char* size : {"1e-20", "1e-12", "1e12", "1e17"}) {
+    triangle(size);
+    expect_refusal(1, "a.obj: surface: neighbours are ", {"stripe", "a.obj", "--report", "r.json"});
+    expect_refusal(1, "give coordinates in other units", {"curves", "a.obj", "--report", "r.json"});
+  }
+  triangle("1e19");
+  expect_refusal(1, "larger units", {"stripe", "a.obj", "--report", "r.json"});
+  for (const char* size : {"1e-9", "1e8"}) {
+    triangle(size);
+    EXPECT_EQ(run({"stripe", "a.obj", "--stripes", "1"}).exit_code, 0) << size;
+  }
+}
+
+/// "640 x 480" of "640x480".
+std::string spaced(const std::string& size) {
+  const std::size_t middle = size.find('x');
+  if (middle == std::string::npos) return size;
+  return size.substr(0, middle) + " x " + size.substr(middle + 1);
 }
 
 struct WrongUsage : ToolTest, testing::WithParamInterface<std::vector<std::string>> {};
@@ -137,7 +176,19 @@ struct WrongUsage : ToolTest, testing::WithParamInterface<std::vector<std::strin
 TEST_P(WrongUsage, EndsWithCodeTwo) {
   std::vector<std::string> arguments = {"stripe", kSmallTorus, "--report", "out.json"};
   arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
-  expect_refusal(2, GetParam().front(), arguments);
+  const std::string& option = GetParam().front();
+  expect_refusal(2, option, arguments);
+  // What was given is named, or what is missing, or what does not go together.
+  const std::string reason = run(arguments).err;
+  const std::string& value = GetParam().back();
+  const bool names_value = reason.find("'" + value + "'") != std::string::npos ||
+                           reason.find(" " + value + " ") != std::string::npos ||
+                           reason.find("= " + value) != std::string::npos ||
+                           reason.find(spaced(value)) != std::string::npos;
+  const bool names_conflict = reason.find("excludes") != std::string::npos;
+  const bool names_lack = reason.find("missing") != std::string::npos ||
+                          reason.find("not expected") != std::string::npos;
+  EXPECT_TRUE(names_value || names_conflict || names_lack) << reason;
 }
 
 INSTANTIATE_TEST_SUITE_P(

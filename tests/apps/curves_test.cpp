@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -33,7 +35,9 @@ std::size_t lines_that_begin(const std::string& text, const std::string& begin) 
 }
 
 TEST_F(Curves, ReportBalances) {
+  const auto begin = std::chrono::steady_clock::now();
   const Json report = this->report({"--lines", "both"});
+  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - begin;
   for (const char* family : {"u", "v"}) {
     const Json& lines = report.at(family);
     const Json& ends = lines.at("ends");
@@ -46,9 +50,12 @@ TEST_F(Curves, ReportBalances) {
     EXPECT_GT(lines.at("points").get<int>(), lines.at("curves").get<int>());
     EXPECT_GT(lines.at("length").get<double>(), 0);
   }
+  double sum = 0;
   for (const char* key : {"load", "field", "topology", "couple", "solve", "pattern", "extract"}) {
-    EXPECT_GE(report.at("milliseconds").at(key).get<double>(), 0) << key;
+    EXPECT_GT(report.at("milliseconds").at(key).get<double>(), 0) << key;
+    sum += report.at("milliseconds").at(key).get<double>();
   }
+  EXPECT_LT(sum, wall.count()) << "stages are parts of a run";
 }
 
 TEST_F(Curves, WritesWhatTheExtensionSays) {
@@ -209,7 +216,8 @@ TEST_F(Curves, FullDisk) {
 }
 
 TEST_F(Curves, TooManyPointsAreRefused) {
-  expect_refusal(1, "larger spacing", {"curves", kSmallTorus, "--resample", "1e-12", "-q"});
+  expect_refusal(1, "the smallest spacing that would do is",
+                 {"curves", kSmallTorus, "--resample", "1e-12", "-q"});
 }
 
 struct WrongCurves : ToolTest, testing::WithParamInterface<Arguments> {};
@@ -282,6 +290,12 @@ TEST_F(Curves, WindAsTheyAreAskedTo) {
   EXPECT_LT(spiral.at("turned").at("largest_deg").get<double>(), 6);
   const Json sleeve = wound({"--lines", "both", "--wales", "30"}).at("v");
   EXPECT_EQ(sleeve.at("curves"), 30);
+  const Json named = wound({"--lines", "both", "--wales", "boundary-2:21"}).at("v");
+  EXPECT_EQ(named.at("curves"), 21);
+  // Boundaries are told apart by where they are.
+  const Json centers[] = {before.at("loops").at(0).at("center"),
+                          before.at("loops").at(1).at("center")};
+  EXPECT_GT(std::abs(centers[0].at(2).get<double>() - centers[1].at(2).get<double>()), 1);
 }
 
 TEST_F(Curves, WindingsThatCannotBeAreRefused) {
@@ -293,7 +307,11 @@ TEST_F(Curves, WindingsThatCannotBeAreRefused) {
   expect_refusal(1, "--anchor-boundary",
                  {"curves", kSmallTorus, "--anchor-boundary", "0", "--report", "r.json"});
   expect_refusal(2, "--merge-branches", {"curves", kSmallTorus, "--merge-branches", "-1"});
-  expect_refusal(2, "--wales", {"curves", kSmallTorus, "--lines", "v", "--wales", "0"});
+  for (const char* bad : {"0", "-3", "boundary-1:0", ":3", "x"}) {
+    expect_refusal(2, "--wales", {"curves", kSmallTorus, "--lines", "v", "--wales", bad});
+  }
+  expect_refusal(1, "no 'boundary-1'",
+                 {"curves", kSmallTorus, "--lines", "v", "--wales", "boundary-1:20"});
 }
 
 TEST_F(Curves, HaveFewerBranchesOnceTheseAreMerged) {

@@ -152,21 +152,36 @@ struct Examples : ToolTest {
   }
 };
 
-TEST_F(Examples, OfEveryHelpRun) {
-  std::size_t count = 0;
-  for (const char* command : {"", "stripe", "compare", "curves", "sample", "animate", "info",
-                              "render", "bench", "gallery"}) {
-    const ToolResult help = *command == '\0' ? run({"--help"}) : run({command, "--help"});
-    const std::vector<Arguments> examples = examples_in(help.out);
-    EXPECT_FALSE(examples.empty()) << command;
-    for (const Arguments& example : examples) {
-      std::string line;
-      for (const std::string& word : example) line += ' ' + word;
-      const ToolResult result = run(shortened(example));
-      EXPECT_EQ(result.exit_code, 0) << "brindle" << line << '\n' << result.err;
-      ++count;
-    }
+// Of one command, or of the program where it is empty.
+std::vector<Arguments> examples_of(const ToolTest& test, const std::string& command) {
+  const ToolResult help = command.empty() ? test.run({"--help"}) : test.run({command, "--help"});
+  return examples_in(help.out);
+}
+
+const std::vector<std::string> kCommands = {"",        "stripe", "compare", "curves", "sample",
+                                            "animate", "info",   "render",  "bench",  "gallery"};
+
+// A test for each, so that they can run beside each other.
+struct ExamplesOf : Examples, testing::WithParamInterface<std::string> {};
+
+TEST_P(ExamplesOf, HelpRun) {
+  const std::vector<Arguments> examples = examples_of(*this, GetParam());
+  EXPECT_FALSE(examples.empty());
+  for (const Arguments& example : examples) {
+    std::string line;
+    for (const std::string& word : example) line += ' ' + word;
+    const ToolResult result = run(shortened(example));
+    EXPECT_EQ(result.exit_code, 0) << "brindle" << line << '\n' << result.err;
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ExamplesOf, testing::ValuesIn(kCommands), [](const auto& of) {
+  return of.param.empty() ? std::string("tool") : of.param;
+});
+
+TEST_F(ToolTest, HelpShowsMoreThanThirtyExamples) {
+  std::size_t count = 0;
+  for (const std::string& command : kCommands) count += examples_of(*this, command).size();
   EXPECT_GT(count, 30u);
 }
 

@@ -135,7 +135,9 @@ TEST_F(Input, FieldOfAnStlHasARowPerCornerOrPerVertex) {
   write_text(folder / "corners.csv", corners);
   const Json expected = report("a.obj", {"--field", "vertices.csv"});
   const Json stl = report("a.stl", {"--field", "corners.csv"});
-  EXPECT_EQ(stl["branches"], expected["branches"]);
+  // Vertices have other numbers.
+  EXPECT_NEAR(stl["branches"].get<double>(), expected["branches"].get<double>(),
+              0.05 * expected["branches"].get<double>());
   EXPECT_NEAR(stl["energy"].get<double>(), expected["energy"].get<double>(),
               0.02 * expected["energy"].get<double>());
   EXPECT_NEAR(stl["angle_error_mean_deg"].get<double>(),

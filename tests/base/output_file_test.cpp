@@ -1,11 +1,21 @@
 #include "brindle/base/output_file.h"
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "test_folder.h"
 
@@ -68,6 +78,120 @@ TEST_F(OutputFile, PathIsCheckedWithoutTouchingIt) {
   EXPECT_THROW(check_output_path(folder / "a" / "b"), Error);
 }
 
+TEST_F(OutputFile, KeepsThePermissionsOfWhatItReplaces) {
+  const auto mode = [](const fs::path& path) { return fs::status(path).permissions(); };
+  for (const unsigned bits : {0600U, 0640U, 0664U, 0755U}) {
+    const auto wanted = static_cast<fs::perms>(bits);
+    write_file(folder / "a", [](std::ostream& out) { out << "old"; });
+    fs::permissions(folder / "a", wanted);
+    write_file(folder / "a", [](std::ostream& out) { out << "new"; });
+    EXPECT_EQ(mode(folder / "a"), wanted);
+    EXPECT_EQ(content(folder / "a"), "new");
+  }
+  const mode_t mask = umask(027);
+  write_file(folder / "b", [](std::ostream& out) { out << "new"; });
+  umask(mask);
+  EXPECT_EQ(mode(folder / "b"), static_cast<fs::perms>(0640)) << "as of any new file";
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(OutputFile, FollowsLinks) {
+  fs::create_directory(folder / "far");
+  write_file(folder / "far" / "a", [](std::ostream& out) { out << "old"; });
+  fs::create_symlink("far/a", folder / "near");
+  fs::create_symlink("near", folder / "nearer");
+  fs::create_symlink("far/none", folder / "dangling");
+  write_file(folder / "nearer", [](std::ostream& out) { out << "new"; });
+  write_file(folder / "dangling", [](std::ostream& out) { out << "made"; });
+  EXPECT_TRUE(fs::is_symlink(folder / "nearer") && fs::is_symlink(folder / "near"));
+  EXPECT_TRUE(fs::is_symlink(folder / "dangling"));
+  EXPECT_EQ(content(folder / "far" / "a"), "new");
+  EXPECT_EQ(content(folder / "far" / "none"), "made");
+  fs::create_symlink("nowhere/a", folder / "lost");
+  EXPECT_THROW(check_output_path(folder / "lost"), Error);
+  EXPECT_THROW(write_file(folder / "lost", [](std::ostream&) {}), Error);
+  fs::create_symlink("round", folder / "round");
+  EXPECT_THROW(write_file(folder / "round", [](std::ostream&) {}), Error);
+}
+
+TEST_F(OutputFile, MayHaveTheLongestNameThereIs) {
+  const fs::path longest = folder / std::string(255, 'n');
+  for (int times = 0; times < 2; ++times) {
+    write_file(longest, [](std::ostream& out) { out << "stripes"; });
+    EXPECT_EQ(content(longest), "stripes");
+  }
+  EXPECT_EQ(files(), 1u);
+  EXPECT_THROW(check_output_path(folder / std::string(256, 'n')), Error);
+  EXPECT_THROW(write_file(folder / std::string(256, 'n'), [](std::ostream&) {}), Error);
+}
+
+TEST_F(OutputFile, HoldsWritesOfAllSizes) {
+  std::string expected;
+  write_file(folder / "a", [&](std::ostream& out) {
+    for (std::size_t size = 1; size < 300000; size = 3 * size + 1) {
+      const std::string text(size, static_cast<char>('a' + size % 26));
+      out << text;
+      out.put('.');
+      expected += text + '.';
+    }
+  });
+  EXPECT_EQ(content(folder / "a"), expected);
+}
+
+/// What a process leaves that is killed while it writes.
+TEST_F(OutputFile, BeingKilledLeavesTheOldFileAndNoOther) {
+  const int unnamed = open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (unnamed < 0) GTEST_SKIP() << "this file system knows no files without names";
+  close(unnamed);
+  write_file(folder / "a", [](std::ostream& out) { out << "old"; });
+  for (const char* name : {"a", "b"}) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      write_file(folder / name, [](std::ostream& out) {
+        out << std::string(200000, 'x') << std::flush;
+        kill(getpid(), SIGKILL);
+      });
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(content(folder / "a"), "old");
+    EXPECT_EQ(files(), 1u);
+  }
+}
+
+TEST_F(OutputFile, BeyondTheLimitOfSizesIsAnErrorWithTheRemedy) {
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{100000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::string message;
+  try {
+    write_file(folder / "a", [](std::ostream& out) { out << std::string(200000, 'x'); });
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(message.find("ulimit -f"), std::string::npos) << message;
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(OutputFile, PipeIsWrittenTo) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  write_file(pipe, [](std::ostream& out) { out << "stripes"; });
+  std::string text(20, ' ');
+  text.resize(static_cast<std::size_t>(read(reader, text.data(), text.size())));
+  close(reader);
+  EXPECT_EQ(text, "stripes");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
 TEST(OutputFileDevice, FullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   try {
@@ -77,6 +201,44 @@ TEST(OutputFileDevice, FullDiskIsAnError) {
     EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos) << error.what();
   }
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
+}
+
+TEST(OutputFileDevice, FullDiskStopsThoseWhoWriteMuch) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  std::size_t numbers = 0;
+  EXPECT_THROW(write_file("/dev/full",
+                          [&](std::ostream& out) {
+                            TextOutput text(out);
+                            for (; numbers < 1'000'000; ++numbers) text << numbers << ' ';
+                          }),
+               Error);
+  EXPECT_LT(numbers, 100'000u);
+}
+
+TEST_F(OutputFile, ReportsEveryFewMegabytesAndMayBeCancelledAtEach) {
+  write_file(folder / "a", [](std::ostream& out) { out << "old"; });
+  const auto write = [](std::ostream& out) {
+    TextOutput text(out);
+    for (int line = 0; line < 200; ++line) text << std::string(100'000, 'x') << '\n';
+    out << std::string(9 << 20, 'y');
+  };
+  std::vector<double> fractions;
+  write_file(folder / "b", write, Progress([&](std::string_view step, double fraction) {
+               EXPECT_EQ(step, "writing " + (folder / "b").string());
+               fractions.push_back(fraction);
+               return true;
+             }));
+  EXPECT_EQ(fs::file_size(folder / "b"), 200u * 100'001 + (9u << 20));
+  EXPECT_GE(fractions.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_LT(fractions.back(), 1);
+  for (std::size_t last = 0; last < fractions.size(); ++last) {
+    std::size_t heard = 0;
+    const Progress progress([&](std::string_view, double) { return heard++ < last; });
+    EXPECT_THROW(write_file(folder / "a", write, progress), Cancelled);
+    EXPECT_EQ(content(folder / "a"), "old");
+    EXPECT_EQ(files(), 2u);
+  }
 }
 
 }  // namespace

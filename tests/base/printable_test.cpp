@@ -12,6 +12,18 @@ TEST(Printable, LeavesNothingThatATerminalObeys) {
   EXPECT_EQ(printable(std::string_view("\x1b[2J\0\n\xff", 7)), "\\x1b[2J\\x00\\x0a\\xff");
 }
 
+TEST(Printable, NamesOfFilesKeepTheirLettersAndLoseWhatATerminalObeys) {
+  EXPECT_EQ(shown("Geh\u00e4use 2 \u6a21\u578b.ply"), "Geh\u00e4use 2 \u6a21\u578b.ply");
+  EXPECT_EQ(shown("caf\xe9.ply"), "caf\\xe9.ply") << "Latin-1";
+  EXPECT_EQ(shown("a\x1b[2J\n.ply"), "a\\x1b[2J\\x0a.ply");
+  EXPECT_EQ(shown("a\u202egpj.exe"), "a\\xe2\\x80\\xaegpj.exe") << "would be read backwards";
+  EXPECT_EQ(shown("\xc0\x80\xed\xa0\x80\xf5"), "\\xc0\\x80\\xed\\xa0\\x80\\xf5");
+  EXPECT_EQ(shown("\xe2\x82"), "\\xe2\\x82") << "cut off";
+  EXPECT_EQ(shown(shown("\xe9\n")), shown("\xe9\n"));
+  EXPECT_EQ(shown_lines("a\tb\nc\x1b"), "a\tb\nc\\x1b");
+  EXPECT_EQ(utf8_text("\xe9\n\u00e9"), "\\xe9\n\u00e9");
+}
+
 TEST(Printable, IsShort) {
   EXPECT_EQ(printable("12345", 5), "12345");
   EXPECT_EQ(printable("123456", 5), "12345...");

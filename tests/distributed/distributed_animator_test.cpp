@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/carried_phases.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -308,6 +309,40 @@ TEST(DistributedAnimator, FollowsTheLastFrameAsOneRankDoes) {
     }
     EXPECT_NEAR(steps_of_many, steps_of_one, 0.1 * steps_of_one);
     EXPECT_NEAR(many.energy(), one.energy(), 0.1 * one.energy());
+  }
+}
+
+/// What is dealt anew goes on from phases that are given: as one process does, which is given the
+/// same.
+TEST(DistributedAnimator, FollowsPhasesThatAreGiven) {
+  const WavySurface wavy = wavy_surface("torus,resolution=40", kAxis, 20);
+  const WaveSet next = turned(wavy, 0.05f);
+  StripeAnimator first(wavy.neighborhood), one(wavy.neighborhood);
+  const FrameResult before = first.frame(frame_of(wavy.waves));
+  const std::vector<Complex> last = matched_phases({wavy.mesh, wavy.waves, before.z}, next);
+  one.set_last_phases(last);
+  const FrameResult expected = one.frame(frame_of(next));
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
+    const WaveSet own = parts.of_piece(next);
+    std::vector<Complex> of_piece;
+    for (const std::uint64_t id : parts.ids) of_piece.push_back(last[id]);
+    DistributedStripeAnimator many(parts.surface());
+    many.set_last_phases(of_piece);
+    const FrameResult frame = many.frame(frame_of(own));
+    EXPECT_FALSE(frame.unchanged);
+    EXPECT_NEAR(frame.phase_step, expected.phase_step, 1e-5);
+    for (std::size_t v = 0; v < own.positions.size(); ++v) {
+      EXPECT_LT(std::abs(frame.z[v] - expected.z[parts.ids[v]]), 1e-4f);
+    }
+    // Later frames follow their last one.
+    EXPECT_TRUE(many.frame(frame_of(own)).unchanged);
+    of_piece.push_back(1);
+    EXPECT_THROW(many.set_last_phases(of_piece), Error);
+    of_piece.pop_back();
+    many.set_last_phases(of_piece);
+    EXPECT_FALSE(many.frame(frame_of(own)).unchanged);
   }
 }
 

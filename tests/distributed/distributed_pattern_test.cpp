@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/distributed/joined_measures.h"
 #include "brindle/distributed/moved_peaks.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/error.h"
@@ -74,6 +75,112 @@ std::vector<Solved> solved_surfaces() {
   surfaces.emplace_back(with_hole(wavy_surface("sphere,resolution=16", kAxis, 24), 0.5f));
   surfaces.emplace_back(wavy_surface("plane,resolution=30", kAxis, 60));  // several peaks an edge
   return surfaces;
+}
+
+/// Waves that are dense here and sparse there, and missing in a ball.
+WavySurface with_uneven_waves(const char* shape, float stripes) {
+  WavySurface surface = with_hole(wavy_surface(shape, kAxis, stripes), 0.3f);
+  for (std::size_t v = 0; v < surface.mesh.vertex_count(); ++v) {
+    surface.waves.frequencies[v] *= 1.5f + surface.mesh.positions[v].normalized().x();
+  }
+  return surface;
+}
+
+void expect_figures(const WaveFigures& found, const WaveFigures& expected) {
+  EXPECT_EQ(found.used, expected.used);
+  EXPECT_EQ(found.without_wave, expected.without_wave);
+  EXPECT_EQ(found.frequency_min, expected.frequency_min);
+  EXPECT_EQ(found.frequency_max, expected.frequency_max);
+  const auto expect_same = [](double a, double b) { EXPECT_NEAR(a, b, 1e-6 * b); };
+  expect_same(found.stripes, expected.stripes);
+  expect_same(found.edges_per_period_min, expected.edges_per_period_min);
+  expect_same(found.edges_per_period_median, expected.edges_per_period_median);
+}
+
+// A vertex counts once, with all its edges, and what a rank that does not own it says is not heard.
+TEST(DistributedWaves, AreMeasuredAsTheWholesHoweverItIsCut) {
+  for (const char* shape :
+       {"torus,resolution=30", "mobius,resolution=12", "sphere,resolution=16"}) {
+    for (const float stripes : {8.0f, 200.0f}) {
+      const WavySurface whole = with_uneven_waves(shape, stripes);
+      const WaveFigures expected = measure_waves(make_surface(whole.mesh), whole.waves);
+      ASSERT_GT(expected.without_wave, 0u);
+      for (const Cut& cut : kCuts) {
+        SCOPED_TRACE(std::string(shape) + ", " + cut.name);
+        const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
+        const DistributedSurface surface = parts.surface();
+        WaveSet waves = parts.of_piece(whole.waves);
+        waves.positions.clear();
+        for (std::size_t p = 0; p < waves.directions.size(); ++p) {
+          if (!surface.is_own()[p]) waves.frequencies[p] = 1e6f;
+        }
+        const WaveFigures found = measure_waves(surface, waves);
+        expect_figures(found, expected);
+        EXPECT_EQ(wave_warnings(found), wave_warnings(expected));
+      }
+    }
+  }
+}
+
+TEST(DistributedWaves, OfNoWaveHaveNoFigures) {
+  const WavySurface whole = with_hole(wavy_surface("torus,resolution=12", kAxis, 8), 100);
+  const Parts parts(whole);
+  const WaveFigures found = measure_waves(parts.surface(), parts.of_piece(whole.waves));
+  EXPECT_EQ(found.without_wave, whole.mesh.vertex_count());
+  EXPECT_EQ(found.stripes, 0);
+  EXPECT_EQ(found.edges_per_period_median, 0);
+}
+
+TEST(DistributedWaves, ThatDoNotMatchThePieceAreRefusedByAll) {
+  const Parts parts(wavy_surface("torus,resolution=12", kAxis, 8));
+  WaveSet waves = parts.of_piece(parts.whole.waves);
+  if (rank() == rank_count() - 1) waves.frequencies.push_back(1);
+  EXPECT_THROW(measure_waves(parts.surface(), waves), Error);
+}
+
+void expect_near(double found, double expected) {
+  EXPECT_NEAR(found, expected, 1e-4 * std::abs(expected));
+}
+
+void expect_spacing(const CurveSpacing& found, const CurveSpacing& expected) {
+  EXPECT_EQ(found.measured, expected.measured);
+  EXPECT_EQ(found.gaps.measured, expected.gaps.measured);
+  expect_near(found.mean, expected.mean);
+  expect_near(found.deviation, expected.deviation);
+  expect_near(found.mean_wanted, expected.mean_wanted);
+  expect_near(found.gaps.least, expected.gaps.least);
+  expect_near(found.gaps.most, expected.gaps.most);
+  expect_near(found.gaps.mean_ratio, expected.gaps.mean_ratio);
+  expect_near(found.gaps.mean_ratio_chosen, expected.gaps.mean_ratio_chosen);
+}
+
+// Rank 0 has all curves, but frequencies beside them are those of other ranks' vertices.
+TEST(DistributedCurves, AreMeasuredAsThoseOfTheWhole) {
+  for (const bool uneven : {false, true}) {
+    const Solved solved(uneven ? with_uneven_waves("torus,resolution=40", 24)
+                               : wavy_surface("torus,resolution=40", kAxis, 24));
+    FrequencyField wanted = solved.whole.waves.frequencies;
+    for (float& frequency : wanted) frequency *= 1.25f;
+    const StripeCurves curves = stripe_curves(LiftedWaves(solved.pattern()), {});
+    const CurveSpacing spacing =
+        measure_curve_spacing(solved.pattern(), curves, kMostSpacingPoints, wanted);
+    ASSERT_GT(spacing.measured, 1000u);
+    const CurveCoverage coverage = measure_coverage(solved.whole.mesh, curves.lines, 0.1);
+    ASSERT_GT(coverage.twice, 0);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(cut.name);
+      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+      const StripeCurves known = rank() == 0 ? curves : StripeCurves();
+      const CurveSpacing found =
+          measure_joined_spacing(piece.pattern(), known, piece.parts.of_piece(wanted));
+      const CurveCoverage covered = measure_joined_coverage(piece.surface, known.lines, 0.1);
+      if (rank() > 0) continue;
+      expect_spacing(found, spacing);
+      // Other places.
+      EXPECT_NEAR(covered.once, coverage.once, 0.004);
+      EXPECT_NEAR(covered.twice, coverage.twice, 0.004);
+    }
+  }
 }
 
 struct Line {

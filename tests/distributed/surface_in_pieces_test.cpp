@@ -155,6 +155,58 @@ TEST(SubdividedPiece, RefusesWhatCannotBeNumbered) {
   EXPECT_THROW(subdivided_piece(ranks, piece, 1), Error);
 }
 
+/// Of triangles that ranks have several times one is left: the lowest rank's.
+TEST(RepeatedTriangles, LeaveOneOfEach) {
+  const Mesh whole = make_shape("sheets,resolution=8");
+  for (const Cut& cut : kCuts) {
+    SCOPED_TRACE(cut.name);
+    const std::vector<int> rank_of = cut.rank_of_triangle(whole);
+    std::vector<int> more = rank_of;  // where some triangles stand as well
+    for (std::size_t t = 0; t < more.size(); ++t) {
+      if (t % 3 == 0) more[t] = static_cast<int>((t / 3) % static_cast<std::size_t>(rank_count()));
+    }
+    SurfacePiece piece = piece_of(whole, rank_of, rank());
+    const SurfacePiece added = piece_of(whole, more, rank());
+    std::map<std::uint64_t, Index> number;
+    for (Index v = 0; v < piece.vertex_ids.size(); ++v) number[piece.vertex_ids[v]] = v;
+    for (std::size_t t = 0; t < added.mesh.triangle_count(); ++t) {
+      if (added.triangle_ids[t] % 3 != 0) continue;
+      Triangle corners = added.mesh.triangles[t];
+      std::ranges::reverse(corners);
+      for (Index& v : corners) {
+        const auto next = static_cast<Index>(piece.vertex_ids.size());
+        const auto [place, is_new] = number.emplace(added.vertex_ids[v], next);
+        if (is_new) {
+          piece.vertex_ids.push_back(added.vertex_ids[v]);
+          piece.mesh.positions.push_back(added.mesh.positions[v]);
+        }
+        v = place->second;
+      }
+      piece.mesh.triangles.push_back(corners);
+      piece.triangle_ids.push_back(added.triangle_ids[t]);
+    }
+    const std::vector<std::uint8_t> repeated = repeated_triangles(piece, MPI_COMM_WORLD);
+    ASSERT_EQ(repeated.size(), piece.mesh.triangle_count());
+    std::vector<int> lowest(whole.triangle_count(), rank_count()), left(lowest.size()), all(left);
+    for (std::size_t t = 0; t < lowest.size(); ++t) {
+      lowest[t] = std::min(rank_of[t], t % 3 == 0 ? more[t] : rank_of[t]);
+    }
+    for (std::size_t t = 0; t < repeated.size(); ++t) {
+      if (repeated[t] != 0) continue;
+      EXPECT_EQ(lowest[piece.triangle_ids[t]], rank());
+      ++left[piece.triangle_ids[t]];
+    }
+    MPI_Allreduce(left.data(), all.data(), static_cast<int>(all.size()), MPI_INT, MPI_SUM,
+                  MPI_COMM_WORLD);
+    EXPECT_EQ(all, std::vector<int>(all.size(), 1));
+    piece.ghost_triangles.assign(repeated.size(), 1);
+    EXPECT_EQ(repeated_triangles(piece, MPI_COMM_WORLD), std::vector<std::uint8_t>(repeated.size()))
+        << "ghosts do not count";
+    if (rank() == rank_count() - 1) piece.vertex_ids.push_back(0);
+    EXPECT_THROW(repeated_triangles(piece, MPI_COMM_WORLD), Error);
+  }
+}
+
 /// Rows without numbers get those that they have in all ranks' rows, one after the other.
 TEST(SharedPlaces, NumberVerticesByWhereTheyStand) {
   Communicator ranks(MPI_COMM_WORLD);

@@ -50,6 +50,14 @@ TEST_F(CsvFile, MayBeSeparatedInAnyUsualWay) {
   }
 }
 
+// If each of them were followed to the row's end, this would take minutes.
+TEST_F(CsvFile, MarksThatNothingClosesTakeNoLongerThanTheirNumber) {
+  std::string row;
+  for (int cell = 0; cell < 300000; ++cell) row += "\"a,";
+  EXPECT_NE(error_of("1,2,3\n" + row + '\n'), "");
+  EXPECT_NE(error_of("1,2,3\n\"a,\"\"b,\"c\"d,\"4\n"), "");
+}
+
 TEST_F(CsvFile, MayHaveAHeaderAndAByteOrderMark) {
   for (const std::string header :
        {"x,y,z\n", "\"x\";\"y\";\"z\"\n", "x1 y1 z1\n", "# of hand\n\nX [m],Y [m],Z [m]\n",

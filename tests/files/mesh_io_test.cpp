@@ -596,7 +596,7 @@ TEST_F(MeshIo, TruncatedOffIsAnError) {
   EXPECT_NAMES(error_of("a.off", kPyramidOff.substr(0, 40)), "truncated");
   EXPECT_NAMES(error_of("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n"), "too short");
   EXPECT_NAMES(error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "a.off:6: ");
-  EXPECT_NAMES(error_of("a.off", "OFF BINARY\n3 1 0\n"), "convert");
+  EXPECT_NAMES(error_of("a.off", "OFF BINARY\n3 1 0\n"), "truncated");
 }
 
 TEST_F(MeshIo, TruncatedStlIsAnError) {

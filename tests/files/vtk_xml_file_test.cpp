@@ -88,8 +88,19 @@ TEST_F(VtkXmlFile, ReadsTheSurfaceCellsOfGrids) {
   }
 }
 
-TEST_F(VtkXmlFile, VolumesAloneAreRefusedWithTheRemedy) {
-  const std::string file = grid({}, {{0, 1, 3, 8}, {4}}, {10});
+TEST_F(VtkXmlFile, EmptyCompressedBlocksAreAnError) {
+  std::string header;  // one block of 108 bytes that takes none
+  for (const std::uint32_t word : {1, 108, 0, 0}) header += bytes_of(word);
+  const std::string file =
+      "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" "
+      "compressor=\"vtkZLibDataCompressor\"><PolyData><Piece NumberOfPoints=\"9\"><Points>"
+      "<DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"binary\">" +
+      base64_of(header) + "</DataArray></Points></Piece></PolyData></VTKFile>";
+  EXPECT_TELLS(error_of("a.vtp", file), "damaged");
+}
+
+TEST_F(VtkXmlFile, VolumesOfUnknownFacesAloneAreRefusedWithTheRemedy) {
+  const std::string file = grid({}, {{0, 1, 3, 8}, {4}}, {42});
   EXPECT_TELLS(error_of("a.vtu", file), "Extract Surface");
   EXPECT_FALSE(is_point_file(folder / "a.vtu"));
   EXPECT_EQ(read_points(folder / "a.vtu").cloud.positions.size(), 9u);

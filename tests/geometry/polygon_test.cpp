@@ -1,4 +1,4 @@
-#include "brindle/geometry/polygon.h"
+#include "brindle/polygon.h"
 
 #include <cmath>
 #include <limits>

@@ -26,7 +26,7 @@ struct MpiToolLines : MpiTool {
 
   /// What 'brindle' makes of the same.
   void run_alone(Words arguments) const {
-    arguments.insert(arguments.begin(), {"100", BRINDLE_TOOL_ALONE});
+    arguments.insert(arguments.begin(), {"1000", BRINDLE_TOOL_ALONE});
     const ToolResult result = test::run_tool(arguments, folder);
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
@@ -41,7 +41,8 @@ Words with(const Words& front, const Words& back) {
 }
 
 TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
-  const Words options = {"--lines", "both", "--stripes-v", "12", "--min-length", "10%"};
+  const Words options = {"--lines",      "both", "--stripes-v",  "12",
+                         "--min-length", "10%",  "--line-width", "1%"};
   for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
     ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
@@ -51,7 +52,38 @@ TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
     for (const char* family : {"u", "v"}) {
       const auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
       for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
+      // They need the whole surface in one process.
+      for (const auto& [key, value] : tool.items()) {
+        EXPECT_EQ(mpi.contains(key), key != "loops") << key;
+      }
     }
+  }
+}
+
+/// Points that are measured are elsewhere, as curves begin elsewhere; what they say is the same.
+TEST_F(MpiToolLines, MeasuresOfCurvesOfManyRanksAreThoseOfTheTool) {
+  const Words options = {"curves",         "shape:molecule,resolution=30",
+                         "--direction",    "0.3,0.9,0.2",
+                         "--stripes",      "25",
+                         "--frequency-by", "height",
+                         "--line-width",   "1%",
+                         "--report"};
+  run_alone(with(options, {"tool.json"}));
+  const auto alone = report("tool.json")["u"];
+  const double once = alone["coverage"], twice = alone["covered_twice"];
+  for (const int ranks : {2, 4}) {
+    const auto result = command_on(ranks, with(options, {"mpi.json"}));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto many = report("mpi.json")["u"];
+    const auto expect_near = [&](const char* of, const char* key, double share) {
+      const double expected = alone[of][key];
+      EXPECT_NEAR(many[of][key].get<double>(), expected, share * expected) << of << ' ' << key;
+    };
+    for (const char* of : {"spacing", "gaps"}) expect_near(of, "measured", 0.001);
+    for (const char* key : {"mean", "share_within_10_percent"}) expect_near("spacing", key, 0.001);
+    for (const char* key : {"mean", "mean_ratio"}) expect_near("gaps", key, 0.001);
+    EXPECT_NEAR(many["coverage"].get<double>(), once, 0.004);
+    EXPECT_NEAR(many["covered_twice"].get<double>(), twice, 0.004);
   }
 }
 

@@ -17,10 +17,10 @@ namespace brindle::test {
 
 using Words = std::vector<std::string>;
 
-/// Empty folders; whatever hangs there is ended.
+/// Empty folders; whatever hangs there is ended, long after a busy machine would be done.
 struct MpiTool : ToolTest {
   static Words mpirun() {
-    Words words = {"100"};
+    Words words = {"1000"};
     std::string word;
     for (const char c : std::string(BRINDLE_MPIRUN) + "|") {
       if (c != '|') {
@@ -48,6 +48,18 @@ struct MpiTool : ToolTest {
     Words words = mpirun();
     words.insert(words.end(), {"-n", std::to_string(ranks), BRINDLE_MPI_TOOL});
     words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_tool(words, folder);
+  }
+
+  /// As `command_on`, with more ranks behind, which have words and a folder of their own.
+  ToolResult with_others(int ranks, const Words& arguments, int others, const Words& of_others,
+                         const std::string& other_folder = ".") const {
+    Words words = mpirun();
+    words.insert(words.end(), {"-n", std::to_string(ranks), BRINDLE_MPI_TOOL});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    words.insert(words.end(),
+                 {":", "-n", std::to_string(others), "-wdir", other_folder, BRINDLE_MPI_TOOL});
+    words.insert(words.end(), of_others.begin(), of_others.end());
     return run_tool(words, folder);
   }
 

@@ -1,6 +1,8 @@
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -15,6 +17,7 @@ namespace {
 using test::array_of;
 using test::content;
 using test::MpiTool;
+using test::value;
 using test::write_text;
 
 struct MpiToolPvtp : MpiTool {
@@ -86,6 +89,8 @@ struct LatticePiece {
   double offset = 0;  ///< of all coordinates
   std::string id_name = "GlobalPointIds";
   int id_shift = 0;
+  int id_factor = 1;  ///< of numbers before they are taken modulo 1009
+  bool flags = true;  ///< whether ghosts are said to be some
 };
 
 constexpr int kColumns = 9, kRows = 13;
@@ -99,13 +104,13 @@ std::string piece_text(const LatticePiece& piece) {
     for (int i = 0; i < kColumns; ++i) {
       points << piece.offset + 0.1 * i << ' ' << piece.offset + 0.1 * row << ' '
              << piece.offset + 0.01 * i * row << '\n';
-      ids << row * kColumns + i + piece.id_shift << ' ';
+      ids << (row * kColumns + i) * piece.id_factor % 1009 + piece.id_shift << ' ';
       if (row == end || i + 1 == kColumns) continue;
       const int a = (row - begin) * kColumns + i;
       for (const Triangle& t : {Triangle{0, 1, kColumns}, Triangle{1, kColumns + 1, kColumns}}) {
         for (const Index corner : t) cells << a + static_cast<int>(corner) << ' ';
         ends << 3 * ++triangles << ' ';
-        ghosts << (row < piece.first || row >= piece.last ? 1 : 0) << ' ';
+        ghosts << (piece.flags && (row < piece.first || row >= piece.last) ? 1 : 0) << ' ';
       }
     }
   }
@@ -269,7 +274,7 @@ TEST_F(MpiToolPvtp, TakesWavesFromArraysOfPoints) {
   for (const std::string field : {"array:round", "array:points/stress"}) {
     const test::Words options = {"--field",  field,     "--frequency", "array:density", "--output",
                                  "out.pvtp", "--quiet", "--report",    "out.json"};
-    test::Words tool = {"100", BRINDLE_TOOL_ALONE, "stripe", "arrays.vtp"};
+    test::Words tool = {"1000", BRINDLE_TOOL_ALONE, "stripe", "arrays.vtp"};
     tool.insert(tool.end(), options.begin(), options.end());
     tool[9] = "tool.vtp";
     tool.back() = "tool.json";
@@ -303,6 +308,63 @@ TEST_F(MpiToolPvtp, RefusesArraysThatItCannotTake) {
                  "--tensor");
   expect_failure(on(2, {"arrays.vtp", "--field", "array:cells/round"}), 1, "no array");
   expect_failure(on(2, {"shape:torus", "--field", "array:round"}), 1, "no array 'round'");
+}
+
+/// Four pieces of the lattice that share rows of triangles, whether or not they say so. Numbers go
+/// criss-cross.
+TEST_F(MpiToolPvtp, HasOnePatternOnAnyNumberOfRanks) {
+  for (const bool ids : {true, false}) {
+    for (const bool flags : {true, false}) {
+      SCOPED_TRACE(std::string(ids ? "ids" : "no ids") + (flags ? ", flags" : ", no flags"));
+      std::vector<std::string> names;
+      for (int p = 0; p < 4; ++p) {
+        names.push_back("in_" + std::to_string(p) + ".vtp");
+        write_text(folder / names.back(),
+                   piece_text({3 * p, 3 * p + 3, ids, 0, "GlobalPointIds", 0, 37, flags}));
+      }
+      write_text(folder / "in.pvtp", pvtp_text(names));
+      nlohmann::json one;
+      std::map<std::array<float, 3>, float> phases;
+      for (int ranks = 1; ranks <= 4; ++ranks) {
+        const auto result = on(
+            ranks, {"in.pvtp", "--stripes", "8", "--report", "out.json", "--output", "out.pvtp"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.err.find("stand twice") == std::string::npos, flags) << result.err;
+        const auto json = report("out.json");
+        EXPECT_EQ(json["vertices"], kColumns * kRows);
+        EXPECT_EQ(json["triangles"], 2 * (kColumns - 1) * (kRows - 1));
+        if (ranks == 1) one = json;
+        EXPECT_EQ(json["branches"], one["branches"]) << ranks;
+        EXPECT_NEAR(json["energy"].get<double>(), one["energy"].get<double>(), 1e-9) << ranks;
+        std::size_t triangles = 0;
+        for (int r = 0; r < ranks; ++r) {
+          const LoadedMesh piece = this->piece("out_" + std::to_string(r) + ".vtp");
+          triangles += piece.mesh.triangle_count();
+          for (std::size_t v = 0; v < piece.mesh.vertex_count(); ++v) {
+            const Vec3& p = piece.mesh.positions[v];
+            const float phase = value<float>(array_of(piece.arrays.points, "phase"), v);
+            const auto known = phases.emplace(std::array{p.x(), p.y(), p.z()}, phase).first;
+            EXPECT_EQ(known->second, phase) << ranks << " ranks";
+          }
+        }
+        EXPECT_EQ(triangles, 2u * (kColumns - 1) * (kRows - 1));
+      }
+    }
+  }
+}
+
+TEST_F(MpiToolPvtp, SaysWhatOnePieceHasAlone) {
+  write_pieces_of("shape:torus,resolution=20", 2);
+  std::string list = content(folder / "in.pvtp");
+  const std::size_t at = list.find("<PDataArray type=\"Float32\" Name=\"sin_phase\"");
+  ASSERT_NE(at, std::string::npos);
+  list.erase(at, list.find("/>", at) + 2 - at);
+  write_text(folder / "in.pvtp", list);
+  for (const int ranks : {1, 2, 3}) {
+    const auto result = on(ranks, {"in.pvtp", "--output", "out.pvtp"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.err.find("'sin_phase' is not announced"), std::string::npos) << result.err;
+  }
 }
 
 }  // namespace

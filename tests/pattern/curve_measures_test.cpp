@@ -65,6 +65,25 @@ TEST(CurveMeasures, CoverageOfRingsIsWidthOverSpacing) {
   }
 }
 
+TEST(CurveMeasures, RingsWiderThanTheirSpacingCoverTwice) {
+  const Rings rings(0.5f);
+  const StripeCurves curves = rings.curves();
+  const Mesh& mesh = rings.surface.mesh;
+  for (const double share : {0.3, 0.99}) {
+    const CurveCoverage coverage = measure_coverage(mesh, curves.lines, share / Rings::kFrequency);
+    EXPECT_NEAR(coverage.once, share, 0.003);
+    EXPECT_EQ(coverage.twice, 0) << share;
+  }
+  // Between the 13 pairs of neighbours what is more than the spacing.
+  for (const double share : {1.2, 1.5, 1.9}) {
+    const CurveCoverage coverage = measure_coverage(mesh, curves.lines, share / Rings::kFrequency);
+    EXPECT_EQ(coverage.once, 1);
+    EXPECT_NEAR(coverage.twice, (share - 1) * 13 / 14, 0.005) << share;
+  }
+  EXPECT_EQ(measure_coverage(mesh, {}, 2).twice, 0);
+  EXPECT_THROW(measure_coverage(mesh, curves.lines, 0), Error);
+}
+
 TEST(CurveMeasures, CoverageDoesNotReachBeyondTheRim) {
   // A ring on either rim covers half as much as another: 15 rings, as much as 14 in all.
   Rings rings(0.0001f);
@@ -106,6 +125,25 @@ TEST(CurveMeasures, GapsOfRingsAreTheirSpacing) {
   const CurveGaps wide = measure_curve_spacing(rings.pattern(), curves).gaps;
   EXPECT_NEAR(wide.mean, 1.0 / 7, 1e-4);
   EXPECT_NEAR(wide.most_ratio, 2, 1e-3);
+}
+
+TEST(CurveMeasures, GapsAreToldOfTheFrequenciesAskedForAndChosen) {
+  const Rings rings(0.5f);
+  const StripeCurves curves = rings.curves();
+  const std::vector<float> wanted(rings.z.size(), 0.8f * Rings::kFrequency);
+  const CurveSpacing spacing =
+      measure_curve_spacing(rings.pattern(), curves, kMostSpacingPoints, wanted);
+  EXPECT_NEAR(spacing.mean, 1, 1e-3);
+  EXPECT_EQ(spacing.share_within_10_percent, 1);
+  EXPECT_NEAR(spacing.mean_wanted, 0.8, 1e-3);
+  EXPECT_EQ(spacing.share_within_10_percent_wanted, 0);
+  EXPECT_NEAR(spacing.gaps.mean_ratio_chosen, 1, 1e-3);
+  EXPECT_NEAR(spacing.gaps.mean_ratio, 0.8, 1e-3);
+  // Without others, both are the same.
+  const CurveSpacing alone = measure_curve_spacing(rings.pattern(), curves);
+  EXPECT_EQ(alone.mean_wanted, alone.mean);
+  EXPECT_EQ(alone.deviation_wanted, alone.deviation);
+  EXPECT_EQ(alone.gaps.most_ratio, alone.gaps.most_ratio_chosen);
 }
 
 #endif

@@ -12,6 +12,7 @@
 
 #include "brindle/fragment_phase.h"
 #include "brindle/quality.h"
+#include "instruction_sets.h"
 #include "phase_graphs.h"
 
 namespace brindle {
@@ -281,7 +282,7 @@ void expect_vectors_like_portable_code(const CornerLanes& corners) {
   }
 }
 
-TEST(TriangleKernels, VectorsGiveTheBitsOfPortableCodeOnEveryShape) {
+void expect_vectors_like_portable_code_on_every_shape() {
   std::uint32_t seed = 0;
   for (auto [shape, surface] : all_surfaces()) {
     testing_support::flip_half(surface.waves, ++seed);
@@ -297,17 +298,24 @@ TEST(TriangleKernels, VectorsGiveTheBitsOfPortableCodeOnEveryShape) {
         }
       }
       expect_vectors_like_portable_code(corners);
-      if (HasFatalFailure()) FAIL() << shape << ", triangles from " << t;
+      if (testing::Test::HasFatalFailure()) FAIL() << shape << ", triangles from " << t;
     }
   }
 }
 
+TEST(TriangleKernels, VectorsGiveTheBitsOfPortableCodeOnEveryShape) {
+  testing_support::on_every_instruction_set(
+      [] { expect_vectors_like_portable_code_on_every_shape(); });
+}
+
 TEST(TriangleKernels, VectorsGiveTheBitsOfPortableCodeForWhatRandomNumbersSeldomHit) {
-  std::mt19937 random(7);
-  for (int n = 0; n < 2000; ++n) {
-    expect_vectors_like_portable_code(adversarial_corners(random));
-    if (HasFatalFailure()) FAIL() << n;
-  }
+  testing_support::on_every_instruction_set([] {
+    std::mt19937 random(7);
+    for (int n = 0; n < 2000; ++n) {
+      expect_vectors_like_portable_code(adversarial_corners(random));
+      if (testing::Test::HasFatalFailure()) FAIL() << n;
+    }
+  });
 }
 
 #endif

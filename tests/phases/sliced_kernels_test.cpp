@@ -1,10 +1,12 @@
 #include "brindle/phases/sliced_kernels.h"
 
+#include <cstring>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "brindle/phases/hierarchy.h"
+#include "instruction_sets.h"
 #include "phase_graphs.h"
 
 namespace brindle {
@@ -38,14 +40,15 @@ Hierarchy reflecting_hierarchy() {
   return hierarchy;
 }
 
-void expect_near(const std::vector<Complex>& a, const std::vector<Complex>& b, float tolerance) {
+void expect_same_bits(const std::vector<Complex>& a, const std::vector<Complex>& b) {
   ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_LT(std::abs(a[i] - b[i]), tolerance) << i;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(std::memcmp(&a[i], &b[i], sizeof(Complex)), 0) << i << ": " << a[i] << b[i];
+  }
 }
 
-TEST(SlicedKernels, VectorsSweepLikePortableCode) {
-  Hierarchy hierarchy = reflecting_hierarchy();
-  for (Level& level : hierarchy.levels) {
+void expect_same_sweeps(const Hierarchy& hierarchy) {
+  for (const Level& level : hierarchy.levels) {
     for (const float over_relaxation : {1.0f, 1.5f}) {
       std::vector<Complex> a = level.z, b = level.z;
       for (Index c = 0; c < level.layout().color_count(); ++c) {
@@ -54,14 +57,17 @@ TEST(SlicedKernels, VectorsSweepLikePortableCode) {
           simd::sweep_slices(level.layout(), level.couplings, b.data(), over_relaxation, color);
         }
       }
-      expect_near(a, b, 1e-4f);
+      expect_same_bits(a, b);
     }
   }
 }
 
-TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
-  Hierarchy hierarchy = reflecting_hierarchy();
-  Level& level = hierarchy.levels[0];
+TEST(SlicedKernels, VectorsSweepLikePortableCode) {
+  const Hierarchy hierarchy = reflecting_hierarchy();
+  testing_support::on_every_instruction_set([&] { expect_same_sweeps(hierarchy); });
+}
+
+void expect_same_relaxation(const Level& level) {
   std::vector<Complex> a = level.z, b = level.z;
   std::vector<Complex> m_a(a.size()), m_b(b.size());
   for (int iteration = 0; iteration < 3; ++iteration) {
@@ -71,11 +77,17 @@ TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
                                                      0.2f, m_a.data(), color);
         const double drop_b =
             simd::relax_slices(level.layout(), level.couplings, b.data(), 0.2f, m_b.data(), color);
-        EXPECT_NEAR(drop_a, drop_b, 1e-4 * std::abs(drop_a) + 1e-3);
+        EXPECT_EQ(drop_a, drop_b);
       }
     }
   }
-  expect_near(a, b, 1e-3f);
+  expect_same_bits(a, b);
+  expect_same_bits(m_a, m_b);
+}
+
+TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
+  const Hierarchy hierarchy = reflecting_hierarchy();
+  testing_support::on_every_instruction_set([&] { expect_same_relaxation(hierarchy.levels[0]); });
 }
 
 /// The rows that add to a coarse block, in their gauges, where its rounds look for them.
@@ -116,41 +128,41 @@ void expect_equal_sums(const Level& fine, const Level& coarse, Index block) {
   }
 }
 
-TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
-  Hierarchy hierarchy = reflecting_hierarchy();
-  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
-    Level& fine = hierarchy.levels[l];
-    Level& coarse = hierarchy.levels[l + 1];
-    const SliceRange slices{0, fine.layout().slice_count()};
+void expect_same_coarsening(const Level& fine, const Level& coarse) {
+  const SliceRange slices{0, fine.layout().slice_count()};
 
-    std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
-    const GaugeRounds& rounds = fine.aggregation().gauges;
-    for (const SliceRange& groups : rounds.ranges) {
-      portable::gauge_members(fine.couplings, rounds, gauge_a.data(), groups);
-      simd::gauge_members(fine.couplings, rounds, gauge_b.data(), groups);
-    }
-    expect_near(gauge_a, gauge_b, 1e-4f);
-
-    std::vector<Complex> gauged_a(fine.layout().entry_count() + 1), gauged_b = gauged_a;
-    portable::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged_a.data(),
-                           slices);
-    simd::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged_b.data(), slices);
-    expect_near(gauged_a, gauged_b, 1e-4f);
-    for (std::size_t e = 0; e < gauged_a.size(); ++e) {
-      ASSERT_EQ(conjugate_bit(gauged_a[e]), conjugate_bit(gauged_b[e]));
-    }
-
-    for (Index block = 0; block < coarse.layout().block_count(); ++block) {
-      expect_equal_sums(fine, coarse, block);
-    }
-
-    std::vector<Complex> z_a(fine.layout().slot_count()), z_b = z_a;
-    portable::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(),
-                             coarse.z.data(), z_a.data(), slices);
-    simd::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(), coarse.z.data(),
-                         z_b.data(), slices);
-    expect_near(z_a, z_b, 1e-6f);
+  std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
+  const GaugeRounds& rounds = fine.aggregation().gauges;
+  for (const SliceRange& groups : rounds.ranges) {
+    portable::gauge_members(fine.couplings, rounds, gauge_a.data(), groups);
+    simd::gauge_members(fine.couplings, rounds, gauge_b.data(), groups);
   }
+  expect_same_bits(gauge_a, gauge_b);
+
+  std::vector<Complex> gauged_a(fine.layout().entry_count() + 1), gauged_b = gauged_a;
+  portable::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged_a.data(), slices);
+  simd::gauge_slices(fine.layout(), fine.couplings, fine.gauge.data(), gauged_b.data(), slices);
+  expect_same_bits(gauged_a, gauged_b);
+
+  for (Index block = 0; block < coarse.layout().block_count(); ++block) {
+    expect_equal_sums(fine, coarse, block);
+  }
+
+  std::vector<Complex> z_a(fine.layout().slot_count()), z_b = z_a;
+  portable::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(),
+                           coarse.z.data(), z_a.data(), slices);
+  simd::prolong_slices(fine.gauge.data(), fine.aggregation().coarse_slot.data(), coarse.z.data(),
+                       z_b.data(), slices);
+  expect_same_bits(z_a, z_b);
+}
+
+TEST(SlicedKernels, VectorsGaugeSumAndProlongLikePortableCode) {
+  const Hierarchy hierarchy = reflecting_hierarchy();
+  testing_support::on_every_instruction_set([&] {
+    for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+      expect_same_coarsening(hierarchy.levels[l], hierarchy.levels[l + 1]);
+    }
+  });
 }
 
 #endif  // BRINDLE_HAS_HIGHWAY

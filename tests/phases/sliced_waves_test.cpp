@@ -6,6 +6,7 @@
 
 #include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
+#include "instruction_sets.h"
 #include "phase_graphs.h"
 
 namespace brindle {
@@ -91,6 +92,32 @@ TEST_P(SlicedWaves, AreCoupledLikeAPhaseGraph) {
   expect_same(coupled(portable::couple_slices), expected);
   expect_same(coupled(kernels::couple_slices), expected);
 }
+
+#ifdef BRINDLE_HAS_HIGHWAY
+
+TEST_P(SlicedWaves, VectorsGiveTheNumbersOfPortableCode) {
+  // Shifts of thousands of periods.
+  for (SlicedWave& wave : waves) wave.root_frequency *= 30;
+  const Coupled expected = coupled(portable::couple_slices);
+  testing_support::on_every_instruction_set([&] {
+    const Coupled result = coupled(simd::couple_slices);
+    EXPECT_EQ(result.degree, expected.degree);
+    for (std::size_t entry = 0; entry < layout.entry_count(); ++entry) {
+      ASSERT_EQ(result.couplings.direct_at(entry), expected.couplings.direct_at(entry)) << entry;
+    }
+    for (Index slice = 0; slice < layout.slice_count(); ++slice) {
+      const auto list_a = result.couplings.reflecting_of(layout, slice);
+      const auto list_b = expected.couplings.reflecting_of(layout, slice);
+      ASSERT_EQ(list_a.size(), list_b.size());
+      for (std::size_t r = 0; r < list_a.size(); ++r) {
+        ASSERT_EQ(list_a[r].entry, list_b[r].entry);
+        ASSERT_EQ(list_a[r].b, list_b[r].b);
+      }
+    }
+  });
+}
+
+#endif
 
 TEST_P(SlicedWaves, DegreesAreSumsOfWeights) {
   const PhaseGraph graph = surface.graph(GetParam());

@@ -29,8 +29,8 @@ WaveSet smooth_crosses(const Surface& surface, float stripes) {
 }
 
 /// Turns about three of four crosses by one to three quarters.
-WaveSet with_quarter_turns(WaveSet waves, std::span<const Vec3> normals) {
-  std::mt19937 random(9);
+WaveSet with_quarter_turns(WaveSet waves, std::span<const Vec3> normals, unsigned seed = 9) {
+  std::mt19937 random(seed);
   for (std::size_t i = 0; i < normals.size(); ++i) {
     for (unsigned turns = random() % 4; turns > 0; --turns) {
       waves.directions[i] = normals[i].cross(waves.directions[i]);
@@ -44,7 +44,7 @@ WaveSet with_quarter_turns(WaveSet waves, std::span<const Vec3> normals) {
 void expect_like_quality(const PatternQuality& a, const PatternQuality& b) {
   EXPECT_EQ(a.field_singularities, b.field_singularities);
   EXPECT_NEAR(static_cast<double>(a.branches), static_cast<double>(b.branches),
-              4 + 0.2 * static_cast<double>(b.branches));
+              1 + 0.1 * static_cast<double>(b.branches));
   EXPECT_NEAR(a.angle_error_mean_deg, b.angle_error_mean_deg, 0.1 * b.angle_error_mean_deg);
   EXPECT_NEAR(a.spacing_error_mean, b.spacing_error_mean, 0.1 * b.spacing_error_mean);
 }
@@ -62,11 +62,46 @@ TEST(CrossPattern, OfAFlatPlaneHasNoEnergyAndNoBranchHoweverCrossesAreNamed) {
   EXPECT_LT(cross.quality.spacing_error_mean, 1e-3);
 }
 
-TEST(CrossPattern, DoesNotChangeWhenCrossesAreTurnedByQuarters) {
+bool is_the_same(const PatternQuality& a, const PatternQuality& b) {
+  return a.branches == b.branches && a.field_singularities == b.field_singularities &&
+         std::abs(a.angle_error_mean_deg - b.angle_error_mean_deg) < 1e-3 &&
+         std::abs(a.spacing_error_mean - b.spacing_error_mean) < 1e-4;
+}
+
+// Where two names of a cross are equally near to a neighbour's, its number decides, so that a few
+// branches may lie elsewhere.
+TEST(CrossPattern, HardlyChangesWhenCrossesAreTurnedByQuarters) {
   const Surface torus = make_surface(make_shape("torus,resolution=100"));
   const WaveSet waves = smooth_crosses(torus, 30);
-  expect_like_quality(cross_pattern(torus, with_quarter_turns(waves, torus.normals)).quality,
-                      cross_pattern(torus, waves).quality);
+  const PatternQuality before = cross_pattern(torus, waves).quality;
+  for (const unsigned seed : {9u, 1u, 2u, 3u, 4u}) {
+    expect_like_quality(
+        cross_pattern(torus, with_quarter_turns(waves, torus.normals, seed)).quality, before);
+  }
+}
+
+TEST(CrossPattern, DoesNotChangeWhenDirectionsAreTurnedRound) {
+  const Surface torus = make_surface(make_shape("torus,resolution=100"));
+  const WaveSet waves = smooth_crosses(torus, 30);
+  WaveSet round = waves;
+  for (std::size_t i = 0; i < round.directions.size(); i += 3) round.directions[i] *= -1;
+  EXPECT_TRUE(
+      is_the_same(cross_pattern(torus, round).quality, cross_pattern(torus, waves).quality));
+}
+
+TEST(CrossPattern, DoesNotChangeByABitWhenTheSurfaceIsFourTimesAsLarge) {
+  const Surface before = make_surface(make_shape("torus,resolution=60"));
+  const WaveSet waves = smooth_crosses(before, 20);
+  Mesh mesh = before.mesh;
+  for (Vec3& p : mesh.positions) p *= 4;
+  const Surface after = make_surface(std::move(mesh));
+  WaveSet large = waves;
+  large.positions = after.mesh.positions;
+  for (float& f : large.frequencies) f /= 4;
+  const CrossPattern a = cross_pattern(before, waves), b = cross_pattern(after, large);
+  EXPECT_EQ(a.pattern.solution.z, b.pattern.solution.z);
+  EXPECT_EQ(a.quality.angle_error_mean_deg, b.quality.angle_error_mean_deg);
+  EXPECT_EQ(a.quality.spacing_error_mean, b.quality.spacing_error_mean);
 }
 
 TEST(CrossPattern, DoesNotChangeWhenTheSurfaceIsMovedTurnedAndScaled) {

@@ -1,10 +1,14 @@
 /// What a program that embeds the library does, with its public headers alone.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "brindle/brindle.h"
@@ -88,6 +92,120 @@ TEST(Library, RefusesArraysThatAreNoMesh) {
   EXPECT_THROW(make_mesh({good.points, 3}, {good.triangles, 4}), Error);
   const std::vector<float> indices(9, 0.0f);
   EXPECT_THROW(make_mesh({good.points, 3}, {indices, 3}), Error);
+}
+
+std::string refusal_of(const Arrays& arrays) {
+  try {
+    make_mesh({arrays.points, 3}, {arrays.triangles, 3});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Library, RefusesTrianglesThatStandTwiceOrHaveTwoCornersAlike) {
+  const Arrays good(5);
+  for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{2, 0, 1}, std::array{1, 0, 2}}) {
+    Arrays twice = good;
+    const auto corner = [&](int m) { return good.triangles[9 + static_cast<std::size_t>(m)]; };
+    twice.triangles.insert(twice.triangles.end(), {corner(a), corner(b), corner(c)});
+    const std::string message = refusal_of(twice);
+    EXPECT_NE(message.find("triangle 32 has the corners of triangle 3"), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("make_repaired_mesh"), std::string::npos) << message;
+  }
+  for (const std::size_t corner : {0u, 1u, 2u}) {
+    Arrays alike = good;
+    alike.triangles[15 + corner] = alike.triangles[15 + (corner + 1) % 3];
+    const std::string message = refusal_of(alike);
+    EXPECT_NE(message.find("triangle 5 has vertex "), std::string::npos) << message;
+    EXPECT_NE(message.find("at two corners"), std::string::npos) << message;
+    EXPECT_EQ(
+        make_mesh({alike.points, 3}, {alike.triangles, 3}, BadTriangles::kept).triangle_count(),
+        32u);
+  }
+}
+
+/// A box whose six faces share no vertex.
+struct SplitBox {
+  std::vector<double> points;
+  std::vector<int> triangles;
+
+  explicit SplitBox(const Mesh& box) {
+    // A vertex per face and place: faces are told apart by the triangles' normals.
+    std::map<std::pair<int, Index>, int> number;
+    for (const Triangle& t : box.triangles) {
+      const Vec3 n = (box.positions[t[1]] - box.positions[t[0]])
+                         .cross(box.positions[t[2]] - box.positions[t[0]])
+                         .normalized();
+      const int face = static_cast<int>(std::lround(n.x() + 4 * n.y() + 16 * n.z()));
+      for (const Index corner : t) {
+        const auto [found, added] =
+            number.insert({{face, corner}, static_cast<int>(number.size())});
+        triangles.push_back(found->second);
+        if (!added) continue;
+        for (int axis = 0; axis < 3; ++axis) points.push_back(box.positions[corner][axis]);
+      }
+    }
+  }
+};
+
+TEST(Library, AMeshSplitAlongItsEdgesIsWarnedOfAndJoined) {
+  const Mesh box = make_shape("box,resolution=12");
+  const SplitBox split(box);
+  const Surface apart = make_surface(make_mesh({split.points, 3}, {split.triangles, 3}));
+  const RepairedMesh repaired = make_repaired_mesh({split.points, 3}, {split.triangles, 3});
+  const Surface joined = make_surface(repaired.mesh);
+  ASSERT_GT(apart.mesh.vertex_count(), box.vertex_count());
+
+  // Every edge of the box is there twice.
+  EXPECT_TRUE(surface_warnings(make_surface(box)).empty());
+  EXPECT_TRUE(surface_warnings(joined).empty());
+  const std::vector<std::string> warned = surface_warnings(apart, "do this");
+  ASSERT_EQ(warned.size(), 1u);
+  EXPECT_NE(warned[0].find("boundary edges stand exactly where others do"), std::string::npos);
+  EXPECT_NE(warned[0].find("do this"), std::string::npos);
+
+  // Vertices keep their numbers, and the map says which are used.
+  EXPECT_EQ(repaired.mesh.vertex_count(), apart.mesh.vertex_count());
+  EXPECT_EQ(repaired.mesh.triangle_count(), box.triangle_count());
+  EXPECT_TRUE(repaired.kept_triangles.empty());
+  ASSERT_EQ(repaired.vertex_of_row.size(), apart.mesh.vertex_count());
+  std::size_t joined_vertices = 0;
+  for (Index v = 0; v < repaired.vertex_of_row.size(); ++v) {
+    const Index used = repaired.vertex_of_row[v];
+    EXPECT_LE(used, v);
+    EXPECT_EQ(apart.mesh.positions[used], apart.mesh.positions[v]);
+    joined_vertices += used != v;
+  }
+  EXPECT_EQ(repaired.repair.vertices_joined, joined_vertices);
+  EXPECT_EQ(joined_vertices, apart.mesh.vertex_count() - box.vertex_count());
+
+  // Curves run on over the edges.
+  const auto curves = [](const Surface& surface) {
+    const DirectionField field = projected_direction_field({0.3f, 0.5f, 1}, surface.normals);
+    const float frequency = frequency_of_stripes(8, bounding_box(surface.mesh).diagonal());
+    const StripePattern pattern = stripe_pattern(surface, field, frequency);
+    EXPECT_EQ(pattern_warnings(surface, pattern).empty(), surface_warnings(surface).empty());
+    return stripe_curves(surface, pattern).lines.count();
+  };
+  EXPECT_LT(2 * curves(joined), curves(apart));
+}
+
+TEST(Library, RepairedMeshesHaveNothingThatMakeMeshRefuses) {
+  Arrays bad(5);
+  bad.triangles.insert(bad.triangles.end(), {0, 0, 1, 3, 4, 99, 0, 1, -1});
+  bad.triangles.insert(bad.triangles.end(), bad.triangles.begin(), bad.triangles.begin() + 3);
+  bad.points[3 * 24] = std::numeric_limits<double>::quiet_NaN();
+  const RepairedMesh repaired = make_repaired_mesh({bad.points, 3}, {bad.triangles, 3});
+  EXPECT_EQ(repaired.repair.triangles_degenerate, 1u);
+  EXPECT_EQ(repaired.repair.triangles_out_of_range, 2u);
+  EXPECT_EQ(repaired.repair.triangles_duplicate, 1u);
+  EXPECT_EQ(repaired.repair.vertices_not_finite, 1u);
+  EXPECT_EQ(repaired.kept_triangles.size(), repaired.mesh.triangle_count());
+  const std::vector<Triangle>& left = repaired.mesh.triangles;
+  const std::vector<Index> corners(left.front().data(), left.front().data() + 3 * left.size());
+  EXPECT_EQ(make_mesh(repaired.mesh.positions, {corners, 3}).triangles, left);
 }
 
 TEST(Library, KeepsTheShapeOfWhatIsFarFromZero) {

@@ -40,10 +40,11 @@ struct Shown {
   double cosine_wrong = 0;  ///< the same of the cosine, in the sense of the first corner
 };
 
-/// Stripes of a line field: every other direction, at random, points the other way.
+/// Stripes of a line field, askew to the lines of regular meshes: every other direction, at random,
+/// points the other way.
 Shown shown(const Surface& surface, float stripes) {
   WaveSet waves{
-      surface.mesh.positions, smooth_direction_field(surface),
+      surface.mesh.positions, rotated(smooth_direction_field(surface), surface.normals, 0.5f),
       constant_frequency_field(frequency_of_stripes(stripes, bounding_box(surface.mesh).diagonal()),
                                surface.mesh.vertex_count())};
   testing_support::flip_half(waves, 5);

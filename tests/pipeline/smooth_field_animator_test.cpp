@@ -5,6 +5,7 @@
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
+#include "progress_reports.h"
 
 namespace brindle {
 namespace {
@@ -73,6 +74,30 @@ TEST(SmoothFieldAnimator, RefusedAnchorsLeaveTheLastFrame) {
   refuse_all();
   EXPECT_TRUE(std::ranges::equal(animator.frame(first), undisturbed.frame(first)));
   EXPECT_TRUE(std::ranges::equal(animator.frame(second), undisturbed.frame(second)));
+}
+
+TEST(SmoothFieldAnimator, CancelledFramesLeaveTheLastOne) {
+  const Surface sphere = make_surface(make_shape("sphere,resolution=12"));
+  const std::vector<FieldAnchor> first{{10, Vec3(0, 0, 1), 5}}, second{{90, Vec3(1, 0, 0), 5}};
+  testing_support::Reports all, later;
+  SmoothFieldAnimator counted(sphere);
+  counted.frame(first, all.progress());
+  counted.frame(second, later.progress());
+  EXPECT_GE(later.count(), 1);
+  EXPECT_GE(all.count(), later.count()) << "the first frame descends from several starts";
+  for (int k = 0; k < all.count(); ++k) {
+    SmoothFieldAnimator animator(sphere), undisturbed(sphere);
+    testing_support::Reports reports(k), again(k);
+    EXPECT_THROW(animator.frame(second, reports.progress()), Cancelled);
+    EXPECT_TRUE(std::ranges::equal(animator.frame(first), undisturbed.frame(first)));
+    if (k < later.count()) {
+      EXPECT_THROW(animator.frame(second, again.progress()), Cancelled);
+    }
+    EXPECT_TRUE(std::ranges::equal(animator.frame(first), undisturbed.frame(first)));
+    EXPECT_TRUE(std::ranges::equal(animator.frame(second), undisturbed.frame(second)));
+  }
+  testing_support::Reports none(0);
+  EXPECT_THROW(SmoothFieldAnimator(sphere, {}, none.progress()), Cancelled);
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "brindle/stripe_pattern.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <span>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -175,6 +178,79 @@ TEST(StripePattern, RefusesValuesThatNoWaveHas) {
       stripe_pattern(torus, waves, with_solver(solver));
     });
   }
+}
+
+TEST(StripePattern, RefusesWavesThatAreNotTangentOrFarTooFine) {
+  const Surface sphere = make_surface(make_shape("sphere,resolution=12"));
+  const std::size_t count = sphere.mesh.vertex_count();
+  const DirectionField tangent = projected_direction_field({0, 0, 1}, sphere.normals);
+  const auto message_of = [&](const DirectionField& field, float frequency) -> std::string {
+    std::string from_pattern, from_animator;
+    try {
+      stripe_pattern(sphere, field, frequency);
+    } catch (const Error& error) {
+      from_pattern = error.what();
+    }
+    const FrequencyField frequencies = constant_frequency_field(frequency, count);
+    FrameInput input{sphere.mesh.positions, field, frequencies};
+    const auto frame = [&](StripeAnimator animator) -> std::string {
+      try {
+        animator.frame(input);
+      } catch (const Error& error) {
+        return error.what();
+      }
+      return "";
+    };
+    EXPECT_EQ(frame(StripeAnimator(sphere)), from_pattern);
+    // Who knows no normals can be told.
+    input.normals = sphere.normals;
+    EXPECT_EQ(frame(StripeAnimator(sphere.neighborhood)), from_pattern);
+    return from_pattern;
+  };
+  EXPECT_EQ(message_of(tangent, 5), "");
+  EXPECT_NE(message_of(sphere.normals, 5).find("sticks out of the surface by 90 degrees"),
+            std::string::npos);
+  EXPECT_NE(message_of(DirectionField(count, Vec3(0, 0, 1)), 5).find("tangent_directions"),
+            std::string::npos);
+  const std::string fine = message_of(tangent, 1e30f);
+  EXPECT_NE(fine.find("whose frequency is 1e+30"), std::string::npos) << fine;
+
+  // On a sphere that has moved, old normals say nothing.
+  DirectionField upright(count, Vec3(0, 0, 1));
+  std::vector<Vec3> moved = sphere.mesh.positions;
+  for (Vec3& p : moved) p.x() += 1;
+  const FrequencyField frequencies = constant_frequency_field(5, count);
+  EXPECT_NO_THROW(StripeAnimator(sphere).frame({moved, upright, frequencies}));
+  EXPECT_THROW(StripeAnimator(sphere).frame({moved, upright, frequencies, sphere.normals}), Error);
+  EXPECT_THROW(StripeAnimator(sphere).frame(
+                   {moved, tangent, frequencies, std::span(sphere.normals).first(3)}),
+               Error);
+}
+
+TEST(StripePattern, TakesDirectionsProjectedAlongNormalsOfAnotherKind) {
+  // Normals weighted by nothing differ by up to 20 degrees at a cube's corners, and not in faces.
+  Mesh cube;
+  for (int v = 0; v < 8; ++v) {
+    cube.positions.emplace_back(static_cast<float>(v % 2), static_cast<float>(v / 2 % 2),
+                                static_cast<float>(v / 4));
+  }
+  cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  const Surface box = make_surface(subdivide(cube, 3));
+  std::vector<Vec3> others(box.mesh.vertex_count(), Vec3::Zero());
+  for (const Triangle& t : box.mesh.triangles) {
+    const Vec3 normal = (box.mesh.positions[t[1]] - box.mesh.positions[t[0]])
+                            .cross(box.mesh.positions[t[2]] - box.mesh.positions[t[0]])
+                            .normalized();
+    for (const Index v : t) others[v] += normal;
+  }
+  float least = 1;
+  for (std::size_t v = 0; v < others.size(); ++v) {
+    others[v].normalize();
+    least = std::min(least, others[v].dot(box.normals[v]));
+  }
+  ASSERT_LT(least, 0.97f);
+  EXPECT_NO_THROW(stripe_pattern(box, projected_direction_field({0.3f, 0.5f, 1}, others), 3));
 }
 
 TEST(StripePattern, TellsOfAFieldWithoutAnyDirection) {

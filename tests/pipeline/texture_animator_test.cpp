@@ -1,12 +1,16 @@
 #include "brindle/texture_animator.h"
 
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/smooth_field.h"
+#include "progress_reports.h"
 #include "textures.h"
 
 namespace brindle {
@@ -232,6 +236,158 @@ TEST(TextureAnimator, RefusesBadInputAndIsAsItWas) {
   EXPECT_TRUE(std::ranges::equal(a.v.stripes.z, b.v.stripes.z));
   EXPECT_EQ(runs(a.waves), runs(b.waves));
 }
+
+TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
+  const auto [name, surface, waves] = std::move(cases()[0]);
+  TextureAnimatorOptions options;
+  options.stripes.slack = 0.3f;
+  options.stripes.slack.calm.assign(surface.mesh.vertex_count(), 1.0f);
+  TextureAnimator animator(surface, options);
+  StripeAnimator u(surface, options.stripes);
+  std::optional<StripeAnimator> v;
+  for (const float angle : {0.0f, 0.3f, 0.6f}) {
+    const WaveSet next = turned_by(surface, waves, angle);
+    const WaveSet crossing = turned_by(surface, next, std::numbers::pi_v<float> / 2);
+    const TextureFrameResult result = animator.frame(input_of(next));
+    const FrameResult alone_u = u.frame(input_of(next).u);
+    if (!v) v = u.sibling();
+    const FrameResult alone_v = v->frame(input_of(crossing).u);
+    EXPECT_TRUE(std::ranges::equal(result.u.stripes.z, alone_u.z)) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.v.stripes.z, alone_v.z)) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.u.stripes.frequencies, alone_u.frequencies)) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.v.stripes.frequencies, alone_v.frequencies)) << angle;
+    EXPECT_GT(result.u.stripes.frequency_change.ratio_max, 1.01) << angle;
+    // What is drawn and measured is what was chosen; what was asked for is measured beside it.
+    for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
+      for (int m = 0; m < 3; ++m) {
+        const Index vertex = surface.mesh.triangles[t][m];
+        ASSERT_EQ(result.waves.u[t][m].wave.frequency, alone_u.frequencies[vertex]);
+        ASSERT_EQ(result.waves.v[t][m].wave.frequency, alone_v.frequencies[vertex]);
+      }
+    }
+    EXPECT_LT(result.u.quality.spacing_error_mean, result.u.quality.spacing_error_wanted_mean);
+    EXPECT_EQ(result.u.quality.branches_in_calm, result.u.quality.branches);
+  }
+}
+
+TEST(TextureAnimator, WithoutSlackSpacingIsMeasuredAgainstWhatWasAskedFor) {
+  const auto [name, surface, waves] = std::move(cases()[0]);
+  TextureAnimator animator(surface);
+  const PatternQuality quality = animator.frame(input_of(waves)).u.quality;
+  EXPECT_EQ(quality.spacing_error_wanted_mean, quality.spacing_error_mean);
+  EXPECT_EQ(quality.branches_in_calm, std::nullopt);
+}
+
+/// Whatever stops a frame, both patterns and the orientation are those of the last one.
+struct InterruptedTexture : testing::TestWithParam<std::tuple<FrameSolver, float>> {
+  Surface surface = make_surface(make_shape("sphere,resolution=12"));
+  WaveSet first = waves_of(surface, smooth_direction_field(surface), 12);
+  WaveSet second = turned_by(surface, first, 0.4f), third = turned_by(surface, first, 2.0f);
+  TextureAnimatorOptions options;
+
+  InterruptedTexture() {
+    options.stripes.solver = std::get<0>(GetParam());
+    options.stripes.slack = std::get<1>(GetParam());
+    options.stripes.cycles = 2;
+    for (Vec3& p : third.positions) p.x() *= 1.1f;
+  }
+
+  struct Seen {
+    std::vector<Complex> u, v;
+    std::vector<std::array<Vec3, 6>> runs;
+    std::size_t seam;
+    FrameOrientation orientation;
+    double energy_u, energy_v;
+    bool operator==(const Seen&) const = default;
+  };
+  static Seen see(TextureAnimator& animator, const WaveSet& waves) {
+    const TextureFrameResult result = animator.frame(input_of(waves));
+    const auto& z_u = result.u.stripes.z;
+    const auto& z_v = result.v.stripes.z;
+    return {{z_u.begin(), z_u.end()}, {z_v.begin(), z_v.end()}, runs(result.waves),
+            result.seams.turned,      result.orientation,       animator.energy_u(),
+            animator.energy_v()};
+  }
+
+  /// Cancels a frame at every report that it makes, each time of an animator that `start` makes.
+  template <class Start, class Expect>
+  void cancel_everywhere(const WaveSet& waves, const Start& start, const Expect& expect) const {
+    TextureAnimator undisturbed = start();
+    Reports all;
+    undisturbed.frame(input_of(waves), all.progress());
+    EXPECT_GE(all.count(), 1);  // the orientation, where iterations make none
+    for (int k = 0; k < all.count(); ++k) {
+      SCOPED_TRACE(k);
+      TextureAnimator cancelled = start();
+      Reports reports(k);
+      EXPECT_THROW(cancelled.frame(input_of(waves), reports.progress()), Cancelled);
+      expect(cancelled);
+    }
+  }
+};
+
+TEST_P(InterruptedTexture, FirstFrameLeavesNothingBehind) {
+  TextureAnimator undisturbed(surface, options);
+  const Seen a = see(undisturbed, first), b = see(undisturbed, second);
+  cancel_everywhere(
+      third, [&] { return TextureAnimator(surface, options); },
+      [&](TextureAnimator& cancelled) {
+        EXPECT_THROW(cancelled.energy_u(), Error);
+        EXPECT_THROW(cancelled.energy_v(), Error);
+        EXPECT_EQ(see(cancelled, first), a);
+        EXPECT_EQ(see(cancelled, second), b);
+      });
+}
+
+TEST_P(InterruptedTexture, LaterFrameLeavesTheLastOne) {
+  TextureAnimator undisturbed(surface, options);
+  see(undisturbed, first);
+  const Seen a = see(undisturbed, second);
+  const Seen c = see(undisturbed, third);
+  const auto started = [&] {
+    TextureAnimator animator(surface, options);
+    animator.frame(input_of(first));
+    animator.frame(input_of(second));
+    return animator;
+  };
+  cancel_everywhere(third, started, [&](TextureAnimator& cancelled) {
+    EXPECT_EQ(cancelled.energy_u(), a.energy_u);
+    EXPECT_EQ(cancelled.energy_v(), a.energy_v);
+    EXPECT_EQ(see(cancelled, third), c);
+  });
+  // An unchanged U is solved no more, and V and the orientation are taken back all the same.
+  WaveSet other_v = second;
+  for (float& f : other_v.frequencies) f *= 1.2f;
+  const auto with_other_v = [&](const WaveSet& waves) {
+    TextureFrameInput input = input_of(waves);
+    input.frequencies_v = other_v.frequencies;
+    return input;
+  };
+  TextureAnimator cancelled = started();
+  Reports all;
+  started().frame(with_other_v(second), all.progress());
+  Reports last(all.count() - 1);
+  EXPECT_THROW(cancelled.frame(with_other_v(second), last.progress()), Cancelled);
+  EXPECT_EQ(see(cancelled, third), c);
+}
+
+TEST_P(InterruptedTexture, FrameAfterARestartLeavesItRestarted) {
+  const auto restarted = [&] {
+    TextureAnimator animator(surface, options);
+    animator.frame(input_of(first));
+    animator.restart();
+    return animator;
+  };
+  TextureAnimator undisturbed = restarted();
+  const Seen a = see(undisturbed, second);
+  cancel_everywhere(third, restarted,
+                    [&](TextureAnimator& cancelled) { EXPECT_EQ(see(cancelled, second), a); });
+}
+
+INSTANTIATE_TEST_SUITE_P(TextureAnimator, InterruptedTexture,
+                         testing::Combine(testing::Values(FrameSolver::multilevel,
+                                                          FrameSolver::relaxation),
+                                          testing::Values(0.0f, 0.2f)));
 
 TEST(TextureAnimator, NeedsTriangles) { EXPECT_THROW(TextureAnimator(Surface{}), Error); }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "test_points.h"
@@ -23,6 +24,24 @@ std::vector<Index> all_of(const std::vector<Vec3>& points) {
 }
 
 #ifdef BRINDLE_HAS_NANOFLANN
+
+TEST(PointNeighborhood, MoreThanMemoryHoldsAreRefusedByName) {
+  const std::vector<Vec3> points = random_points(3000);
+  const std::vector<Index> used = all_of(points);
+  const AssumedMemory little(6e6);  // half of it for 150 000 neighbours of 20 bytes
+  try {
+    point_neighborhood(points, used, 1000);
+    FAIL();
+  } catch (const TooLarge& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("1000 neighbours of each of 3000 points would be 3e+06 neighbours"),
+              std::string::npos)
+        << error.what();
+    EXPECT_NE(std::string(error.what()).find("30 each would do"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(point_neighborhood(points, used, 30).node_count(), points.size());
+}
 
 TEST(PointNeighborhood, JoinsTheNearestBothWays) {
   const std::vector<Vec3> points = random_points(300);

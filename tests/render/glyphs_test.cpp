@@ -1,11 +1,14 @@
 #include "brindle/glyphs.h"
 
 #include <limits>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/base/memory.h"
 #include "brindle/error.h"
+#include "progress_reports.h"
 
 namespace brindle {
 namespace {
@@ -119,6 +122,44 @@ TEST(Glyphs, WithoutASizeThereIsNone) {
   }
   EXPECT_THROW(glyphs_at(samples, GlyphShape::disc, {}), Error);
   EXPECT_THROW(glyph_sizes(samples, 1, std::vector<float>(3, 1.0f)), Error);
+}
+
+TEST(Glyphs, MoreThanMemoryHoldsAreRefusedBeforeOneIsMade) {
+  const std::vector<Sample> samples(200'000, sample_at({0, 0, 0}, 1, 1));
+  const std::vector<GlyphSize> sizes = glyph_sizes(samples, 0.5f);
+  const AssumedMemory little(100e6);
+  try {
+    glyphs_at(samples, GlyphShape::ellipse, sizes);
+    FAIL();
+  } catch (const TooLarge& error) {
+    // 224 vertices of 28 bytes and 392 triangles of 12 are 11 kB a glyph.
+    EXPECT_NEAR(error.share(), 0.6 * 0.5 * 100e6 / (200e3 * (224 * 28 + 392 * 12)), 1e-3);
+    EXPECT_NE(std::string(error.what()).find("would be 2e+05 glyphs"), std::string::npos)
+        << error.what();
+  }
+  const std::vector<GlyphSize> none(samples.size());
+  EXPECT_TRUE(glyphs_at(samples, GlyphShape::ellipse, none).mesh.positions.empty());
+}
+
+TEST(Glyphs, AreAsManyAsRoomIsMadeFor) {
+  const std::vector<Sample> samples{sample_at({0, 0, 0}, 1, 1), sample_at({3, 0, 0}, 1, 1)};
+  for (const GlyphShape shape : kShapes) {
+    const Glyphs glyphs = glyphs_at(samples, shape, glyph_sizes(samples, 0.7f));
+    EXPECT_EQ(glyphs.mesh.positions.capacity(), glyphs.mesh.positions.size());
+    EXPECT_EQ(glyphs.mesh.triangles.capacity(), glyphs.mesh.triangles.size());
+  }
+}
+
+TEST(Glyphs, CanBeCancelledAtEveryReport) {
+  const std::vector<Sample> samples(5000, sample_at({0, 0, 0}, 1, 1));
+  const std::vector<GlyphSize> sizes = glyph_sizes(samples, 0.5f);
+  testing_support::Reports all;
+  glyphs_at(samples, GlyphShape::disc, sizes, all.progress());
+  EXPECT_GE(all.count(), 6);
+  for (int report = 0; report < all.count(); ++report) {
+    testing_support::Reports reports(report);
+    EXPECT_THROW(glyphs_at(samples, GlyphShape::disc, sizes, reports.progress()), Cancelled);
+  }
 }
 
 TEST(Glyphs, NamesAreReadBack) {

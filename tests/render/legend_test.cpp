@@ -75,6 +75,27 @@ TEST(Legend, ShowsTheMapFromTheBottomToTheTopAndTheThreshold) {
   EXPECT_NEAR(bar[bar.size() - 3].blue, 255 * low.blue, 4);
 }
 
+// A threshold at the bar's end, or beyond it, has a colour that pictures show.
+TEST(Legend, ShowsWhatIsBeyondTheBar) {
+  const auto red = [](std::optional<float> threshold) {
+    Legend legend{.title = "p", .lowest = 60, .highest = 220};
+    legend.scale = ColorScale{ColorMap::viridis, threshold, {1, 0, 0}};
+    Image image = white(400, 300);
+    draw_legends(image, {legend});
+    return std::ranges::count(image.pixels, Pixel{255, 0, 0, 255});
+  };
+  EXPECT_EQ(red(std::nullopt), 0);
+  const auto beyond = red(1.0f);
+  EXPECT_GT(beyond, 50);
+  EXPECT_EQ(red(1.5f), beyond);
+  EXPECT_GT(red(0.5f), 3 * beyond) << "half of the bar";
+  Legend narrow{.title = "", .lowest = 0, .highest = 1, .scale = ColorScale{}};
+  Legend wide = narrow;
+  wide.scale->threshold = 1.0f;
+  EXPECT_GT(legend_width({wide}, 400, 300), legend_width({narrow}, 400, 300))
+      << "it says from where on";
+}
+
 TEST(Legend, WedgesAreAsWideAsTheirStrokes) {
   const auto area = [](float first, float last) {
     Image image = white(400, 300);

@@ -1,14 +1,20 @@
 #include "brindle/line_drawing.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/feature_lines.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/shapes.h"
+#include "brindle/surface.h"
+#include "progress_reports.h"
 #include "test_folder.h"
 
 namespace brindle {
@@ -131,6 +137,35 @@ TEST_F(LineDrawingFile, SvgHasAGroupPerPen) {
                            "<g id=\"u\" fill=\"none\" stroke=\"#ff0000\"", "stroke-width=\"1.50\"",
                            "<path d=\"M0.00 0.00L10.00 20.13\"/>", "<g id=\"outline\"", "</svg>"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+  }
+}
+
+TEST(LineDrawing, CanBeCancelledAtEveryReport) {
+  const Surface torus = make_surface(make_shape("torus,resolution=130"));
+  const CameraView view;
+  const Polylines bounds = outline(torus.mesh, torus.normals, view, 400, 300);
+  const auto path = std::filesystem::path(testing::TempDir()) / "cancelled.svg";
+  const std::vector<std::function<void(const Progress&)>> jobs = {
+      [&](const Progress& p) { Visibility(torus.mesh, view, 800, 600, p); },
+      [&](const Progress& p) { outline(torus.mesh, torus.normals, view, 400, 300, p); },
+      [&](const Progress& p) {
+        crease_lines(torus.mesh, torus.normals, *torus.neighborhood, 1, p);
+      },
+      [&](const Progress& p) {
+        static const Visibility seen(torus.mesh, view, 400, 300);
+        const std::vector<Pen> pens(10'000, Pen{"p", {}, 1, seen.strokes(bounds)});
+        write_svg(path, 400, 300, pens, p);
+      }};
+  for (std::size_t number = 0; number < jobs.size(); ++number) {
+    testing_support::Reports all;
+    jobs[number](all.progress());
+    EXPECT_GE(all.count(), 3) << number;
+    std::filesystem::remove(path);
+    for (int report = 0; report < all.count(); report += 1 + all.count() / 6) {
+      testing_support::Reports reports(report);
+      EXPECT_THROW(jobs[number](reports.progress()), Cancelled) << number << " at " << report;
+      EXPECT_FALSE(std::filesystem::exists(path));
+    }
   }
 }
 

@@ -6,11 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/formatted.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/shapes.h"
 #include "brindle/threads.h"
-#include "formatted.h"
 #include "progress_reports.h"
+#include "session/session.h"
 
 namespace brindle::tool {
 namespace {
@@ -92,7 +94,7 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
     SessionDocument moved = document;
     std::vector<double> steps;
     for (int step = 1; step <= 12; ++step) {
-      moved.options["stripes"] = {formatted("%.2f", 20 + 0.1 * step)};
+      moved.options["stripes"] = {formatted("%.2f", 20 + 0.08 * step)};
       pattern.update(moved, Follow::loosely);
       steps.push_back(pattern.state()->figures.phase_step);
     }
@@ -288,19 +290,159 @@ TEST(LivePattern, FollowsCalmlyAndIsThenGivenByItsAngles) {
   EXPECT_EQ(z_of(pattern), z_of(afresh));
 }
 
+// How far phases are from others, on average, in radians: those that have nothing to do with each
+// other are pi / 2 apart.
+double distance_of(const std::vector<Complex>& a, const std::vector<Complex>& b) {
+  double sum = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    sum += static_cast<double>(std::abs(std::arg(a[v] * std::conj(b[v]))));
+  }
+  return sum / static_cast<double>(a.size());
+}
+
 TEST(LivePattern, StaysNearToTheLastPattern) {
-  LivePattern pattern;
+  LivePattern pattern, afresh;
   pattern.update(torus(), Follow::afresh);
   const std::vector<Complex> before = z_of(pattern);
-  pattern.update(with(torus(), "stripes", "20.05"), Follow::last);
-  const std::vector<Complex>& after = z_of(pattern);
-  double near = 0;
-  for (std::size_t v = 0; v < after.size(); ++v) {
-    near += static_cast<double>(std::abs(std::arg(after[v] * std::conj(before[v])))) /
-            static_cast<double>(after.size());
+  // Half a stripe more along the diagonal would have to move phases by 0.4 radians.
+  const SessionDocument next = with(torus(), "stripes", "20.2");
+  pattern.update(next, Follow::loosely);
+  afresh.update(next, Follow::afresh);
+  const double followed = distance_of(z_of(pattern), before);
+  EXPECT_GT(followed, 0);
+  EXPECT_LT(followed, 0.3);
+  EXPECT_GT(distance_of(z_of(afresh), before), 3 * followed)
+      << "the document alone says nothing of where stripes were";
+  EXPECT_NEAR(pattern.state()->figures.phase_step, followed, 1e-3);
+}
+
+SessionDocument lit(float azimuth) {
+  SessionDocument document = torus();
+  document.mesh = "shape:torus,resolution=60";
+  document.options["frequency-by"] = {"light"};
+  document.options["frequency-range"] = {"0.5,2"};
+  document.camera.azimuth_deg = azimuth;
+  return document;
+}
+
+// A worst case for what follows: phases of one light in another.
+SessionDocument misfitting() {
+  LivePattern pattern;
+  pattern.update(lit(30), Follow::afresh);
+  SessionDocument document = lit(150);
+  std::vector<float> angles;
+  for (const Complex& z : z_of(pattern)) angles.push_back(std::arg(z));
+  document.phases = std::make_shared<const std::vector<float>>(std::move(angles));
+  return document;
+}
+
+TEST(LivePattern, PhasesThatNoLongerFitAreSolvedAnew) {
+  LivePattern pattern, afresh;
+  pattern.update(misfitting(), Follow::afresh);
+  afresh.update(lit(150), Follow::afresh);
+  EXPECT_EQ(z_of(pattern), z_of(afresh)) << "bit for bit";
+  EXPECT_EQ(pattern.state()->phases, nullptr) << "it is made of the document alone";
+  EXPECT_FALSE(pattern.state()->figures.followed);
+  ASSERT_EQ(pattern.state()->notes.size(), 1);
+  EXPECT_TRUE(pattern.state()->notes.front().starts_with("solved anew: "));
+  EXPECT_TRUE(stages(pattern).contains("solve"));
+  // As long as nothing changes, nothing is done again, whether something moves or not.
+  SessionDocument turned = misfitting();
+  turned.options["stripe-width"] = {"0.3"};
+  pattern.update(turned, Follow::loosely);
+  pattern.update(turned, Follow::last);
+  EXPECT_TRUE(stages(pattern).empty());
+  EXPECT_EQ(z_of(pattern), z_of(afresh));
+}
+
+// What has followed so far behind that it is shredded: half a turn at once.
+TEST(LivePattern, AtRestWhatFollowedIsNoWorseThanTheBound) {
+  for (const char* mesh : {"shape:torus,resolution=60", "shape:trefoil,resolution=40"}) {
+    SessionDocument document = torus();
+    document.mesh = mesh;
+    document.options["stripes"] = {"60"};
+    LivePattern pattern;
+    pattern.update(document, Follow::afresh);
+    for (const char* stripes : {"50", "40", "30", "22", "15", "12", "15", "20"}) {
+      document.options["stripes"] = {stripes};
+      pattern.update(document, Follow::loosely);
+      const LiveFigures draft = pattern.state()->figures;
+      EXPECT_TRUE(draft.followed) << "while it moves, it follows";
+      LivePattern resting;
+      resting.update(document, Follow::afresh);
+      const LiveFigures alone = resting.state()->figures;
+      pattern.update(document, Follow::last);
+      const LiveFigures& rest = pattern.state()->figures;
+      EXPECT_LE(rest.energy, kMostEnergyTimes * alone.energy + kMostEnergyMore + 1e-5);
+      EXPECT_LE(rest.mean_spacing_error, alone.mean_spacing_error + kMostSpacingErrorMore);
+      EXPECT_EQ(rest.followed,
+                draft.energy <= kMostEnergyTimes * alone.energy + kMostEnergyMore &&
+                    draft.mean_spacing_error <= alone.mean_spacing_error + kMostSpacingErrorMore);
+      // What is saved of it comes back as it was.
+      SessionDocument kept = document;
+      kept.phases = pattern.state()->phases;
+      LivePattern loaded;
+      loaded.update(kept, Follow::afresh);
+      EXPECT_EQ(z_of(loaded), z_of(pattern)) << mesh << ", " << stripes;
+    }
   }
-  EXPECT_LT(near, 0.3);
-  EXPECT_GT(near, 0);
+}
+
+TEST(LivePattern, AtRestItIsComparedOnce) {
+  LivePattern pattern;
+  pattern.update(torus(), Follow::afresh);
+  const SessionDocument next = with(torus(), "stripes", "20.3");
+  pattern.update(next, Follow::loosely);
+  const std::vector<Complex> followed = z_of(pattern);
+  EXPECT_FALSE(stages(pattern).contains("compare"));
+  pattern.update(next, Follow::last);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"compare"});
+  EXPECT_EQ(z_of(pattern), followed);
+  SessionDocument kept = next;
+  kept.phases = pattern.state()->phases;
+  kept.camera.azimuth_deg = 70;
+  pattern.update(kept, Follow::loosely);
+  pattern.update(kept, Follow::last);
+  EXPECT_TRUE(stages(pattern).empty());
+}
+
+// One place says what stripes follow from: what a session keeps phases through is what a live
+// pattern keeps its pattern through.
+TEST(LivePattern, SessionsKeepPhasesAsLongAsPatternsStay) {
+  SessionDocument by_camera = torus(), by_light = torus(), by_height = torus();
+  by_camera.options["frequency-by"] = {"distance:camera"};
+  by_light.options["frequency-by"] = {"light"};
+  by_height.options["frequency-by"] = {"height"};
+  const SessionCommand changes[] = {commands::SetCamera{{80, 20, 1}},
+                                    commands::SetOption{"up", {"y"}},
+                                    commands::SetSize{{200, 120}},
+                                    commands::SetOption{"stripe-width", {"0.3"}},
+                                    commands::SetOption{"stripes", {"25"}},
+                                    commands::SetOption{"sweeps", {"7"}},
+                                    commands::SetFrequencyByZoom{0.5f},
+                                    commands::Show{Shown::curves},
+                                    commands::SetOption{"width-by", {"light"}}};
+  int kept = 0;
+  for (const SessionDocument& document : {torus(), by_camera, by_light, by_height}) {
+    LivePattern pattern;
+    pattern.update(document, Follow::afresh);
+    const auto phases = std::make_shared<const std::vector<float>>(z_of(pattern).size(), 0.5f);
+    for (const SessionCommand& change : changes) {
+      Session session(document);
+      session.keep_phases(session.revision(), phases);
+      ASSERT_TRUE(session.apply(change)) << session.messages().back().text;
+      SessionDocument after = session.document();
+      after.phases = nullptr;
+      LivePattern changed;
+      changed.update(document, Follow::afresh);
+      changed.update(after, Follow::afresh);
+      const bool same = session.document().phases != nullptr;
+      EXPECT_EQ(stages(changed).contains("solve"), !same)
+          << command_to_json(change).dump() << " of " << document_to_json(document).dump();
+      kept += same ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(kept, 7 + 4 + 4 + 6) << "neither all nor none";
 }
 
 TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
@@ -325,10 +467,12 @@ TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
 }
 
 TEST(LivePattern, FollowsWhileSlackIsMoved) {
+  // The smooth field of a torus has no curl to yield to until it is turned.
+  const SessionDocument turned = with(torus(), "rotate", "40");
   LivePattern pattern;
-  pattern.update(with(torus(), "slack", "0.3"), Follow::afresh);
+  pattern.update(with(turned, "slack", "0.3"), Follow::afresh);
   for (const char* slack : {"0.28", "0.1"}) {
-    pattern.update(with(torus(), "slack", slack), Follow::loosely);
+    pattern.update(with(turned, "slack", slack), Follow::loosely);
     const StripePattern& draft = pattern.state()->job->result.stripes();
     EXPECT_TRUE(pattern.state()->figures.followed);
     const float most = 1 + std::stof(slack);
@@ -341,7 +485,7 @@ TEST(LivePattern, FollowsWhileSlackIsMoved) {
     EXPECT_GT(greatest, 1.01f);
   }
   // Without any, what follows is another animator's.
-  pattern.update(torus(), Follow::loosely);
+  pattern.update(turned, Follow::loosely);
   EXPECT_TRUE(pattern.state()->figures.followed);
   EXPECT_FALSE(pattern.state()->job->result.stripes().frequency_change);
 }
@@ -422,6 +566,44 @@ TEST(LivePattern, FailingItStaysAsItWasAndSaysWhy) {
     }
     EXPECT_EQ(pattern.state(), state);
   }
+}
+
+// Files say nothing of which axis points up: then heights are z, and say so where pictures have y
+// up.
+TEST(LivePattern, HeightsFollowTheAxisThatIsSaidToPointUp) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "brindle_heights.obj";
+  write_mesh(path, make_shape("box,resolution=6"));
+  struct Case {
+    std::string mesh, up, title;
+    int axis;
+  };
+  const Case cases[] = {{path.string(), "", "height (z)", 2},
+                        {path.string(), "y", "height", 1},
+                        {path.string(), "z", "height", 2},
+                        {"shape:box,resolution=6", "", "height", 2},
+                        {"shape:box,resolution=6", "y", "height", 1}};
+  for (const Case& one : cases) {
+    SessionDocument document = with(with(torus(), "color-by", "height"), "frequency-by", "height");
+    document.options["frequency-range"] = {"0.5,2"};
+    document.mesh = one.mesh;
+    if (!one.up.empty()) document.options["up"] = {one.up};
+    LivePattern pattern;
+    pattern.update(document, Follow::afresh);
+    const LiveState& state = *pattern.state();
+    const VertexValues& heights = *state.style->input.values.color;
+    EXPECT_EQ(heights.title, one.title) << one.mesh << " --up " << one.up;
+    const Mesh& mesh = state.job->surface->mesh;
+    const FrequencyField& frequencies = state.job->result.stripes().waves.frequencies;
+    const auto lowest = std::ranges::min_element(heights.values) - heights.values.begin();
+    const auto highest = std::ranges::max_element(heights.values) - heights.values.begin();
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+      EXPECT_FLOAT_EQ(heights.values[v], mesh.positions[v][one.axis]);
+    }
+    EXPECT_LT(frequencies[static_cast<std::size_t>(lowest)],
+              0.5f * frequencies[static_cast<std::size_t>(highest)])
+        << "frequencies and colours have the same heights";
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(LivePattern, ZoomMakesStripesDenserByItsShare) {

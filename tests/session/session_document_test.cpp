@@ -132,7 +132,8 @@ std::vector<SessionCommand> all_commands() {
           commands::EndDrag{},
           commands::Undo{},
           commands::Redo{},
-          commands::KeepPhases{full_document().phases}};
+          commands::KeepPhases{full_document().phases},
+          commands::SolveAnew{}};
 }
 
 TEST_F(SessionFile, CommandsAreReadAsTheyWereWritten) {

@@ -24,7 +24,7 @@ class AnyCommand {
   explicit AnyCommand(unsigned seed) : random_(seed) {}
 
   SessionCommand operator()() {
-    switch (below(19)) {
+    switch (below(20)) {
       case 0:
         return commands::Open{below(2) ? "shape:torus,resolution=24" : "shape:box", below(2) > 0};
       case 1:
@@ -63,6 +63,8 @@ class AnyCommand {
         return commands::SetOption{below(2) ? "join" : "along", {}};
       case 17:
         return commands::SetOption{"glyph", {"arrow"}};  // of samples alone
+      case 18:
+        return commands::SolveAnew{};
       default:
         return commands::SetOption{"field", {"raw-curvature"}};  // not with strokes
     }
@@ -213,6 +215,60 @@ TEST(Session, PhasesBelongToTheirWavesAlone) {
   EXPECT_EQ(session.document().phases, nullptr);
   session.undo();
   EXPECT_EQ(session.document().phases, phases);
+}
+
+TEST(Session, PhasesGoWhereACameraMakesOtherWaves) {
+  const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
+  for (const char* value : {"light", "distance:camera", "height"}) {
+    Session session(small_document());
+    session.apply(commands::SetOption{"frequency-by", {value}});
+    session.keep_phases(session.revision(), phases);
+    session.apply(commands::SetOption{"stripe-width", {"0.3"}});
+    EXPECT_EQ(session.document().phases, phases) << value;
+    session.apply(commands::SetCamera{{80, 20, 1}});
+    EXPECT_EQ(session.document().phases != nullptr, value == std::string("height")) << value;
+    session.undo();
+    EXPECT_EQ(session.document().phases, phases) << value;
+    session.apply(commands::SetOption{"up", {"y"}});
+    EXPECT_EQ(session.document().phases, nullptr) << value << ": another axis points up";
+  }
+}
+
+TEST(Session, SolvesAnewInOneStep) {
+  Session session(small_document());
+  session.apply(commands::SetOption{"stripes", {"30"}});
+  const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
+  session.keep_phases(session.revision(), phases);
+  EXPECT_TRUE(session.follows());
+  const std::uint64_t before = session.revision();
+  EXPECT_TRUE(session.apply(commands::SolveAnew{}));
+  EXPECT_EQ(session.document().phases, nullptr);
+  EXPECT_FALSE(session.follows()) << "whatever is shown";
+  EXPECT_GT(session.revision(), before);
+  EXPECT_EQ(session.undo_name(), "solve_anew");
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.document().phases, phases);
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.document().phases, nullptr);
+  // Where nothing was kept, what is shown may still have followed.
+  session.apply(commands::SetOption{"stripes", {"31"}});
+  const std::string last = session.undo_name();
+  EXPECT_TRUE(session.follows());
+  EXPECT_TRUE(session.apply(commands::SolveAnew{}));
+  EXPECT_FALSE(session.follows());
+  EXPECT_EQ(session.undo_name(), last) << "the document is the same";
+  EXPECT_EQ(command_from_json(nlohmann::json(command_to_json(commands::SolveAnew{}))),
+            SessionCommand(commands::SolveAnew{}));
+}
+
+TEST(Session, PhasesThatWereOutdoneGo) {
+  Session session(small_document());
+  EXPECT_FALSE(session.keep_phases(session.revision(), nullptr)) << "there were none";
+  session.keep_phases(session.revision(), std::make_shared<const std::vector<float>>(2, 0.5f));
+  EXPECT_FALSE(session.keep_phases(session.revision() + 1, nullptr)) << "of another document";
+  EXPECT_TRUE(session.keep_phases(session.revision(), nullptr));
+  EXPECT_EQ(session.document().phases, nullptr);
+  EXPECT_FALSE(session.can_undo()) << "no step of its own";
 }
 
 TEST(Session, ZoomChangesWavesWhereFrequenciesFollowIt) {

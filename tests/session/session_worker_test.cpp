@@ -81,12 +81,19 @@ TEST(SessionWorker, FailuresLeaveTheLastFrame) {
 }
 
 TEST(SessionWorker, StopsWhileItSolves) {
-  SessionDocument large = torus();
-  large.mesh = "shape:torus,resolution=300";
+  // Descents that nobody would wait for.
+  SessionDocument long_lasting = torus();
+  long_lasting.mesh = "shape:torus,resolution=100";
+  long_lasting.options["cycles"] = {"10000"};
   SessionWorker worker;
-  worker.request(request_of(large, 1));
-  while (worker.stage().empty() && worker.busy()) std::this_thread::yield();
-  SUCCEED();  // the destructor cancels and waits
+  worker.request(request_of(long_lasting, 1));
+  while (worker.stage() != "cycles" && worker.busy()) std::this_thread::yield();
+  EXPECT_EQ(worker.stage(), "cycles");
+  worker.stop();
+  EXPECT_EQ(worker.latest(), nullptr) << "it was not solved to its end";
+  EXPECT_FALSE(worker.take_failure()) << "to be cancelled is no failure";
+  worker.request(request_of(torus(), 2));
+  EXPECT_EQ(worker.latest(), nullptr) << "nothing is made any more";
 }
 
 TEST(SessionWorker, KeptPhasesGiveThePictureThatWasShown) {

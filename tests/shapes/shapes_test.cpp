@@ -6,10 +6,13 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <regex>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
@@ -277,6 +280,41 @@ TEST(Shapes, HaveNoPartsWhereTheyAreMadeWholeAlone) {
   EXPECT_THROW(make_shape_part("torus", -1, 2), Error);
   EXPECT_THROW(make_shape_part("torus", 0, 0), Error);
   EXPECT_THROW(make_shape_part("tours", 0, 2), Error);
+}
+
+// The resolution that a refusal names is one that would do.
+TEST(Shapes, AResolutionThatMemoryDoesNotHoldIsRefusedByName) {
+  for (const char* name : {"torus", "sphere", "plane", "vessels", "molecule", "box"}) {
+    const std::string spec = std::string(name) + ",resolution=400";
+    const AssumedMemory little(4e6);
+    try {
+      make_shape(spec);
+      FAIL() << name;
+    } catch (const TooLarge& error) {
+      const std::string told = error.what();
+      EXPECT_NE(told.find("shape '" + std::string(name) + "': resolution=400 is too fine"),
+                std::string::npos)
+          << told;
+      std::smatch found;
+      ASSERT_TRUE(std::regex_search(told, found, std::regex("as with resolution=([0-9]+)$")))
+          << told;
+      const int lower = std::stoi(found[1].str());
+      EXPECT_LT(lower, 400) << told;
+      EXPECT_GT(lower, 4) << told;
+    }
+  }
+}
+
+// What is told to fit does so within what is assumed, but not with much more of it left than half.
+TEST(Shapes, ImplicitShapesAreRefusedAboutWhereTheyDoNotFit) {
+  for (const std::string name : {"vessels", "molecule", "box"}) {
+    const std::size_t vertices = make_shape(name + ",resolution=60").vertex_count();
+    const double most = 2 * 960 * static_cast<double>(vertices);
+    const AssumedMemory ample(1.5 * most);
+    EXPECT_NO_THROW(make_shape(name + ",resolution=60")) << name;
+    const AssumedMemory little(most / 3);
+    EXPECT_THROW(make_shape(name + ",resolution=60"), TooLarge) << name;
+  }
 }
 
 }  // namespace

@@ -44,5 +44,24 @@ TEST(Orientation, ChangesNothingButSigns) {
   EXPECT_EQ(surface.waves.directions, before);
 }
 
+TEST(Orientation, OthersRunLikeThoseThatAreSettled) {
+  auto surface = wavy_surface("plane,resolution=30", Vec3(1, 0.3f, 0), 10);
+  const std::vector<Vec3> oriented = surface.waves.directions;
+  std::vector<std::uint8_t> settled(oriented.size());
+  settled[400] = 1;
+  flip_half(surface.waves, 4);
+  surface.waves.directions[400] = -oriented[400];
+  orient_alike(*surface.neighborhood, settled, surface.waves.directions);
+  for (std::size_t i = 0; i < oriented.size(); ++i) {
+    EXPECT_EQ(surface.waves.directions[i], -oriented[i]) << i;
+  }
+  // All that are settled stay, whatever they are.
+  flip_half(surface.waves, 5);
+  const std::vector<Vec3> flipped = surface.waves.directions;
+  const std::vector<std::uint8_t> all(flipped.size(), 1);
+  orient_alike(*surface.neighborhood, all, surface.waves.directions);
+  EXPECT_EQ(surface.waves.directions, flipped);
+}
+
 }  // namespace
 }  // namespace brindle

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -73,20 +74,38 @@ TEST(OptionCatalogTest, ChoicesHaveNamesAndStandardsAreAmongThem) {
   }
 }
 
+// Sliders of what is off, or follows from something else, unless it is given.
+const std::set<std::string> kWithoutStandard = {
+    "anchor-boundary", "creases",        "cross-hatch",       "cycles",     "feature-radius",
+    "frequency",       "frequency-v",    "global-iterations", "line-width", "merge-branches",
+    "min-length",      "pixel-width",    "resample",          "seed",       "simplify",
+    "stripes-v",       "stroke-spacing", "subdivide",         "sweeps",     "threshold",
+    "tube-radius",     "wales"};
+
 TEST(OptionCatalogTest, SlidersReachTheirStandards) {
-  for (const auto& [name, option] : all_entries()) {
-    if (option.kind != WidgetKind::number) continue;
-    EXPECT_LT(option.range.lowest, option.range.highest) << name;
-    if (option.range.logarithmic) {
-      EXPECT_GT(option.range.lowest, 0) << name;
+  std::set<std::string> without;
+  for (const Shown shown : kAllShown) {
+    for (const auto& [name, option] : all_entries(shown)) {
+      const bool share = option.kind == WidgetKind::percent;
+      if (option.kind != WidgetKind::number && !share) continue;
+      EXPECT_LT(option.range.lowest, option.range.highest) << name;
+      if (option.range.logarithmic) {
+        EXPECT_GE(option.range.lowest, 0) << name;
+      }
+      if (option.standard.empty()) {
+        without.insert(name);
+        continue;
+      }
+      float value = 0;
+      const char* end = option.standard.data() + option.standard.size();
+      const auto [rest, error] = std::from_chars(option.standard.data(), end, value);
+      ASSERT_EQ(error, std::errc()) << name << ": '" << option.standard << "' is no number";
+      EXPECT_EQ(std::string(rest, end), share ? "%" : "") << name;
+      EXPECT_GE(value, option.range.lowest) << name;
+      EXPECT_LE(value, option.range.highest) << name;
     }
-    float value = 0;
-    const char* end = option.standard.data() + option.standard.size();
-    if (std::from_chars(option.standard.data(), end, value).ec != std::errc()) continue;
-    if (option.range.logarithmic && value == 0) continue;
-    EXPECT_GE(value, option.range.lowest) << name;
-    EXPECT_LE(value, option.range.highest) << name;
   }
+  EXPECT_EQ(without, kWithoutStandard);
 }
 
 TEST(OptionCatalogTest, PairsOfNumbersHaveTheirTwoNumbersAtFirst) {

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <ostream>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/phases/sliced_kernels.h"
-#include "formatted.h"
-#include "report.h"
+#include "brindle/recipe/report.h"
 
 namespace brindle::tool {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include "bench/changing_input.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/camera.h"
 #include "brindle/headless_context.h"
@@ -9,7 +10,6 @@
 #include "brindle/render/visible_triangles.h"
 #include "brindle/renderer.h"
 #include "brindle/stripe_animator.h"
-#include "changing_input.h"
 
 namespace brindle::tool {
 namespace {

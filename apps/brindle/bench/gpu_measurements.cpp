@@ -6,12 +6,12 @@
 
 #include <epoxy/gl.h>
 
+#include "bench/changing_input.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu_animator.h"
 #include "brindle/renderer.h"
-#include "changing_input.h"
-#include "gpu.h"
+#include "input/gpu.h"
 
 namespace brindle::tool {
 namespace {

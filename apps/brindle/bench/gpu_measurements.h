@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/measurements.h"
-#include "device.h"
+#include "input/device.h"
 
 namespace brindle::tool {
 

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bench/changing_input.h"
 #include "bench/resident_memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/cross_animator.h"
@@ -14,7 +15,6 @@
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_animator.h"
 #include "brindle/yielding_frequency.h"
-#include "changing_input.h"
 
 namespace brindle::tool {
 namespace {

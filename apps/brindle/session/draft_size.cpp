@@ -1,4 +1,4 @@
-#include "draft_size.h"
+#include "session/draft_size.h"
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,13 @@
-#include "json_reader.h"
+#include "session/json_reader.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
-#include "formatted.h"
 
 namespace brindle::tool {
 

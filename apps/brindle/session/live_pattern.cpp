@@ -1,4 +1,4 @@
-#include "live_pattern.h"
+#include "session/live_pattern.h"
 
 #include <algorithm>
 #include <array>
@@ -8,16 +8,19 @@
 #include <span>
 #include <utility>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/formatted.h"
+#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/phase_graph.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_animator.h"
-#include "picture_options.h"
-#include "stage_keys.h"
-#include "tile_follower.h"
-#include "vertex_values.h"
+#include "input/vertex_values.h"
+#include "pictures/picture_options.h"
+#include "session/stage_keys.h"
+#include "session/tile_follower.h"
 
 namespace brindle::tool {
 namespace {
@@ -27,7 +30,6 @@ class NoteKeeper : public JobListener {
  public:
   explicit NoteKeeper(const Progress& progress) : progress_(progress) {}
 
-  Progress progress() override { return progress_; }
   void note(const std::string& text) override {
     std::size_t begin = 0;
     while (begin < text.size()) {
@@ -40,6 +42,8 @@ class NoteKeeper : public JobListener {
   std::vector<std::string> take() { return std::exchange(notes_, {}); }
 
  private:
+  Progress whole_progress() override { return progress_; }
+
   Progress progress_;
   std::vector<std::string> notes_;
 };
@@ -63,17 +67,50 @@ struct SolvedPattern {
   std::shared_ptr<const std::vector<float>> phases;  ///< null if it was made of the document alone
   double phase_step = 0;
   bool loosely = false;  ///< it followed as no document can have it
+  /// Phases of the document that it stands in for.
+  std::shared_ptr<const std::vector<float>> outdone = nullptr;
 };
+
+/// By what patterns of the same waves are compared. Computed alike whichever way phases came about,
+/// so that what was kept is kept again when it is read from a file.
+struct Worth {
+  double energy;
+  double spacing_error;
+};
+
+Worth worth_of(const StripeJob& job) {
+  const StripePattern& pattern = job.result.stripes();
+  const PhaseGraph graph =
+      build_phase_graph(job.surface->neighborhood, pattern.waves, pattern.phase_shift, {});
+  return {energy(graph, pattern.solution.z), pattern.quality.spacing_error_mean};
+}
+
+bool is_outdone(const Worth& followed, const Worth& anew) {
+  return followed.energy > kMostEnergyTimes * anew.energy + kMostEnergyMore ||
+         followed.spacing_error > anew.spacing_error + kMostSpacingErrorMore;
+}
+
+std::string outdone_note(const Worth& followed, const Worth& anew) {
+  return formatted(
+      "solved anew: phases that had followed fell behind, with energy %.3g instead of %.3g and a "
+      "mean spacing error of %.1f instead of %.1f %%",
+      followed.energy, anew.energy, 100 * followed.spacing_error, 100 * anew.spacing_error);
+}
+
+bool same_angles(const std::shared_ptr<const std::vector<float>>& a,
+                 const std::shared_ptr<const std::vector<float>>& b) {
+  return a == b || (a && b && *a == *b);
+}
 
 std::vector<float> angles_of(std::span<const Complex> z) {
   std::vector<float> angles(z.size());
-  for (std::size_t v = 0; v < z.size(); ++v) angles[v] = std::arg(z[v]);
+  for (std::size_t v = 0; v < z.size(); ++v) angles[v] = elementary::arg(z[v]);
   return angles;
 }
 
 std::vector<Complex> phases_of(std::span<const float> angles) {
   std::vector<Complex> z(angles.size());
-  for (std::size_t v = 0; v < z.size(); ++v) z[v] = std::polar(1.0f, angles[v]);
+  for (std::size_t v = 0; v < z.size(); ++v) z[v] = elementary::polar(1.0f, angles[v]);
   return z;
 }
 
@@ -86,14 +123,16 @@ const StripePattern* followed(const StripeArguments& arguments, const SolvedPatt
   return last->job.surface->mesh.triangles.empty() ? nullptr : &last->job.result.stripes();
 }
 
-InputData data_of(const Preparation& prepared) {
-  return {prepared.arrays, prepared.original_ids, prepared.partners};
+InputData data_of(const Preparation& prepared, const PreparedWaves& waves) {
+  return {prepared.arrays, prepared.original_ids, prepared.partners, waves.turn_deg};
 }
 
 PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& waves) {
   PreparationFigures figures = prepared;
   figures.figures = waves.figures;
   figures.field_rows_nonfinite = waves.field_rows_nonfinite;
+  figures.field_step = waves.field_step;
+  figures.turn_deg = waves.turn_deg;
   figures.field_milliseconds = waves.field_milliseconds;
   return figures;
 }
@@ -119,8 +158,9 @@ SolvedPattern pattern_of_angles(const StripeArguments& arguments,
   const std::shared_ptr<const Surface> surface(prepared, &prepared->surface);
   Report report = make_report(*surface, figures_of(*prepared, waves), pattern,
                               arguments.solving.stripes.solver.solver);
-  return {
-      {surface, {std::move(pattern)}, std::move(report), data_of(*prepared)}, std::move(angles), 0};
+  return {{surface, {std::move(pattern)}, std::move(report), data_of(*prepared, waves)},
+          std::move(angles),
+          0};
 }
 
 SolvedPattern given_pattern(const StripeArguments& arguments,
@@ -130,7 +170,7 @@ SolvedPattern given_pattern(const StripeArguments& arguments,
   const std::size_t vertices = prepared->surface.mesh.vertex_count();
   if (prepared->points || angles->size() != vertices) {
     throw Error("phases: there are " + std::to_string(angles->size()) + " of another surface; " +
-                arguments.surface.mesh + " has " + std::to_string(vertices) +
+                shown(arguments.surface.mesh) + " has " + std::to_string(vertices) +
                 (prepared->points ? " points" : " vertices") +
                 ": leave 'phases' out of the session");
   }
@@ -175,6 +215,7 @@ LiveFigures figures_of(const SolvedPattern& pattern) {
   figures.mean_spacing_error = report.quality.spacing_error_mean;
   figures.phase_step = pattern.phase_step;
   figures.followed = pattern.phases != nullptr;
+  figures.edges_per_period = report.waves.edges_per_period_median;
   return figures;
 }
 
@@ -236,6 +277,7 @@ struct LiveStages {
   Stage<BaseField> field;
   Stage<PreparedWaves> waves;
   Stage<SolvedPattern> pattern;
+  std::shared_ptr<const SolvedPattern> compared;  ///< the last that was not outdone
   StyleStages style;
   ShownStages shown;
   std::string looks;  ///< all options of the style
@@ -293,10 +335,21 @@ class StageUpdate {
     if (stage.holds(key)) return;
     Stopwatch watch;
     auto made = std::make_shared<const BaseField>(
-        prepare_field(*stages_.surface.made, arguments().surface, arguments().waves, listener_));
+        prepare_field(*stages_.surface.made, arguments().surface, arguments().waves, listener_,
+                      last_directions()));
     field_milliseconds_ = watch.lap();
     times_.emplace_back("field", field_milliseconds_);
-    stage = {key, std::move(made), {}};
+    stage = {key, std::move(made), listener_.take()};
+  }
+
+  // What a smooth field goes on from.
+  LastDirections last_directions() {
+    const FindLastDirections find_last = previous_directions(arguments());
+    if (!find_last || !is_smooth(arguments().waves)) return {};
+    Preparation surface = *stages_.surface.made;
+    LastDirections last = find_last(surface);
+    listener_.note(last.notes);
+    return last;
   }
 
   void make_waves() {
@@ -315,23 +368,51 @@ class StageUpdate {
   bool has_pattern(const std::string& key) const {
     const Stage<SolvedPattern>& stage = stages_.pattern;
     if (!stage.holds(key)) return false;
-    const auto& shown = stage.made->phases;
-    if (stage.made->loosely) return follow_ == Follow::loosely;
-    if (document_.phases) return shown && *shown == *document_.phases;
-    return !shown || follow_ != Follow::afresh;
+    const SolvedPattern& made = *stage.made;
+    if (made.loosely) return follow_ == Follow::loosely;
+    if (document_.phases) {
+      return same_angles(made.phases, document_.phases) ||
+             same_angles(made.outdone, document_.phases);
+    }
+    return !made.phases || follow_ != Follow::afresh;
   }
 
   void make_pattern() {
     Stage<SolvedPattern>& stage = stages_.pattern;
-    const std::string key = stages_.waves.key + options_key(document_, SessionStage::phases);
-    if (has_pattern(key)) return;
-    auto made = std::make_shared<SolvedPattern>(solved());
+    if (!has_pattern(key_of_pattern())) take_pattern(solved());
+    if (!is_to_be_compared()) return;
+    Stopwatch watch;
+    SolvedPattern anew = made_afresh();
+    const Worth followed = worth_of(stage.made->job), alone = worth_of(anew.job);
+    times_.emplace_back("compare", watch.lap());
+    if (!is_outdone(followed, alone)) {
+      stages_.compared = stage.made;
+      return;
+    }
+    anew.outdone = document_.phases;
+    listener_.note(outdone_note(followed, alone));
+    take_pattern(std::move(anew));
+  }
+
+  // What moves follows, however badly; what a document has is there to stay.
+  bool is_to_be_compared() const {
+    const std::shared_ptr<const SolvedPattern>& made = stages_.pattern.made;
+    const bool rests = follow_ != Follow::loosely || document_.phases;
+    return rests && made->phases && !made->loosely && stages_.compared != made;
+  }
+
+  void take_pattern(SolvedPattern pattern) {
+    auto made = std::make_shared<SolvedPattern>(std::move(pattern));
     const Report& report = made->job.report;
     add_times(report, times_);
     listener_.note(branch_warning(report.waves, report.quality.branches, report.triangles));
-    stage = {key, std::move(made), listener_.take()};
+    stages_.pattern = {key_of_pattern(), std::move(made), listener_.take()};
     ++stages_.patterns;
     ++stages_.changes;
+  }
+
+  std::string key_of_pattern() const {
+    return stages_.waves.key + options_key(document_, SessionStage::phases);
   }
 
   SolvedPattern solved() {
@@ -344,6 +425,10 @@ class StageUpdate {
     if (follow_ == Follow::loosely && can_follow_tiles(arguments())) return next_tiles();
     // What follows next, follows what is made here.
     if (stages_.tiles.made) stages_.tiles.made->restart();
+    return made_afresh();
+  }
+
+  SolvedPattern made_afresh() {
     Preparation prepared = *stages_.surface.made;
     take_waves(*stages_.waves.made, prepared);
     return {make_stripe_job(arguments(), std::move(prepared),
@@ -540,8 +625,8 @@ class StageUpdate {
       return stripe_pattern(prepared.surface, std::move(waves), options, progress_);
     }
     MakingFigures figures;
-    return tool::make_pattern(prepared.surface, std::move(waves), options,
-                              making_of_v(*parsed_->curves()), progress_, figures);
+    return brindle::make_pattern(prepared.surface, std::move(waves), options,
+                                 making_of_v(*parsed_->curves()), progress_, figures);
   }
 
   const StripePattern& second() {
@@ -549,7 +634,7 @@ class StageUpdate {
     const std::string key = std::string(name_of(document_.shown)) + stages_.waves.key +
                             options_key(document_, SessionStage::phases) + second_key(document_);
     if (holds_crossing(stage, key)) return *stage.made;
-    const bool goes_on = can_go_on(stage) && second_options().wales == 0;
+    const bool goes_on = can_go_on(stage) && second_options().wales.periods == 0;
     WaveSet waves = make_second_waves(first_waves(), second_options(), listener_);
     auto made = std::make_shared<const StripePattern>(
         goes_on ? next_crossing(*stage.made, std::move(waves)) : second_pattern(std::move(waves)));
@@ -615,9 +700,9 @@ class StageUpdate {
     const StyleStages& style = stages_.style;
     for (const std::vector<std::string>* notes :
          std::initializer_list<const std::vector<std::string>*>{
-             &stages_.surface.notes, &stages_.waves.notes, &stages_.pattern.notes,
-             &style.read.notes, &style.drawn.notes, &style.values.notes, &style.crossing.notes,
-             &stages_.shown.second.notes, &stages_.shown.curves.notes,
+             &stages_.surface.notes, &stages_.field.notes, &stages_.waves.notes,
+             &stages_.pattern.notes, &style.read.notes, &style.drawn.notes, &style.values.notes,
+             &style.crossing.notes, &stages_.shown.second.notes, &stages_.shown.curves.notes,
              &stages_.shown.samples.notes}) {
       result.notes.insert(result.notes.end(), notes->begin(), notes->end());
     }

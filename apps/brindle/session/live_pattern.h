@@ -8,18 +8,25 @@
 #include <vector>
 
 #include "brindle/progress.h"
-#include "session_options.h"
-#include "shown_pattern.h"
-#include "stripe_job.h"
+#include "jobs/stripe_job.h"
+#include "session/session_options.h"
+#include "session/shown_pattern.h"
 
 namespace brindle::tool {
 
 /// How a pattern comes about.
 enum class Follow {
   afresh,  ///< of the document alone
-  last,    ///< near to the last pattern where the surface is the same
-  loosely  ///< the same where no document could keep the pattern, too: with slack, for drafts
+  last,    ///< near to the last pattern where the surface is the same, unless that is outdone
+  loosely  ///< near to it whatever it is like, also where no document could keep it: for drafts
 };
+
+/// How far a pattern that followed others, or whose phases a document has, may fall behind one that
+/// is made of the document alone: its energy may be so many times the other's and so much more
+/// (both, because the other's may be nearly zero), and its mean spacing error, a share of the
+/// period, so much more. Where it is worse than that it is outdone, and the other takes its place.
+inline constexpr double kMostEnergyTimes = 1.5, kMostEnergyMore = 0.01;
+inline constexpr double kMostSpacingErrorMore = 0.03;
 
 /// What there is to say of a pattern.
 struct LiveFigures {
@@ -29,6 +36,7 @@ struct LiveFigures {
   std::size_t singularities = 0;  ///< of the field
   double energy = 0;
   double mean_angle_error_deg = 0, mean_spacing_error = 0;
+  double edges_per_period = 0;  ///< at half of the vertices, or fewer; 0: no edge along any wave
   std::vector<std::pair<std::string, double>> shown;  ///< of curves or samples
   double phase_step = 0;  ///< how far phases moved on average, in radians, where they followed
   bool followed = false;

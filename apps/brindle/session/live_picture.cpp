@@ -1,4 +1,4 @@
-#include "live_picture.h"
+#include "session/live_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include "brindle/headless_context.h"
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"
-#include "draft_size.h"
-#include "picture_options.h"
+#include "pictures/picture_options.h"
+#include "session/draft_size.h"
 
 namespace brindle::tool {
 namespace {

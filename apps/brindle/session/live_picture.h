@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "brindle/image.h"
-#include "live_pattern.h"
+#include "session/live_pattern.h"
 
 namespace brindle::tool {
 

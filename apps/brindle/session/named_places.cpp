@@ -1,12 +1,12 @@
-#include "named_places.h"
+#include "session/named_places.h"
 
 #include <algorithm>
 #include <functional>
 #include <optional>
 #include <utility>
 
-#include "formatted.h"
-#include "option_values.h"
+#include "brindle/base/formatted.h"
+#include "cli/option_values.h"
 
 namespace brindle::tool {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "session_document.h"
+#include "session/session_document.h"
 
 namespace brindle::tool {
 

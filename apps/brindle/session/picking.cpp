@@ -1,4 +1,4 @@
-#include "picking.h"
+#include "session/picking.h"
 
 #include <array>
 #include <cmath>

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -6,19 +8,20 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/threads.h"
-#include "command_line.h"
-#include "commands.h"
-#include "curves_output.h"
-#include "live_picture.h"
-#include "option_values.h"
-#include "picture_options.h"
-#include "progress_display.h"
-#include "session.h"
-#include "session_export.h"
-#include "written_files.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/option_values.h"
+#include "cli/progress_display.h"
+#include "jobs/curves_output.h"
+#include "outputs/written_files.h"
+#include "pictures/picture_options.h"
+#include "session/live_picture.h"
+#include "session/session.h"
+#include "session/session_export.h"
 
 namespace brindle::tool {
 namespace {
@@ -65,6 +68,16 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
 
 bool is_picture(const std::string& path) { return lower_extension(path) == ".png"; }
 
+/// What `brindle stripe` writes, too, but its drawings.
+void refuse_unknown_extension(const std::string& path) {
+  constexpr std::array kKnown = {".obj", ".ply", ".vtp", ".gltf", ".glb", ".stl", ".off", ".json"};
+  const std::string extension = lower_extension(path);
+  if (std::ranges::find(kKnown, extension) != kKnown.end()) return;
+  refuse_output(path, "unknown extension '" + extension +
+                          "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, "
+                          ".json for a report");
+}
+
 /// What is no picture: of stripes a mesh or a report, of curves and samples their files.
 void check_file(const std::string& path, const ParsedSession& parsed) {
   const bool report = lower_extension(path) == ".json";
@@ -73,6 +86,7 @@ void check_file(const std::string& path, const ParsedSession& parsed) {
   } else if (parsed.samples() != nullptr && !report) {
     planned_sample(path);
   } else {
+    refuse_unknown_extension(path);
     plan_outputs({path}, "", false);
   }
 }
@@ -81,9 +95,7 @@ void check_outputs(const CLI::App& command, const RenderArguments& arguments,
                    const ParsedSession& parsed) {
   bool picture = false;
   for (const std::string& path : arguments.outputs) {
-    if (lower_extension(path) == ".svg") {
-      refuse_output(path, "sessions have pictures of pixels; write .png");
-    }
+    if (lower_extension(path) == ".svg") refuse_output(path, picture_refusal(path));
     if (!is_picture(path)) {
       check_file(path, parsed);
       continue;
@@ -107,7 +119,7 @@ void replay(Session& session, const std::string& path) {
     const std::string why = session.messages().size() > messages
                                 ? session.messages().back().text
                                 : std::string("there is nothing to do");
-    throw Error(path + ": command " + std::to_string(number) + ", " +
+    throw Error(shown(path) + ": command " + std::to_string(number) + ", " +
                 std::string(command_name(command)) + ": " + why);
   }
   session.end_drag();
@@ -145,7 +157,7 @@ void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const
                    ProgressDisplay& display) {
   std::optional<LivePicture> picture;
   for (const std::string& path : arguments.outputs) {
-    display.stage("writing " + path);
+    display.stage("writing " + shown(path));
     if (!is_picture(path)) {
       export_file(*state, path, display);
       continue;

@@ -1,14 +1,16 @@
-#include "session.h"
+#include "session/session.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
-#include "session_options.h"
+#include "session/session_options.h"
+#include "session/stage_keys.h"
 
 namespace brindle::tool {
 namespace {
@@ -16,20 +18,6 @@ namespace {
 constexpr std::size_t kMostMessages = 100;
 constexpr std::size_t kMostSteps = 1000;
 constexpr std::size_t kMostPhases = std::size_t{1} << 26;  // of all steps together: 256 MB
-
-/// Whether both documents have the same waves and solve for phases alike.
-bool same_phases(const SessionDocument& a, const SessionDocument& b) {
-  const auto without_style = [](const SessionDocument& document) {
-    OptionValues options = shown_options(document);
-    std::erase_if(options, [&](const auto& entry) {
-      const SessionOption* option = find_session_option(entry.first, document.shown);
-      return option != nullptr && option->stage == SessionStage::style;
-    });
-    return options;
-  };
-  return a.mesh == b.mesh && a.strokes == b.strokes && frequency_factor(a) == frequency_factor(b) &&
-         without_style(a) == without_style(b);
-}
 
 std::size_t checked_index(const SessionDocument& document, std::size_t index) {
   const std::size_t count = document.strokes.size();
@@ -57,7 +45,7 @@ void check_can_open(const std::string& mesh) {
   }
   std::error_code ignored;
   if (std::filesystem::is_regular_file(mesh, ignored)) return;
-  throw Error(mesh + ": there is no such file; check its name and folder");
+  throw Error(shown(mesh) + ": there is no such file; check its name and folder");
 }
 
 /// Changes a document as a command says.
@@ -138,7 +126,7 @@ bool starts_anew(const SessionCommand& command) {
 SessionDocument changed(const SessionDocument& document, const SessionCommand& command) {
   SessionDocument result = document;
   std::visit(Changer{result}, command);
-  if (!starts_anew(command) && !same_phases(document, result)) result.phases.reset();
+  if (!starts_anew(command) && pattern_key(document) != pattern_key(result)) result.phases.reset();
   check_document(result);
   return result;
 }
@@ -152,6 +140,7 @@ bool Session::apply(const SessionCommand& command) {
   if (std::holds_alternative<commands::EndDrag>(command)) return end_drag(), true;
   if (std::holds_alternative<commands::Undo>(command)) return undo();
   if (std::holds_alternative<commands::Redo>(command)) return redo();
+  if (std::holds_alternative<commands::SolveAnew>(command)) return solve_anew(), true;
   if (const auto* keep = std::get_if<commands::KeepPhases>(&command)) {
     return keep_phases(revision_, keep->phases);
   }
@@ -210,9 +199,19 @@ bool Session::redo() { return move(future_, past_); }
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
 
+// Where nothing was kept, there is no step; yet what is shown may have followed.
+void Session::solve_anew() {
+  SessionDocument anew = document_;
+  anew.phases.reset();
+  change(std::move(anew), std::string(command_name(commands::SolveAnew{})));
+  go(document_, false);
+}
+
 bool Session::keep_phases(std::uint64_t revision,
                           std::shared_ptr<const std::vector<float>> phases) {
-  if (revision != revision_ || document_.phases || !phases) return false;
+  if (revision != revision_) return false;
+  if (!phases) return std::exchange(document_.phases, nullptr) != nullptr;
+  if (document_.phases) return false;
   SessionDocument with_phases = document_;
   with_phases.phases = std::move(phases);
   try {

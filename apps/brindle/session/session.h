@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "session_command.h"
+#include "session/session_command.h"
 
 namespace brindle::tool {
 
@@ -53,9 +53,14 @@ class Session {
   std::string undo_name() const;
   std::string redo_name() const;
 
+  /// The pattern is to be made of the document alone, whatever it followed. A step if the document
+  /// has phases, which go.
+  void solve_anew();
+
   /// The pattern that is shown of a revision becomes part of the document, so that it is what comes
-  /// back when it is saved or undone. No step of its own. Nothing if the document has gone on, or
-  /// already has phases. Returns whether it was done.
+  /// back when it is saved or undone. Without phases it was made of the document alone, and those
+  /// that the document has go. No step of its own. Nothing if the document has gone on, or already
+  /// has the one or the other. Returns whether it was done.
   bool keep_phases(std::uint64_t revision, std::shared_ptr<const std::vector<float>> phases);
 
   /// The last step turned out not to work: a file cannot be read, an array is not there. Takes the
@@ -89,7 +94,7 @@ class Session {
 };
 
 /// The document after a command that changes it; throws CLI::ValidationError or Error, naming what
-/// is wrong. Not for those that drag, undo, redo and keep phases.
+/// is wrong. Not for those that drag, undo, redo, keep phases and solve anew.
 SessionDocument changed(const SessionDocument& document, const SessionCommand& command);
 
 }  // namespace brindle::tool

@@ -1,14 +1,16 @@
-#include "session_command.h"
+#include "session/session_command.h"
 
 #include <array>
 #include <ostream>
 #include <utility>
 
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/files/input_file.h"
-#include "json_reader.h"
+#include "brindle/recipe/json_text.h"
+#include "session/json_reader.h"
 
 namespace brindle::tool {
 
@@ -31,7 +33,8 @@ constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCom
     "recall_view",   "set_frequency_by_zoom",
     "load",          "begin_drag",
     "end_drag",      "undo",
-    "redo",          "keep_phases"};
+    "redo",          "keep_phases",
+    "solve_anew"};
 
 /// Adds what a command holds to its object.
 struct CommandWriter {
@@ -77,6 +80,7 @@ struct CommandWriter {
   void operator()(const commands::EndDrag&) const {}
   void operator()(const commands::Undo&) const {}
   void operator()(const commands::Redo&) const {}
+  void operator()(const commands::SolveAnew&) const {}
 };
 
 constexpr int kMostStrokes = 1 << 30;
@@ -176,6 +180,7 @@ constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders 
     [](const JsonReader& r) -> SessionCommand { return bare<commands::Undo>(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::Redo>(r); },
     [](const JsonReader& r) -> SessionCommand { return keep_phases_from(r); },
+    [](const JsonReader& r) -> SessionCommand { return bare<commands::SolveAnew>(r); },
 };
 
 }  // namespace
@@ -213,7 +218,7 @@ std::vector<SessionCommand> read_commands(const std::filesystem::path& path) {
     try {
       commands.push_back(command_from_json(parse_json(std::string(*line))));
     } catch (const std::exception& error) {
-      throw Error(path.string() + ":" + std::to_string(file.line()) + ": " + error.what());
+      throw Error(shown(path.native()) + ":" + std::to_string(file.line()) + ": " + error.what());
     }
   }
   return commands;
@@ -222,7 +227,9 @@ std::vector<SessionCommand> read_commands(const std::filesystem::path& path) {
 void write_commands(const std::filesystem::path& path,
                     const std::vector<SessionCommand>& commands) {
   write_file(path, [&](std::ostream& out) {
-    for (const SessionCommand& command : commands) out << command_to_json(command).dump() << '\n';
+    for (const SessionCommand& command : commands) {
+      out << json_text(command_to_json(command)) << '\n';
+    }
   });
 }
 

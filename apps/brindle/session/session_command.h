@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "session_document.h"
+#include "session/session_document.h"
 
 namespace brindle::tool::commands {
 
@@ -132,12 +132,18 @@ struct Redo {
   bool operator==(const Redo&) const = default;
 };
 
-/// The pattern that is shown becomes part of the document, without a step of its own
-/// (`Session::keep_phases`).
+/// The pattern that is shown becomes part of the document, without a step of its own; null: it was
+/// made of the document alone (`Session::keep_phases`).
 struct KeepPhases {
   std::shared_ptr<const std::vector<float>> phases;
 
   bool operator==(const KeepPhases& other) const;
+};
+
+/// The pattern is made of the document alone, as if nothing had come before
+/// (`Session::solve_anew`).
+struct SolveAnew {
+  bool operator==(const SolveAnew&) const = default;
 };
 
 }  // namespace brindle::tool::commands
@@ -150,7 +156,7 @@ using SessionCommand =
                  commands::SetStrokes, commands::SetCamera, commands::SetSize, commands::StoreView,
                  commands::RecallView, commands::SetFrequencyByZoom, commands::Load,
                  commands::BeginDrag, commands::EndDrag, commands::Undo, commands::Redo,
-                 commands::KeepPhases>;
+                 commands::KeepPhases, commands::SolveAnew>;
 
 /// "set_option", the name of a command in files.
 std::string_view command_name(const SessionCommand& command);

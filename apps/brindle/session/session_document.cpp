@@ -1,4 +1,4 @@
-#include "session_document.h"
+#include "session/session_document.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,14 @@
 #include <ostream>
 #include <sstream>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files/base64.h"
 #include "brindle/files/input_file.h"
 #include "brindle/image.h"
-#include "json_reader.h"
+#include "session/json_reader.h"
 
 namespace brindle::tool {
 namespace {
@@ -84,7 +86,7 @@ bool same_work(const SessionDocument& a, const SessionDocument& b) {
 
 float frequency_factor(const SessionDocument& document) {
   if (document.frequency_by_zoom == 0) return 1;
-  return std::pow(document.camera.zoom, document.frequency_by_zoom);
+  return elementary::pow(document.camera.zoom, document.frequency_by_zoom);
 }
 
 nlohmann::ordered_json camera_to_json(const CameraView& view) {
@@ -295,13 +297,20 @@ SessionDocument read_session(const std::filesystem::path& path) {
   try {
     return document_from_json(parse_json(text));
   } catch (const std::exception& error) {
-    throw Error(path.string() + ": " + error.what());
+    throw Error(shown(path.native()) + ": " + error.what());
   }
 }
 
 void write_session(const std::filesystem::path& path, const SessionDocument& document) {
   check_document(document);
-  const std::string text = document_to_json(document).dump(2);
+  std::string text;
+  try {
+    text = document_to_json(document).dump(2);
+  } catch (const nlohmann::json::exception&) {  // of the letters in it
+    throw Error(shown(path.native()) +
+                ": cannot be written, because a session holds names in UTF-8 alone, and the mesh's "
+                "or another file's is not; rename it");
+  }
   write_file(path, [&](std::ostream& out) { out << text << '\n'; });
 }
 

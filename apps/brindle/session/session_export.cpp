@@ -1,18 +1,27 @@
-#include "session_export.h"
+#include "session/session_export.h"
 
+#include "brindle/base/file_extension.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "curves_output.h"
-#include "styled_scene.h"
+#include "jobs/curves_output.h"
+#include "pictures/styled_scene.h"
 
 namespace brindle::tool {
 namespace {
 
 [[noreturn]] void refuse_extension(const std::filesystem::path& path, const char* known) {
-  throw Error(path.string() + ": unknown extension; write " + known);
+  throw Error(shown(path.native()) + ": unknown extension; write " + known);
 }
 
 }  // namespace
+
+std::string picture_refusal(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".png") return "";
+  if (extension == ".svg") return "sessions have pictures of pixels; write .png";
+  return "'" + extension + "' is no picture; write .png";
+}
 
 void export_pattern(const LiveState& state, const std::filesystem::path& path,
                     JobListener& listener) {
@@ -33,7 +42,7 @@ void export_curves(const LiveState& state, const std::filesystem::path& path,
   if (state.curves) {
     const CurvesArguments& arguments = *state.parsed->curves();
     const CurveOutput kind = planned_curves(path.string(), arguments.tube_radius.has_value());
-    listener.stage("writing " + path.string());
+    listener.stage("writing " + shown(path.native()));
     return write_curves(
         kind, path.string(),
         {arguments, *state.job->surface, state.job->data.arrays, state.curves->families}, listener);
@@ -42,7 +51,7 @@ void export_curves(const LiveState& state, const std::filesystem::path& path,
   listener.stage("curves");
   const StripeCurves curves = stripe_curves(*state.job->surface, state.job->result.stripes());
   const std::vector<NamedLines> lines = {{"u", curves.lines}};
-  listener.stage("writing " + path.string());
+  listener.stage("writing " + shown(path.native()));
   write_polylines(path, lines);
 }
 
@@ -51,7 +60,7 @@ void export_samples(const LiveState& state, const std::filesystem::path& path,
   if (!is_sample_format(path)) refuse_extension(path, ".csv, .ply or .vtp");
   const Surface& surface = *state.job->surface;
   if (state.samples) {
-    listener.stage("writing " + path.string());
+    listener.stage("writing " + shown(path.native()));
     return write_all_samples(path.string(), surface.mesh, state.job->data.arrays,
                              state.samples->taken.samples, listener);
   }
@@ -64,7 +73,7 @@ void export_samples(const LiveState& state, const std::filesystem::path& path,
   listener.stage("samples");
   const StripePattern& v = across ? *across : state.job->result.texture()->pattern.v;
   const std::vector<Sample> samples = stripe_samples(surface, u, v);
-  listener.stage("writing " + path.string());
+  listener.stage("writing " + shown(path.native()));
   write_samples(path, samples, surface.mesh.origin);
 }
 

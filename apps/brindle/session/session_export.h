@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
-#include "job_listener.h"
-#include "live_pattern.h"
+#include "cli/job_listener.h"
+#include "session/live_pattern.h"
 
 namespace brindle::tool {
+
+/// Why no picture of a session is written to a file of this name; empty if one is: a .png.
+std::string picture_refusal(const std::filesystem::path& path);
 
 /// A mesh (.ply .vtp .obj .gltf .glb) or a report (.json), as `brindle stripe --output`. Throws
 /// CLI::ValidationError for another extension, and what writing throws.

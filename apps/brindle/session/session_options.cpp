@@ -1,4 +1,4 @@
-#include "session_options.h"
+#include "session/session_options.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,9 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
-#include "option_values.h"
-#include "picture_options.h"
+#include "cli/described_options.h"
+#include "cli/option_values.h"
+#include "pictures/picture_options.h"
 
 namespace brindle::tool {
 namespace {
@@ -77,8 +78,7 @@ std::vector<OptionGroup> stripe_groups() {
       {"Making", SessionStage::phases, add_making},
       {"Texture", SessionStage::waves,
        [](CLI::App& app, AllArguments& all) {
-         add_texture_options(app, all.stripes.texture, all.stripes.waves,
-                             add_cross_option(app, all.stripes.waves));
+         add_texture_options(app, all.stripes.texture, all.stripes.waves);
        }},
       {"Picture", SessionStage::style,
        [](CLI::App& app, AllArguments& all) { all.stripes.picture = add_picture_options(app); }},
@@ -137,6 +137,7 @@ std::vector<SessionOption> make_session_options(Shown shown) {
     CLI::App app;
     AllArguments arguments;
     group.add(app, arguments);
+    describe_options(app, job_of(std::string(command_of(shown))));
     for (const CLI::Option* option : app.get_options()) {
       if (option->get_positional()) continue;
       const std::string name = option->get_lnames().front();
@@ -363,6 +364,7 @@ ParsedSession::ParsedSession(const SessionDocument& document)
     : app_(std::make_unique<CLI::App>()), arguments_(std::make_unique<StripeArguments>()) {
   command_ = app_->add_subcommand(std::string(command_of(document.shown)));
   add_options(document.shown);
+  describe_options(*command_, job_of(std::string(command_of(document.shown))));
   if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
   app_->parse(words_of(document));
   take_shared();

@@ -8,10 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "curves_arguments.h"
-#include "sample_arguments.h"
-#include "session_document.h"
-#include "stripe_arguments.h"
+#include "jobs/curves_arguments.h"
+#include "jobs/sample_arguments.h"
+#include "jobs/stripe_arguments.h"
+#include "session/session_document.h"
 
 namespace brindle::tool {
 

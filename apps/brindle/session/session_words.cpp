@@ -1,8 +1,8 @@
-#include "session_words.h"
+#include "session/session_words.h"
 
 #include "brindle/error.h"
-#include "option_values.h"
-#include "session_options.h"
+#include "cli/option_values.h"
+#include "session/session_options.h"
 
 namespace brindle::tool {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "session_document.h"
+#include "session/session_document.h"
 
 namespace brindle::tool {
 

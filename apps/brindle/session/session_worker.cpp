@@ -1,4 +1,4 @@
-#include "session_worker.h"
+#include "session/session_worker.h"
 
 #include <utility>
 
@@ -89,9 +89,12 @@ SessionWorker::SessionWorker(int threads) : state_(std::make_unique<State>()), t
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
-SessionWorker::~SessionWorker() {
+SessionWorker::~SessionWorker() { stop(); }
+
+void SessionWorker::stop() {
   thread_.request_stop();
   state_->changed.notify_all();
+  if (thread_.joinable()) thread_.join();
 }
 
 void SessionWorker::run(const std::stop_token& stop) {

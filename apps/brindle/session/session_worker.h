@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "live_pattern.h"
-#include "live_picture.h"
+#include "session/live_pattern.h"
+#include "session/live_picture.h"
 
 namespace brindle::tool {
 
@@ -41,8 +41,8 @@ struct SessionFailure {
   std::string text;
 };
 
-/// One thread that owns a LivePattern and a LivePicture. Nothing here waits for it, but `wait` and
-/// the destructor, which cancels what is going on.
+/// One thread that owns a LivePattern and a LivePicture. Nothing here waits for it, but `wait`,
+/// `stop` and the destructor, which stops it.
 class SessionWorker {
  public:
   /// Threads that solve; 0: all that the machine has.
@@ -62,6 +62,9 @@ class SessionWorker {
 
   /// The failure of the newest request that failed, once: then nothing until the next one.
   std::optional<SessionFailure> take_failure();
+
+  /// Cancels what is going on and ends the thread; nothing that is asked for later is made.
+  void stop();
 
   /// Whether something is being made or waits, and what: "multilevel", empty if nothing.
   bool busy() const;

@@ -1,9 +1,9 @@
-#include "shown_pattern.h"
+#include "session/shown_pattern.h"
 
 #include <span>
 #include <utility>
 
-#include "picture_options.h"
+#include "pictures/picture_options.h"
 
 namespace brindle::tool {
 

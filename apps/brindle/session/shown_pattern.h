@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "curves_job.h"
-#include "glyph_picture.h"
-#include "ornaments.h"
-#include "sample_job.h"
+#include "jobs/curves_job.h"
+#include "jobs/sample_job.h"
+#include "pictures/glyph_picture.h"
+#include "pictures/ornaments.h"
 
 namespace brindle::tool {
 

@@ -1,4 +1,4 @@
-#include "singularities.h"
+#include "session/singularities.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +13,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
+
+#include "brindle/base/elementary.h"
 
 namespace brindle::tool {
 namespace {
@@ -45,7 +47,7 @@ bool is_inside_out(const Surface& surface, std::size_t triangle) {
 
 /// The angle from one vector to another about `normal`.
 float angle_between(const Vec3& from, const Vec3& to, const Vec3& normal) {
-  return std::atan2(normal.dot(from.cross(to)), from.dot(to));
+  return elementary::atan2(normal.dot(from.cross(to)), from.dot(to));
 }
 
 /// By how much lines turn round a triangle, in half turns.

@@ -1,12 +1,13 @@
-#include "stage_keys.h"
+#include "session/stage_keys.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <span>
 
-#include "make_waves.h"
-#include "vertex_values.h"
+#include "brindle/recipe/json_text.h"
+#include "input/make_waves.h"
+#include "input/vertex_values.h"
 
 namespace brindle::tool {
 namespace {
@@ -20,7 +21,7 @@ std::string stamp_of(const std::string& path) {
 
 /// Options, and of which files they speak.
 std::string key_of(const OptionValues& options) {
-  std::string key = options_to_json(options).dump();
+  std::string key = json_text(options_to_json(options));
   for (const auto& [name, values] : options) {
     for (const std::string& value : values) key += '|' + stamp_of(value);
   }
@@ -38,9 +39,23 @@ OptionValues named_options(const SessionDocument& document, std::span<const char
   return options;
 }
 
+/// Which axis points up, by --up alone: of which the mesh is a shape or a file, its own key says.
+std::string up_key(const SessionDocument& document) {
+  constexpr std::array kUp = {"up"};
+  return key_of(named_options(document, kUp));
+}
+
 std::string view_key(const SessionDocument& document) {
   return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
-         std::to_string(document.size.height);
+         std::to_string(document.size.height) + up_key(document);
+}
+
+bool has_values(const SessionDocument& document, SessionStage stage,
+                bool (*depend)(const std::string&)) {
+  return std::ranges::any_of(shown_options(document), [&](const auto& entry) {
+    const SessionOption* option = find_session_option(entry.first, document.shown);
+    return option != nullptr && option->stage == stage && std::ranges::any_of(entry.second, depend);
+  });
 }
 
 }  // namespace
@@ -60,18 +75,19 @@ std::string surface_key(const SessionDocument& document) {
 }
 
 std::string camera_key(const SessionDocument& document, SessionStage stage) {
-  const bool by_camera = std::ranges::any_of(shown_options(document), [&](const auto& entry) {
-    const SessionOption* option = find_session_option(entry.first, document.shown);
-    return option != nullptr && option->stage == stage &&
-           std::ranges::any_of(entry.second, depends_on_camera);
-  });
-  return by_camera ? view_key(document) : "";
+  if (has_values(document, stage, depends_on_camera)) return view_key(document);
+  return has_values(document, stage, depends_on_up) ? up_key(document) : "";
 }
 
 std::string field_key(const SessionDocument& document) {
   SessionDocument without = document;
   for (const std::string& name : kOptionsAfterField) without.options.erase(name);
   std::string key = options_key(without, SessionStage::waves);
+  // A smooth field goes on from that of the previous pattern. How both are turned is noted.
+  if (document.options.contains("previous")) {
+    constexpr std::array kLast = {"previous", "lambda", "match", "along", "rotate"};
+    key += key_of(named_options(document, kLast));
+  }
   for (const FieldStroke& stroke : document.strokes) key += stroke_to_json(stroke).dump();
   return key + '\n';
 }
@@ -80,6 +96,11 @@ std::string waves_key(const SessionDocument& document) {
   return options_key(document, SessionStage::waves) +
          nlohmann::json(frequency_factor(document)).dump() +
          camera_key(document, SessionStage::waves) + '\n';
+}
+
+std::string pattern_key(const SessionDocument& document) {
+  return surface_key(document) + field_key(document) + waves_key(document) +
+         options_key(document, SessionStage::phases);
 }
 
 std::string others_key(const SessionDocument& document, const std::string& waves) {
@@ -97,7 +118,7 @@ std::string values_key(const SessionDocument& document, const StyleOptions& styl
   constexpr std::array kReading = {"width-by",     "color-by",   "opacity-by",  "texture-by",
                                    "tile-size-by", "field-mesh", "max-distance"};
   constexpr std::array kMargin = {"legend", "no-legend", "color-range", "width-range"};
-  std::string key = key_of(named_options(document, kReading));
+  std::string key = key_of(named_options(document, kReading)) + up_key(document);
   if (!style.follows_camera()) return key;
   return key + key_of(named_options(document, kMargin)) + others + view_key(document);
 }

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "session_options.h"
+#include "session/session_options.h"
 
 namespace brindle::tool {
 
@@ -15,10 +15,15 @@ std::string surface_key(const SessionDocument& document);
 std::string field_key(const SessionDocument& document);
 std::string waves_key(const SessionDocument& document);
 
+/// All that the phases of a document's pattern follow from. Where two documents have the same one,
+/// a pattern of one is a pattern of the other.
+std::string pattern_key(const SessionDocument& document);
+
 /// Of V: what it has beside the pattern's waves.
 std::string second_key(const SessionDocument& document);
 
-/// Values that follow the camera are other ones when it moves: the camera, where there are any.
+/// Values that follow the camera are other ones when it moves, and heights when another axis points
+/// up: both, where there are any such values.
 std::string camera_key(const SessionDocument& document, SessionStage stage);
 
 /// What other surfaces of a picture are read by. Those with stripes of their own have them by the

@@ -1,4 +1,4 @@
-#include "tile_follower.h"
+#include "session/tile_follower.h"
 
 #include <algorithm>
 #include <utility>

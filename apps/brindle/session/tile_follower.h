@@ -7,8 +7,8 @@
 
 #include "brindle/cross_animator.h"
 #include "brindle/texture_animator.h"
-#include "session_options.h"
-#include "stripe_job.h"
+#include "jobs/stripe_job.h"
+#include "session/session_options.h"
 
 namespace brindle::tool {
 

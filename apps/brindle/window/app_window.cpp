@@ -1,4 +1,4 @@
-#include "app_window.h"
+#include "window/app_window.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,9 +10,10 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "brindle/error.h"
-#include "theme.h"
+#include "window/theme.h"
 
 namespace brindle::tool {
 
@@ -291,6 +292,12 @@ std::vector<Eigen::Vector2f> AppWindow::take_trail() { return std::exchange(desk
 
 std::vector<std::filesystem::path> AppWindow::take_dropped() {
   return std::exchange(desktop_->dropped, {});
+}
+
+bool AppWindow::close_popup() {
+  const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  if (open > 0) ImGui::ClosePopupToLevel(open - 1, true);
+  return open > 0;
 }
 
 void AppWindow::set_clipboard(const std::string& text) {

@@ -72,6 +72,10 @@ class AppWindow {
   /// Files dropped since the last call.
   std::vector<std::filesystem::path> take_dropped();
 
+  /// Closes the innermost list or menu that is open, between frames' beginning and their widgets.
+  /// Returns whether there was one.
+  bool close_popup();
+
   void set_clipboard(const std::string& text);
   std::string clipboard() const;
 

@@ -1,4 +1,4 @@
-#include "background_jobs.h"
+#include "window/background_jobs.h"
 
 #include <chrono>
 #include <exception>

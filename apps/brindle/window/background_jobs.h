@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "live_session.h"
+#include "window/live_session.h"
 
 namespace brindle::tool {
 

@@ -1,4 +1,4 @@
-#include "camera_motion.h"
+#include "window/camera_motion.h"
 
 #include <algorithm>
 #include <cmath>

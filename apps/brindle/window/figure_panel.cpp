@@ -1,11 +1,13 @@
-#include "figure_panel.h"
+#include "window/figure_panel.h"
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 
 #include <imgui.h>
 
-#include "formatted.h"
+#include "brindle/base/formatted.h"
+#include "window/theme.h"
 
 namespace brindle::tool {
 namespace {
@@ -13,10 +15,18 @@ namespace {
 constexpr std::size_t kMostValues = 200;
 constexpr double kPause = 0.5;  // seconds without frames that end a motion
 
+constexpr double kFewestEdges = 2;  // a period: below, stripes may come out as noise
+
 void figure_row(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
   ImGui::TextUnformatted(value.c_str());
+}
+
+void figure_row(const char* name, const std::string& value, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  figure_row(name, value);
+  ImGui::PopStyleColor();
 }
 
 std::string count_text(std::size_t count) {
@@ -51,7 +61,9 @@ double FigurePanel::frames_per_second() const {
   return static_cast<double>(arrivals_.size() - 1) / (arrivals_.back() - arrivals_.front());
 }
 
-void FigurePanel::draw(double window_milliseconds) {
+void FigurePanel::draw(double window_milliseconds, bool dark) {
+  dark_ = dark;
+  asks_to_solve_anew_ = false;
   note_frame();
   const auto& frame = live_.frame();
   if (!frame) {
@@ -59,6 +71,7 @@ void FigurePanel::draw(double window_milliseconds) {
     return;
   }
   draw_counts(*frame);
+  draw_notes(frame->state->notes);
   ImGui::Separator();
   draw_times(*frame, window_milliseconds);
   ImGui::Separator();
@@ -75,11 +88,43 @@ void FigurePanel::draw_counts(const SessionFrame& frame) {
   figure_row("energy", formatted("%.5g", figures.energy));
   figure_row("angle error", formatted("%.2f\u00b0", figures.mean_angle_error_deg));
   figure_row("spacing error", formatted("%.2f%%", 100 * figures.mean_spacing_error));
+  if (figures.edges_per_period > 0) {
+    const std::string edges = formatted("%.3g", figures.edges_per_period);
+    figures.edges_per_period < kFewestEdges
+        ? figure_row("edges a period", edges, warning_color(dark_))
+        : figure_row("edges a period", edges);
+    log_.note_widget("figure edges a period");
+  }
   for (const auto& [name, value] : figures.shown) {
     figure_row(name.c_str(), formatted("%.6g", value));
     log_.note_widget("figure " + name);
   }
-  if (figures.followed) figure_row("phases moved", formatted("%.3f rad", figures.phase_step));
+  if (figures.followed) draw_followed(figures);
+}
+
+void FigurePanel::draw_followed(const LiveFigures& figures) {
+  figure_row("phases moved", formatted("%.3f rad", figures.phase_step));
+  asks_to_solve_anew_ = ImGui::Button("solve anew (N)", {-FLT_MIN, 0});
+  log_.note_widget("solve anew");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("stripes have followed those before; make them of the options alone");
+  }
+}
+
+// What the tool would print: what is probably not meant stands out.
+void FigurePanel::draw_notes(const std::vector<std::string>& notes) {
+  ImGui::PushTextWrapPos(0);
+  std::size_t number = 0;
+  for (const std::string& note : notes) {
+    const bool warns = note.starts_with("warning:");
+    const ImVec4 color =
+        warns ? warning_color(dark_) : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    log_.note_widget("note " + std::to_string(++number));
+  }
+  ImGui::PopTextWrapPos();
 }
 
 void FigurePanel::draw_times(const SessionFrame& frame, double window_milliseconds) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "live_session.h"
+#include "window/live_session.h"
 
 namespace brindle::tool {
 
@@ -16,7 +16,10 @@ class FigurePanel {
 
   /// Into the current window of Dear ImGui. `window_milliseconds`: what the window's own thread
   /// takes to draw itself once.
-  void draw(double window_milliseconds);
+  void draw(double window_milliseconds, bool dark);
+
+  /// Whether the last `draw` was asked for that.
+  bool asks_to_solve_anew() const { return asks_to_solve_anew_; }
 
   /// Frames of the session in the last second of work.
   double frames_per_second() const;
@@ -30,11 +33,15 @@ class FigurePanel {
 
   void note_frame();
   void draw_counts(const SessionFrame& frame);
+  void draw_followed(const LiveFigures& figures);
+  void draw_notes(const std::vector<std::string>& notes);
   void draw_times(const SessionFrame& frame, double window_milliseconds);
   void draw_histories();
 
   const LiveSession& live_;
   WindowLog& log_;
+  bool dark_ = true;
+  bool asks_to_solve_anew_ = false;
   std::uint64_t noted_ = 0;
   std::deque<double> arrivals_;  // seconds of Dear ImGui
   std::vector<History> histories_ = {{"branches", {}},

@@ -1,4 +1,4 @@
-#include "file_browser.h"
+#include "window/file_browser.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -8,6 +8,7 @@
 #include <imgui_stdlib.h>
 
 #include "brindle/base/file_extension.h"
+#include "brindle/base/printable.h"
 
 namespace brindle::tool {
 namespace {
@@ -48,7 +49,7 @@ FileBrowser::FileBrowser(fs::path folder) : folder_(existing_folder(std::move(fo
 void FileBrowser::ask(FileRequest request) {
   request_ = std::move(request);
   name_ = request_->name;
-  newly_asked_ = true;
+  newly_asked_ = takes_keys_ = true;
   show_all_ = request_->extensions.empty();
   enter(existing_folder(folder_));
 }
@@ -64,7 +65,7 @@ void FileBrowser::enter(const fs::path& folder) {
   const fs::path whole = fs::weakly_canonical(folder, error);
   fs::directory_iterator entries(whole, fs::directory_options::skip_permission_denied, error);
   if (error) {
-    problem_ = folder.string() + ": " + error.message();
+    problem_ = shown(folder.native()) + ": " + error.message();
     return;
   }
   items_.clear();
@@ -162,7 +163,7 @@ void FileBrowser::draw_items(WindowLog& log) {
 
 void FileBrowser::draw_buttons(WindowLog& log) {
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (newly_asked_) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputTextWithHint("##name", "name or path", &name_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   log.note_widget("browser name");
@@ -172,7 +173,10 @@ void FileBrowser::draw_buttons(WindowLog& log) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", joined(request_->extensions).c_str());
   }
-  if (!problem_.empty()) ImGui::TextWrapped("%s", problem_.c_str());
+  if (!problem_.empty()) {
+    ImGui::TextWrapped("%s", problem_.c_str());
+    log.note_widget("browser problem");
+  }
   if (confirm_) ImGui::TextWrapped("%s is there already.", name_.c_str());
   const char* verb = !request_->save ? "Open" : confirm_ ? "Replace it" : "Save";
   ImGui::BeginDisabled(name_.empty());
@@ -186,6 +190,7 @@ void FileBrowser::draw_buttons(WindowLog& log) {
     request_.reset();
   } else if ((entered || pressed) && !name_.empty()) {
     choose(name_);
+    takes_keys_ = true;
   }
 }
 
@@ -199,7 +204,7 @@ void FileBrowser::choose(const std::string& name) {
   }
   if (!request_->save) {
     if (!fs::exists(path, ignored)) {
-      problem_ = path.string() + ": there is no such file";
+      problem_ = shown(path.native()) + ": there is no such file";
       return;
     }
     return finish(path);
@@ -208,11 +213,25 @@ void FileBrowser::choose(const std::string& name) {
     path += request_->extensions.front();
     name_ = name + request_->extensions.front();
   }
+  problem_ = refusal(path);
+  if (!problem_.empty()) return;
   if (fs::exists(path, ignored) && !confirm_) {
     confirm_ = true;
     return;
   }
   finish(path);
+}
+
+// What is written goes by the name, so another name would lie.
+std::string FileBrowser::refusal(const fs::path& path) const {
+  const std::vector<std::string>& known = request_->extensions;
+  std::string why;
+  if (request_->refusal) {
+    why = request_->refusal(path);
+  } else if (!known.empty() && std::ranges::find(known, lower_extension(path)) == known.end()) {
+    why = "'" + path.extension().string() + "' is not written here; write " + joined(known);
+  }
+  return why.empty() ? "" : "cannot write '" + path.string() + "': " + why;
 }
 
 void FileBrowser::finish(const fs::path& path) {

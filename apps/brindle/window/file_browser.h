@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "window_log.h"
+#include "window/window_log.h"
 
 namespace brindle::tool {
 
@@ -18,6 +18,8 @@ struct FileRequest {
   std::vector<std::string> extensions = {};  ///< in lower case with the dot; none: all files
   bool save = false;                         ///< a file to write, whose name may be new
   std::string name = {};                     ///< proposed
+  /// Why nothing is written to a file of this name; empty if it is. Without, the extensions say.
+  std::function<std::string(const std::filesystem::path&)> refusal = {};
   std::function<void(const std::filesystem::path&)> done = {};
 };
 
@@ -49,11 +51,13 @@ class FileBrowser {
   void finish(const std::filesystem::path& path);
   void close();
   bool fits(const std::string& name) const;
+  std::string refusal(const std::filesystem::path& path) const;
 
   std::filesystem::path folder_;
   std::vector<Item> items_;
   std::optional<FileRequest> request_;
   bool newly_asked_ = false;
+  bool takes_keys_ = false;  // the name is to be typed, again after a problem
   bool show_all_ = false;
   bool confirm_ = false;  // the file is there already
   std::string name_;

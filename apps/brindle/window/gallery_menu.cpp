@@ -1,4 +1,4 @@
-#include "gallery_menu.h"
+#include "window/gallery_menu.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,13 @@
 
 #include <imgui.h>
 
+#include "brindle/base/formatted.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/version.h"
-#include "formatted.h"
-#include "option_values.h"
+#include "cli/option_values.h"
 #include "session/session_words.h"
+#include "window/value_slider.h"
 
 namespace brindle::tool {
 namespace {
@@ -61,7 +63,7 @@ fs::path provide_gallery_data(const GalleryItem& item, const fs::path& folder) {
       folder / (item.name + ".tmp" + std::to_string(std::random_device()()));
   fs::create_directories(unfinished, error);
   if (error) {
-    throw Error("cannot make the folder '" + unfinished.string() + "': " + error.message() +
+    throw Error("cannot make the folder '" + shown(unfinished.native()) + "': " + error.message() +
                 "; set XDG_CACHE_HOME to one that can be written to");
   }
   try {
@@ -98,7 +100,7 @@ void GalleryMenu::show(const GalleryItem& item, const GalleryPicture& picture) {
   std::error_code ignored;
   if (!fs::exists(folder / item.name, ignored)) {
     live_.add_message(MessageKind::note, "making the data of '" + item.name + "' in " +
-                                             (folder / item.name).string() + " ...");
+                                             shown((folder / item.name).native()) + " ...");
   }
   jobs_.start(
       [&item, folder] {
@@ -144,12 +146,19 @@ void GalleryMenu::draw_panel() {
 void GalleryMenu::draw_steps() {
   const Steps steps = steps_beside(live_.document().mesh);
   if (steps.count < 2) return;
-  int step = steps.number;
+  auto step = static_cast<float>(steps.number);
   ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
-  if (ImGui::SliderInt("step", &step, 0, steps.count - 1) && step != steps.number) {
-    live_.apply_dragged(commands::Open{steps.path(std::clamp(step, 0, steps.count - 1)).string()});
-  }
+  const ValueChange change =
+      value_slider("step", step, 0, static_cast<float>(steps.count - 1), "%.0f");
   log_.note_widget("gallery step");
+  const float whole = std::round(step);
+  if (change == ValueChange::none || whole == static_cast<float>(steps.number)) return;
+  const bool is_there = whole >= 0 && whole < static_cast<float>(steps.count);
+  if (change == ValueChange::typed && !(is_there && step == whole)) {
+    return live_.add_message(MessageKind::error,
+                             formatted("there are steps from 0 to %d", steps.count - 1));
+  }
+  live_.apply_value(change, commands::Open{steps.path(static_cast<int>(whole)).string()});
 }
 
 void GalleryMenu::draw_flow() {

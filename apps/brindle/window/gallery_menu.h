@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
-#include "background_jobs.h"
 #include "gallery/gallery.h"
-#include "live_session.h"
-#include "option_panel.h"
+#include "window/background_jobs.h"
+#include "window/live_session.h"
+#include "window/option_panel.h"
 
 namespace brindle::tool {
 

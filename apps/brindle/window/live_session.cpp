@@ -1,8 +1,10 @@
-#include "live_session.h"
+#include "window/live_session.h"
 
 #include <utility>
 
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
+#include "brindle/recipe/json_text.h"
 
 namespace brindle::tool {
 namespace {
@@ -28,7 +30,8 @@ LiveSession::LiveSession(SessionDocument document, WindowLog& log,
   if (commands.empty()) return;
   commands_.open(commands);
   if (!commands_) {
-    throw Error(commands.string() + ": cannot be written; choose a folder that is there and yours");
+    throw Error(shown(commands.native()) +
+                ": cannot be written; choose a folder that is there and yours");
   }
 }
 
@@ -46,7 +49,7 @@ bool LiveSession::apply(const SessionCommand& command) {
     log_.write("command",
                {{"done", done}, {"revision", session_.revision()}, {"what", std::move(json)}});
   }
-  if (done && commands_.is_open()) commands_ << command_to_json(command).dump() << std::endl;
+  if (done && commands_.is_open()) commands_ << json_text(command_to_json(command)) << std::endl;
   log_messages();
   return done;
 }
@@ -60,6 +63,13 @@ void LiveSession::end_drag() {
   if (!session_.dragging()) return;
   apply(commands::EndDrag{});
   if (at_rest()) keep_phases();
+}
+
+bool LiveSession::apply_value(ValueChange change, const SessionCommand& command) {
+  if (change == ValueChange::none) return false;
+  if (change == ValueChange::dragged) return apply_dragged(command);
+  end_drag();
+  return apply(command);
 }
 
 bool LiveSession::apply_moving(const SessionCommand& command) {
@@ -125,11 +135,11 @@ bool LiveSession::take_frame() {
 
 // What is shown is what comes back when it is undone or saved.
 void LiveSession::keep_phases() {
-  if (!frame_->state->phases || session_.dragging()) return;
+  if (session_.dragging()) return;
   const commands::KeepPhases command{frame_->state->phases};
   if (!session_.keep_phases(frame_->revision, command.phases)) return;
   if (commands_.is_open()) {
-    commands_ << command_to_json(SessionCommand(command)).dump() << std::endl;
+    commands_ << json_text(command_to_json(SessionCommand(command))) << std::endl;
   }
   log_.write("kept_phases", {{"frame", frame_->number}, {"revision", session_.revision()}});
   asked_revision_ = shown_revision_ = session_.revision();
@@ -209,6 +219,9 @@ void LiveSession::log_frame(const SessionFrame& frame) {
                        {"branches", figures.branches},
                        {"singularities", figures.singularities},
                        {"energy", figures.energy},
+                       {"spacing_error", figures.mean_spacing_error},
+                       {"edges_per_period", figures.edges_per_period},
+                       {"notes", frame.state->notes},
                        {"shown", std::move(shown)},
                        {"followed", figures.followed},
                        {"milliseconds", frame.milliseconds},

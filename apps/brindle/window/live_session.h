@@ -10,9 +10,12 @@
 
 #include "session/session.h"
 #include "session/session_worker.h"
-#include "window_log.h"
+#include "window/window_log.h"
 
 namespace brindle::tool {
+
+/// How a widget has changed a value.
+enum class ValueChange { none, dragged, typed };
 
 /// All that happens to the session goes through here. Nothing waits for the worker: changes are
 /// drawn at interactive quality at once, and with care when nothing has changed for a while.
@@ -34,6 +37,9 @@ class LiveSession {
   /// step.
   bool apply_dragged(const SessionCommand& command);
   void end_drag();
+
+  /// What a widget has changed: what is dragged within a drag, what is typed as a step of its own.
+  bool apply_value(ValueChange change, const SessionCommand& command);
 
   /// The same of what moves while no button is pressed, such as the wheel: a drag that ends by
   /// itself, once `end_drag_at_rest` finds that nothing has moved for a while.

@@ -1,4 +1,4 @@
-#include "option_catalog.h"
+#include "window/option_catalog.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "brindle/renderer.h"
-#include "option_values.h"
+#include "cli/option_values.h"
 
 namespace brindle::tool {
 namespace {
@@ -59,8 +59,8 @@ const std::map<std::string, SliderRange> kRanges = {
     {"slack", {0, 1}},
     {"merge-branches", {0.001f, 1, true}},
     {"anchor-boundary", {0, 1}},
-    {"curvature-anchor", {0.001f, 10, true}},
-    {"feature-anchor", {0.001f, 10, true}},
+    {"curvature-anchor", {0, 10, true}},
+    {"feature-anchor", {0, 10, true}},
     {"feature-angle", {0, 180}},
     {"cross-hatch", {0, 1}},
     {"pixel-width", {0.5f, 30, true}},
@@ -89,7 +89,8 @@ const std::map<std::string, SliderRange> kRanges = {
 const std::map<std::string, SliderRange> kPercentRanges = {
     {"min-length", {0, 50}},           {"simplify", {0, 1}},
     {"resample", {0.1f, 5, true}},     {"line-width", {0.05f, 5, true}},
-    {"tube-radius", {0.02f, 3, true}},
+    {"tube-radius", {0.02f, 3, true}}, {"max-distance", {0.1f, 50, true}},
+    {"feature-radius", {0, 20}},
 };
 constexpr const char* kLengthForm = "L|P%";
 
@@ -128,7 +129,7 @@ std::vector<std::string> names_of(const SessionOption& option) {
     if (is_name(part)) names.push_back(part);
   }
   if (option.type_name.find("VALUE") != std::string::npos) {
-    names.insert(names.end(), {"curvature", "height", "distance:camera"});
+    names.insert(names.end(), {"curvature", "height", "light", "distance:camera"});
   }
   return names;
 }

@@ -15,7 +15,7 @@ enum class WidgetKind { flag, choice, number, numbers, percent, text };
 struct SliderRange {
   float lowest = 0;
   float highest = 1;
-  bool logarithmic = false;
+  bool logarithmic = false;  ///< from zero, too
   bool whole = false;
 };
 

@@ -1,4 +1,4 @@
-#include "option_panel.h"
+#include "window/option_panel.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,11 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "brindle/base/formatted.h"
 #include "brindle/image.h"
-#include "formatted.h"
-#include "option_values.h"
-#include "picture_options.h"
+#include "cli/option_values.h"
+#include "pictures/picture_options.h"
+#include "window/value_slider.h"
 
 namespace brindle::tool {
 namespace {
@@ -35,10 +36,6 @@ std::vector<float> numbers_in(const std::string& text) {
   const auto first = number_in(parts[0]), second = number_in(parts[1]);
   if (!first || !second) return {};
   return {*first, *second};
-}
-
-std::string text_of_number(float value, bool whole) {
-  return whole ? std::to_string(std::lround(value)) : formatted("%.4g", static_cast<double>(value));
 }
 
 std::string hex_color(const float* color) {
@@ -101,6 +98,7 @@ void OptionPanel::note_surface() {
 }
 
 void OptionPanel::draw() {
+  is_held_ = false;
   note_session();
   draw_shown();
   // What is shown may have become another one.
@@ -240,7 +238,8 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
   return range;
 }
 
-void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values) {
+void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values,
+                      ValueChange change_by) {
   commands::SetOptions change{{{option.name, std::move(values)}}, {}};
   const auto& excluded = catalog().excluded;
   if (const auto others = excluded.find(option.name); others != excluded.end()) {
@@ -253,11 +252,7 @@ void OptionPanel::set(const CatalogOption& option, std::vector<std::string> valu
     command = commands::SetOption{option.name, change.set.at(option.name)};
   }
   // All that one press of the mouse does is one step; whoever draws the frame ends it.
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    live_.apply_dragged(command);
-  } else {
-    live_.apply(command);
-  }
+  live_.apply_value(change_by, command);
 }
 
 void OptionPanel::draw_flag(const CatalogOption& option) {
@@ -287,24 +282,16 @@ void OptionPanel::draw_number(const CatalogOption& option, float value, bool kno
   const bool given = given_.contains(option.name);
   ImGui::SetNextItemWidth(-FLT_MIN);
   const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-  const std::string before = text_of_number(value, range.whole);
+  const std::string before = text_of(option);
   const std::string shown = known ? before : "off";
   if (!given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
-  bool changed = false;
-  if (range.whole) {
-    int whole = static_cast<int>(std::lround(value));
-    changed = ImGui::SliderInt("##number", &whole, static_cast<int>(range.lowest),
-                               static_cast<int>(range.highest), shown.c_str(), flags);
-    value = static_cast<float>(whole);
-  } else {
-    changed =
-        ImGui::SliderFloat("##number", &value, range.lowest, range.highest, shown.c_str(), flags);
-  }
+  const ValueChange change =
+      value_slider("##number", value, range.lowest, range.highest, shown.c_str(), flags);
   if (!given) ImGui::PopStyleColor();
-  const std::string text = text_of_number(value, range.whole);
-  if (changed && text != before) set(option, {text});
+  const std::string text = text_of_value(value, change, range.whole);
+  if (change != ValueChange::none && text != before) set(option, {text}, change);
 }
 
 // Two numbers, and what may be written behind them.
@@ -316,15 +303,23 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   if (!given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
-  ImGui::SetNextItemWidth(-FLT_MIN);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const float speed = std::max(0.002f * std::max(std::abs(ends[0]), std::abs(ends[1])), 1e-5f);
-  const bool changed = ImGui::DragFloat2("##numbers", ends.data(), speed, 0, 0, "%.4g");
+  ImGui::SetNextItemWidth(width);
+  const ValueChange first = value_drag("##first", ends[0], speed, "%.4g");
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width);
+  const ValueChange second = value_drag("##second", ends[1], speed, "%.4g");
+  const ValueChange change = second == ValueChange::none ? first : second;
   if (!given) ImGui::PopStyleColor();
-  std::string value =
-      formatted("%.4g,%.4g", static_cast<double>(ends[0]), static_cast<double>(ends[1]));
+  // What was not touched stays as it is written.
   const std::vector<std::string> parts = split(text, ',');
+  std::string value =
+      (first == ValueChange::none ? parts[0] : text_of_value(ends[0], first, false)) + "," +
+      (second == ValueChange::none ? parts[1] : text_of_value(ends[1], second, false));
   for (std::size_t i = 2; i < parts.size(); ++i) value += "," + parts[i];
-  if (changed && value != text) set(option, {value});
+  if (change != ValueChange::none && value != text) set(option, {value}, change);
 }
 
 // A share of the diagonal; lengths in the mesh's units are typed.
@@ -334,19 +329,19 @@ void OptionPanel::draw_percent(const CatalogOption& option) {
       text.ends_with('%') ? number_in(text.substr(0, text.size() - 1)) : std::nullopt;
   if (!share && !text.empty()) return draw_text(option, 0, -FLT_MIN);
   float value = share.value_or(option.range.lowest);
-  const std::string before = share ? text_of_number(value, false) + "%" : "off";
+  const std::string before = share ? text : "off";
   if (!share) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
   ImGui::SetNextItemWidth(-FLT_MIN);
   // A per cent sign is doubled for Dear ImGui.
-  const bool changed =
-      ImGui::SliderFloat("##percent", &value, option.range.lowest, option.range.highest,
-                         share ? (before + "%").c_str() : before.c_str(),
-                         option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const ValueChange change =
+      value_slider("##percent", value, option.range.lowest, option.range.highest,
+                   share ? (before + "%").c_str() : before.c_str(),
+                   option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (!share) ImGui::PopStyleColor();
-  const std::string after = text_of_number(value, false) + "%";
-  if (changed && after != before) set(option, {after});
+  const std::string after = text_of_value(value, change, false) + "%";
+  if (change != ValueChange::none && after != before) set(option, {after}, change);
 }
 
 // Value number `index` of an option: a field to type into, names and files to choose.
@@ -451,6 +446,7 @@ void OptionPanel::draw_colors(const CatalogOption& option) {
     const bool changed = ImGui::ColorEdit3(
         kTitles[i], channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
     log_.note_widget(std::string("color ") + kTitles[i]);
+    is_held_ |= ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) && ImGui::GetIO().WantTextInput;
     if (!changed) continue;
     colors[i] = {channels[0], channels[1], channels[2]};
     std::string text;
@@ -458,7 +454,7 @@ void OptionPanel::draw_colors(const CatalogOption& option) {
       const std::array<float, 3> each = {colors[j].red, colors[j].green, colors[j].blue};
       text += (j > 0 ? "," : "") + hex_color(each.data());
     }
-    set(option, {text});
+    set(option, {text}, ValueChange::dragged);
   }
 }
 

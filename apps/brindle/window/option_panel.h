@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "file_browser.h"
-#include "live_session.h"
-#include "option_catalog.h"
+#include "window/file_browser.h"
+#include "window/live_session.h"
+#include "window/option_catalog.h"
 
 namespace brindle::tool {
 
@@ -21,6 +21,9 @@ class OptionPanel {
 
   /// All groups, into the current window of Dear ImGui.
   void draw();
+
+  /// Whether a colour is being changed: all that happens to it meanwhile is one step.
+  bool is_held() const { return is_held_; }
 
   /// One option beside its name, or nothing if there is none of that name.
   void draw_option(const std::string& name);
@@ -46,7 +49,8 @@ class OptionPanel {
 
   std::string text_of(const CatalogOption& option) const;
   SliderRange range_of(const CatalogOption& option) const;
-  void set(const CatalogOption& option, std::vector<std::string> values);
+  void set(const CatalogOption& option, std::vector<std::string> values,
+           ValueChange change = ValueChange::typed);
   void set_one(const CatalogOption& option, std::size_t index, const std::string& value);
 
   LiveSession& live_;
@@ -65,8 +69,9 @@ class OptionPanel {
   std::array<Catalog, kAllShown.size()> catalogs_;
   OptionValues given_;                // of what is shown
   std::uint64_t noted_revision_ = 0;  // of the session
-  std::string edited_;                // option and value that are being typed, such as "field 0"
-  std::string edit_;                  // what has been typed
+  bool is_held_ = false;
+  std::string edited_;  // option and value that are being typed, such as "field 0"
+  std::string edit_;    // what has been typed
   std::shared_ptr<const LiveState> noted_;
   double diagonal_ = 0;              // of the surface's bounding box
   std::vector<std::string> arrays_;  // "array:NAME" of the surface

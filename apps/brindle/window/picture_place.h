@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include "session/session_worker.h"
-#include "window_log.h"
+#include "window/window_log.h"
 
 namespace brindle::tool {
 

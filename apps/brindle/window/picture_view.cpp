@@ -1,4 +1,4 @@
-#include "picture_view.h"
+#include "window/picture_view.h"
 
 #include <algorithm>
 #include <cmath>

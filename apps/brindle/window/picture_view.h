@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "brindle/gl/gl_name.h"
-#include "camera_motion.h"
-#include "place_handles.h"
-#include "stroke_tool.h"
+#include "window/camera_motion.h"
+#include "window/place_handles.h"
+#include "window/stroke_tool.h"
 
 namespace brindle::tool {
 

@@ -1,9 +1,9 @@
-#include "place_handles.h"
+#include "window/place_handles.h"
 
 #include <algorithm>
 
-#include "camera_motion.h"
 #include "session/picking.h"
+#include "window/camera_motion.h"
 
 namespace brindle::tool {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "live_session.h"
-#include "picture_place.h"
 #include "session/named_places.h"
+#include "window/live_session.h"
+#include "window/picture_place.h"
 
 namespace brindle::tool {
 

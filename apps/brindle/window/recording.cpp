@@ -1,4 +1,4 @@
-#include "recording.h"
+#include "window/recording.h"
 
 #include <chrono>
 #include <span>

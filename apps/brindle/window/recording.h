@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "brindle/image.h"
+#include "pictures/video_file.h"
 #include "session/session_worker.h"
-#include "video_file.h"
 
 namespace brindle::tool {
 

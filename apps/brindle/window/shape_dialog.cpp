@@ -1,4 +1,4 @@
-#include "shape_dialog.h"
+#include "window/shape_dialog.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <imgui.h>
 
 #include "brindle/shapes.h"
-#include "formatted.h"
-#include "option_values.h"
+#include "cli/option_values.h"
+#include "window/value_slider.h"
 
 namespace brindle::tool {
 namespace {
@@ -113,23 +113,14 @@ void ShapeDialog::draw_parameter(const ShapeEntry& shape, const ShapeParameter& 
   const SliderRange range = useful_range(parameter);
   float value = std::strtof(text.c_str(), nullptr);
   ImGui::SetNextItemWidth(0.55f * ImGui::GetWindowWidth());
-  bool changed = false;
-  if (range.whole) {
-    int whole = static_cast<int>(std::lround(value));
-    changed = ImGui::SliderInt(parameter.name.c_str(), &whole, static_cast<int>(range.lowest),
-                               static_cast<int>(range.highest));
-    value = static_cast<float>(whole);
-  } else {
-    changed =
-        ImGui::SliderFloat(parameter.name.c_str(), &value, range.lowest, range.highest, "%.3g");
-  }
+  const ValueChange change = value_slider(parameter.name.c_str(), value, range.lowest,
+                                          range.highest, range.whole ? "%.0f" : "%.4g");
   log_.note_widget("shape " + parameter.name);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.help.c_str());
-  const std::string after = range.whole ? std::to_string(std::lround(value))
-                                        : formatted("%.3g", static_cast<double>(value));
-  if (!changed || after == text) return;
+  const std::string after = text_of_value(value, change, range.whole);
+  if (change == ValueChange::none || after == text) return;
   values[parameter.name] = after;
-  live_.apply_dragged(commands::Open{shape_text(shape, values)});
+  live_.apply_value(change, commands::Open{shape_text(shape, values)});
 }
 
 }  // namespace brindle::tool

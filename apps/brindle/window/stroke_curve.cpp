@@ -1,4 +1,4 @@
-#include "stroke_curve.h"
+#include "window/stroke_curve.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "stroke_tool.h"
+#include "window/stroke_tool.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "brindle/direction_field.h"
+#include "window/value_slider.h"
 
 namespace brindle::tool {
 namespace {
@@ -85,26 +86,36 @@ void StrokeTool::draw_sliders() {
   float strength = chosen_ ? static_cast<float>(strokes[*chosen_].strength) : strength_;
   const float width = 7 * ImGui::GetFontSize();
   ImGui::SetNextItemWidth(width);
-  bool changed = ImGui::SliderFloat("##radius", &radius, 0.5f, 40, "radius %.1f%%",
-                                    ImGuiSliderFlags_Logarithmic);
+  ValueChange change =
+      value_slider("##radius", radius, 0.5f, 40, "radius %.1f%%", ImGuiSliderFlags_Logarithmic);
   log_.note_widget("stroke radius");
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("how far from the line the field follows, of the surface's diagonal");
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
-  changed |= ImGui::SliderFloat("##strength", &strength, 0.05f, 20, "strength %.2f",
-                                ImGuiSliderFlags_Logarithmic);
+  const ValueChange second = value_slider("##strength", strength, 0.05f, 20, "strength %.2f",
+                                          ImGuiSliderFlags_Logarithmic);
+  if (second != ValueChange::none) change = second;
   log_.note_widget("stroke strength");
   ImGui::SameLine();
-  if (!changed) return;
+  if (change != ValueChange::none) change_strokes(change, radius, strength);
+}
+
+// Of the chosen stroke, or of those to come.
+void StrokeTool::change_strokes(ValueChange change, float radius, float strength) {
+  if (!(radius > 0 && strength > 0)) {
+    return live_.add_message(MessageKind::error,
+                             "a stroke's radius and strength must be above zero");
+  }
+  if (chosen_) {
+    FieldStroke stroke = live_.document().strokes[*chosen_];
+    stroke.radius = radius / 100.0 * diagonal_;
+    stroke.strength = strength;
+    if (!live_.apply_value(change, commands::ChangeStroke{*chosen_, std::move(stroke)})) return;
+  }
   radius_ = radius;
   strength_ = strength;
-  if (!chosen_) return;
-  FieldStroke stroke = strokes[*chosen_];
-  stroke.radius = radius / 100.0 * diagonal_;
-  stroke.strength = strength;
-  live_.apply_dragged(commands::ChangeStroke{*chosen_, std::move(stroke)});
 }
 
 void StrokeTool::note_frame(const SessionFrame& frame) {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "live_session.h"
-#include "picture_place.h"
 #include "session/picking.h"
 #include "session/singularities.h"
-#include "stroke_curve.h"
+#include "window/live_session.h"
+#include "window/picture_place.h"
+#include "window/stroke_curve.h"
 
 namespace brindle::tool {
 
@@ -74,6 +74,7 @@ class StrokeTool {
   Points on_surface(const PicturePlace& place, const Points& points,
                     const Eigen::Vector2d& shift) const;
   void draw_sliders();
+  void change_strokes(ValueChange change, float radius, float strength);
   void draw_strokes(ImDrawList& list, const PicturePlace& place);
   void draw_singularities(ImDrawList& list, const PicturePlace& place);
   void draw_cursor(ImDrawList& list, const PicturePlace& place);

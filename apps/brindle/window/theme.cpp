@@ -1,4 +1,4 @@
-#include "theme.h"
+#include "window/theme.h"
 
 #include <array>
 #include <cmath>
@@ -79,6 +79,10 @@ void color_light(ImVec4* colors) {
 }
 
 }  // namespace
+
+ImVec4 warning_color(bool dark) {
+  return dark ? ImVec4(1, 0.5f, 0.4f, 1) : ImVec4(0.7f, 0.1f, 0.05f, 1);
+}
 
 void load_fonts(float scale, float pixels_per_unit) {
   ImGuiIO& io = ImGui::GetIO();

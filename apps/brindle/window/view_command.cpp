@@ -5,10 +5,13 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
-#include "command_line.h"
-#include "commands.h"
-#include "option_values.h"
-#include "viewer.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/option_values.h"
+#include "outputs/outputs.h"
+#include "session/session_export.h"
+#include "session/stage_keys.h"
+#include "window/viewer.h"
 
 namespace brindle::tool {
 namespace {
@@ -101,8 +104,9 @@ void add_view_options(CLI::App& command, ViewArguments& arguments) {
   command.add_option("MESH", arguments.meshes,
                      "a mesh file, a built-in shape such as shape:torus, or a saved session "
                      "(.json); further meshes are seen beside the first, as with --with");
-  add_named_option(command, "--show", arguments.shown, parse_shown, "stripes|curves|samples",
-                   "what the picture shows (default stripes)");
+  add_named_option(command, "--show", arguments.shown, parse_shown,
+                   "what the picture shows (default stripes)")
+      ->type_name("stripes|curves|samples");
   command.add_option("--camera", arguments.camera, "where from, in degrees (default 30,20)")
       ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
   add_session_options(command, arguments.options);
@@ -118,8 +122,9 @@ SessionDocument first_document(const ViewArguments& arguments) {
 }
 
 SessionDocument document_of(const ViewArguments& arguments) {
-  SessionDocument document;
-  if (!arguments.meshes.empty()) document = first_document(arguments);
+  SessionDocument opened;
+  if (!arguments.meshes.empty()) opened = first_document(arguments);
+  SessionDocument document = opened;
   if (arguments.shown) document.shown = *arguments.shown;
   for (const auto& [name, values] : arguments.options) document.options[name] = values;
   for (std::size_t i = 1; i < arguments.meshes.size(); ++i) {
@@ -134,8 +139,8 @@ SessionDocument document_of(const ViewArguments& arguments) {
     }
     document.camera = *view;
   }
-  // Phases that were kept are those of other waves.
-  if (arguments.shown || !arguments.options.empty()) document.phases = nullptr;
+  // Phases that were kept may be those of other waves.
+  if (pattern_key(opened) != pattern_key(document)) document.phases = nullptr;
   check_document(document);
   return document;
 }
@@ -146,6 +151,8 @@ void run_view(const CLI::App&, const ViewArguments& arguments) {
   if (options.output.empty()) {
     options.settings = settings_path();
   } else {
+    const std::string refusal = picture_refusal(options.output);
+    if (!refusal.empty()) refuse_output(options.output, refusal);
     check_output_path(options.output);
   }
   const bool session =

@@ -1,4 +1,4 @@
-#include "viewer.h"
+#include "window/viewer.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -9,8 +9,11 @@
 
 #include <imgui.h>
 
+#include "brindle/base/formatted.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "formatted.h"
+#include "window/theme.h"
+#include "window/value_slider.h"
 
 namespace brindle::tool {
 namespace {
@@ -126,11 +129,12 @@ void Viewer::draw() {
   draw_keys();
   browser_.draw(log_);
   draw_quit_question();
-  live_.end_drag_at_rest(ImGui::IsAnyMouseDown());
+  live_.end_drag_at_rest(ImGui::IsAnyMouseDown() || option_panel_.is_held());
   Image copy;
   window_.end_frame(window_picture_.empty() ? nullptr : &copy);
   if (copy.width > 0) write_window_picture(std::move(copy));
   log_.end_frame();
+  if (frames_to_mark_ > 0 && --frames_to_mark_ == 0) log_.write("mark", {{"number", ++marks_}});
   last_drawn_ = seconds_now();
   ++drawn_;
   window_milliseconds_ += 0.1 * (1000 * (last_drawn_ - start) - window_milliseconds_);
@@ -144,7 +148,7 @@ void Viewer::write_window_picture(Image picture) {
   }
   jobs_.start([path, picture = std::move(picture)] {
     write_png(path, picture);
-    return "wrote " + path.string();
+    return "wrote " + shown(path.native());
   });
 }
 
@@ -189,7 +193,8 @@ void Viewer::draw_figures(float height) {
       {viewport->WorkPos.x + viewport->WorkSize.x - width, viewport->WorkPos.y});
   ImGui::SetNextWindowSize({width, height});
   ImGui::Begin("figures", nullptr, kPanel | ImGuiWindowFlags_NoResize);
-  figure_panel_.draw(window_milliseconds_);
+  figure_panel_.draw(window_milliseconds_, window_.dark());
+  if (figure_panel_.asks_to_solve_anew()) solve_anew();
   ImGui::End();
 }
 
@@ -264,17 +269,16 @@ void Viewer::draw_camera() {
   };
   float zoom = view.zoom;
   labelled("zoom");
-  if (ImGui::SliderFloat("##zoom", &zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic)) {
-    CameraView zoomed = view;
-    zoomed.zoom = zoom;
-    live_.apply_dragged(commands::SetCamera{zoomed});
-  }
+  const ValueChange zooms =
+      value_slider("##zoom", zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic);
+  CameraView zoomed = view;
+  zoomed.zoom = zoom;
+  live_.apply_value(zooms, commands::SetCamera{zoomed});
   log_.note_widget("zoom");
   float share = live_.document().frequency_by_zoom;
   labelled("stripes by zoom");
-  if (ImGui::SliderFloat("##share", &share, 0, 1, share == 0 ? "no" : "%.2f")) {
-    live_.apply_dragged(commands::SetFrequencyByZoom{share});
-  }
+  const ValueChange shares = value_slider("##share", share, 0, 1, share == 0 ? "no" : "%.2f");
+  live_.apply_value(shares, commands::SetFrequencyByZoom{share});
   log_.note_widget("frequency by zoom");
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip(
@@ -346,8 +350,7 @@ void Viewer::draw_message() {
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushTextWrapPos(width - 3 * text);
   const bool bad = message_->kind == MessageKind::error;
-  const ImVec4 red = window_.dark() ? ImVec4(1, 0.5f, 0.4f, 1) : ImVec4(0.7f, 0.1f, 0.05f, 1);
-  if (bad) ImGui::PushStyleColor(ImGuiCol_Text, red);
+  if (bad) ImGui::PushStyleColor(ImGuiCol_Text, warning_color(window_.dark()));
   ImGui::TextUnformatted(message_->text.c_str());
   if (bad) ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "app_window.h"
-#include "background_jobs.h"
-#include "figure_panel.h"
-#include "file_browser.h"
-#include "gallery_menu.h"
-#include "live_session.h"
-#include "option_panel.h"
-#include "picture_view.h"
-#include "recording.h"
-#include "shape_dialog.h"
-#include "stroke_tool.h"
-#include "window_settings.h"
+#include "window/app_window.h"
+#include "window/background_jobs.h"
+#include "window/figure_panel.h"
+#include "window/file_browser.h"
+#include "window/gallery_menu.h"
+#include "window/live_session.h"
+#include "window/option_panel.h"
+#include "window/picture_view.h"
+#include "window/recording.h"
+#include "window/shape_dialog.h"
+#include "window/stroke_tool.h"
+#include "window/window_settings.h"
 
 namespace brindle::tool {
 
@@ -102,6 +102,7 @@ class Viewer {
   void toggle_recording();
   void stop_recording();
   void set_camera(const CameraView& view);
+  void solve_anew();
   void paste_view();
   void show_view(const std::string& name);
   void cycle_view();
@@ -132,6 +133,8 @@ class Viewer {
   bool asks_to_quit_ = false;
   bool may_quit_ = false;  // with what is not saved
   int frames_to_draw_ = 3;
+  int frames_to_mark_ = 0;  // until a mark is written to the log
+  int marks_ = 0;
   double last_drawn_ = 0;
   std::size_t drawn_ = 0;
   double window_milliseconds_ = 0;

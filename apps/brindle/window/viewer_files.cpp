@@ -1,16 +1,18 @@
 // What the window reads and writes.
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "brindle/base/file_extension.h"
+#include "brindle/base/input_stream.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "viewer.h"
+#include "session/session_export.h"
+#include "window/viewer.h"
 
 namespace brindle::tool {
 namespace {
@@ -22,20 +24,21 @@ const std::vector<std::string> kOpened = {".ply", ".obj",  ".vtp", ".vtu", ".vtk
 
 // Files of strokes have these alone.
 bool holds_strokes_alone(const fs::path& path) {
-  std::ifstream file(path);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const auto json = nlohmann::json::parse(whole_input(path, "a session"), nullptr, false);
   return json.is_object() && json.contains("strokes") && !json.contains("mesh");
 }
 
 // What there is to say of a file goes into one message.
 class NoteCollector : public JobListener {
  public:
-  Progress progress() override { return {}; }
   void note(const std::string& line) override {
     if (!line.empty()) text += "\n" + line;
   }
 
   std::string text;
+
+ private:
+  Progress whole_progress() override { return {}; }
 };
 
 }  // namespace
@@ -105,7 +108,7 @@ void Viewer::save_session(const fs::path& path, bool then_quit) {
       live_.note_saved();
       if (then_quit) window_.ask_to_close();
       remember(settings_, path.string());
-      live_.add_message(MessageKind::note, "wrote " + path.string());
+      live_.add_message(MessageKind::note, "wrote " + shown(path.native()));
       remember_settings();
     } catch (const Error& error) {
       live_.add_message(MessageKind::error, error.what());
@@ -118,7 +121,7 @@ void Viewer::ask_save_picture(bool transparent) {
     return [this, path](const std::shared_ptr<const SessionFrame>& frame) {
       jobs_.start([path, frame] {
         write_png(path, frame->image);
-        return "wrote " + path.string();
+        return "wrote " + shown(path.native());
       });
     };
   };
@@ -126,6 +129,7 @@ void Viewer::ask_save_picture(bool transparent) {
                 .extensions = {".png"},
                 .save = true,
                 .name = stem() + ".png",
+                .refusal = picture_refusal,
                 .done = [this, transparent, save](const fs::path& path) {
                   if (!transparent) return live_.when_at_rest(save(path));
                   live_.when_at_rest([this, path, save](const auto&) {
@@ -141,6 +145,7 @@ void Viewer::ask_save_window() {
                 .extensions = {".png"},
                 .save = true,
                 .name = stem() + "_window.png",
+                .refusal = picture_refusal,
                 .done = [this](const fs::path& path) {
                   live_.when_at_rest([this, path](const auto&) { window_picture_ = path; });
                 }});
@@ -154,7 +159,7 @@ void Viewer::ask_export(const std::string& title, std::vector<std::string> exten
       jobs_.start([path, write, state = frame->state] {
         NoteCollector notes;
         write(*state, path, notes);
-        return "wrote " + path.string() + notes.text;
+        return "wrote " + shown(path.native()) + notes.text;
       });
     });
   };
@@ -169,7 +174,7 @@ void Viewer::ask_strokes(bool save) {
   const auto write = [this](const fs::path& path) {
     try {
       write_strokes(path, live_.document().strokes);
-      live_.add_message(MessageKind::note, "wrote " + path.string());
+      live_.add_message(MessageKind::note, "wrote " + shown(path.native()));
     } catch (const Error& error) {
       live_.add_message(MessageKind::error, error.what());
     }
@@ -208,7 +213,7 @@ void Viewer::toggle_recording() {
 void Viewer::stop_recording() {
   jobs_.start([recording = std::shared_ptr<Recording>(std::move(recording_))] {
     recording->finish();
-    return "wrote " + recording->path().string();
+    return "wrote " + shown(recording->path().native());
   });
 }
 

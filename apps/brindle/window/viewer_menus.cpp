@@ -11,7 +11,7 @@
 #include "brindle/error.h"
 #include "brindle/version.h"
 #include "session/session_export.h"
-#include "viewer.h"
+#include "window/viewer.h"
 
 namespace brindle::tool {
 namespace {
@@ -30,7 +30,7 @@ constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
-constexpr std::array<std::pair<const char*, const char*>, 27> kKeys = {{
+constexpr std::array<std::pair<const char*, const char*>, 29> kKeys = {{
     {"drag", "turn"},
     {"Shift + drag, middle drag", "move"},
     {"wheel", "zoom"},
@@ -47,6 +47,7 @@ constexpr std::array<std::pair<const char*, const char*>, 27> kKeys = {{
     {"F", "the place of distances follows the mouse, or not"},
     {"Enter", "end the spline"},
     {"Delete", "erase the chosen stroke"},
+    {"N", "solve anew, whatever stripes have followed"},
     {"Ctrl + Z", "undo"},
     {"Ctrl + Shift + Z, Ctrl + Y", "redo"},
     {"Ctrl + O", "open a mesh or a session"},
@@ -57,6 +58,7 @@ constexpr std::array<std::pair<const char*, const char*>, 27> kKeys = {{
     {"L", "light or dark"},
     {"Ctrl + click on a slider", "type a number"},
     {"right click on a name", "leave the option out, or type its value"},
+    {"F12", "write a mark into the log (--log)"},
     {"Ctrl + Q", "quit"},
 }};
 
@@ -163,6 +165,8 @@ void Viewer::draw_edit_menu() {
   if (ImGui::MenuItem(redo.c_str(), "Ctrl+Shift+Z", false, session.can_redo())) live_.redo();
   log_.note_widget("item Redo");
   ImGui::Separator();
+  if (item("Solve anew", "N")) solve_anew();
+  ImGui::Separator();
   if (item("Copy view", "Ctrl+C")) window_.set_clipboard(view_text(live_.document().camera));
   if (item("Paste view", "Ctrl+V")) paste_view();
 }
@@ -253,7 +257,10 @@ void Viewer::follow_keys() {
   const bool typing =
       ImGui::GetIO().WantTextInput || browser_.is_open() || ImGui::IsPopupOpen("Quit");
   for (const PressedKey& key : window_.take_keys()) {
+    // Written once widgets have taken notice of all that came before, which takes them two frames.
+    if (key.key == GLFW_KEY_F12) frames_to_mark_ = 2;
     if (typing) continue;
+    if (key.key == GLFW_KEY_ESCAPE && window_.close_popup()) continue;
     key.control ? follow_control_key(key) : follow_plain_key(key);
   }
 }
@@ -339,6 +346,8 @@ void Viewer::follow_letter(int key) {
       return cycle_view();
     case GLFW_KEY_F:
       return places_.set_follows(!places_.follows());
+    case GLFW_KEY_N:
+      return solve_anew();
     case GLFW_KEY_R:
       return toggle_recording();
     case GLFW_KEY_L:
@@ -349,6 +358,14 @@ void Viewer::follow_letter(int key) {
 }
 
 void Viewer::set_camera(const CameraView& view) { live_.apply(commands::SetCamera{view}); }
+
+void Viewer::solve_anew() {
+  if (live_.at_rest() && !live_.frame()->state->figures.followed) {
+    return live_.add_message(MessageKind::note, "the pattern has followed no other one");
+  }
+  live_.end_drag();
+  live_.apply(commands::SolveAnew{});
+}
 
 void Viewer::paste_view() {
   try {

@@ -1,4 +1,4 @@
-#include "window_log.h"
+#include "window/window_log.h"
 
 #include <chrono>
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 
 namespace brindle::tool {
@@ -27,7 +28,8 @@ WidgetPlace last_place() {
 
 WindowLog::WindowLog(const std::filesystem::path& path) : file_(path), start_(log_seconds()) {
   if (!file_) {
-    throw Error(path.string() + ": cannot be written; choose a folder that is there and yours");
+    throw Error(shown(path.native()) +
+                ": cannot be written; choose a folder that is there and yours");
   }
 }
 

@@ -1,4 +1,4 @@
-#include "window_settings.h"
+#include "window/window_settings.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,13 +1,21 @@
 #include "brindle/base/output_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <ostream>
 #include <random>
+#include <streambuf>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "brindle/base/printable.h"
+#include "brindle/base/text_output.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -19,22 +27,47 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-bool is_device(const fs::path& path) {
+/// Where links lead, whether or not a file is there; no further than the system would follow them.
+fs::path followed(fs::path path) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  for (int links = 0; links < kMostLinks; ++links) {
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) return path;
+    path = next.is_absolute() ? next : folder_of(path) / next;
+  }
+  return path;
+}
+
+/// Of what `followed` has given: links that lead in a circle.
+bool is_link(const fs::path& followed) {
   std::error_code ignored;
-  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+  return fs::is_symlink(followed, ignored);
+}
+
+std::string remedy_for(int reason) {
+  switch (reason) {
+    case ENOSPC:
+    case EDQUOT:
+      return "; free some space or choose another folder";
+    case EFBIG:
+      return "; raise the limit on the size of files (ulimit -f) or choose another folder";
+    case ENAMETOOLONG:
+      return "; choose a shorter name";
+    default:
+      return "; check the folder's permissions or choose another path";
+  }
 }
 
 [[noreturn]] void fail(const fs::path& path, int reason) {
-  std::string message = "cannot write '" + path.string() + "'";
+  std::string message = "cannot write '" + shown(path.native()) + "'";
   if (reason != 0) message += std::string(": ") + std::strerror(reason);
-  const fs::path folder = folder_of(path);
+  const fs::path folder = folder_of(followed(path));
   std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) {
-    message += "; the folder '" + folder.string() + "' does not exist, create it first";
-  } else if (reason == ENOSPC) {
-    message += "; free some space or choose another folder";
+  if (reason != ENAMETOOLONG && !fs::is_directory(folder, ignored)) {
+    message += "; the folder '" + shown(folder.native()) + "' does not exist, create it first";
   } else {
-    message += "; check the folder's permissions or choose another path";
+    message += remedy_for(reason);
   }
   throw Error(message);
 }
@@ -42,53 +75,203 @@ bool is_device(const fs::path& path) {
 void refuse_folder(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return;
-  throw Error("cannot write '" + path.string() + "': it is a folder; name a file in it");
+  throw Error("cannot write '" + shown(path.native()) + "': it is a folder; name a file in it");
 }
 
-void write_to(const fs::path& path, const fs::path& named,
-              const std::function<void(std::ostream&)>& write) {
-  errno = 0;
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  if (!out) fail(named, errno);
-  write(out);
+/// What goes into an open file, and reports how much that is. Keeps the system's reason for a
+/// failure, which streams forget. Once cancelled it takes no more.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  DescriptorBuffer(int descriptor, const Progress& progress)
+      : descriptor_(descriptor), buffer_(kSize), progress_(progress) {
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+  }
+
+  /// 0, or the reason for the first failure.
+  int reason() const { return reason_; }
+  bool is_cancelled() const { return cancelled_; }
+
+ protected:
+  int_type overflow(int_type letter) override {
+    if (!empty()) return traits_type::eof();
+    if (!traits_type::eq_int_type(letter, traits_type::eof())) sputc(static_cast<char>(letter));
+    return traits_type::not_eof(letter);
+  }
+
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    if (count < epptr() - pptr()) {
+      std::memcpy(pptr(), text, static_cast<std::size_t>(count));
+      pbump(static_cast<int>(count));
+      return count;
+    }
+    return empty() && write_all(text, static_cast<std::size_t>(count)) ? count : 0;
+  }
+
+  int sync() override { return empty() ? 0 : -1; }
+
+ private:
+  static constexpr std::size_t kSize = std::size_t{1} << 16;
+
+  bool empty() {
+    const bool good = write_all(pbase(), static_cast<std::size_t>(pptr() - pbase()));
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+    return good;
+  }
+
+  bool write_all(const char* text, std::size_t count) {
+    while (count > 0 && reason_ == 0 && may_go_on()) {
+      const ssize_t written = write(descriptor_, text, std::min(count, kPart));
+      if (written > 0) {
+        text += written;
+        count -= static_cast<std::size_t>(written);
+        passed_ += static_cast<std::size_t>(written);
+        since_report_ += static_cast<std::size_t>(written);
+      } else if (written == 0 || errno != EINTR) {
+        reason_ = written == 0 ? EIO : errno;
+      }
+    }
+    return reason_ == 0 && !cancelled_;
+  }
+
+  bool may_go_on() {
+    if (cancelled_ || since_report_ < kPart) return !cancelled_;
+    since_report_ = 0;
+    const auto parts = static_cast<double>(passed_) / static_cast<double>(kPart);
+    try {
+      progress_.report(parts / (parts + 4));
+    } catch (const Cancelled&) {
+      cancelled_ = true;
+    }
+    return !cancelled_;
+  }
+
+  static constexpr std::size_t kPart = std::size_t{4} << 20;
+
+  int descriptor_;
+  int reason_ = 0;
+  std::vector<char> buffer_;
+  Progress progress_;
+  std::size_t passed_ = 0, since_report_ = 0;
+  bool cancelled_ = false;
+};
+
+void write_to(int descriptor, const fs::path& path, const std::function<void(std::ostream&)>& write,
+              const Progress& progress) {
+  DescriptorBuffer buffer(descriptor, progress.step("writing " + shown(path.native())));
+  std::ostream out(&buffer);
+  try {
+    write(out);
+  } catch (const OutputStopped&) {
+    // The stream is bad, as below.
+  }
   out.flush();
-  if (!out) fail(named, errno);
-  out.close();
-  if (!out) fail(named, errno);
+  if (buffer.is_cancelled()) throw Cancelled("cancelled");
+  if (!out) fail(path, buffer.reason());
 }
 
-fs::path temporary_name(const fs::path& path) {
-  std::random_device seed;
-  fs::path name = path;
-  name += ".tmp" + std::to_string(seed());
-  return name;
+void write_device(const fs::path& path, const std::function<void(std::ostream&)>& write,
+                  const Progress& progress) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) fail(path, errno);
+  try {
+    write_to(descriptor, path, write, progress);
+  } catch (...) {
+    close(descriptor);
+    throw;
+  }
+  if (close(descriptor) != 0) fail(path, errno);
+}
+
+/// Short, whatever the file will be called: it may have as long a name as the system allows.
+fs::path temporary_name(const fs::path& target) {
+  return folder_of(target) / (".brindle-" + std::to_string(std::random_device()()) + ".tmp");
+}
+
+/// Names an open file that may have none.
+bool link_to(const fs::path& place, const fs::path& name) {
+  return linkat(AT_FDCWD, place.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
 }  // namespace
 
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write) {
-  refuse_folder(path);
-  if (is_device(path)) {
-    write_to(path, path, write);
-    return;
-  }
+bool is_device(const fs::path& path) {
   std::error_code ignored;
-  const fs::path temporary = temporary_name(path);
-  try {
-    write_to(temporary, path, write);
-    fs::rename(temporary, path);
-  } catch (const fs::filesystem_error& error) {
-    fs::remove(temporary, ignored);
-    fail(path, error.code().value());
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+UnfinishedFile::UnfinishedFile(const fs::path& path) : path_(path), target_(followed(path)) {
+  refuse_folder(path);
+  if (is_link(target_)) fail(path_, ELOOP);
+  constexpr mode_t kMode = 0666;  // less what the user's mask forbids
+#ifdef O_TMPFILE
+  descriptor_ = open(folder_of(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
+  std::error_code ignored;
+  if (descriptor_ >= 0 && fs::exists(place(), ignored)) return;
+  if (descriptor_ >= 0) close(descriptor_);  // what has no place here could get no name
+#endif
+  temporary_ = temporary_name(target_);
+  descriptor_ = open(temporary_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
+  if (descriptor_ < 0) fail(path_, errno);
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void UnfinishedFile::write(const std::function<void(std::ostream&)>& write,
+                           const Progress& progress) {
+  write_to(descriptor_, path_, write, progress);
+}
+
+fs::path UnfinishedFile::place() const {
+  if (!temporary_.empty()) return temporary_;
+  return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor_);
+}
+
+/// Owner and permissions of the file that stands there, as far as the system lets this user and
+/// this file system have them.
+void UnfinishedFile::take_over() {
+  struct stat old {};
+  if (stat(target_.c_str(), &old) != 0) return;
+  if (fchown(descriptor_, old.st_uid, old.st_gid) != 0) {
+    static_cast<void>(fchown(descriptor_, static_cast<uid_t>(-1), old.st_gid) == 0);
   }
+  static_cast<void>(fchmod(descriptor_, old.st_mode & 0777));
+}
+
+void UnfinishedFile::finish() {
+  take_over();
+  if (temporary_.empty()) {
+    const fs::path unnamed = place();
+    if (link_to(unnamed, target_)) return;
+    if (errno != EEXIST) fail(path_, errno);
+    fs::path name = temporary_name(target_);
+    if (!link_to(unnamed, name)) fail(path_, errno);
+    temporary_ = std::move(name);
+  }
+  // Some file systems say only now that the last bytes did not fit.
+  if (close(std::exchange(descriptor_, -1)) != 0) fail(path_, errno);
+  if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+  temporary_.clear();
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write,
+                const Progress& progress) {
+  refuse_folder(path);
+  if (is_device(path)) return write_device(path, write, progress);
+  UnfinishedFile file(path);
+  file.write(write, progress);
+  file.finish();
 }
 
 void check_output_path(const fs::path& path) {
   refuse_folder(path);
-  const fs::path written = is_device(path) ? path : folder_of(path) / ".";
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 && errno == ENAMETOOLONG) fail(path, errno);
+  const fs::path target = followed(path);
+  if (is_link(target)) fail(path, ELOOP);
+  const fs::path written = is_device(path) ? path : folder_of(target) / ".";
   if (access(written.c_str(), W_OK) != 0) fail(path, errno);
 }
 

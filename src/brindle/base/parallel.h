@@ -2,8 +2,10 @@
 /// without oneTBB.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 #ifdef BRINDLE_HAS_TBB
 #include <tbb/blocked_range.h>
@@ -13,6 +15,7 @@
 #include "brindle/base/task_order.h"
 #endif
 
+#include "brindle/progress.h"
 #include "brindle/threads.h"
 
 namespace brindle {
@@ -41,6 +44,56 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
 #endif
   if (count > 0) body(std::size_t{0}, count);
 }
+
+/// How much of a loop is done between two reports: so little that a job which costs some
+/// microseconds a piece can be cancelled within a tenth of a second, and so much that waiting for
+/// the last thread costs nothing.
+inline constexpr std::size_t kReportSlice = 1 << 14;
+
+/// As above, and `progress` hears how much is done before every slice of the range. Reports come at
+/// places that depend on `count` alone, and from the calling thread.
+template <class Body>
+void parallel_for(std::size_t count, const Progress& progress, const Body& body,
+                  std::size_t grain = kParallelGrain, std::size_t slice = kReportSlice) {
+  if (!progress.is_heard()) return parallel_for(count, body, grain);
+  for (std::size_t first = 0; first < count; first += slice) {
+    progress.report(static_cast<double>(first) / static_cast<double>(count));
+    parallel_for(
+        std::min(slice, count - first),
+        [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); }, grain);
+  }
+}
+
+/// Calls `body(i)` for every i below `count`, one after the other; reports as above.
+template <class Body>
+void reported_for(std::size_t count, const Progress& progress, const Body& body,
+                  std::size_t slice = kReportSlice) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % slice == 0) progress.report(static_cast<double>(i) / static_cast<double>(count));
+    body(i);
+  }
+}
+
+/// Reports of a loop whose rounds differ: whenever another slice of `all` is done.
+class Reporter {
+ public:
+  Reporter(Progress progress, std::size_t all, std::size_t slice = kReportSlice)
+      : progress_(std::move(progress)), all_(all), slice_(slice), next_(slice) {}
+
+  /// So much more. Throws Cancelled if the callback asks for it.
+  void done(std::size_t more) {
+    done_ += more;
+    if (done_ < next_) return;
+    next_ = done_ + slice_;
+    progress_.report(
+        all_ > 0 ? std::min(1.0, static_cast<double>(done_) / static_cast<double>(all_)) : 1.0);
+  }
+
+ private:
+  Progress progress_;
+  std::size_t all_, slice_, next_;
+  std::size_t done_ = 0;
+};
 
 /// The sum of `body(begin, end)` over the halves of [begin, end), halved until no piece is longer
 /// than `grain`: the order in which oneTBB's deterministic reduction adds.
@@ -98,6 +151,20 @@ Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kPar
 #else
   return halving_sum<Value>(0, count, body, grain);
 #endif
+}
+
+/// As above, bit for bit, and `progress` hears how much is done before every slice.
+template <class Value, class Body>
+Value parallel_sum(std::size_t count, const Progress& progress, const Body& body,
+                   std::size_t grain = kParallelGrain, std::size_t slice = kReportSlice) {
+  const auto sum_slice = [&](std::size_t begin, std::size_t end) {
+    progress.report(static_cast<double>(begin) / static_cast<double>(count));
+    return parallel_sum<Value>(
+        end - begin,
+        [&](std::size_t from, std::size_t to) { return body(begin + from, begin + to); }, grain);
+  };
+  // Halves of halves: slices that are halved further add up in the same order as the whole.
+  return halving_sum<Value>(0, count, sum_slice, std::max(slice, grain));
 }
 
 /// The most threads that can work at the same time, and the number, from 0, of the one that asks.

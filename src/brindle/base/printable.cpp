@@ -1,20 +1,90 @@
 #include "brindle/base/printable.h"
 
+#include <cstdint>
+
 namespace brindle {
+namespace {
+
+void add_escaped(std::string& result, std::string_view bytes) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    (result += "\\x") += {kDigits[byte >> 4], kDigits[byte & 15]};
+  }
+}
+
+/// A letter in UTF-8.
+struct Letter {
+  std::size_t bytes = 0;  ///< 0 if the text does not begin with one
+  std::uint32_t code = 0;
+};
+
+/// The letter that a text begins with, in its shortest form alone (RFC 3629).
+Letter first_letter(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return {1, first};
+  const std::size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc2 ? 2 : 0;
+  if (bytes == 0 || first > 0xf4 || text.size() < bytes) return {};
+  std::uint32_t code = first & (0xffU >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {};
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  if (code < kLeast[bytes] || code > 0x10ffff || surrogate) return {};
+  return {bytes, code};
+}
+
+/// What a terminal obeys instead of showing it: controls, ends of lines, and marks that turn the
+/// direction of writing round.
+bool is_obeyed(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+template <class Obeyed>
+std::string escaped(std::string_view text, const Obeyed& is_escaped) {
+  std::string result;
+  while (!text.empty()) {
+    const Letter letter = first_letter(text);
+    const std::size_t bytes = letter.bytes == 0 ? 1 : letter.bytes;
+    if (letter.bytes == 0 || is_escaped(letter.code)) {
+      add_escaped(result, text.substr(0, bytes));
+    } else {
+      result += text.substr(0, bytes);
+    }
+    text.remove_prefix(bytes);
+  }
+  return result;
+}
+
+}  // namespace
 
 std::string printable(std::string_view text, std::size_t most) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string result;
-  for (const char c : text.substr(0, most)) {
+  for (const char& c : text.substr(0, most)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 0x20 && byte < 0x7f) {
       result += c;
     } else {
-      (result += "\\x") += {kDigits[byte >> 4], kDigits[byte & 15]};
+      add_escaped(result, {&c, 1});
     }
   }
   if (text.size() > most) result += "...";
   return result;
+}
+
+std::string utf8_text(std::string_view text) {
+  return escaped(text, [](std::uint32_t) { return false; });
+}
+
+std::string shown(std::string_view name) { return escaped(name, is_obeyed); }
+
+std::string shown_lines(std::string_view text) {
+  return escaped(
+      text, [](std::uint32_t code) { return code != '\n' && code != '\t' && is_obeyed(code); });
 }
 
 std::string in_quotes(std::string_view text) {

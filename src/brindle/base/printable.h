@@ -11,6 +11,18 @@ namespace brindle {
 /// instead of what follows the first `most` bytes.
 std::string printable(std::string_view text, std::size_t most = 200);
 
+/// `text` with \xe9 for every byte that is not part of a letter in UTF-8; all else stays. For JSON
+/// and Python, which hold nothing else.
+std::string utf8_text(std::string_view text);
+
+/// The name of a file as a terminal can show it: letters of all languages as they are, so that it
+/// can be typed again; bytes that are not UTF-8, line breaks and what else a terminal would obey
+/// as \x0a.
+std::string shown(std::string_view name);
+
+/// The same of a whole message, whose lines and tabulators stay.
+std::string shown_lines(std::string_view text);
+
 /// A word or line of a file for a message: printable, short, between quotation marks.
 std::string in_quotes(std::string_view text);
 

@@ -5,8 +5,21 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <type_traits>
+
+#include "brindle/error.h"
 
 namespace brindle {
+
+/// Thrown by those who write much where the file takes no more: `write_file` knows why.
+class OutputStopped : public Error {
+ public:
+  OutputStopped() : Error("the output takes no more") {}
+};
+
+inline void stop_if_bad(const std::ostream& out) {
+  if (out.bad()) throw OutputStopped();
+}
 
 class TextOutput {
  public:
@@ -17,14 +30,14 @@ class TextOutput {
 
   TextOutput& operator<<(std::string_view text) {
     buffer_ += text;
-    if (buffer_.size() > kFull) flush();
+    if (buffer_.size() > kFull) flush_on();
     return *this;
   }
   TextOutput& operator<<(const char* text) { return *this << std::string_view(text); }
   TextOutput& operator<<(char c) { return *this << std::string_view(&c, 1); }
 
   template <class Number>
-  requires std::is_arithmetic_v<Number> TextOutput& operator<<(Number number) {
+  requires(std::is_arithmetic_v<Number>) TextOutput& operator<<(Number number) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
     return *this << std::string_view(digits, end);
@@ -32,6 +45,11 @@ class TextOutput {
 
  private:
   static constexpr std::size_t kFull = 1 << 16;
+
+  void flush_on() {
+    flush();
+    stop_if_bad(out_);
+  }
 
   void flush() {
     out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/distributed/waiting.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"
 
@@ -14,6 +15,9 @@ namespace brindle {
 namespace {
 
 constexpr int kTag = 1;
+
+constexpr const char* kForAll = "for all other ranks";
+constexpr const char* kForMessages = "for messages of other ranks";
 
 /// MPI counts in ints.
 constexpr std::size_t kLongestMessage = std::size_t{1} << 30;
@@ -49,6 +53,7 @@ void for_each_message(std::size_t bytes, const Visit& visit) {
 }  // namespace
 
 Communicator::Communicator(MPI_Comm comm) {
+  const WaitMark mark(kForAll);
   MPI_Comm_dup(comm, &comm_);
   MPI_Comm_rank(comm_, &rank_);
   MPI_Comm_size(comm_, &size_);
@@ -65,6 +70,7 @@ void Communicator::all_gather(const void* value, void* values, std::size_t bytes
     std::memcpy(values, value, bytes);
     return;
   }
+  const WaitMark mark(kForAll);
   Stopwatch watch;
   const int count = static_cast<int>(bytes);
   MPI_Allgather(value, count, MPI_BYTE, values, count, MPI_BYTE, comm_);
@@ -73,6 +79,7 @@ void Communicator::all_gather(const void* value, void* values, std::size_t bytes
 
 std::vector<std::uint64_t> Communicator::swap_counts(const std::vector<std::uint64_t>& counts) {
   std::vector<std::uint64_t> theirs(counts.size());
+  const WaitMark mark(kForAll);
   MPI_Alltoall(counts.data(), 1, MPI_UINT64_T, theirs.data(), 1, MPI_UINT64_T, comm_);
   return theirs;
 }
@@ -86,6 +93,7 @@ void Communicator::together(const std::function<void()>& work) {
   const auto failed = static_cast<int>(first - outcomes.begin());
   std::string message = failure.message;
   std::uint64_t length = message.size();
+  const WaitMark mark(kForAll);
   MPI_Bcast(&length, 1, MPI_UINT64_T, failed, comm_);
   message.resize(length);
   MPI_Bcast(message.data(), static_cast<int>(length), MPI_CHAR, failed, comm_);
@@ -145,6 +153,7 @@ void Communicator::start(std::span<const Outgoing> outgoing, std::span<const Inc
 
 void Communicator::finish() {
   if (requests_.empty()) return;
+  const WaitMark mark(kForMessages);
   Stopwatch watch;
   MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
   requests_.clear();

@@ -17,6 +17,7 @@
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/yielding_frames.h"
 #include "brindle/solver.h"
+#include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -59,6 +60,8 @@ struct DistributedStripeAnimator::State {
   bool has_last = false;       ///< whether the next frame follows one; a rank may have no vertices
   std::vector<ToldWave> told;  ///< by vertex; of own ones and ghosts
   WaveSet input;               ///< the same as arrays
+  bool has_given = false;      ///< whether the next frame follows phases that were given
+  std::vector<Complex> given_z;                      ///< these, by own vertex and ghost
   std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
   std::vector<float> weights;                        ///< by entry; empty: 1
   std::vector<float> degree;
@@ -84,9 +87,11 @@ struct DistributedStripeAnimator::State {
   void take_slack();
   void take_input(const FrameInput& frame);
   FrameInput input_of_nodes() const;
+  void check_values(const FrameInput& frame) const;
   bool is_kept() const;
   FrameInput yielded(const Progress& progress);
   void start();
+  void take_given();
   void keep_frequencies();
   std::vector<float> with_rest(std::span<const float> of_nodes) const;
   FrameResult unchanged_frame() const;
@@ -126,6 +131,41 @@ void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
   }
 }
 
+/// What `check_values` of frame_check.h refuses of the whole, by what owners say.
+void DistributedStripeAnimator::State::check_values(const FrameInput& frame) const {
+  const std::size_t own = surface->graph.own;
+  std::vector<Vec3> normals(own, Vec3::Zero());
+  bool is_in_place = true;
+  for (std::size_t v = 0; v < own; ++v) {
+    is_in_place = is_in_place && input.positions[v] == surface->mesh.positions[v];
+  }
+  // Normals that a frame brings are those of the piece's vertices.
+  for (std::size_t p = 0; p < surface->vertex_of_piece.size(); ++p) {
+    const Index v = surface->vertex_of_piece[p];
+    if (v >= own) continue;
+    if (!frame.normals.empty()) {
+      normals[v] = frame.normals[p];
+    } else if (is_in_place) {
+      normals[v] = surface->normals[v];
+    }
+  }
+  TangentTally tangent = tally_tangent(normals, std::span(input.directions).first(own));
+  const bool own_slant = tangent.slanted > 0;  // a rank without one has no vertex to name
+  tangent.counted = ranks().sum(tangent.counted);
+  tangent.slanted = ranks().sum(tangent.slanted);
+  FinenessTally fineness;
+  if (ranks().any(may_be_too_fine(input.positions, input.frequencies))) {
+    fineness = tally_fineness(*surface->graph.adjacency, input.positions,
+                              std::span(input.directions).first(own), input.frequencies);
+  }
+  fineness.measured = ranks().sum(fineness.measured);
+  fineness.too_fine = ranks().sum(fineness.too_fine);
+  ranks().together([&] {
+    if (own_slant) check_tangent(tangent);
+    check_fineness(fineness);
+  });
+}
+
 FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
   const std::size_t nodes = surface->graph.node_count();
   return {std::span(input.positions).first(nodes), std::span(input.directions).first(nodes),
@@ -134,7 +174,8 @@ FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
 
 /// Whether frequencies yield, and the input is the last frame's on all ranks.
 bool DistributedStripeAnimator::State::is_kept() const {
-  return has_last && yielding.yields() && !ranks().any(!yielding.is_kept(input_of_nodes()));
+  return has_last && !has_given && yielding.yields() &&
+         !ranks().any(!yielding.is_kept(input_of_nodes()));
 }
 
 /// The input of own vertices and ghosts with the frequencies to solve for.
@@ -165,6 +206,14 @@ void DistributedStripeAnimator::State::start() {
                              cotangent_weights(triangles_around_own(*surface), adjacency));
   }
   topology_milliseconds = watch.lap();
+}
+
+/// Makes given phases the last ones.
+void DistributedStripeAnimator::State::take_given() {
+  const SlicedLayout& layout = finest().layout();
+  last_z.assign(layout.slot_count(), Complex(0));
+  to_slots(layout, given_z, last_z);
+  has_last = true;
 }
 
 /// Values of own vertices and ghosts, and of the rest of the vertices.
@@ -219,17 +268,24 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
   });
   Stopwatch watch;
   s.take_input(input);
+  s.check_values(input);
   const double exchange_milliseconds = watch.lap();
   if (s.is_kept()) return s.unchanged_frame();
   const FrameInput yielded = s.yielded(progress);
   const double yield_milliseconds = watch.lap();
   s.start();
   watch.lap();
-  const bool loaded_new = load_waves(s.finest().layout(), yielded.positions, yielded.directions,
-                                     yielded.frequencies, s.next_waves(), s.waves, s.last_z);
+  // Given phases are of this frame's directions: there is nothing to turn.
+  const bool loaded_new =
+      load_waves(s.finest().layout(), yielded.positions, yielded.directions, yielded.frequencies,
+                 s.next_waves(), s.waves, s.has_given ? std::span<Complex>() : std::span(s.last_z));
   // To a rank without vertices nothing changes.
   const bool changed = s.ranks().any(loaded_new && s.surface->graph.own > 0);
-  if (s.has_last && !changed) return s.unchanged_frame();
+  if (s.has_given) {
+    s.take_given();
+  } else if (s.has_last && !changed) {
+    return s.unchanged_frame();
+  }
   const double load_milliseconds = watch.lap();
   FrameResult result;
   try {
@@ -293,7 +349,8 @@ void DistributedStripeAnimator::couple_next() {
 /// The paper's iterations from the last phases.
 void DistributedStripeAnimator::iterate() {
   State& s = *state_;
-  std::ranges::copy(s.last_z, s.finest().z.begin());
+  std::ranges::transform(s.last_z, s.finest().z.begin(),
+                         [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
   for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
     s.hierarchy->relax(s.momentum);
   }
@@ -312,6 +369,7 @@ void DistributedStripeAnimator::keep() {
   if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
   s.keep_frequencies();
   s.has_frame = s.has_last = true;
+  s.has_given = false;
 }
 
 /// Makes everything as it was before a frame that has not come to its end.
@@ -326,6 +384,7 @@ void DistributedStripeAnimator::take_back() {
     // Aggregates follow the couplings of the first frame that comes to its end.
     s.hierarchy.reset();
     s.waves.clear();
+    s.has_last = false;
   }
 }
 
@@ -383,9 +442,21 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
   return measures;
 }
 
+void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
+  State& s = *state_;
+  s.ranks().together([&] { check_last_phases(z, s.surface->vertex_of_piece.size()); });
+  s.given_z.assign(s.surface->graph.node_count(), Complex(0));
+  for (std::size_t p = 0; p < z.size(); ++p) {
+    const Index v = s.surface->vertex_of_piece[p];
+    if (v < s.surface->graph.own) s.given_z[v] = z[p];
+  }
+  exchange(s.ranks(), s.surface->graph.halo, std::span(s.given_z));
+  s.has_given = true;
+}
+
 void DistributedStripeAnimator::restart() {
   state_->last_z.clear();
-  state_->has_last = false;
+  state_->has_last = state_->has_given = false;
   state_->yielding.restart();
   std::ranges::fill(state_->momentum.m, Complex(0));
 }

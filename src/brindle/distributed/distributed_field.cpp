@@ -11,6 +11,7 @@
 #include "brindle/distributed/gathered_graph.h"
 #include "brindle/distributed/piece_curvatures.h"
 #include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/seeded_start.h"
 #include "brindle/distributed/selection.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
@@ -19,7 +20,10 @@
 #include "brindle/pipeline/curvature_anchors.h"
 #include "brindle/pipeline/feature_anchors.h"
 #include "brindle/pipeline/field_anchors.h"
+#include "brindle/pipeline/known_directions.h"
+#include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
+#include "brindle/waves/least_curl.h"
 #include "brindle/waves/orientation.h"
 
 namespace brindle {
@@ -102,17 +106,114 @@ void orient_as_one(const RankSurface& surface, DirectionField& directions) {
   }
 }
 
-/// Signs directions, gives ghosts and the rest those of their owners.
+/// Gives ghosts and the rest the directions of their owners.
+DirectionField to_piece(const RankSurface& surface, DirectionField directions) {
+  directions.resize(surface.vertex_count());
+  surface.exchange_all(std::span(directions));
+  return surface.to_piece(std::span<const Vec3>(directions));
+}
+
+/// The same of directions that are signed first.
 DirectionField of_piece(const RankSurface& surface, DirectionField directions,
                         HierarchyBounds bounds = {}) {
-  if (surface.ranks->size() > 1 && surface.vertices < bounds.plan_below) {
+  if (surface.ranks->size() > 1 && surface.vertices < bounds.planned_below()) {
     orient_as_one(surface, directions);
   } else {
     orient_alike(*surface.graph.adjacency, directions);
   }
+  return to_piece(surface, std::move(directions));
+}
+
+/// From the coarsest level down. A field that is drawn to the last one has one start, and one that
+/// cannot be turned to the least curl.
+LowestPhases solved(const RankSurface& surface, const PhaseGraph& graph,
+                    const SmoothFieldOptions& options, HierarchyBounds bounds, Starts starts) {
+  DistributedHierarchy hierarchy(*surface.ranks, surface.graph, own_ids(surface), bounds);
+  load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
+  hierarchy.coarsen();
+  LowestPhases phases;
+  if (surface.vertices >= bounds.planned_below()) {
+    phases = seeded_start(*surface.ranks, surface.graph, graph, own_ids(surface), starts,
+                          options.sweeps, options.cycles);
+    hierarchy.start_from(phases.z, options.sweeps);
+  } else if (starts == Starts::several) {
+    phases.is_lower = hierarchy.descend_from_several(options.sweeps);
+  } else {
+    hierarchy.descend(options.sweeps);
+  }
+  hierarchy.run_cycles(options.sweeps, options.cycles, {});
+  phases.z = to_nodes(hierarchy.finest().layout(), hierarchy.finest().z);
+  return phases;
+}
+
+/// As those of one process: where another start has found them, or that more than halves their
+/// curl, they turn as a whole until it is least.
+void turn_to_least_curl(const RankSurface& surface, const PhaseGraph& graph, int symmetry,
+                        bool is_lower, DirectionField& directions) {
+  if (surface.ranks->any(!turns_freely(graph, symmetry))) return;
   directions.resize(surface.vertex_count());
   surface.exchange_all(std::span(directions));
-  return surface.to_piece(std::span<const Vec3>(directions));
+  const CurlSums sums = surface.ranks->sum(curl_sums(surface.mesh, directions, surface.normals));
+  turn_to_least_curl(sums, is_lower, surface.normals, directions);
+  directions.resize(surface.graph.node_count());
+}
+
+/// Descents start from the coarsest level, not from the last field: they are drawn to it more.
+constexpr float kPullOfDescents = 3;
+
+/// The last field at the graph's nodes, as their owners have it.
+KnownDirections last_of_nodes(const RankSurface& surface, const KnownDirections& last) {
+  KnownDirections known{DirectionField(surface.vertex_count(), Vec3::Zero()),
+                        std::vector<float>(surface.vertex_count()), kPullOfDescents * last.weight};
+  for (std::size_t v = 0; v < last.directions.size(); ++v) {
+    const Index vertex = surface.vertex_of_piece[v];
+    known.directions[vertex] = last.directions[v];
+    known.confidence[vertex] = last.confidence.empty() ? 1 : last.confidence[v];
+  }
+  surface.exchange_all(std::span(known.directions));
+  surface.exchange_all(std::span(known.confidence));
+  known.directions.resize(surface.graph.node_count());
+  known.confidence.resize(surface.graph.node_count());
+  return known;
+}
+
+/// Whether there is a last field, on all ranks.
+bool follows(const RankSurface& surface, const SmoothFieldOptions& options) {
+  const bool any = surface.ranks->any(!options.last.directions.empty());
+  surface.ranks->together([&] {
+    const std::size_t vertices = surface.vertex_of_piece.size();
+    check_known(options.last, vertices, "the last field");
+    if (any && vertices > 0 && options.last.directions.empty()) {
+      throw Error("smooth field: the last field must be there on all ranks or on none");
+    }
+  });
+  return any;
+}
+
+DirectionField following_field(const RankSurface& surface, PhaseGraph& graph,
+                               std::vector<float> of_curvature, const SmoothFieldOptions& options,
+                               HierarchyBounds bounds) {
+  Communicator& ranks = *surface.ranks;
+  const auto normals = std::span(surface.normals).first(surface.graph.node_count());
+  const KnownDirections known = last_of_nodes(surface, options.last);
+  ScreenedOptions screened;
+  screened.own = surface.graph.own;
+  screened.exchange = [&](std::span<Complex> values) {
+    exchange(ranks, surface.graph.halo, values);
+  };
+  screened.total = [&](double here) { return ranks.sum(here); };
+  LastValues last = last_values(known, normals, options.symmetry);
+  last.noisy = std::move(of_curvature);
+  follow_last(
+      graph, last, surface.vertices,
+      [&] { return solved(surface, graph, options, bounds, Starts::one).z; }, screened);
+  const std::vector<Complex> u = solved(surface, graph, options, bounds, Starts::one).z;
+  DirectionField field = directions_of(u, normals, options.symmetry);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vec3 before = tangent_direction(known.directions[i], normals[i]);
+    if (!before.isZero(0)) field[i] = direction_near(before, u[i], normals[i], options.symmetry);
+  }
+  return to_piece(surface, std::move(field));
 }
 
 }  // namespace
@@ -131,15 +232,18 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   const auto normals = std::span(surface.normals).first(surface.graph.node_count());
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
   if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
+  std::vector<float> of_curvature = anchor_strengths(graph);
   if (options.feature_anchor > 0) add_features(distributed, options, graph);
   add_anchors(surface, options.anchors, options.symmetry, graph);
-  DistributedHierarchy hierarchy(ranks, surface.graph, own_ids(surface), bounds);
-  load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
-  hierarchy.coarsen();
-  hierarchy.descend(options.sweeps);
-  hierarchy.run_cycles(options.sweeps, options.cycles, {});
-  const std::vector<Complex> z = to_nodes(hierarchy.finest().layout(), hierarchy.finest().z);
-  return of_piece(surface, directions_of(z, normals, options.symmetry), bounds);
+  if (follows(surface, options)) {
+    return following_field(surface, graph, std::move(of_curvature), options, bounds);
+  }
+  const bool is_one = ranks.any(starts_of_field(graph, true) == Starts::one);
+  const Starts starts = is_one ? Starts::one : Starts::several;
+  const LowestPhases phases = solved(surface, graph, options, bounds, starts);
+  DirectionField field = directions_of(phases.z, normals, options.symmetry);
+  turn_to_least_curl(surface, graph, options.symmetry, phases.is_lower, field);
+  return of_piece(surface, std::move(field), bounds);
 }
 
 std::vector<float> greatest_curvatures(const DistributedSurface& distributed) {

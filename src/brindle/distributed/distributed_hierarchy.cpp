@@ -25,7 +25,7 @@ std::size_t DistributedHierarchy::gathered_level(const Hierarchy& whole) const {
 
 void DistributedHierarchy::coarsen(const Progress& progress) {
   const std::size_t nodes = ranks_.sum(std::size_t{levels_.graph().own});
-  if (ranks_.size() == 1 || nodes >= bounds_.plan_below) return levels_.coarsen(progress);
+  if (ranks_.size() == 1 || nodes >= bounds_.planned_below()) return levels_.coarsen(progress);
   GatheredLevels whole(ranks_, levels_.graph(), finest(), {true, numbers_by_id(ranks_, ids_), {}},
                        progress);
   const std::size_t last =
@@ -62,6 +62,13 @@ void DistributedHierarchy::descend(int sweeps) {
   if (!moved_) return levels_.descend(sweeps);
   moved_->levels().descend(sweeps);
   bring_back();
+}
+
+bool DistributedHierarchy::descend_from_several(int sweeps) {
+  if (!moved_) return levels_.descend_from_several(sweeps);
+  const bool is_lower = moved_->levels().descend_from_several(sweeps);
+  bring_back();
+  return is_lower;
 }
 
 void DistributedHierarchy::run_cycles(int sweeps, int cycles, const Progress& progress) {

@@ -1,9 +1,11 @@
 /// The multilevel solver of a graph over ranks, as frames and fields use it (docs/distributed.md).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "brindle/distributed/moved_levels.h"
@@ -16,6 +18,9 @@ namespace brindle {
 struct HierarchyBounds {
   std::size_t gather_below = DistributedOptions().gather_below;  ///< it solves these
   std::size_t plan_below = DistributedOptions().plan_below;  ///< of a finest level: it plans all
+
+  /// What rank 0 has as a whole anyway it plans, too.
+  std::size_t planned_below() const { return std::max(gather_below, plan_below); }
 };
 
 /// Levels are grown within ranks (RankHierarchy), or, of small graphs, planned by rank 0 and moved
@@ -34,6 +39,11 @@ class DistributedHierarchy {
   void coarsen(const Progress& progress = {});
   void renew();
   void descend(int sweeps);
+  bool descend_from_several(int sweeps);
+
+  /// In place of a descent, of levels that are not planned: these phases of own nodes and ghosts,
+  /// and sweeps over the finest level.
+  void start_from(std::span<const Complex> z, int sweeps) { levels_.start_from(z, sweeps); }
   void run_cycles(int sweeps, int cycles, const Progress& progress);
   void relax(Momentum& momentum) { levels_.relax(momentum); }
   double energy() const { return levels_.energy(); }

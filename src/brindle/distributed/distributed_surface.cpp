@@ -4,45 +4,20 @@
 #include <array>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
+#include "brindle/distributed/piece_check.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed/shared_vertices.h"
 #include "brindle/error.h"
+#include "brindle/geometry/edge_lengths.h"
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/geometry/normals.h"
-#include "brindle/surface.h"
 
 namespace brindle {
 namespace {
-
-void check_piece(const SurfacePiece& piece) {
-  check_mesh(piece.mesh);
-  if (piece.vertex_ids.size() != piece.mesh.vertex_count()) {
-    throw Error("a piece of " + std::to_string(piece.mesh.vertex_count()) + " vertices has " +
-                std::to_string(piece.vertex_ids.size()) + " vertex numbers; give one for each");
-  }
-  if (!piece.ghost_triangles.empty() &&
-      piece.ghost_triangles.size() != piece.mesh.triangle_count()) {
-    throw Error("a piece of " + std::to_string(piece.mesh.triangle_count()) +
-                " triangles says of " + std::to_string(piece.ghost_triangles.size()) +
-                " whether they are ghosts; say it of each or of none");
-  }
-  if (!piece.triangle_ids.empty() && piece.triangle_ids.size() != piece.mesh.triangle_count()) {
-    throw Error("a piece of " + std::to_string(piece.mesh.triangle_count()) + " triangles has " +
-                std::to_string(piece.triangle_ids.size()) +
-                " triangle numbers; give one for each, or none");
-  }
-  std::vector<std::uint64_t> ids = piece.vertex_ids;
-  std::ranges::sort(ids);
-  const auto twice = std::ranges::adjacent_find(ids);
-  if (twice == ids.end()) return;
-  throw Error("two vertices of a piece have the number " + std::to_string(*twice) +
-              "; join them, or give each its own");
-}
 
 /// Some ranks have no triangles, and no numbers of them.
 bool have_triangle_ids(Communicator& ranks, const SurfacePiece& piece) {
@@ -367,15 +342,21 @@ DistributedSurface::DistributedSurface(SurfacePiece piece, MPI_Comm communicator
   surface->ranks->together([&] { check_piece(piece); });
   check_origins(*surface->ranks, piece.mesh.origin);
   SurfaceMaker(std::move(piece), *surface).make();
+  const EdgeLengths own =
+      edge_lengths(std::span<const Vec3>(surface->mesh.positions), *surface->graph.adjacency);
+  const EdgeLengths all{surface->ranks->sum(own.sum), surface->ranks->sum(own.count)};
+  surface->ranks->together([&] { check_edge_lengths(all); });
   surface_ = std::move(surface);
 }
 
-std::span<const Vec3> DistributedSurface::normals() const { return surface_->piece_normals; }
-std::span<const std::uint8_t> DistributedSurface::is_own() const { return surface_->piece_is_own; }
-std::size_t DistributedSurface::vertex_count() const { return surface_->vertices; }
-std::size_t DistributedSurface::triangle_count() const { return surface_->triangles; }
-std::size_t DistributedSurface::edge_count() const { return surface_->edges; }
-double DistributedSurface::diagonal() const { return surface_->diagonal; }
-const Traffic& DistributedSurface::traffic() const { return surface_->ranks->traffic(); }
+std::span<const Vec3> DistributedSurface::normals() const { return rank_surface().piece_normals; }
+std::span<const std::uint8_t> DistributedSurface::is_own() const {
+  return rank_surface().piece_is_own;
+}
+std::size_t DistributedSurface::vertex_count() const { return rank_surface().vertices; }
+std::size_t DistributedSurface::triangle_count() const { return rank_surface().triangles; }
+std::size_t DistributedSurface::edge_count() const { return rank_surface().edges; }
+double DistributedSurface::diagonal() const { return rank_surface().diagonal; }
+const Traffic& DistributedSurface::traffic() const { return rank_surface().ranks->traffic(); }
 
 }  // namespace brindle

@@ -78,9 +78,9 @@ void GatheredLevels::renew(Communicator& ranks, const Level& level) {
   if (ranks.rank() == 0) brindle::renew(hierarchy_);
 }
 
-void GatheredLevels::descend(Communicator& ranks, const RankGraph& graph, int sweeps,
-                             Level& level) {
-  if (ranks.rank() == 0) brindle::descend(hierarchy_, sweeps);
+void GatheredLevels::descend(Communicator& ranks, const RankGraph& graph, Level& level,
+                             const std::function<void(Hierarchy&)>& solve) {
+  if (ranks.rank() == 0) solve(hierarchy_);
   scatter(ranks, graph, level);
 }
 

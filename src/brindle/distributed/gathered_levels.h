@@ -1,6 +1,7 @@
 /// A level that has become small, and all coarser ones, on rank 0 alone.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,9 +31,10 @@ class GatheredLevels {
   /// Gathers the couplings again, and renews what follows from them.
   void renew(Communicator& ranks, const Level& level);
 
-  /// Solves the gathered levels from the coarsest one on; the level has its own nodes' phases
-  /// afterwards.
-  void descend(Communicator& ranks, const RankGraph& graph, int sweeps, Level& level);
+  /// Rank 0 solves the gathered levels as `solve` does, a descent from the coarsest one on; the
+  /// level has its own nodes' phases afterwards.
+  void descend(Communicator& ranks, const RankGraph& graph, Level& level,
+               const std::function<void(Hierarchy&)>& solve);
 
   /// Gathers couplings in which the level's phases are the gauges of finer ones (`run_cycles`), or,
   /// of the finest level, starts from the phases that `descend` has found, and does the same.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/elementary.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/waves/orientation.h"
@@ -15,7 +16,7 @@
 namespace brindle {
 namespace {
 
-constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kNoGroup = std::numeric_limits<std::uint64_t>::max();
 
 /// Vertices of one rank that are joined by waves and run alike.
 struct Group {
@@ -94,9 +95,9 @@ class RankOrientation {
  private:
   void find_groups(const std::vector<Vec3>& before) {
     const std::vector<std::uint64_t> ids = known_ids(surface_);
-    group_.assign(directions_.size(), kNone);
+    group_.assign(directions_.size(), kNoGroup);
     for (Index start = 0; start < surface_.graph.own; ++start) {
-      if (group_[start] != kNone || directions_[start].isZero(0)) continue;
+      if (group_[start] != kNoGroup || directions_[start].isZero(0)) continue;
       Group group{groups_.size(), ids[start], 1};
       std::vector<Index> queue = {start};
       group_[start] = group.number;
@@ -107,7 +108,7 @@ class RankOrientation {
           group.sign = directions_[v] == before[v] ? 1 : -1;
         }
         for (const Index other : adjacency_.of(v)) {
-          const bool known = other >= surface_.graph.own || group_[other] != kNone;
+          const bool known = other >= surface_.graph.own || group_[other] != kNoGroup;
           if (known || directions_[other].isZero(0)) continue;
           group_[other] = group.number;
           queue.push_back(other);
@@ -118,7 +119,7 @@ class RankOrientation {
     const std::vector<std::size_t> counts = ranks_.all(groups_.size());
     for (int r = 0; r < ranks_.rank(); ++r) first_group_ += counts[static_cast<std::size_t>(r)];
     for (Group& group : groups_) group.number += first_group_;
-    for (std::uint64_t& group : group_) group += group == kNone ? 0 : first_group_;
+    for (std::uint64_t& group : group_) group += group == kNoGroup ? 0 : first_group_;
     counts_ = counts;
   }
 
@@ -128,7 +129,7 @@ class RankOrientation {
     std::map<std::pair<std::uint64_t, std::uint64_t>, double> sums;
     for (Index i = 0; i < surface_.graph.own; ++i) {
       for (const Index j : adjacency_.of(i)) {
-        if (j < surface_.graph.own || group_[i] == kNone || group_[j] == kNone) continue;
+        if (j < surface_.graph.own || group_[i] == kNoGroup || group_[j] == kNoGroup) continue;
         sums[{group_[i], group_[j]}] += static_cast<double>(directions_[i].dot(directions_[j]));
       }
     }
@@ -151,7 +152,7 @@ class RankOrientation {
     }
     const auto heard = ranks_.swap_lists(told);
     for (Index v = 0; v < surface_.graph.own; ++v) {
-      if (group_[v] == kNone) continue;
+      if (group_[v] == kNoGroup) continue;
       if (heard[0][group_[v] - first_group_] < 0) directions_[v] = -directions_[v];
     }
     exchange(ranks_, surface_.graph.halo, std::span(directions_));
@@ -196,7 +197,7 @@ std::size_t move_peaks(const DistributedSurface& distributed, float periods, Wav
   waves.directions = surface.to_piece(std::span<const Vec3>(directions));
   std::ranges::copy(surface.to_piece(std::span<const Complex>(turned)), z.begin());
   const float turn = -2 * std::numbers::pi_v<float> * (periods - std::floor(periods));
-  for (Complex& value : z) value *= std::polar(1.0f, turn);
+  for (Complex& value : z) value *= elementary::polar(1.0f, turn);
   return orientation.reflecting();
 }
 

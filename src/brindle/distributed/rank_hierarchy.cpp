@@ -6,6 +6,7 @@
 
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/node_order.h"
+#include "brindle/phases/several_starts.h"
 
 namespace brindle {
 namespace {
@@ -230,9 +231,44 @@ void RankHierarchy::descend_from(Complex start, int sweeps) {
 
 void RankHierarchy::descend(int sweeps) {
   if (gathered_) {
-    gathered_->descend(ranks_, parts_.back().graph, sweeps, hierarchy_.levels.back());
+    gathered_->descend(ranks_, parts_.back().graph, hierarchy_.levels.back(),
+                       [&](Hierarchy& rest) { brindle::descend(rest, sweeps); });
   }
   descend_from(kPeak, sweeps);
+}
+
+EnergySums RankHierarchy::lowered() const {
+  return ranks_.sum(lowered_sums(hierarchy_.levels[0], hierarchy_.levels[0].z));
+}
+
+bool RankHierarchy::descend_from_several(int sweeps) {
+  if (!gathered_) return brindle::descend_from_several(hierarchy_, sweeps);
+  Level& last = hierarchy_.levels.back();
+  const RankGraph& graph = parts_.back().graph;
+  if (hierarchy_.levels.size() == 1) {
+    bool is_lower = false;
+    gathered_->descend(ranks_, graph, last, [&](Hierarchy& whole) {
+      is_lower = brindle::descend_from_several(whole, sweeps);
+    });
+    descend_from(kPeak, sweeps);
+    return ranks_.any(is_lower);
+  }
+  std::vector<Complex>& z = hierarchy_.levels[0].z;
+  descend(sweeps);
+  const EnergySums plain_sums = lowered();
+  std::vector<Complex> plain = z;
+  gathered_->descend(ranks_, graph, last,
+                     [&](Hierarchy& rest) { descend_from_lowest(rest, sweeps); });
+  descend_from(kPeak, sweeps);
+  const bool is_lower = is_much_lower(lowered(), plain_sums);
+  if (!is_lower) z = std::move(plain);
+  return is_lower;
+}
+
+void RankHierarchy::start_from(std::span<const Complex> z, int sweeps) {
+  Level& finest = hierarchy_.levels[0];
+  to_slots(finest.layout(), z, finest.z);
+  sweep_level(0, sweeps);
 }
 
 /// As `correct` of phases/multilevel.h. Ghosts have the phases and gauges of their owners already.

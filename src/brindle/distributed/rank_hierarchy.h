@@ -43,6 +43,13 @@ class RankHierarchy {
   /// Gives the levels that `coarsen` would gather, the finest one among them.
   void take_gathered(GatheredLevels gathered);
   void descend(int sweeps);
+
+  /// As that of phases/several_starts.h. Which start is lowest is told on levels that are gathered.
+  bool descend_from_several(int sweeps);
+
+  /// In place of a descent: these phases of own nodes and ghosts, and sweeps over the finest level.
+  /// That must not be gathered.
+  void start_from(std::span<const Complex> z, int sweeps);
   void run_cycles(int sweeps, int cycles, const Progress& progress);
 
   /// Gives the finest level's ghosts the phases of their owners.
@@ -87,6 +94,7 @@ class RankHierarchy {
   void sweep_level(std::size_t level, int sweeps);
   void descend_from(Complex start, int sweeps);
   void correct(int sweeps);
+  EnergySums lowered() const;
 
   Communicator& ranks_;
   std::size_t gather_below_ = 0;

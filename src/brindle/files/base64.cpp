@@ -83,7 +83,7 @@ std::size_t Base64Reader::read_some(std::span<std::byte> bytes) {
     if (done == bytes.size()) break;
     if (left_over_ == 0 && (text_.empty() || !next_group())) break;
     const std::size_t taken = std::min(left_over_, bytes.size() - done);
-    std::copy_n(&group_[group_size_ - left_over_], taken, &bytes[done]);
+    std::copy_n(group_.data() + (group_size_ - left_over_), taken, bytes.data() + done);
     left_over_ -= taken;
     done += taken;
   }

@@ -6,6 +6,8 @@
 #include <ostream>
 #include <vector>
 
+#include "brindle/base/text_output.h"
+
 namespace brindle {
 
 static_assert(std::endian::native == std::endian::little, "binary files are little endian");
@@ -22,7 +24,9 @@ class BinaryOutput {
   void put(const Value* values, std::size_t count) {
     const auto* bytes = reinterpret_cast<const char*>(values);
     buffer_.insert(buffer_.end(), bytes, bytes + count * sizeof(Value));
-    if (buffer_.size() > (1 << 16)) flush();
+    if (buffer_.size() <= (1 << 16)) return;
+    flush();
+    stop_if_bad(out_);
   }
   template <class Value>
   void put(const Value& value) {

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <set>
 #include <utility>
 
+#include "brindle/base/input_stream.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -26,10 +28,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Where a cell in quotation marks that begins at `begin` ends behind its mark; nowhere unless the
-/// separator or the row's end follows.
-std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separator) {
+/// separator or the row's end follows. `vain` are marks that led nowhere before, and need not be
+/// followed again: many marks that nothing closes would take the square of their number.
+std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separator,
+                          std::set<std::size_t>& vain) {
+  std::vector<std::size_t> followed;
   std::size_t mark = row.find('"', begin + 1);
-  while (mark != std::string_view::npos) {
+  while (mark != std::string_view::npos && !vain.contains(mark)) {
+    followed.push_back(mark);
     if (mark + 1 < row.size() && row[mark + 1] == '"') {
       mark = row.find('"', mark + 2);
       continue;
@@ -38,14 +44,16 @@ std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separato
     if (next == std::string_view::npos || row[next] == separator) return mark + 1;
     mark = row.find('"', mark + 1);
   }
+  vain.insert(followed.begin(), followed.end());
   return std::string_view::npos;
 }
 
 /// Where the cell that begins at `begin` ends: at the next separator outside quotation marks.
-std::size_t end_of_cell(std::string_view row, std::size_t begin, char separator) {
+std::size_t end_of_cell(std::string_view row, std::size_t begin, char separator,
+                        std::set<std::size_t>& vain) {
   const std::size_t first = row.find_first_not_of(" \r", begin);
   if (first != std::string_view::npos && row[first] == '"') {
-    const std::size_t end = end_of_quoted(row, first, separator);
+    const std::size_t end = end_of_quoted(row, first, separator, vain);
     if (end != std::string_view::npos) begin = end;
   }
   return std::min(row.find(separator, begin), row.size());
@@ -61,8 +69,9 @@ std::string_view unquoted(std::string_view cell) {
 void cut(std::string_view row, std::vector<std::string_view>& cells) {
   for (const char separator : {';', ',', '\t'}) {
     cells.clear();
+    std::set<std::size_t> vain;
     for (std::size_t begin = 0; begin <= row.size();) {
-      const std::size_t end = end_of_cell(row, begin, separator);
+      const std::size_t end = end_of_cell(row, begin, separator, vain);
       cells.push_back(unquoted(trimmed(row.substr(begin, end - begin))));
       begin = end + 1;
     }
@@ -103,17 +112,6 @@ bool has_decimal_commas(std::string_view row) {
   return parse(cells, ignored);
 }
 
-std::ifstream open(const std::filesystem::path& path, const CsvKind& kind) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error("cannot read " + kind.what + " '" + path.string() +
-                "': it is a folder; name a CSV file");
-  }
-  std::ifstream in(path);
-  if (!in) throw Error("cannot open " + kind.what + " '" + path.string() + "'; check the path");
-  return in;
-}
-
 /// A name without the second of two quotation marks that stand for one.
 std::string name_in(std::string_view cell) {
   std::string name;
@@ -127,7 +125,7 @@ std::string name_in(std::string_view cell) {
 }  // namespace
 
 std::string at_line(const std::filesystem::path& path, std::size_t line) {
-  return "'" + path.string() + "', line " + std::to_string(line) + ": ";
+  return "'" + shown(path.native()) + "', line " + std::to_string(line) + ": ";
 }
 
 std::vector<double> CsvTable::numbers_of(std::string_view name) const {
@@ -141,7 +139,7 @@ std::vector<double> CsvTable::numbers_of(std::string_view name) const {
 }
 
 CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
-    : path_(std::move(path)), kind_(std::move(kind)), in_(open(path_, kind_)) {
+    : path_(std::move(path)), kind_(std::move(kind)), in_(open_input(path_, "a CSV file")) {
   first_ = next_row();
   const bool words = first_ && std::ranges::none_of(cells_, [](auto cell) {
                        return parse_number(cell).has_value();
@@ -161,7 +159,7 @@ bool CsvFile::next_row() {
     return true;
   }
   if (in_.bad())
-    throw Error("cannot read " + kind_.what + " '" + path_.string() + "': input error");
+    throw Error("cannot read " + kind_.what + " '" + shown(path_.native()) + "': input error");
   return false;
 }
 
@@ -196,7 +194,7 @@ void CsvFile::read(
 
 CsvTable CsvFile::read_table() {
   if (names_.empty()) {
-    throw Error("'" + path_.string() +
+    throw Error("'" + shown(path_.native()) +
                 "' does not name its columns; write their names into its first row");
   }
   std::vector<std::vector<double>> columns(names_.size());
@@ -225,7 +223,7 @@ CsvTable CsvFile::read_table() {
     if (!of_words[c]) table.columns.push_back(make_data_array(names_[c], 1, columns[c]));
   }
   if (table.lines.empty() || table.columns.empty()) {
-    throw Error("'" + path_.string() +
+    throw Error("'" + shown(path_.native()) +
                 "' has no numbers below its names of columns; export it "
                 "again");
   }

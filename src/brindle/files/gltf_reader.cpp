@@ -8,8 +8,7 @@
 #include <array>
 #include <cctype>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,11 +20,10 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/base64.h"
+#include "brindle/files/gltf_buffers.h"
 #include "brindle/files/gltf_document.h"
 #include "brindle/files/letters.h"
 #include "brindle/files/mesh_builder.h"
-#include "brindle/files/percent_decoded.h"
 #include "brindle/files/piecewise_arrays.h"
 
 namespace brindle {
@@ -38,16 +36,22 @@ using Eigen::Vector3d;
 enum PrimitiveMode { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 enum ComponentType { kUnsignedByte = 5121, kUnsignedShort = 5123 };
 
+constexpr std::uint64_t kBytesOfPrimitive = 64;  ///< even of one that has nothing to show
+
 /// Puts the meshes of a checked document together.
 class GltfReader {
  public:
-  GltfReader(std::filesystem::path path, const GltfDocument& document)
-      : path_(std::move(path)), document_(document), json_(document.json) {}
+  GltfReader(std::filesystem::path path, const GltfDocument& document, const GltfBounds& bounds)
+      : path_(std::move(path)), json_(document.json), buffers_(path_, document), bounds_(bounds) {}
 
   RawMesh read() {
     for (const std::uint64_t root : roots()) add_node(root, Affine3d::Identity());
     std::string left_out;
     DataArrays arrays{arrays_.take("vertices", left_out), {}};
+    if (without_data_ > 0) {
+      left_out += std::to_string(without_data_) +
+                  " primitives: left out, because their positions or indices have no data\n";
+    }
     RawMesh raw = builder_.take(std::move(arrays));
     raw.left_out = std::move(left_out);
     return raw;
@@ -55,7 +59,7 @@ class GltfReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(path_.string() + ": " + what);
+    throw Error(shown(path_.native()) + ": " + what);
   }
 
   const Json& item(const char* list, std::uint64_t index) const { return json_[list][index]; }
@@ -140,8 +144,14 @@ class GltfReader {
         primitive["extensions"].contains("KHR_draco_mesh_compression")) {
       fail("is compressed with Draco, which brindle does not read; export it without compression");
     }
+    spend(kBytesOfPrimitive);
     if (!primitive["attributes"].contains("POSITION")) return;
     const std::uint64_t accessor = primitive["attributes"]["POSITION"].get<std::uint64_t>();
+    const bool indexed = primitive.contains("indices");
+    if (!has_data(accessor) || (indexed && !has_data(number(primitive, "indices", 0)))) {
+      ++without_data_;  // all zeros, as the format says: no triangle has an area
+      return;
+    }
     const Index first = add_vertices(primitive["attributes"], transform);
     const auto count = static_cast<Index>(number(item("accessors", accessor), "count", 0));
     std::vector<Index> corners = corners_of(primitive, count);
@@ -149,33 +159,100 @@ class GltfReader {
     add_triangles(corners, static_cast<PrimitiveMode>(mode), transform.linear().determinant() < 0);
   }
 
+  bool has_data(std::uint64_t accessor) const {
+    return item("accessors", accessor).contains("bufferView");
+  }
+
+  /// Throws if a small file asks for so much memory in all.
+  void spend(std::uint64_t bytes) {
+    spent_ += bytes;
+    if (spent_ <= bounds_.bytes + bounds_.repeats * buffers_.size()) return;
+    fail("repeats its meshes and data until they have more than " +
+         std::to_string(bounds_.bytes >> 20) + " MiB and " + std::to_string(bounds_.repeats) +
+         " times its size; export it with fewer copies");
+  }
+
+  /// The same for what an accessor's data become, which it has read.
+  void spend(std::uint64_t accessor, std::uint64_t bytes) {
+    data_of(item("accessors", accessor));
+    spend(bytes);
+  }
+
+  /// Attributes that become arrays. Positions are none, and those of bones move them.
+  static bool is_array(std::string_view semantic) {
+    return semantic != "POSITION" && !semantic.starts_with("JOINTS_") &&
+           !semantic.starts_with("WEIGHTS_");
+  }
+
+  /// What primitives have in common that share their vertices: the accessors of all their
+  /// attributes.
+  using Attributes = std::vector<std::pair<std::string, std::uint64_t>>;
+
+  static Attributes attributes_of(const Json& attributes) {
+    Attributes result;
+    for (const auto& [semantic, accessor] : attributes.items()) {
+      if (semantic != "POSITION" && !is_array(semantic)) continue;
+      result.emplace_back(semantic, accessor.get<std::uint64_t>());
+    }
+    return result;
+  }
+
   /// The number of the first of a primitive's vertices.
   Index add_vertices(const Json& attributes, const Affine3d& transform) {
     const std::uint64_t accessor = number(attributes, "POSITION", 0);
-    const auto [entry, is_new] =
-        first_vertex_.try_emplace(accessor, static_cast<Index>(builder_.vertex_count()));
+    const auto [entry, is_new] = first_vertex_.try_emplace(
+        attributes_of(attributes), static_cast<Index>(builder_.vertex_count()));
     if (!is_new) return entry->second;
-    const std::uint64_t count = number(item("accessors", accessor), "count", 0);
+    const Json& described = item("accessors", accessor);
+    const std::uint64_t count = number(described, "count", 0);
     if (builder_.vertex_count() + count > 0xfffffffe) {
       fail("has more vertices than brindle can number; split it into parts");
     }
-    for_each_element(accessor, 12, [&](const char* bytes) {
-      Eigen::Vector3f position;
-      std::memcpy(position.data(), bytes, 12);
-      builder_.add_vertex(transform * position.cast<double>());
+    spend(accessor, count * sizeof(Vector3d));
+    const NumberType type = number_type(described);
+    const double one = unit_of(described);
+    with_number_type(type, [&]<class Number>(Number) {
+      for_each_element(accessor, 3 * sizeof(Number), [&](const char* bytes) {
+        Vector3d position = vector_at<Number>(bytes) / one;
+        if (one > 1) position = position.cwiseMax(-1);  // the lowest number is a step beyond it
+        builder_.add_vertex(transform * position);
+      });
     });
     arrays_.add(arrays_of(attributes, transform.linear()));
     return entry->second;
   }
 
+  template <class Number>
+  static Vector3d vector_at(const char* bytes) {
+    std::array<Number, 3> numbers{};
+    std::memcpy(numbers.data(), bytes, sizeof numbers);
+    return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]),
+            static_cast<double>(numbers[2])};
+  }
+
+  /// What stands for 1 in an accessor: whole numbers may be parts of their largest.
+  static double unit_of(const Json& accessor) {
+    const auto normalized = accessor.find("normalized");
+    const bool parts =
+        normalized != accessor.end() && normalized->is_boolean() && normalized->get<bool>();
+    return parts ? largest_of(number_type(accessor)) : 1;
+  }
+
+  static double largest_of(NumberType type) {
+    double largest = 1;
+    with_number_type(type, [&]<class Number>(Number) {
+      if constexpr (std::is_integral_v<Number>) {
+        largest = static_cast<double>(std::numeric_limits<Number>::max());
+      }
+    });
+    return largest;
+  }
+
   /// What a primitive says of its vertices.
-  std::vector<DataArray> arrays_of(const Json& attributes, const Eigen::Matrix3d& linear) const {
+  std::vector<DataArray> arrays_of(const Json& attributes, const Eigen::Matrix3d& linear) {
     std::vector<DataArray> arrays;
     for (const auto& [semantic, accessor] : attributes.items()) {
-      // Positions are no array, and those of bones move them.
-      const bool other = semantic == "POSITION" || semantic.starts_with("JOINTS_") ||
-                         semantic.starts_with("WEIGHTS_");
-      if (other) continue;
+      if (!is_array(semantic)) continue;
       const Json& described = item("accessors", accessor.get<std::uint64_t>());
       DataArray array{array_name(semantic), number_type(described), components(described), {}};
       // Columns of smaller numbers are padded; nobody stores data like that. Nor are there any
@@ -184,11 +261,16 @@ class GltfReader {
                           array.type != NumberType::float32;
       if (padded || !described.contains("bufferView")) continue;
       const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
+      spend(accessor.get<std::uint64_t>(), row * number(described, "count", 0));
       for_each_element(accessor.get<std::uint64_t>(), row, [&](const char* bytes) {
         const auto* begin = reinterpret_cast<const std::byte*>(bytes);
         array.bytes.insert(array.bytes.end(), begin, begin + row);
       });
-      if (semantic.starts_with("TEXCOORD_")) array = with_v_up(array);
+      if (semantic.starts_with("TEXCOORD_"))
+        array = with_v_up(array, unit_of_coordinates(described));
+      const bool direction = semantic == "NORMAL" || semantic == "TANGENT";
+      // Of a direction whole numbers are always parts of their largest.
+      if (direction) array = as_floats(array, largest_of(array.type));
       if (semantic == "NORMAL") turn(array, linear.inverse().transpose());
       if (semantic == "TANGENT") turn(array, linear);
       arrays.push_back(std::move(array));
@@ -225,12 +307,28 @@ class GltfReader {
     return type.starts_with("MAT") ? sides * sides : sides;
   }
 
-  /// Texture coordinates as floats whose V runs up; in glTF it runs down.
-  static DataArray with_v_up(const DataArray& array) {
+  /// Of texture coordinates whole numbers are parts of their largest, unless the file uses the
+  /// extension that allows others.
+  double unit_of_coordinates(const Json& accessor) const {
+    const auto used = json_.find("extensionsUsed");
+    const bool any = used != json_.end() && used->is_array() &&
+                     std::ranges::find(*used, "KHR_mesh_quantization") != used->end();
+    return any ? unit_of(accessor) : largest_of(number_type(accessor));
+  }
+
+  /// Numbers that are `one` as 1, and none below -1: the lowest whole number is a step beyond it.
+  static DataArray as_floats(const DataArray& array, double one) {
+    if (array.type == NumberType::float32) return array;
     std::vector<float> numbers;
-    const double one = array.type == NumberType::uint8    ? 255
-                       : array.type == NumberType::uint16 ? 65535
-                                                          : 1;
+    for_each_number(array.view(), [&](std::size_t, std::size_t, auto number) {
+      numbers.push_back(static_cast<float>(std::max(-1.0, static_cast<double>(number) / one)));
+    });
+    return make_data_array(array.name, array.components, numbers);
+  }
+
+  /// Texture coordinates as floats whose V runs up; in glTF it runs down.
+  static DataArray with_v_up(const DataArray& array, double one) {
+    std::vector<float> numbers;
     for_each_number(array.view(), [&](std::size_t, std::size_t column, auto number) {
       const auto value = static_cast<float>(static_cast<double>(number) / one);
       numbers.push_back(column == 1 ? 1 - value : value);
@@ -252,15 +350,17 @@ class GltfReader {
   }
 
   /// The vertices of a primitive in the order in which it names them, counted from its first.
-  std::vector<Index> corners_of(const Json& primitive, Index vertices) const {
+  std::vector<Index> corners_of(const Json& primitive, Index vertices) {
     std::vector<Index> corners;
     if (!primitive.contains("indices")) {
+      spend(vertices * sizeof(Triangle));  // the positions' data have been read
       for (Index v = 0; v < vertices; ++v) corners.push_back(v);
       return corners;
     }
     const auto accessor = primitive["indices"].get<std::uint64_t>();
     const std::uint64_t type = number(item("accessors", accessor), "componentType", 0);
     const std::size_t size = type == kUnsignedByte ? 1 : type == kUnsignedShort ? 2 : 4;
+    spend(accessor, number(item("accessors", accessor), "count", 0) * sizeof(Triangle));
     for_each_element(accessor, size, [&](const char* bytes) {
       std::uint32_t corner = 0;  // little endian, as the format is
       std::memcpy(&corner, bytes, size);
@@ -288,82 +388,45 @@ class GltfReader {
 
   /// Calls `use` with the first byte of every element, which is `size` bytes long.
   template <class Use>
-  void for_each_element(std::uint64_t number_of_accessor, std::size_t size, const Use& use) const {
+  void for_each_element(std::uint64_t number_of_accessor, std::size_t size, const Use& use) {
     const Json& accessor = item("accessors", number_of_accessor);
     const std::uint64_t count = number(accessor, "count", 0);
-    if (!accessor.contains("bufferView")) {
-      const std::string zeros(size, '\0');  // as the format says
-      for (std::uint64_t i = 0; i < count; ++i) use(zeros.data());
-      return;
-    }
+    const std::string& data = data_of(accessor);
     const Json& view = item("bufferViews", number(accessor, "bufferView", 0));
-    if (view.contains("extensions") && view["extensions"].contains("EXT_meshopt_compression")) {
-      fail("is compressed with meshopt, which brindle does not read; export it without");
-    }
-    const std::string& data = buffer(number(view, "buffer", 0));
     const std::uint64_t stride = std::max<std::uint64_t>(number(view, "byteStride", 0), size);
     const std::uint64_t begin = number(view, "byteOffset", 0) + number(accessor, "byteOffset", 0);
     for (std::uint64_t i = 0; i < count; ++i) use(data.data() + begin + i * stride);
   }
 
-  /// A buffer's bytes, at least as many as it promises.
-  const std::string& buffer(std::uint64_t index) const {
-    const auto [entry, is_new] = buffers_.try_emplace(index);
-    if (is_new) {
-      const Json& buffer = item("buffers", index);
-      entry->second = content_of(buffer);
-      const std::uint64_t promised = number(buffer, "byteLength", 0);
-      // A GLB's own buffer may lack its padding.
-      if (entry->second.size() + 3 < promised) {
-        fail("is truncated: a buffer has " + std::to_string(entry->second.size()) +
-             " bytes instead of " + std::to_string(promised) + "; export it again");
-      }
-      entry->second.resize(std::max<std::size_t>(entry->second.size(), promised));
+  /// The buffer in which an accessor's data stand.
+  const std::string& data_of(const Json& accessor) {
+    const Json& view = item("bufferViews", number(accessor, "bufferView", 0));
+    if (view.contains("extensions") && view["extensions"].contains("EXT_meshopt_compression")) {
+      fail("is compressed with meshopt, which brindle does not read; export it without");
     }
-    return entry->second;
-  }
-
-  std::string content_of(const Json& buffer) const {
-    const auto uri = buffer.find("uri");
-    if (uri == buffer.end()) return document_.data;
-    if (!uri->is_string()) fail("is a damaged glTF file, export it again: 'uri' is no text");
-    const auto& text = uri->get_ref<const std::string&>();
-    if (!text.starts_with("data:")) return content_of_file(text);
-    const std::size_t comma = text.find(',');
-    const bool base64 = comma != std::string::npos && text.substr(0, comma).ends_with(";base64");
-    auto bytes = base64 ? base64_decoded(std::string_view(text).substr(comma + 1)) : std::nullopt;
-    if (!bytes) fail("is a damaged glTF file, export it again: its data are not in base64");
-    return *std::move(bytes);
-  }
-
-  std::string content_of_file(const std::string& uri) const {
-    const std::filesystem::path path = path_.parent_path() / percent_decoded(uri);
-    std::error_code ignored;
-    std::ifstream stream(path, std::ios::binary);
-    if (!std::filesystem::is_regular_file(path, ignored) || !stream) {
-      fail("needs the file " + in_quotes(path.string()) +
-           ", which is not there or cannot be read; keep both in one folder");
-    }
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return buffers_.buffer(number(view, "buffer", 0));
   }
 
   std::filesystem::path path_;
-  const GltfDocument& document_;
   const Json& json_;
   MeshBuilder builder_;
   PiecewiseArrays arrays_;
-  std::map<std::uint64_t, Index> first_vertex_;  ///< of the node's accessors of positions
-  mutable std::map<std::uint64_t, std::string> buffers_;
+  GltfBuffers buffers_;
+  GltfBounds bounds_;
+  std::map<Attributes, Index> first_vertex_;  ///< of the node's primitives
+  std::uint64_t spent_ = 0;                   ///< bytes of memory
+  std::size_t without_data_ = 0;
 };
 
 }  // namespace
 
-RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress) {
+RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress,
+                  const GltfBounds& bounds) {
   const GltfDocument document = read_gltf_document(path, progress);
   try {
-    return GltfReader(path, document).read();
+    return GltfReader(path, document, bounds).read();
   } catch (const Json::exception& error) {
-    throw Error(path.string() +
+    throw Error(shown(path.native()) +
                 ": is a damaged glTF file, export it again: " + printable(error.what()));
   }
 }
@@ -374,8 +437,9 @@ RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress) {
 
 namespace brindle {
 
-RawMesh read_gltf(const std::filesystem::path& path, const Progress& /*progress*/) {
-  throw Error(path.string() +
+RawMesh read_gltf(const std::filesystem::path& path, const Progress& /*progress*/,
+                  const GltfBounds& /*bounds*/) {
+  throw Error(shown(path.native()) +
               ": this brindle was built without nlohmann-json and so without glTF; choose PLY or "
               "OBJ");
 }

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "brindle/base/input_stream.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -16,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Who wants the header alone reads little more.
+constexpr std::size_t kFirstSize = std::size_t{1} << 14;
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
 constexpr std::size_t kReportedSize = std::size_t{1} << 24;
 
@@ -45,22 +49,16 @@ double towards_nearest_float(double value, std::string_view word) {
 }  // namespace
 
 InputFile::InputFile(const fs::path& path, Progress progress)
-    : path_(path), progress_(std::move(progress)), stage_("loading " + path.string()) {
+    : path_(path),
+      progress_(std::move(progress)),
+      stage_("loading " + shown(path.native())),
+      stream_(open_input(path, "a mesh file")) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) {
-    fail("there is no such file; check the path's spelling");
-  }
-  if (error) fail("cannot be read: " + error.message());
-  if (fs::is_directory(status)) fail("is a folder; name a mesh file in it");
-  if (!fs::is_regular_file(status)) fail("is not a regular file; save the mesh to a file first");
-  stream_.open(path, std::ios::binary);
-  if (!stream_) fail("cannot be opened; check its permissions");
   remaining_ = fs::file_size(path, error);
   if (error) fail("cannot be read: " + error.message());
   size_ = remaining_;
   if (remaining_ == 0) fail("is empty; export the mesh again");
-  buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, remaining_)));
+  buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kFirstSize, remaining_)));
 }
 
 bool InputFile::fill() {
@@ -70,6 +68,9 @@ bool InputFile::fill() {
     begin_ = 0;
   }
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  if (read_ > 0 && buffer_.size() < kBufferSize) {
+    buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, size_)));
+  }
   stream_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
   const auto read = static_cast<std::size_t>(stream_.gcount());
   end_ += read;
@@ -141,11 +142,11 @@ void InputFile::fail(const std::string& message) const {
 }
 
 void InputFile::fail_at(std::size_t line, const std::string& message) const {
-  throw Error(path_.string() + ":" + std::to_string(line) + ": " + message);
+  throw Error(shown(path_.native()) + ":" + std::to_string(line) + ": " + message);
 }
 
 void InputFile::fail_whole(const std::string& message) const {
-  throw Error(path_.string() + ": " + message);
+  throw Error(shown(path_.native()) + ": " + message);
 }
 
 std::string_view take_word(std::string_view& line) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "brindle/geometry/local_positions.h"
-#include "brindle/geometry/polygon.h"
+#include "brindle/polygon.h"
 
 namespace brindle {
 namespace {

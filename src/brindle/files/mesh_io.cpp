@@ -3,15 +3,18 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/gltf_reader.h"
 #include "brindle/files/gltf_writer.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/named_file.h"
 #include "brindle/files/obj_file.h"
 #include "brindle/files/off_file.h"
 #include "brindle/files/ply_file.h"
 #include "brindle/files/stl_file.h"
+#include "brindle/files/surface_file.h"
 #include "brindle/files/vtk_file.h"
 #include "brindle/files/vtp_file.h"
 #include "brindle/files/written_arrays.h"
@@ -23,25 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kReadable =
     "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
-
-/// What the file holds, as it has it.
-RawMesh read_raw(const fs::path& path, const Progress& progress) {
-  const InputFile readable(path);
-  const std::string kind = lower_extension(path);
-  if (kind == ".obj") return {read_obj(path, progress)};
-  if (kind == ".ply") return read_ply(path, progress);
-  if (kind == ".off") return {read_off(path, progress)};
-  if (kind == ".stl") return {read_stl(path, progress)};
-  if (kind == ".gltf" || kind == ".glb") return read_gltf(path, progress);
-  if (is_vtk_format(path)) return read_vtk(path, progress);
-  if (kind == ".pvtp") {
-    readable.fail_whole(
-        "names the pieces of a surface, which 'mpirun -n 1 brindle-mpi' reads; or save it in "
-        "ParaView as .vtp");
-  }
-  readable.fail_whole("brindle cannot tell the format by the extension '" +
-                      path.extension().string() + "'; " + kReadable);
-}
 
 /// Lets triangles use one of the vertices at one place, and removes the others where they have no
 /// numbers.
@@ -66,26 +50,20 @@ void repair(LoadedMesh& loaded) {
   if (kept.size() < count) loaded.arrays.cells = rows_of(loaded.arrays.cells, kept);
 }
 
-template <class Read>
-auto with_memory(const fs::path& path, const Read& read) {
-  try {
-    return read();
-  } catch (const std::bad_alloc&) {
-    throw Error(path.string() + ": there is not enough memory for this mesh");
-  }
-}
-
 void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::string& why_empty) {
   if (!loaded.mesh.triangles.empty()) return;
-  if (!why_empty.empty()) throw Error(path.string() + ": " + why_empty);
+  if (!why_empty.empty()) throw Error(shown(path.native()) + ": " + why_empty);
   const MeshRepair& repair = loaded.repair;
   std::string why = "has no triangles";
   if (repair.triangles_not_finite > 0) {
-    why = "has no usable triangle: the corners of all have coordinates that are no numbers";
+    why =
+        "has no usable triangle: the corners of all have coordinates that are no numbers or beyond "
+        "1e18, for which larger units are needed";
   } else if (repair.triangles_degenerate > 0) {
     why = "has no usable triangle: none has an area";
   }
-  throw Error(path.string() + ": " + why + "; export the mesh again, as a surface with faces");
+  throw Error(shown(path.native()) + ": " + why +
+              "; export the mesh again, as a surface with faces");
 }
 
 /// The arrays as the file holds them, if it holds them all.
@@ -94,8 +72,8 @@ DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
                           std::span<const DataArray> cell_arrays) {
   const std::string kind = lower_extension(path);
   if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
-    throw Error("cannot write '" + path.string() + "': the extension '" +
-                path.extension().string() +
+    throw Error("cannot write '" + shown(path.native()) + "': the extension '" +
+                shown(path.extension().native()) +
                 "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
   }
   check_rows(path, point_arrays, mesh.vertex_count(), "vertex");
@@ -147,53 +125,71 @@ void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
 
 }  // namespace
 
-LoadedMesh read_mesh(const fs::path& path, const Progress& progress) {
-  std::string why_empty;
-  LoadedMesh loaded = with_memory(path, [&] {
-    RawMesh raw = read_raw(path, progress);
-    why_empty = std::move(raw.why_empty);
-    LoadedMesh result;
-    result.mesh = std::move(raw.mesh);
-    result.arrays = std::move(raw.arrays);
-    result.left_out = std::move(raw.left_out);
-    join(path, result);
-    repair(result);
-    return result;
-  });
-  check_usable(path, loaded, why_empty);
+RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
+  const std::string kind = lower_extension(path);
+  if (kind == ".obj") return {read_obj(path, progress)};
+  if (kind == ".ply") return read_ply(path, progress);
+  if (kind == ".off") return {read_off(path, progress)};
+  if (kind == ".stl") return {read_stl(path, progress)};
+  if (kind == ".gltf" || kind == ".glb") return read_gltf(path, progress);
+  if (is_vtk_format(path)) return read_vtk(path, progress);
+  const InputFile readable(path);
+  if (kind == ".pvtp") {
+    readable.fail_whole(
+        "names the pieces of a surface, which 'mpirun -n 1 brindle-mpi' reads; or save it in "
+        "ParaView as .vtp");
+  }
+  readable.fail_whole("brindle cannot tell the format by the extension '" +
+                      shown(path.extension().native()) + "'; " + kReadable);
+}
+
+LoadedMesh mesh_of(const fs::path& path, RawMesh raw) {
+  LoadedMesh loaded;
+  loaded.mesh = std::move(raw.mesh);
+  loaded.arrays = std::move(raw.arrays);
+  loaded.left_out = raw.taken + raw.left_out;
+  join(path, loaded);
+  repair(loaded);
+  check_usable(path, loaded, raw.why_empty);
   return loaded;
 }
 
 Mesh read_vertices(const fs::path& path) {
-  return with_memory(path, [&] {
+  try {
     LoadedMesh loaded;
-    loaded.mesh = read_raw(path, {}).mesh;
+    loaded.mesh = read_raw_mesh(path, {}).mesh;
     join(path, loaded);
     return std::move(loaded.mesh);
-  });
+  } catch (const std::bad_alloc&) {
+    throw Error(shown(path.native()) + ": there is not enough memory for this mesh");
+  }
 }
 
 void write_mesh(const fs::path& path, const Mesh& mesh, std::span<const DataArray> point_arrays,
-                std::span<const DataArray> cell_arrays) {
+                std::span<const DataArray> cell_arrays, const Progress& progress) {
   const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
-  write_file(path,
-             [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, arrays, {}); });
+  write_file(
+      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, arrays, {}); },
+      progress);
 }
 
 void write_textured_mesh(const fs::path& path, const Mesh& mesh,
                          std::span<const DataArray> point_arrays, const std::string& png,
-                         std::span<const DataArray> cell_arrays) {
+                         std::span<const DataArray> cell_arrays, const Progress& progress) {
   const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
   if (std::none_of(arrays.points.begin(), arrays.points.end(), is_uv)) {
-    throw Error("cannot write '" + path.string() + "': a textured mesh needs the array 'uv'");
+    throw Error("cannot write '" + shown(path.native()) +
+                "': a textured mesh needs the array 'uv'");
   }
+  static_cast<void>(textured_mesh_files(path));  // their names are checked
   const fs::path picture = picture_path(path);
   const fs::path materials = materials_path(path);
   const std::string kind = lower_extension(path);
   if (!holds_picture(kind)) write_whole(picture, png);
   if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
   const TextureNames names{picture.filename().string(), materials.filename().string(), png};
-  write_file(path, [&](std::ostream& out) { write_as(out, kind, mesh, arrays, names); });
+  write_file(
+      path, [&](std::ostream& out) { write_as(out, kind, mesh, arrays, names); }, progress);
 }
 
 std::vector<fs::path> textured_mesh_files(const fs::path& path) {
@@ -201,6 +197,7 @@ std::vector<fs::path> textured_mesh_files(const fs::path& path) {
   std::vector<fs::path> files;
   if (!holds_picture(kind)) files.push_back(picture_path(path));
   if (kind == ".obj") files.push_back(materials_path(path));
+  for (const fs::path& named : files) check_name_in_text(named);
   files.push_back(path);
   return files;
 }

@@ -10,7 +10,7 @@
 #include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/text_positions.h"
-#include "brindle/geometry/polygon.h"
+#include "brindle/polygon.h"
 
 namespace brindle {
 namespace {
@@ -53,10 +53,23 @@ class ObjReader {
     return make_placed_point_cloud(mesh_.positions(), std::move(normals));
   }
 
+  /// Looks from the end of the file on, where faces mostly are.
   bool has_faces() {
-    while (const auto line = next_whole_line()) {
-      std::string_view rest = *line;
-      if (take_word(rest) == "f") return true;
+    std::string block;
+    for (std::uint64_t end = file_.size(), size = kFirstBlock; end > 0;) {
+      const std::uint64_t begin = end - std::min(end, size);
+      block.resize(end - begin);
+      file_.read_at(begin, std::as_writable_bytes(std::span(block)));
+      // The first line of a block may have begun before it.
+      const std::size_t whole = begin == 0 ? 0 : block.find('\n') + 1;
+      if (begin > 0 && whole == 0) {
+        size *= 2;
+        continue;
+      }
+      if (has_line_of_faces(std::string_view(block).substr(whole))) return true;
+      end = begin + whole;
+      if (begin == 0) return false;
+      size = std::min<std::uint64_t>(4 * size, kLargestBlock);
     }
     return false;
   }
@@ -67,6 +80,20 @@ class ObjReader {
     std::int64_t number;
     std::size_t line;
   };
+
+  static bool has_line_of_faces(std::string_view lines) {
+    bool goes_on = false;
+    while (!lines.empty()) {
+      const std::size_t end = std::min(lines.find('\n'), lines.size());
+      std::string_view line = lines.substr(0, end);
+      lines.remove_prefix(std::min(end + 1, lines.size()));
+      std::string_view rest = line;
+      if (!goes_on && take_word(rest) == "f") return true;
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      goes_on = line.ends_with('\\');
+    }
+    return false;
+  }
 
   /// A line that ends in a backslash goes on in the next.
   std::optional<std::string_view> next_whole_line() {
@@ -157,6 +184,7 @@ class ObjReader {
   }
 
   static constexpr std::int64_t kMostVertices = 0xfffffffe;
+  static constexpr std::uint64_t kFirstBlock = 1 << 14, kLargestBlock = 1 << 24;
 
   InputFile file_;
   MeshBuilder mesh_;

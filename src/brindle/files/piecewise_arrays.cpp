@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "brindle/base/printable.h"
@@ -15,20 +16,22 @@ void PiecewiseArrays::add(std::vector<DataArray> piece) {
     arrays_ = std::move(piece);
     return;
   }
-  const auto same = [](const DataArray& a, const DataArray& b) {
-    return a.name == b.name && a.type == b.type && a.components == b.components;
-  };
+  std::map<std::string_view, const DataArray*> others;  // whose names differ, by now
+  for (const DataArray& array : piece) others.emplace(array.name, &array);
   std::erase_if(arrays_, [&](DataArray& array) {
-    const auto next = std::ranges::find_if(piece, [&](auto& other) { return same(array, other); });
-    if (next == piece.end()) {
+    const auto next = others.find(array.name);
+    const bool same = next != others.end() && next->second->type == array.type &&
+                      next->second->components == array.components;
+    if (!same) {
       incomplete_.push_back(array.name);
       return true;
     }
-    array.bytes.insert(array.bytes.end(), next->bytes.begin(), next->bytes.end());
-    piece.erase(next);
+    const std::vector<std::byte>& bytes = next->second->bytes;
+    array.bytes.insert(array.bytes.end(), bytes.begin(), bytes.end());
+    others.erase(next);
     return false;
   });
-  for (const DataArray& array : piece) incomplete_.push_back(array.name);
+  for (const auto& [name, array] : others) incomplete_.emplace_back(name);
 }
 
 std::vector<DataArray> PiecewiseArrays::take(const std::string& of, std::string& left_out) {

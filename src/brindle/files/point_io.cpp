@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "brindle/base/file_extension.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
@@ -16,7 +16,7 @@
 #include "brindle/files/obj_file.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_file.h"
-#include "brindle/files/vtk_file.h"
+#include "brindle/files/surface_file.h"
 
 namespace brindle {
 namespace {
@@ -69,7 +69,7 @@ LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   for (const DataArray& column : table.columns) names.push_back(column.name);
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr)
-    throw Error(path.string() + ": its columns of positions hold words; write numbers");
+    throw Error(shown(path.native()) + ": its columns of positions hold words; write numbers");
   std::vector<Vec3> normals;
   if (const Names* three = names_among(kNormals, names)) {
     for (const Eigen::Vector3d& n : vectors_in(table, *three)) normals.push_back(n.cast<float>());
@@ -115,8 +115,9 @@ const DataArray* normals_of(const RawMesh& raw) {
   return nullptr;
 }
 
-LoadedPoints read_vtk_points(const fs::path& path) {
-  RawMesh raw = read_vtk(path);
+}  // namespace
+
+LoadedPoints points_of(RawMesh raw) {
   const DataArray* normals = normals_of(raw);
   LoadedPoints loaded = make_point_cloud(
       std::move(raw.mesh.positions),
@@ -127,42 +128,15 @@ LoadedPoints read_vtk_points(const fs::path& path) {
   return loaded;
 }
 
-LoadedPoints read_any(const fs::path& path) {
+LoadedPoints read_raw_points(const fs::path& path) {
   const std::string kind = lower_extension(path);
   if (kind == ".csv") return read_csv_points(path);
   if (kind == ".ply") return read_ply_points(path);
   if (kind == ".obj") return read_obj_points(path);
-  if (is_vtk_format(path)) return read_vtk_points(path);
   Mesh mesh = read_vertices(path);
   LoadedPoints loaded = make_point_cloud(std::move(mesh.positions));
   loaded.cloud.origin = mesh.origin;
   return loaded;
-}
-
-}  // namespace
-
-bool is_point_file(const fs::path& path) {
-  const std::string kind = lower_extension(path);
-  if (kind == ".csv") return true;
-  try {
-    if (kind == ".ply") return !ply_has_faces(path);
-    if (kind == ".obj") return !obj_has_faces(path);
-    if (is_vtk_format(path)) return !vtk_has_faces(path);
-  } catch (const Error&) {
-  }
-  return false;
-}
-
-LoadedPoints read_points(const fs::path& path) {
-  try {
-    LoadedPoints loaded = read_any(path);
-    if (loaded.cloud.used.empty()) {
-      throw Error(path.string() + ": has no point with finite coordinates; export it again");
-    }
-    return loaded;
-  } catch (const std::bad_alloc&) {
-    throw Error(path.string() + ": there is not enough memory for these points");
-  }
 }
 
 }  // namespace brindle

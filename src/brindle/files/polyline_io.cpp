@@ -6,12 +6,14 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/ply_positions.h"
 #include "brindle/files/text_positions.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
 #include "brindle/geometry/local_positions.h"
 
@@ -66,7 +68,7 @@ LineArrays gathered_arrays(const std::filesystem::path& path, Kinds kinds) {
   for (const NamedLines& kind : kinds) {
     check_rows(path, kind.arrays, kind.lines.points.size(), "point");
     if (!same_arrays(kind, kinds[0])) {
-      throw Error("cannot write '" + path.string() + "': the arrays of '" + kind.name +
+      throw Error("cannot write '" + shown(path.native()) + "': the arrays of '" + kind.name +
                   "' are not those of '" + kinds[0].name + "'");
     }
     for (std::size_t i = 0; i < all.size() && &kind != kinds.data(); ++i) {
@@ -181,6 +183,17 @@ void write_csv_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
   });
 }
 
+/// The arrays of all kinds as columns of the file.
+LineArrays line_columns(const std::filesystem::path& path, Kinds kinds) {
+  return fitted_columns(path, gathered_arrays(path, kinds), point_count(kinds),
+                        {"kind", "curve", "closed", "x", "y", "z", "nx", "ny", "nz", "normal"});
+}
+
+void check_point_count(const std::filesystem::path& path, Kinds kinds) {
+  if (point_count(kinds) <= 0x7ffffff0) return;
+  throw Error("cannot write '" + shown(path.native()) + "': the curves have too many points");
+}
+
 }  // namespace
 
 bool is_polyline_format(const std::filesystem::path& path) {
@@ -188,26 +201,32 @@ bool is_polyline_format(const std::filesystem::path& path) {
   return kind == ".obj" || kind == ".ply" || kind == ".vtp" || kind == ".csv";
 }
 
-void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds) {
+void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds,
+                     const Progress& progress) {
   if (!is_polyline_format(path)) {
-    throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
+    throw Error("cannot write '" + shown(path.native()) + "': '" +
+                shown(path.extension().native()) +
                 "' files hold no curves; write .obj, .ply, .vtp or .csv");
   }
-  if (point_count(kinds) > 0x7ffffff0) {
-    throw Error("cannot write '" + path.string() + "': the curves have too many points");
-  }
+  check_point_count(path, kinds);
   const std::string kind = lower_extension(path);
-  LineArrays arrays = gathered_arrays(path, kinds);
-  if (kind != ".obj") {
-    arrays = fitted_columns(path, arrays, point_count(kinds),
-                            {"kind", "curve", "closed", "x", "y", "z", "nx", "ny", "nz", "normal"});
-  }
-  write_file(path, [&](std::ostream& out) {
-    if (kind == ".obj") return write_obj_lines(out, kinds);
-    if (kind == ".ply") return write_ply_lines(out, kinds, arrays);
-    if (kind == ".vtp") return write_vtp_lines(out, kinds, arrays);
-    write_csv_lines(out, kinds, arrays);
-  });
+  const LineArrays arrays =
+      kind == ".obj" ? gathered_arrays(path, kinds) : line_columns(path, kinds);
+  write_file(
+      path,
+      [&](std::ostream& out) {
+        if (kind == ".obj") return write_obj_lines(out, kinds);
+        if (kind == ".ply") return write_ply_lines(out, kinds, arrays);
+        if (kind == ".vtp") return write_vtp_lines(out, kinds, arrays);
+        write_csv_lines(out, kinds, arrays);
+      },
+      progress);
+}
+
+void write_vtp_polylines(std::ostream& out, const std::filesystem::path& path,
+                         std::span<const NamedLines> kinds) {
+  check_point_count(path, kinds);
+  write_vtp_lines(out, kinds, line_columns(path, kinds));
 }
 
 }  // namespace brindle

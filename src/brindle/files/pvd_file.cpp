@@ -6,9 +6,11 @@
 #include <string>
 
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/files/input_file.h"
+#include "brindle/files/named_file.h"
 #include "brindle/files/xml_text.h"
 
 #ifdef BRINDLE_HAS_VTK
@@ -29,17 +31,17 @@ TimedFile timed_file(const std::filesystem::path& pvd, const pugi::xml_node& dat
   const std::string file = data_set.attribute("file").value();
   const double time = parse_number(data_set.attribute("timestep").value()).value_or(std::nan(""));
   if (file.empty() || !std::isfinite(time)) {
-    throw Error(pvd.string() + ": a DataSet lacks its 'file' or a finite 'timestep'");
+    throw Error(shown(pvd.native()) + ": a DataSet lacks its 'file' or a finite 'timestep'");
   }
   return {time, pvd.parent_path() / file};
 }
 
 void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>& files) {
-  if (files.empty()) throw Error(pvd.string() + ": lists no file (DataSet)");
+  if (files.empty()) throw Error(shown(pvd.native()) + ": lists no file (DataSet)");
   for (std::size_t i = 0; i + 1 < files.size(); ++i) {
     if (files[i].time != files[i + 1].time) continue;
-    throw Error(pvd.string() + ": '" + files[i].file.string() + "' and '" +
-                files[i + 1].file.string() +
+    throw Error(shown(pvd.native()) + ": '" + shown(files[i].file.native()) + "' and '" +
+                shown(files[i + 1].file.native()) +
                 "' have the same timestep; merge the parts of a step into one file");
   }
 }
@@ -53,9 +55,10 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
   const auto size = static_cast<std::size_t>(in.remaining());
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(in.take(size), size);
-  if (!parsed) throw Error(path.string() + ": is no XML: " + parsed.description());
+  if (!parsed) throw Error(shown(path.native()) + ": is no XML: " + parsed.description());
   const pugi::xml_node collection = document.child("VTKFile").child("Collection");
-  if (!collection) throw Error(path.string() + ": is no collection of files as ParaView writes it");
+  if (!collection)
+    throw Error(shown(path.native()) + ": is no collection of files as ParaView writes it");
   std::vector<TimedFile> files;
   for (const pugi::xml_node& data_set : collection.children("DataSet")) {
     files.push_back(timed_file(path, data_set));
@@ -66,12 +69,13 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
 }
 #else
 std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
-  throw Error(path.string() +
+  throw Error(shown(path.native()) +
               ": this build cannot read .pvd files; configure with -DBRINDLE_VTK=ON");
 }
 #endif
 
 void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> files) {
+  for (const TimedFile& timed : files) check_name_in_xml(timed.file);
   write_file(path, [&](std::ostream& stream) {
     TextOutput out(stream);
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "

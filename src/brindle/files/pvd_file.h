@@ -17,8 +17,8 @@ struct TimedFile {
 /// than one file for a time.
 std::vector<TimedFile> read_pvd(const std::filesystem::path& path);
 
-/// Lists files, by their names relative to its own folder, whole or not at all. Throws what
-/// write_file throws.
+/// Lists files, by their names relative to its own folder, whole or not at all. Throws
+/// Error for names that XML cannot hold, and what write_file throws.
 void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> files);
 
 }  // namespace brindle

@@ -6,12 +6,14 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/ply_positions.h"
 #include "brindle/files/text_positions.h"
 #include "brindle/files/vtp_file.h"
+#include "brindle/files/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
 #include "brindle/geometry/local_positions.h"
 
@@ -137,19 +139,30 @@ bool is_sample_format(const std::filesystem::path& path) {
 }
 
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
-                   const Eigen::Vector3d& origin, std::span<const DataArray> arrays) {
+                   const Eigen::Vector3d& origin, std::span<const DataArray> arrays,
+                   const Progress& progress) {
   const std::string kind = lower_extension(path);
   if (!is_sample_format(path)) {
-    throw Error("cannot write '" + path.string() + "': '" + path.extension().string() +
+    throw Error("cannot write '" + shown(path.native()) + "': '" +
+                shown(path.extension().native()) +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
   const std::vector<DataArray> columns =
       fitted_columns(path, arrays, samples.size(), own_columns());
-  write_file(path, [&](std::ostream& out) {
-    if (kind == ".csv") return write_csv(out, samples, origin, columns);
-    if (kind == ".ply") return write_ply(out, samples, origin, columns);
-    write_points(out, samples, origin, columns);
-  });
+  write_file(
+      path,
+      [&](std::ostream& out) {
+        if (kind == ".csv") return write_csv(out, samples, origin, columns);
+        if (kind == ".ply") return write_ply(out, samples, origin, columns);
+        write_points(out, samples, origin, columns);
+      },
+      progress);
+}
+
+void write_vtp_samples(std::ostream& out, const std::filesystem::path& path,
+                       std::span<const Sample> samples, const Eigen::Vector3d& origin,
+                       std::span<const DataArray> arrays) {
+  write_points(out, samples, origin, fitted_columns(path, arrays, samples.size(), own_columns()));
 }
 
 }  // namespace brindle

@@ -16,8 +16,4 @@ RawMesh read_vtk(const std::filesystem::path& path, const Progress& progress) {
                                          : read_vtk_xml(path, progress);
 }
 
-bool vtk_has_faces(const std::filesystem::path& path) {
-  return lower_extension(path) == ".vtk" ? vtk_legacy_has_faces(path) : vtk_xml_has_faces(path);
-}
-
 }  // namespace brindle

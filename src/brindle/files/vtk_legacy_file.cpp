@@ -51,7 +51,7 @@ bool is_text_type(const std::string& type) {
 
 class VtkLegacyReader {
  public:
-  explicit VtkLegacyReader(const std::filesystem::path& path, const Progress& progress = {})
+  VtkLegacyReader(const std::filesystem::path& path, const Progress& progress)
       : file_(path, progress) {
     text_.resize(file_.size());
     file_.read_at(0, std::as_writable_bytes(std::span(text_)));
@@ -64,16 +64,6 @@ class VtkLegacyReader {
     RawMesh raw = take_surface();
     raw.left_out += left_out_;
     return raw;
-  }
-
-  /// What stands before the data of points and cells.
-  RawMesh read_geometry() {
-    read_header();
-    for (std::string word = next_keyword();
-         !word.empty() && word != "point_data" && word != "cell_data"; word = next_keyword()) {
-      read_part(word);
-    }
-    return take_surface();
   }
 
  private:
@@ -472,11 +462,6 @@ class VtkLegacyReader {
 
 RawMesh read_vtk_legacy(const std::filesystem::path& path, const Progress& progress) {
   return VtkLegacyReader(path, progress).read();
-}
-
-bool vtk_legacy_has_faces(const std::filesystem::path& path) {
-  const RawMesh raw = VtkLegacyReader(path).read_geometry();
-  return !raw.mesh.triangles.empty() || !raw.why_empty.empty();
 }
 
 }  // namespace brindle

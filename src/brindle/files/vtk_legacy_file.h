@@ -8,8 +8,7 @@
 
 namespace brindle {
 
-/// As `read_vtk` and `vtk_has_faces`, which choose by extension.
+/// As `read_vtk`, which chooses by extension.
 RawMesh read_vtk_legacy(const std::filesystem::path& path, const Progress& progress);
-bool vtk_legacy_has_faces(const std::filesystem::path& path);
 
 }  // namespace brindle

@@ -13,7 +13,17 @@ namespace {
 
 constexpr std::uint64_t kMostRows = 0xfffffffe;
 
-enum class CellKind { nothing, point_or_line, polygon, pixel, strip, curved, volume, unknown };
+enum class CellKind {
+  nothing,
+  point_or_line,
+  polygon,
+  pixel,
+  strip,
+  curved,
+  half_curved,
+  volume,
+  unknown
+};
 
 /// What VTK's types are (vtkCellType.h).
 CellKind kind_of(std::uint8_t type) {
@@ -43,6 +53,8 @@ CellKind kind_of(std::uint8_t type) {
     case 34:
     case 36:
       return CellKind::curved;
+    case 30:
+      return CellKind::half_curved;
     default:
       break;
   }
@@ -101,11 +113,6 @@ IndexReader index_reader(NumberType type) {
 }
 
 }  // namespace
-
-bool is_vtk_point_or_line(std::uint8_t type) {
-  const CellKind kind = kind_of(type);
-  return kind == CellKind::nothing || kind == CellKind::point_or_line;
-}
 
 std::uint64_t vtk_points_of_cells(const DataArray& ends) {
   if (ends.rows() == 0) return 0;
@@ -173,8 +180,11 @@ void VtkSurface::fail_point(Index existing) const {
                    std::to_string(existing) + "; the file is damaged, export it again");
 }
 
-void VtkSurface::add_cell(std::uint8_t type, std::span<const Index> points) {
-  switch (kind_of(type)) {
+void VtkSurface::add_cell(std::uint8_t stored_type, std::span<const Index> points) {
+  const std::uint8_t type = vtk_plain_type(stored_type, points.size());
+  const CellKind kind = kind_of(type);
+  if (kind >= CellKind::polygon && kind <= CellKind::half_curved) ++surfaces_;
+  switch (kind) {
     case CellKind::nothing:
       break;
     case CellKind::point_or_line:
@@ -193,8 +203,13 @@ void VtkSurface::add_cell(std::uint8_t type, std::span<const Index> points) {
     case CellKind::curved:
       add_curved(points, sides_of(type, points.size()));
       break;
+    case CellKind::half_curved:  // of its four sides two have a point amid them
+      check_size(points, 6);
+      builder_.add_polygon(
+          std::array{points[0], points[4], points[1], points[2], points[5], points[3]}, cell_);
+      break;
     case CellKind::volume:
-      ++volumes_;
+      add_volume(type, points);
       break;
     case CellKind::unknown:
       ++unknown_;
@@ -212,6 +227,16 @@ void VtkSurface::add_curved(std::span<const Index> points, std::size_t sides) {
   builder_.add_polygon(corners_, cell_);
 }
 
+void VtkSurface::add_volume(std::uint8_t type, std::span<const Index> points) {
+  const std::size_t least = VtkVolumes::points_of(type);
+  if (least == 0) {
+    ++unread_volumes_;
+  } else {
+    check_size(points, least);
+    volumes_.add(type, points, cell_);
+  }
+}
+
 void VtkSurface::check_size(std::span<const Index> points, std::size_t least) const {
   if (points.size() >= least) return;
   file_.fail_whole("has a cell of " + std::to_string(points.size()) + " points, number " +
@@ -225,28 +250,61 @@ std::string VtkSurface::left_out() const {
     if (count > 0) text += std::to_string(count) + what;
   };
   line(points_and_lines_, " cells that are points or lines: left out\n");
-  line(volumes_, " volume cells: left out; ParaView's filter Extract Surface gives their faces\n");
+  line(unread_volumes_ + volumes_.count(),
+       " volume cells: left out; ParaView's filter Extract Surface gives their faces\n");
   line(unknown_,
        " cells of types that brindle does not read: left out; ParaView's filter "
        "Tessellate makes triangles of curved ones\n");
   return text;
 }
 
+std::string VtkSurface::take_boundary() {
+  // Without the faces of some cells those of their neighbours would seem to be on the boundary.
+  if (surfaces_ > 0 || unread_volumes_ > 0 || volumes_.count() == 0) return "";
+  std::size_t faces = 0;
+  volumes_.for_each_boundary_face(builder_.positions(),
+                                  [&](std::span<const Index> corners, Index cell) {
+                                    builder_.add_polygon(corners, cell);
+                                    ++faces;
+                                  });
+  if (faces == 0) return "";
+  std::string text = std::to_string(volumes_.count()) + " volume cells: the " +
+                     std::to_string(faces) + " faces of their boundary are taken\n";
+  volumes_ = {};
+  return text;
+}
+
+std::string VtkSurface::why_empty() const {
+  const std::size_t volumes = unread_volumes_ + volumes_.count();
+  if (volumes > 0 && unread_volumes_ == 0) {
+    return "holds " + std::to_string(volumes) +
+           " volume cells that have no boundary, because each face belongs to two; export it "
+           "again, "
+           "with each cell once";
+  }
+  if (volumes > 0) {
+    return "holds " + std::to_string(volumes) + " volume cells and no surface, " +
+           std::to_string(unread_volumes_) +
+           " of them of types whose faces brindle does not know; in ParaView, apply the filter "
+           "Extract Surface and save its result as .vtp";
+  }
+  if (unknown_ == 0) return "";
+  return "holds no cells that brindle reads; in ParaView, apply the filter Tessellate and save its "
+         "result as .vtp or .vtu";
+}
+
 RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
+  const bool has_faces = surfaces_ + unread_volumes_ + volumes_.count() + unknown_ > 0;
+  std::string boundary = take_boundary();
   std::string text = left_out();
   DataArrays arrays{point_arrays_.take("points", text), cell_arrays_.take("cells", text)};
   RawMesh raw = builder_.take(std::move(arrays), exact);
   raw.left_out = std::move(text);
+  raw.taken = std::move(boundary);
   raw.normals = std::move(normals_);
-  if (volumes_ > 0) {
-    raw.why_empty = "holds " + std::to_string(volumes_) +
-                    " volume cells and no surface; in ParaView, apply the filter Extract Surface "
-                    "and save its result as .vtp";
-  } else if (unknown_ > 0) {
-    raw.why_empty =
-        "holds no cells that brindle reads; in ParaView, apply the filter Tessellate "
-        "and save its result as .vtp or .vtu";
-  }
+  raw.has_faces = has_faces;
+  // What would be an answer if there were triangles is none.
+  if (surfaces_ == 0) raw.why_empty = why_empty();
   return raw;
 }
 

@@ -12,15 +12,13 @@
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/raw_mesh.h"
+#include "brindle/files/vtk_volume.h"
 
 namespace brindle {
 
 /// VTK's numbers of some types of cells.
 inline constexpr std::uint8_t kVtkPolyVertex = 2, kVtkPolyLine = 4, kVtkTriangleStrip = 6,
                               kVtkPolygon = 7;
-
-/// Whether a cell of that type is no surface, but a point, a line or nothing.
-bool is_vtk_point_or_line(std::uint8_t type);
 
 /// Cells as a file lists them.
 struct VtkCells {
@@ -42,7 +40,8 @@ struct VtkPiece {
   std::string normals;  ///< the array of points that the file says are normals, or nothing
 };
 
-/// Puts the surface cells of a file's pieces together.
+/// Puts the surface cells of a file's pieces together; or, if there are volume cells alone, their
+/// boundary.
 class VtkSurface {
  public:
   /// Throws for what is wrong through `file`, which must live on.
@@ -56,9 +55,13 @@ class VtkSurface {
  private:
   void add_points(const DataArray& points);
   void add_cells(const VtkCells& cells, Index first_point);
-  void add_cell(std::uint8_t type, std::span<const Index> points);
+  void add_cell(std::uint8_t stored_type, std::span<const Index> points);
   /// A cell with points amid its sides, which follow its corners.
   void add_curved(std::span<const Index> points, std::size_t sides);
+  void add_volume(std::uint8_t type, std::span<const Index> points);
+  /// A line on the boundary, which becomes the surface; nothing if it does not.
+  std::string take_boundary();
+  std::string why_empty() const;
   [[noreturn]] void fail_point(Index existing) const;
   void check_size(std::span<const Index> points, std::size_t least) const;
   std::string left_out() const;
@@ -69,7 +72,9 @@ class VtkSurface {
   std::string normals_;
   std::vector<Index> cell_points_, corners_;  ///< of one cell, kept for their memory
   Index cell_ = 0;
-  std::size_t volumes_ = 0, points_and_lines_ = 0, unknown_ = 0;
+  VtkVolumes volumes_;
+  std::size_t surfaces_ = 0;  ///< cells
+  std::size_t unread_volumes_ = 0, points_and_lines_ = 0, unknown_ = 0;
 };
 
 }  // namespace brindle

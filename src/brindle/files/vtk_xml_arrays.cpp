@@ -57,8 +57,10 @@ struct PackedBlock {
 bool inflate_block(const PackedBlock& block, std::span<const std::byte> packed,
                    std::span<std::byte> unpacked) {
   uLongf size = block.unpacked_size;
-  const int result = uncompress(reinterpret_cast<Bytef*>(&unpacked[block.unpacked_begin]), &size,
-                                reinterpret_cast<const Bytef*>(&packed[block.begin]), block.size);
+  // A block may be empty and stand behind the last byte.
+  const int result =
+      uncompress(reinterpret_cast<Bytef*>(unpacked.data() + block.unpacked_begin), &size,
+                 reinterpret_cast<const Bytef*>(packed.data() + block.begin), block.size);
   return result == Z_OK && size == block.unpacked_size;
 }
 

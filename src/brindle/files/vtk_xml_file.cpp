@@ -67,7 +67,7 @@ std::size_t line_of(std::string_view text, std::ptrdiff_t place) {
 
 class VtkXmlReader {
  public:
-  explicit VtkXmlReader(const std::filesystem::path& path, const Progress& progress = {})
+  VtkXmlReader(const std::filesystem::path& path, const Progress& progress)
       : file_(path, progress),
         part_(xml_part(file_)),
         root_(parsed()),
@@ -79,20 +79,6 @@ class VtkXmlReader {
     RawMesh raw = surface.take(exact);
     raw.left_out += left_out_;
     return raw;
-  }
-
-  bool has_faces() {
-    bool faces = false;
-    for_each_piece([&](const Xml& piece) {
-      if (!is_grid()) {
-        faces = faces || count(piece, "NumberOfPolys") + count(piece, "NumberOfStrips") > 0;
-        return;
-      }
-      for (const std::uint8_t type : read_types(piece)) {
-        faces = faces || !is_vtk_point_or_line(type);
-      }
-    });
-    return faces;
   }
 
  private:
@@ -261,8 +247,6 @@ RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& progress
   return VtkXmlReader(path, progress).read(exact);
 }
 
-bool vtk_xml_has_faces(const std::filesystem::path& path) { return VtkXmlReader(path).has_faces(); }
-
 }  // namespace brindle
 
 #else
@@ -271,7 +255,7 @@ namespace brindle {
 namespace {
 
 [[noreturn]] void refuse_vtk(const std::filesystem::path& path) {
-  throw Error(path.string() +
+  throw Error(shown(path.native()) +
               ": this brindle was built without BRINDLE_VTK (pugixml and zlib) and so reads no "
               ".vtp and .vtu; save the mesh as .vtk or .ply");
 }
@@ -282,8 +266,6 @@ RawMesh read_vtk_xml(const std::filesystem::path& path, const Progress& /*progre
                      std::vector<Eigen::Vector3d>* /*exact*/) {
   refuse_vtk(path);
 }
-
-bool vtk_xml_has_faces(const std::filesystem::path& path) { refuse_vtk(path); }
 
 }  // namespace brindle
 

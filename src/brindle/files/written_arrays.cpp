@@ -327,7 +327,8 @@ void check_rows(const std::filesystem::path& path, std::span<const DataArray> ar
                 std::size_t rows, const char* of) {
   for (const DataArray& array : arrays) {
     const auto fail = [&](const std::string& what) {
-      throw Error("cannot write '" + path.string() + "': array '" + array.name + "' " + what);
+      throw Error("cannot write '" + shown(path.native()) + "': array '" + array.name + "' " +
+                  what);
     };
     if (array.components < 1) fail("has no components");
     const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
@@ -338,7 +339,7 @@ void check_rows(const std::filesystem::path& path, std::span<const DataArray> ar
 }
 
 void refuse_array(const std::filesystem::path& path, const std::string& left_out) {
-  throw Error("cannot write '" + path.string() + "': " + left_out +
+  throw Error("cannot write '" + shown(path.native()) + "': " + left_out +
               "; write .vtp or .ply, or leave it out");
 }
 

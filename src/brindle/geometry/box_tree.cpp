@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "brindle/base/parallel.h"
+
 namespace brindle {
 namespace {
 
@@ -26,17 +28,21 @@ double squared_distance(const BoundingBox& box, const Eigen::Vector3d& point) {
   return (nearest - point).squaredNorm();
 }
 
-void BoxTree::build(const std::vector<BoundingBox>& boxes) {
+void BoxTree::build(const std::vector<BoundingBox>& boxes, const Progress& progress) {
   order_.resize(boxes.size());
   std::iota(order_.begin(), order_.end(), Index{0});
   if (boxes.empty()) return;
   nodes_.reserve(boxes.size());
-  add_node(boxes, 0, static_cast<Index>(boxes.size()));
+  add_node(boxes, 0, static_cast<Index>(boxes.size()), progress);
 }
 
 /// Halves are of equal size, so that the tree is as flat as can be, whatever lies where. Ties go by
 /// number: the tree is the same on every machine.
-void BoxTree::add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end) {
+void BoxTree::add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end,
+                       const Progress& progress) {
+  if (end - begin >= kReportSlice) {
+    progress.report(static_cast<double>(begin) / static_cast<double>(boxes.size()));
+  }
   BoundingBox box = boxes[order_[begin]];
   for (Index i = begin + 1; i < end; ++i) box = around(box, boxes[order_[i]]);
   const std::size_t number = nodes_.size();
@@ -51,9 +57,9 @@ void BoxTree::add_node(const std::vector<BoundingBox>& boxes, Index begin, Index
                      const double at_b = doubled_center(boxes[b], axis);
                      return at_a != at_b ? at_a < at_b : a < b;
                    });
-  add_node(boxes, begin, middle);
+  add_node(boxes, begin, middle, progress);
   nodes_[number].right = static_cast<Index>(nodes_.size());
-  add_node(boxes, middle, end);
+  add_node(boxes, middle, end, progress);
 }
 
 void BoxTree::add_children(Index node, const Eigen::Vector3d& point, Pending& pending) const {

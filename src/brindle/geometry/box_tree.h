@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -21,12 +22,13 @@ double squared_distance(const BoundingBox& box, const Eigen::Vector3d& point);
 /// its halves are its children.
 class BoxTree {
  public:
-  /// `box_of(number)` is the box around a thing, with finite corners.
+  /// `box_of(number)` is the box around a thing, with finite corners. Throws Cancelled if
+  /// `progress` asks for it.
   template <class BoxOf>
-  BoxTree(std::size_t count, const BoxOf& box_of) {
+  BoxTree(std::size_t count, const BoxOf& box_of, const Progress& progress = {}) {
     std::vector<BoundingBox> boxes(count);
     for (std::size_t i = 0; i < count; ++i) boxes[i] = box_of(static_cast<Index>(i));
-    build(boxes);
+    build(boxes, progress);
   }
 
   struct Found {
@@ -61,6 +63,25 @@ class BoxTree {
     return best;
   }
 
+  /// Calls `take(number)` for all things in boxes for which `may_count(box, square)` holds,
+  /// `square` the squared distance of the box; nearer ones rather first, so that what was taken may
+  /// rule out others.
+  template <class MayCount, class Take>
+  void visit(const Eigen::Vector3d& point, const MayCount& may_count, const Take& take) const {
+    Pending pending;
+    if (!nodes_.empty()) pending.add(0, squared_distance(nodes_[0].box, point));
+    while (pending.count > 0) {
+      const Waiting next = pending.take();
+      const Node& node = nodes_[next.node];
+      if (!may_count(node.box, next.square)) continue;
+      if (node.right != 0) {
+        add_children(next.node, point, pending);
+      } else {
+        for (Index i = node.begin; i < node.end; ++i) take(order_[i]);
+      }
+    }
+  }
+
  private:
   struct Node {
     BoundingBox box;
@@ -88,8 +109,9 @@ class BoxTree {
   }
   /// The nearer one last, to be taken first.
   void add_children(Index node, const Eigen::Vector3d& point, Pending& pending) const;
-  void build(const std::vector<BoundingBox>& boxes);
-  void add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end);
+  void build(const std::vector<BoundingBox>& boxes, const Progress& progress);
+  void add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end,
+                const Progress& progress);
 
   std::vector<Index> order_;
   std::vector<Node> nodes_;

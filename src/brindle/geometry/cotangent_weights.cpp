@@ -30,9 +30,11 @@ float cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-std::vector<float> cotangent_weights(const Mesh& mesh, const Adjacency& neighborhood) {
+std::vector<float> cotangent_weights(const Mesh& mesh, const Adjacency& neighborhood,
+                                     const Progress& progress) {
   std::vector<float> weights(neighborhood.directed_edge_count());
-  for (const Triangle& triangle : mesh.triangles) {
+  reported_for(mesh.triangle_count(), progress, [&](std::size_t t) {
+    const Triangle& triangle = mesh.triangles[t];
     for (int m = 0; m < 3; ++m) {
       const Index a = triangle[(m + 1) % 3], b = triangle[(m + 2) % 3];
       const float half =
@@ -40,7 +42,7 @@ std::vector<float> cotangent_weights(const Mesh& mesh, const Adjacency& neighbor
       add_to_edge(neighborhood, a, b, half, weights);
       add_to_edge(neighborhood, b, a, half, weights);
     }
-  }
+  });
   parallel_for(weights.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t edge = begin; edge < end; ++edge) {
       weights[edge] = 0.5f + std::clamp(weights[edge], 0.0f, kLargestCotangent);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {
@@ -44,10 +45,10 @@ PrincipalCurvature principal(const Eigen::Vector3d& shape, const Eigen::Vector3d
                              const Eigen::Vector3d& second) {
   const double mean = 0.5 * (shape[0] + shape[2]), half = 0.5 * (shape[0] - shape[2]);
   const double radius = std::hypot(half, shape[1]);
-  const double angle = 0.5 * std::atan2(shape[1], half);
+  const double angle = 0.5 * elementary::atan2(shape[1], half);
   // Along `angle` the curvature is mean + radius, across it mean - radius.
-  const Eigen::Vector3d along = std::cos(angle) * first + std::sin(angle) * second;
-  const Eigen::Vector3d across = std::cos(angle) * second - std::sin(angle) * first;
+  const Eigen::Vector3d along = elementary::cos(angle) * first + elementary::sin(angle) * second;
+  const Eigen::Vector3d across = elementary::cos(angle) * second - elementary::sin(angle) * first;
   PrincipalCurvature result{static_cast<float>(mean + radius), static_cast<float>(mean - radius),
                             along.cast<float>(), across.cast<float>()};
   if (std::abs(mean - radius) > std::abs(mean + radius)) {
@@ -82,13 +83,17 @@ PrincipalCurvature curvature_at(std::size_t v, std::span<const Vec3> positions,
 
 std::vector<PrincipalCurvature> principal_curvatures(std::span<const Vec3> positions,
                                                      std::span<const Vec3> normals,
-                                                     const Adjacency& neighborhood) {
+                                                     const Adjacency& neighborhood,
+                                                     const Progress& progress) {
+  JobStages stages(progress, {{"curvature", 1}});
+  const Progress stage = stages.begin("curvature");
   std::vector<PrincipalCurvature> curvatures(positions.size());
-  parallel_for(positions.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(positions.size(), stage, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       curvatures[v] = curvature_at(v, positions, normals, neighborhood);
     }
   });
+  stages.finish();
   return curvatures;
 }
 

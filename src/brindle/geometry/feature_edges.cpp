@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
 #include "brindle/geometry/normals.h"
 
 namespace brindle {
@@ -18,11 +20,11 @@ struct Side {
 }  // namespace
 
 std::vector<std::array<Index, 2>> feature_edges(const Mesh& mesh, const MeshEdges& edges,
-                                                float angle_deg) {
-  const float flattest = std::cos(angle_deg * std::numbers::pi_v<float> / 180);
+                                                float angle_deg, const Progress& progress) {
+  const float flattest = elementary::cos(angle_deg * std::numbers::pi_v<float> / 180);
   std::vector<Side> first(edges.count());
   std::vector<std::uint8_t> sharp(edges.count());
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+  reported_for(mesh.triangle_count(), progress.part(0, 0.9), [&](std::size_t t) {
     const Triangle& triangle = mesh.triangles[t];
     const Vec3 normal = triangle_normal(mesh, triangle);
     for (std::size_t m = 0; m < 3; ++m) {
@@ -38,7 +40,8 @@ std::vector<std::array<Index, 2>> feature_edges(const Mesh& mesh, const MeshEdge
         sharp[edge] = (forward == first[edge].forward ? -cosine : cosine) < flattest;
       }
     }
-  }
+  });
+  progress.report(0.9);
   std::vector<std::array<Index, 2>> features;
   for (std::size_t edge = 0; edge < edges.count(); ++edge) {
     if (sharp[edge]) features.push_back(edges.vertices[edge]);

@@ -13,6 +13,6 @@ namespace brindle {
 /// whose triangles the surface bends by more than `angle_deg` degrees (0: flat; however they are
 /// wound). `edges` are those of the mesh.
 std::vector<std::array<Index, 2>> feature_edges(const Mesh& mesh, const MeshEdges& edges,
-                                                float angle_deg);
+                                                float angle_deg, const Progress& progress = {});
 
 }  // namespace brindle

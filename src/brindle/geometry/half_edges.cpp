@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/parallel.h"
+#include "brindle/base/reported_sort.h"
 #include "brindle/geometry/normals.h"
 
 namespace brindle {
@@ -16,7 +18,7 @@ namespace {
 using Point = Eigen::Vector3d;
 
 /// Whether each vertex is reached by one walk around it.
-bool fans_are_single(const Mesh& mesh, const HalfEdges& edges) {
+bool fans_are_single(const Mesh& mesh, const HalfEdges& edges, const Progress& progress) {
   std::vector<Index> valence(mesh.vertex_count(), 0);
   std::vector<Index> start(mesh.vertex_count(), 0);
   for (Index h = 0; h < edges.twins.size(); ++h) {
@@ -25,6 +27,9 @@ bool fans_are_single(const Mesh& mesh, const HalfEdges& edges) {
     start[v] = h;
   }
   for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (v % kReportSlice == 0) {
+      progress.report(static_cast<double>(v) / static_cast<double>(valence.size()));
+    }
     if (valence[v] == 0) continue;
     Index walked = 0;
     Index h = start[v];
@@ -95,23 +100,30 @@ bool flip(Mesh& mesh, HalfEdges& edges, Index h) {
 
 }  // namespace
 
-std::optional<HalfEdges> half_edges(const Mesh& mesh) {
+std::optional<HalfEdges> half_edges(const Mesh& mesh, const Progress& progress) {
   struct Directed {
     std::uint64_t key;  ///< smaller end, then larger end
     Index half_edge;
   };
   std::vector<Directed> directed(3 * mesh.triangle_count());
-  for (Index h = 0; h < directed.size(); ++h) {
+  reported_for(directed.size(), progress.part(0, 0.1), [&](std::size_t i) {
+    const auto h = static_cast<Index>(i);
     const std::uint64_t a = HalfEdges::origin(mesh, h);
     const std::uint64_t b = HalfEdges::origin(mesh, HalfEdges::next(h));
     directed[h] = {std::min(a, b) << 32 | std::max(a, b), h};
-  }
-  std::sort(directed.begin(), directed.end(), [](const Directed& x, const Directed& y) {
-    return std::pair(x.key, x.half_edge) < std::pair(y.key, y.half_edge);
   });
+  reported_sort(directed.begin(), directed.end(), progress.part(0.1, 0.7),
+                [](const Directed& x, const Directed& y) {
+                  return std::pair(x.key, x.half_edge) < std::pair(y.key, y.half_edge);
+                });
+  progress.report(0.7);
   HalfEdges edges;
   edges.twins.resize(directed.size());
   for (std::size_t i = 0; i < directed.size(); i += 2) {
+    if (i % kReportSlice == 0) {
+      const double done = static_cast<double>(i) / static_cast<double>(directed.size());
+      progress.report(0.7 + 0.1 * done);
+    }
     if (i + 1 == directed.size() || directed[i].key != directed[i + 1].key) return std::nullopt;
     if (i + 2 < directed.size() && directed[i + 2].key == directed[i].key) return std::nullopt;
     const Index h = directed[i].half_edge, t = directed[i + 1].half_edge;
@@ -119,22 +131,25 @@ std::optional<HalfEdges> half_edges(const Mesh& mesh) {
     edges.twins[h] = t;
     edges.twins[t] = h;
   }
-  if (!fans_are_single(mesh, edges)) return std::nullopt;
+  if (!fans_are_single(mesh, edges, progress.part(0.8, 1))) return std::nullopt;
   return edges;
 }
 
-void flip_to_delaunay(Mesh& mesh, HalfEdges& edges, int rounds) {
+void flip_to_delaunay(Mesh& mesh, HalfEdges& edges, int rounds, const Progress& progress) {
   // The cotangents of two angles add up to less than 0 if the angles add up to more than 180
   // degrees. The margin keeps cocircular corners from flipping to and fro.
   constexpr double kLimit = -1e-3;
   for (int round = 0; round < rounds; ++round) {
     bool flipped = false;
-    for (Index h = 0; h < edges.twins.size(); ++h) {
+    const Progress of_round =
+        progress.part(static_cast<double>(round) / rounds, static_cast<double>(round + 1) / rounds);
+    reported_for(edges.twins.size(), of_round, [&](std::size_t i) {
+      const auto h = static_cast<Index>(i);
       const Index twin = edges.twins[h];
       if (h < twin && opposite_cotangent(mesh, h) + opposite_cotangent(mesh, twin) < kLimit) {
         flipped = flip(mesh, edges, h) || flipped;
       }
-    }
+    });
     if (!flipped) return;
   }
 }

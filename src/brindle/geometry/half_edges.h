@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -25,11 +26,11 @@ struct HalfEdges {
 
 /// Nothing if the mesh is not a closed, consistently wound manifold: every edge has two triangles,
 /// and the triangles of every vertex form one fan.
-std::optional<HalfEdges> half_edges(const Mesh& mesh);
+std::optional<HalfEdges> half_edges(const Mesh& mesh, const Progress& progress = {});
 
 /// Flips edges until every one is locally Delaunay (the angles opposite of it add up to 180 degrees
 /// at most), or `rounds` passes are done. An edge stays if its flip would double another edge or
-/// fold the surface over.
-void flip_to_delaunay(Mesh& mesh, HalfEdges& edges, int rounds = 10);
+/// fold the surface over. Where `progress` throws, some edges are flipped.
+void flip_to_delaunay(Mesh& mesh, HalfEdges& edges, int rounds = 10, const Progress& progress = {});
 
 }  // namespace brindle

@@ -3,11 +3,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/geometry/local_positions.h"
+#include "brindle/geometry/same_corners.h"
 
 namespace brindle {
 namespace {
@@ -22,17 +25,37 @@ BoundingBox box_around(const std::vector<Vec3>& positions) {
   return box;
 }
 
-std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
+std::string number_text(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+void check_positions_table(const ArrayView& positions) {
   check_columns(positions, 3, "positions");
   if (positions.rows() >= std::numeric_limits<Index>::max()) {
     throw Error("positions: more vertices than brindle can number; split the mesh into parts");
   }
+}
+
+std::vector<Eigen::Vector3d> unchecked_coordinates(const ArrayView& positions) {
+  check_positions_table(positions);
+  std::vector<Eigen::Vector3d> result(positions.rows());
+  for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
+    result[vertex][static_cast<Eigen::Index>(axis)] = static_cast<double>(number);
+  });
+  return result;
+}
+
+std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
+  check_positions_table(positions);
   std::vector<Eigen::Vector3d> result(positions.rows());
   for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
     const auto coordinate = static_cast<double>(number);
     if (!(std::abs(coordinate) <= kLargestCoordinate)) {
       throw Error("positions: a coordinate of vertex " + std::to_string(vertex) + " is " +
-                  std::to_string(coordinate) + "; correct it or leave the vertex out");
+                  number_text(coordinate) + "; correct it or leave the vertex out" +
+                  (std::isfinite(coordinate) ? ", or give all coordinates in larger units" : ""));
     }
     result[vertex][static_cast<Eigen::Index>(axis)] = coordinate;
   });
@@ -43,6 +66,10 @@ std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
                                 std::size_t vertices) {
   throw Error("triangles: triangle " + std::to_string(triangle) + " has the corner " + corner +
               ", but there are " + std::to_string(vertices) + " vertices, numbered from 0");
+}
+
+[[noreturn]] void refuse_fractions() {
+  throw Error("triangles: their corners must be whole numbers, not floating-point ones");
 }
 
 std::vector<Triangle> corners(const ArrayView& triangles, std::size_t vertices) {
@@ -56,10 +83,43 @@ std::vector<Triangle> corners(const ArrayView& triangles, std::size_t vertices) 
       }
       result[triangle][corner] = static_cast<Index>(number);
     } else {
-      throw Error("triangles: their corners must be whole numbers, not floating-point ones");
+      refuse_fractions();
     }
   });
   return result;
+}
+
+/// A corner that is no vertex becomes one that no mesh has.
+std::vector<Triangle> unchecked_corners(const ArrayView& triangles, std::size_t vertices) {
+  check_columns(triangles, 3, "triangles");
+  std::vector<Triangle> result(triangles.rows());
+  for_each_number(triangles, [&](std::size_t triangle, std::size_t corner, auto number) {
+    if constexpr (std::is_integral_v<decltype(number)>) {
+      const bool is_vertex = static_cast<std::uint64_t>(number) < vertices;
+      result[triangle][corner] =
+          is_vertex ? static_cast<Index>(number) : std::numeric_limits<Index>::max();
+    } else {
+      refuse_fractions();
+    }
+  });
+  return result;
+}
+
+[[noreturn]] void refuse_triangle(std::size_t triangle, const std::string& what) {
+  throw Error("triangles: triangle " + std::to_string(triangle) + " has " + what +
+              "; drop it, or let make_repaired_mesh do so");
+}
+
+void refuse_bad_triangles(const Mesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    if (a != b && b != c && c != a) continue;
+    refuse_triangle(t, "vertex " + std::to_string(a == b || a == c ? a : b) + " at two corners");
+  }
+  const std::vector<Index> first = first_with_same_corners(mesh);
+  for (std::size_t t = 0; t < first.size(); ++t) {
+    if (first[t] != t) refuse_triangle(t, "the corners of triangle " + std::to_string(first[t]));
+  }
 }
 
 }  // namespace
@@ -77,13 +137,38 @@ BoundingBox bounding_box(const Mesh& mesh) {
   return box;
 }
 
-Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles) {
+Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles, BadTriangles bad,
+               const Progress& progress) {
+  JobStages stages(progress, {{"positions", 1}, {"triangles", 1}, {"origin", 1}});
+  stages.begin("positions");
   const std::vector<Eigen::Vector3d> places = coordinates(positions);
   Mesh mesh;
+  stages.begin("triangles");
   mesh.triangles = corners(triangles, places.size());
+  stages.begin("origin");
   mesh.origin = origin_near(places);
   mesh.positions = positions_about(mesh.origin, places);
+  if (bad == BadTriangles::refused) refuse_bad_triangles(mesh);
+  stages.finish();
   return mesh;
+}
+
+RepairedMesh make_repaired_mesh(const ArrayView& positions, const ArrayView& triangles) {
+  RepairedMesh result;
+  Mesh& mesh = result.mesh;
+  const std::vector<Eigen::Vector3d> places = unchecked_coordinates(positions);
+  mesh.origin = origin_near(places);
+  mesh.positions = positions_about(mesh.origin, places);
+  mesh.triangles = unchecked_corners(triangles, places.size());
+  const std::size_t count = mesh.triangle_count();
+  std::vector<Index> first = first_at_each_place(mesh.positions);
+  const std::size_t joined = join_vertices(mesh, first);
+  if (joined > 0) result.vertex_of_row = std::move(first);
+  std::vector<Index> kept;
+  result.repair = repair_mesh(mesh, kept);
+  result.repair.vertices_joined = joined;
+  if (kept.size() < count) result.kept_triangles = std::move(kept);
+  return result;
 }
 
 }  // namespace brindle

@@ -105,7 +105,7 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells) {
   return make_data_array(cells.name, cells.components, means);
 }
 
-void subdivide(Mesh& mesh, DataArrays& arrays, int times) {
+void subdivide(Mesh& mesh, DataArrays& arrays, int times, const Progress& progress) {
   check_subdivisions(mesh.triangle_count(), times);
   for (const DataArray& array : arrays.points) {
     check_rows_per_vertex(array, mesh.vertex_count());
@@ -114,17 +114,24 @@ void subdivide(Mesh& mesh, DataArrays& arrays, int times) {
     check_rows_per_triangle(array, mesh.triangle_count());
   }
   if (arrays == DataArrays{}) {
-    mesh = subdivide(std::move(mesh), times);
+    mesh =
+        progress.is_heard() ? subdivide(mesh, times, progress) : subdivide(std::move(mesh), times);
     return;
   }
+  if (times == 0 || mesh.triangles.empty()) return;
+  const std::vector<JobStage> rounds = subdivision_rounds(times);
+  JobStages stages(progress, rounds);
   Mesh result = mesh;
   DataArrays data = arrays;
-  for (int i = 0; i < times && !mesh.triangles.empty(); ++i) {
-    Mesh finer = subdivide(result, 1);
+  for (const JobStage& round : rounds) {
+    const Progress stage = stages.begin(round.name);
+    Mesh finer = subdivide(result, 1, stage.part(0, 0.5));
+    stage.report(0.5);
     const Parents parents = parents_of(result, finer);
     data = {blended(data.points, parents.of_vertices), rows_of(data.cells, parents.of_triangles)};
     result = std::move(finer);
   }
+  stages.finish();
   mesh = std::move(result);
   arrays = std::move(data);
 }

@@ -8,6 +8,7 @@
 
 #include "brindle/adjacency.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -28,9 +29,11 @@ struct MeshEdges {
 
 /// `neighborhood` is the mesh's own (`vertex_neighborhood`). Edges are in ascending order of their
 /// higher vertex, then of their lower one.
-MeshEdges mesh_edges(const Mesh& mesh, const Adjacency& neighborhood);
+MeshEdges mesh_edges(const Mesh& mesh, const Adjacency& neighborhood,
+                     const Progress& progress = {});
 
 /// The first two triangles of every edge; `kNoTriangle` where there is but one.
-std::vector<std::array<Index, 2>> triangles_of_edges(const MeshEdges& edges);
+std::vector<std::array<Index, 2>> triangles_of_edges(const MeshEdges& edges,
+                                                     const Progress& progress = {});
 
 }  // namespace brindle

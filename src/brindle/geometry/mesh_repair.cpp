@@ -5,13 +5,12 @@
 #include <cstring>
 #include <numeric>
 #include <sstream>
-#include <tuple>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "brindle/geometry/local_positions.h"
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/same_corners.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -64,29 +63,10 @@ void drop_bad_triangles(Mesh& mesh, const std::vector<char>& good, MeshRepair& r
   drop_triangles(mesh, bad, kept);
 }
 
-/// Triangles with the same corners, in whatever order, are looked for at their smallest corner.
 void drop_duplicates(Mesh& mesh, MeshRepair& repair, std::vector<Index>& kept) {
-  struct Entry {
-    Index middle, largest, triangle;
-  };
+  const std::vector<Index> first = first_with_same_corners(mesh);
   std::vector<char> duplicate(mesh.triangle_count(), 0);
-  const VertexTriangles around = vertex_triangles(mesh);
-  std::vector<Entry> entries;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    entries.clear();
-    for (const Index number : around.of(v)) {
-      Triangle t = mesh.triangles[number];
-      std::sort(t.begin(), t.end());
-      if (t[0] == v) entries.push_back({t[1], t[2], number});
-    }
-    std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-      return std::tie(x.middle, x.largest, x.triangle) < std::tie(y.middle, y.largest, y.triangle);
-    });
-    for (std::size_t i = 1; i < entries.size(); ++i) {
-      const Entry &x = entries[i - 1], &y = entries[i];
-      if (x.middle == y.middle && x.largest == y.largest) duplicate[y.triangle] = 1;
-    }
-  }
+  for (std::size_t t = 0; t < first.size(); ++t) duplicate[t] = first[t] != t;
   repair.triangles_duplicate =
       static_cast<std::size_t>(std::count(duplicate.begin(), duplicate.end(), 1));
   drop_triangles(mesh, duplicate, kept);
@@ -206,11 +186,13 @@ std::string describe(const MeshRepair& repair) {
   const auto line = [&](std::size_t count, const char* what) {
     if (count > 0) text << count << ' ' << what << '\n';
   };
-  line(repair.vertices_not_finite, "vertices with coordinates that are not finite: set aside");
+  line(repair.vertices_not_finite,
+       "vertices with coordinates that are not finite or beyond 1e18: set aside");
   line(repair.vertices_joined, "vertices at the place of another: joined");
   line(repair.vertices_unreferenced, "vertices in no triangle: kept, without a wave");
   line(repair.triangles_out_of_range, "triangles with corners that do not exist: dropped");
-  line(repair.triangles_not_finite, "triangles with corners that are not finite: dropped");
+  line(repair.triangles_not_finite,
+       "triangles with corners that are not finite or beyond 1e18: dropped");
   line(repair.triangles_degenerate, "triangles without area: dropped");
   line(repair.triangles_duplicate, "triangles that stand twice: dropped");
   return text.str();

@@ -17,10 +17,11 @@ constexpr std::size_t kSearchGrain = 256;  // a search takes longer than what ot
 
 /// Calls `take(v, point)` for all vertices of `to`, in coordinates of `from`.
 template <class Take>
-void for_each_vertex_near(const Mesh& from, const Mesh& to, const Take& take) {
+void for_each_vertex_near(const Mesh& from, const Mesh& to, const Progress& progress,
+                          const Take& take) {
   const Eigen::Vector3d shift = to.origin - from.origin;
   parallel_for(
-      to.vertex_count(),
+      to.vertex_count(), progress,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
           take(v, Eigen::Vector3d(to.positions[v].cast<double>() + shift));
@@ -54,30 +55,37 @@ std::vector<Row> of_found(const std::vector<Row>& rows, const NearbyRows& nearby
 
 }  // namespace
 
-NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance) {
+NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
+                       const Progress& progress) {
   if (from.positions.empty()) throw Error("a mesh without vertices has nothing to carry over");
+  JobStages stages(progress, {{"nearest places", 1}, {"look up", 1}});
+  const Progress building = stages.begin("nearest places");
   NearbyRows rows;
   rows.vertices.resize(to.vertex_count(), {{0, 0, 0}, {1, 0, 0}});
   rows.found.resize(to.vertex_count(), 0);
   if (from.triangles.empty()) {
-    const NearestVertex nearest(from);
-    for_each_vertex_near(from, to, [&](std::size_t v, const Eigen::Vector3d& point) {
-      const std::optional<VertexNearby> found = nearest.nearest(point, max_distance);
-      if (!found) return;
-      rows.vertices[v] = {{found->vertex, found->vertex, found->vertex}, {1, 0, 0}};
-      rows.found[v] = 1;
-    });
+    const NearestVertex nearest(from, building);
+    for_each_vertex_near(
+        from, to, stages.begin("look up"), [&](std::size_t v, const Eigen::Vector3d& point) {
+          const std::optional<VertexNearby> found = nearest.nearest(point, max_distance);
+          if (!found) return;
+          rows.vertices[v] = {{found->vertex, found->vertex, found->vertex}, {1, 0, 0}};
+          rows.found[v] = 1;
+        });
+    stages.finish();
     return rows;
   }
   rows.triangles.resize(to.vertex_count(), 0);
-  const NearestOnMesh nearest(from);
-  for_each_vertex_near(from, to, [&](std::size_t v, const Eigen::Vector3d& point) {
-    const std::optional<PointOnMesh> found = nearest.nearest(point, max_distance);
-    if (!found) return;
-    rows.vertices[v] = {from.triangles[found->triangle], found->barycentric};
-    rows.triangles[v] = found->triangle;
-    rows.found[v] = 1;
-  });
+  const NearestOnMesh nearest(from, building);
+  for_each_vertex_near(
+      from, to, stages.begin("look up"), [&](std::size_t v, const Eigen::Vector3d& point) {
+        const std::optional<PointOnMesh> found = nearest.nearest(point, max_distance);
+        if (!found) return;
+        rows.vertices[v] = {from.triangles[found->triangle], found->barycentric};
+        rows.triangles[v] = found->triangle;
+        rows.found[v] = 1;
+      });
+  stages.finish();
   return rows;
 }
 

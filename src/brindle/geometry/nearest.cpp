@@ -111,10 +111,10 @@ struct NearestOnMesh::State {
   BoxTree tree;
 };
 
-NearestOnMesh::NearestOnMesh(const Mesh& mesh) {
+NearestOnMesh::NearestOnMesh(const Mesh& mesh, const Progress& progress) {
   check_mesh(mesh);
   const auto box_of_triangle = [&](Index t) { return box_of(mesh, mesh.triangles[t]); };
-  state_.reset(new State{mesh, BoxTree(mesh.triangle_count(), box_of_triangle)});
+  state_.reset(new State{mesh, BoxTree(mesh.triangle_count(), box_of_triangle, progress)});
 }
 NearestOnMesh::~NearestOnMesh() = default;
 NearestOnMesh::NearestOnMesh(NearestOnMesh&&) noexcept = default;
@@ -138,12 +138,12 @@ struct NearestVertex::State {
   BoxTree tree;
 };
 
-NearestVertex::NearestVertex(const Mesh& mesh) {
+NearestVertex::NearestVertex(const Mesh& mesh, const Progress& progress) {
   check_positions(mesh.positions);
   const auto box_of_vertex = [&](Index v) {
     return BoundingBox{mesh.positions[v], mesh.positions[v]};
   };
-  state_.reset(new State{mesh, BoxTree(mesh.vertex_count(), box_of_vertex)});
+  state_.reset(new State{mesh, BoxTree(mesh.vertex_count(), box_of_vertex, progress)});
 }
 NearestVertex::~NearestVertex() = default;
 NearestVertex::NearestVertex(NearestVertex&&) noexcept = default;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -24,9 +25,10 @@ struct PointOnMesh {
 /// depend on how it searches.
 class NearestOnMesh {
  public:
-  /// The mesh must outlive this and stay as it is. Throws Error as `make_surface` does.
-  explicit NearestOnMesh(const Mesh& mesh);
-  explicit NearestOnMesh(Mesh&&) = delete;
+  /// The mesh must outlive this and stay as it is. Throws Error as `make_surface` does, and
+  /// Cancelled if `progress` asks for it.
+  explicit NearestOnMesh(const Mesh& mesh, const Progress& progress = {});
+  explicit NearestOnMesh(Mesh&&, const Progress& = {}) = delete;
   ~NearestOnMesh();
   NearestOnMesh(NearestOnMesh&&) noexcept;
   NearestOnMesh& operator=(NearestOnMesh&&) noexcept;
@@ -53,9 +55,9 @@ struct VertexNearby {
 class NearestVertex {
  public:
   /// The mesh must outlive this and stay as it is. Throws Error, naming the first vertex, for a
-  /// position that is not finite.
-  explicit NearestVertex(const Mesh& mesh);
-  explicit NearestVertex(Mesh&&) = delete;
+  /// position that is not finite, and Cancelled if `progress` asks for it.
+  explicit NearestVertex(const Mesh& mesh, const Progress& progress = {});
+  explicit NearestVertex(Mesh&&, const Progress& = {}) = delete;
   ~NearestVertex();
   NearestVertex(NearestVertex&&) noexcept;
   NearestVertex& operator=(NearestVertex&&) noexcept;

@@ -4,14 +4,16 @@
 #include "brindle/adjacency.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
 /// Two vertices are neighbours if a triangle has them both. An edge that any number of triangles
 /// share counts once; vertices without a triangle have no neighbours.
-Adjacency vertex_neighborhood(const Mesh& mesh);
+Adjacency vertex_neighborhood(const Mesh& mesh, const Progress& progress = {});
 
 /// The same, with what `vertex_triangles` found.
-Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around);
+Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around,
+                              const Progress& progress = {});
 
 }  // namespace brindle

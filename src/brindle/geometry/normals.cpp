@@ -160,13 +160,14 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh) {
   return vertex_normals(mesh, vertex_triangles(mesh));
 }
 
-std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around) {
+std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around,
+                                 const Progress& progress) {
   std::vector<TriangleAngles> angles(mesh.triangle_count());
-  parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(angles.size(), progress.part(0, 0.5), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) angles[t] = angles_of(mesh, mesh.triangles[t]);
   });
   std::vector<Vec3> normals(mesh.vertex_count());
-  parallel_for(mesh.vertex_count(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(mesh.vertex_count(), progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
     std::vector<Corner> corners;
     for (std::size_t v = begin; v < end; ++v) {
       corners.clear();

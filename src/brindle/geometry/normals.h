@@ -5,6 +5,7 @@
 
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -18,6 +19,7 @@ Vec3 triangle_normal(const Mesh& mesh, const Triangle& triangle);
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
 
 /// The same, with what `vertex_triangles` found.
-std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around);
+std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around,
+                                 const Progress& progress = {});
 
 }  // namespace brindle

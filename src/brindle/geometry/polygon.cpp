@@ -1,4 +1,4 @@
-#include "brindle/geometry/polygon.h"
+#include "brindle/polygon.h"
 
 #include <Eigen/Geometry>
 
@@ -6,6 +6,9 @@ namespace brindle {
 namespace {
 
 constexpr std::size_t kMostClipped = 1000;  // clipping takes the square of the corners
+/// Looks at corners, in parts of that square. Polygons that cross themselves everywhere would take
+/// the cube; their cuts are as good as any others.
+constexpr std::size_t kMostLooks = 8;
 
 using Point = Eigen::Vector3d;
 
@@ -27,12 +30,16 @@ struct Outline {
   }
 };
 
-/// Whether `b` can be cut off: it is convex, and no other corner lies in its triangle.
-bool is_ear(const Outline& outline, const std::vector<std::size_t>& left, std::size_t at) {
+/// Whether `b` can be cut off: it is convex, and no other corner lies in its triangle. Takes the
+/// looks that it needs off `looks`.
+bool is_ear(const Outline& outline, const std::vector<std::size_t>& left, std::size_t at,
+            std::size_t& looks) {
+  if (looks > 0) --looks;
   const std::size_t n = left.size();
   const std::size_t a = left[(at + n - 1) % n], b = left[at], c = left[(at + 1) % n];
   if (!(outline.area(a, b, c) > 0)) return false;
   for (const std::size_t p : left) {
+    if (looks > 0) --looks;
     if (p == a || p == b || p == c) continue;
     if (outline.area(a, b, p) >= 0 && outline.area(b, c, p) >= 0 && outline.area(c, a, p) >= 0) {
       return false;
@@ -45,11 +52,11 @@ void clip_ears(const Outline& outline, std::span<const Index> corners,
                std::vector<Triangle>& triangles) {
   std::vector<std::size_t> left(corners.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-  std::size_t at = 1;
+  std::size_t at = 1, looks = kMostLooks * left.size() * left.size();
   while (left.size() > 3) {
     const std::size_t n = left.size();
     std::size_t tried = 0;
-    while (tried < n && !is_ear(outline, left, at % n)) {
+    while (tried < n && looks > 0 && !is_ear(outline, left, at % n, looks)) {
       ++at;
       ++tried;
     }

@@ -1,13 +1,24 @@
 #include "brindle/polylines.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "brindle/base/memory.h"
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
 namespace brindle {
 namespace {
+
+/// Numbers of points are Indices.
+constexpr double kMostPoints = 0xfffffff0;
+
+std::string shortest_text(float number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
 
 void append(Polylines& lines, const Vec3& point, const Vec3& normal) {
   lines.points.push_back(point);
@@ -58,10 +69,49 @@ TrianglePoint place_on(const Polylines& lines, std::size_t point, double t) {
 }
 
 /// Whole steps along a line of some length: one at least, of a closed line three.
-std::size_t steps_along(double length, float spacing, bool closed) {
-  const double steps = std::max(std::round(length / spacing), closed ? 3.0 : 1.0);
-  if (!(steps < 4e9)) throw Error("a curve would get too many points; choose a larger spacing");
-  return static_cast<std::size_t>(steps);
+double steps_along(double length, double spacing, bool closed) {
+  return std::max(std::round(length / spacing), closed ? 3.0 : 1.0);
+}
+
+/// The points that lines would have at a spacing.
+double points_at(const Polylines& lines, std::span<const double> lengths, double spacing) {
+  double points = 0;
+  for (std::size_t line = 0; line < lengths.size(); ++line) {
+    const bool closed = lines.closed[line];
+    points += steps_along(lengths[line], spacing, closed) + (closed ? 0 : 1);
+  }
+  return points;
+}
+
+/// The smallest spacing, to two digits, at which lines have no more points than `most`.
+std::string smallest_spacing(const Polylines& lines, std::span<const double> lengths, double most) {
+  double length = 0;
+  for (const double l : lengths) length += l;
+  double spacing = length / most;
+  // Every line has some points at least, and steps are whole.
+  while (spacing < length && points_at(lines, lengths, spacing) > most) spacing *= 1.05;
+  if (points_at(lines, lengths, spacing) > most) return "no spacing would do for so many lines";
+  return "the smallest spacing that would do is " + rounded_up(spacing);
+}
+
+/// The lengths of all lines, if memory holds their points at this spacing.
+std::vector<double> checked_lengths(const Polylines& lines, float spacing) {
+  if (!(spacing > 0)) throw Error("the spacing of points along curves must be above zero");
+  std::vector<double> lengths(lines.count());
+  for (std::size_t line = 0; line < lengths.size(); ++line) lengths[line] = length_of(lines, line);
+  // With what files are made of.
+  constexpr double kBytes = 2 * (sizeof(Vec3) + sizeof(Vec3) + sizeof(TrianglePoint));
+  const double points = points_at(lines, lengths, spacing);
+  const auto remedy = [&](double most) {
+    return smallest_spacing(lines, lengths, std::min(most, kMostPoints));
+  };
+  const std::string what = "curves with points every " + shortest_text(spacing);
+  check_fits(points, kBytes, what, "points", remedy);
+  if (points > kMostPoints) {
+    throw TooLarge(what + " would be more points than brindle can number; " + remedy(kMostPoints),
+                   kMostPoints / points);
+  }
+  return lengths;
 }
 
 }  // namespace
@@ -81,12 +131,15 @@ double length_of(const Polylines& lines, std::size_t line) {
   return length;
 }
 
-Polylines simplified(const Polylines& lines, float tolerance) {
+Polylines simplified(const Polylines& lines, float tolerance, const Progress& progress) {
+  JobStages stages(progress, {{"simplify", 1}});
+  Reporter reporter(stages.begin("simplify"), lines.points.size());
   Polylines result;
   result.origin = lines.origin;
   std::vector<std::uint8_t> keep;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     const auto points = lines.points_of(line);
+    reporter.done(points.size());
     keep.assign(points.size(), 0);
     keep.front() = 1;
     if (lines.closed[line]) {
@@ -105,26 +158,28 @@ Polylines simplified(const Polylines& lines, float tolerance) {
     }
     end_line(result, lines.closed[line]);
   }
+  stages.finish();
   return result;
 }
 
-Polylines resampled(const Polylines& lines, float spacing) {
-  if (!(spacing > 0)) throw Error("the spacing of points along curves must be above zero");
+Polylines resampled(const Polylines& lines, float spacing, const Progress& progress) {
+  const std::vector<double> lengths = checked_lengths(lines, spacing);
+  JobStages stages(progress, {{"resample", 1}});
+  Reporter reporter(stages.begin("resample"),
+                    static_cast<std::size_t>(points_at(lines, lengths, spacing)));
   Polylines result;
   result.origin = lines.origin;
   const bool placed = !lines.arrivals.empty();
   for (std::size_t line = 0; line < lines.count(); ++line) {
     const auto points = lines.points_of(line);
     const auto normals = lines.normals_of(line);
-    const double length = length_of(lines, line);
+    const double length = lengths[line];
     const bool closed = lines.closed[line];
-    const std::size_t steps = steps_along(length, spacing, closed);
-    if (result.points.size() + steps > 0xfffffff0) {
-      throw Error("curves would get too many points; choose a larger spacing");
-    }
+    const auto steps = static_cast<std::size_t>(steps_along(length, spacing, closed));
     std::size_t segment = 0;
     double passed = 0;  // up to the segment's start
     for (std::size_t step = 0; step < steps; ++step) {
+      reporter.done(1);
       const double goal = length * static_cast<double>(step) / static_cast<double>(steps);
       const auto end = [&] { return (segment + 1) % points.size(); };
       double size = (points[end()] - points[segment]).norm();
@@ -145,6 +200,7 @@ Polylines resampled(const Polylines& lines, float spacing) {
     }
     end_line(result, closed);
   }
+  stages.finish();
   return result;
 }
 

@@ -1,10 +1,12 @@
 #include "brindle/geometry/subdivide.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
@@ -16,8 +18,9 @@ namespace {
 /// Numbers edges in the order of their smaller, then of their larger end.
 class EdgeNumbers {
  public:
-  explicit EdgeNumbers(const Mesh& mesh)
-      : neighborhood_(vertex_neighborhood(mesh)), first_(mesh.vertex_count() + 1, 0) {
+  EdgeNumbers(const Mesh& mesh, const Progress& progress)
+      : neighborhood_(vertex_neighborhood(mesh, vertex_triangles(mesh), progress)),
+        first_(mesh.vertex_count() + 1, 0) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       first_[v + 1] = first_[v] + static_cast<Index>(larger(v).size());
     }
@@ -44,11 +47,12 @@ class EdgeNumbers {
   std::vector<Index> first_;
 };
 
-Mesh subdivide_once(Mesh mesh) {
-  const EdgeNumbers edges(mesh);
+Mesh subdivide_once(Mesh mesh, const Progress& progress) {
+  progress.report(0);
+  const EdgeNumbers edges(mesh, progress.part(0, 0.5));
   const auto old_vertices = static_cast<Index>(mesh.vertex_count());
   mesh.positions.resize(mesh.vertex_count() + edges.count());
-  parallel_for(old_vertices, [&](std::size_t begin, std::size_t end) {
+  parallel_for(old_vertices, progress.part(0.5, 0.7), [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       Index midpoint = old_vertices + edges.first(v);
       for (const Index other : edges.larger(v)) {
@@ -58,17 +62,18 @@ Mesh subdivide_once(Mesh mesh) {
     }
   });
   std::vector<Triangle> finer(4 * mesh.triangle_count());
-  parallel_for(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      const Index ab = old_vertices + edges(a, b), bc = old_vertices + edges(b, c),
-                  ca = old_vertices + edges(c, a);
-      finer[4 * t] = {a, ab, ca};
-      finer[4 * t + 1] = {ab, b, bc};
-      finer[4 * t + 2] = {ca, bc, c};
-      finer[4 * t + 3] = {ab, bc, ca};
-    }
-  });
+  parallel_for(mesh.triangle_count(), progress.part(0.7, 1),
+               [&](std::size_t begin, std::size_t end) {
+                 for (std::size_t t = begin; t < end; ++t) {
+                   const auto& [a, b, c] = mesh.triangles[t];
+                   const Index ab = old_vertices + edges(a, b), bc = old_vertices + edges(b, c),
+                               ca = old_vertices + edges(c, a);
+                   finer[4 * t] = {a, ab, ca};
+                   finer[4 * t + 1] = {ab, b, bc};
+                   finer[4 * t + 2] = {ca, bc, c};
+                   finer[4 * t + 3] = {ab, bc, ca};
+                 }
+               });
   mesh.triangles = std::move(finer);
   return mesh;
 }
@@ -87,11 +92,36 @@ void check_subdivisions(std::size_t triangles, int times) {
                   std::to_string(i) + " times is possible");
     }
   }
+  // Half a vertex a triangle; twice, since the mesh is copied; and its neighborhood and normals,
+  // which whatever follows needs.
+  constexpr double kBytes = 2 * (sizeof(Triangle) + sizeof(Vec3) / 2) + 78;
+  check_fits(
+      static_cast<double>(finer), kBytes,
+      "subdividing " + std::to_string(triangles) + " triangles " + std::to_string(times) + " times",
+      "triangles", [&](double most) {
+        const double rounds = std::log2(most / static_cast<double>(triangles)) / 2;
+        return "at most " + std::to_string(std::max(0, static_cast<int>(rounds))) +
+               " times is possible";
+      });
 }
 
-Mesh subdivide(Mesh mesh, int times) {
+std::vector<JobStage> subdivision_rounds(int times) {
+  std::vector<JobStage> rounds;
+  for (int i = 0; i < times; ++i) {
+    rounds.push_back({"subdivide " + std::to_string(i + 1), std::pow(4.0, i)});
+  }
+  return rounds;
+}
+
+Mesh subdivide(Mesh mesh, int times, const Progress& progress) {
   check_subdivisions(mesh.triangle_count(), times);
-  for (int i = 0; i < times && !mesh.triangles.empty(); ++i) mesh = subdivide_once(std::move(mesh));
+  if (times == 0 || mesh.triangles.empty()) return mesh;
+  const std::vector<JobStage> rounds = subdivision_rounds(times);
+  JobStages stages(progress, rounds);
+  for (const JobStage& round : rounds) {
+    mesh = subdivide_once(std::move(mesh), stages.begin(round.name));
+  }
+  stages.finish();
   return mesh;
 }
 

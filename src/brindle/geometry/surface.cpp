@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/geometry/edge_lengths.h"
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/geometry/normals.h"
 
@@ -39,12 +40,18 @@ void check_mesh(const Mesh& mesh) {
   check_triangles(mesh);
 }
 
-Surface make_surface(Mesh mesh) {
+Surface make_surface(Mesh mesh, const Progress& progress) {
+  JobStages stages(progress, {{"corners", 3}, {"neighborhood", 5}, {"normals", 4}});
+  const Progress corners = stages.begin("corners");
   check_mesh(mesh);
+  corners.report(0.2);
   const VertexTriangles around = vertex_triangles(mesh);
   Surface surface;
-  surface.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(mesh, around));
-  surface.normals = vertex_normals(mesh, around);
+  surface.neighborhood = std::make_shared<const Adjacency>(
+      vertex_neighborhood(mesh, around, stages.begin("neighborhood")));
+  check_edge_lengths(edge_lengths(mesh.positions, *surface.neighborhood));
+  surface.normals = vertex_normals(mesh, around, stages.begin("normals"));
+  stages.finish();
   surface.mesh = std::move(mesh);
   return surface;
 }

@@ -121,8 +121,12 @@ class LoopFinder {
   void add(SurfaceLoop loop) {
     loop.component = component_[loop.vertices[0]];
     for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-      loop.length += edge_length(loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()]);
+      const Index a = loop.vertices[i], b = loop.vertices[(i + 1) % loop.vertices.size()];
+      const double length = edge_length(a, b);
+      loop.length += length;
+      loop.center += length / 2 * (mesh_.positions[a] + mesh_.positions[b]).cast<double>();
     }
+    if (loop.length > 0) loop.center /= loop.length;
     loops_.push_back(std::move(loop));
   }
 

@@ -5,6 +5,9 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/memory.h"
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/polylines.h"
 
@@ -102,8 +105,8 @@ class TubeMaker {
     for (int k = 0; k < options_.sides; ++k) {
       const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) /
                           static_cast<float>(options_.sides);
-      mesh_.positions.push_back(
-          centre + options_.radius * (std::cos(angle) * frame.up + std::sin(angle) * frame.aside));
+      mesh_.positions.push_back(centre + options_.radius * (elementary::cos(angle) * frame.up +
+                                                            elementary::sin(angle) * frame.aside));
     }
   }
 
@@ -130,21 +133,40 @@ class TubeMaker {
   Mesh mesh_;
 };
 
+void check_memory(const Polylines& lines, const TubeOptions& options) {
+  // Vertices, two triangles for each, and the normals that are drawn; vectors grow by doubling.
+  constexpr double kBytes = 2 * (2 * sizeof(Vec3) + 2 * sizeof(Triangle));
+  const auto points = static_cast<double>(lines.points.size());
+  check_fits(points * options.sides, kBytes, "tubes of " + std::to_string(options.sides) + " sides",
+             "vertices", [&](double most) {
+               if (points * 3 <= most) {
+                 return "there is room for " + std::to_string(static_cast<int>(most / points)) +
+                        " sides";
+               }
+               return std::string("ask for fewer stripes, or points farther apart");
+             });
+}
+
 }  // namespace
 
-Mesh tubes(const Polylines& lines, const TubeOptions& options) {
+Mesh tubes(const Polylines& lines, const TubeOptions& options, const Progress& progress) {
   if (!(options.radius > 0) || !std::isfinite(options.radius)) {
     throw Error("the radius of tubes must be above zero");
   }
   if (options.sides < 3 || options.sides > 64) throw Error("tubes have 3 to 64 sides");
+  check_memory(lines, options);
+  JobStages stages(progress, {{"tubes", 1}});
+  Reporter reporter(stages.begin("tubes"), lines.points.size());
   TubeMaker maker(options);
   for (std::size_t line = 0; line < lines.count(); ++line) {
+    reporter.done(lines.points_of(line).size());
     const auto points = distinct_points(lines, line, 0.1f * options.radius);
     const bool closed = lines.closed[line] && points.size() > 2;
     if (points.size() > 1) maker.add(points, closed);
   }
   Mesh mesh = maker.take();
   mesh.origin = lines.origin;
+  stages.finish();
   return mesh;
 }
 

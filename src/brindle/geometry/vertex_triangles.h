@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -20,7 +21,8 @@ struct VertexTriangles {
   }
 };
 
-/// Throws Error if the mesh has more corners than an Index can count.
-VertexTriangles vertex_triangles(const Mesh& mesh);
+/// Throws Error if the mesh has more corners than an Index can count, and Cancelled if `progress`
+/// asks for it.
+VertexTriangles vertex_triangles(const Mesh& mesh, const Progress& progress = {});
 
 }  // namespace brindle

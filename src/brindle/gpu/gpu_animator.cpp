@@ -15,8 +15,8 @@
 #include "brindle/phase_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/frame_check.h"
 #include "brindle/pipeline/yielding_frames.h"
-#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -119,6 +119,7 @@ struct GpuAnimator::State {
   GlBuffer turned_z;                  ///< the last phases, turned with its directions
   Input input;
   YieldingFrames yielding;
+  NormalsInPlace in_place;
   bool has_frame = false;   ///< whether a frame has come to its end
   bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
@@ -283,6 +284,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surfac
     : GpuAnimator(std::move(kernels), surface.neighborhood, without_slack(options)) {
   state_->yielding = YieldingFrames(surface, options.slack);
   state_->options.slack = options.slack;
+  state_->in_place = {surface.mesh.positions, surface.normals};
 }
 
 GpuAnimator::GpuAnimator(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -297,13 +299,13 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
     s.timer.start();
     return false;
   }
-  if (s.yielding.yields()) check_waves(input.positions, input.directions, input.frequencies);
+  if (s.yielding.yields()) check_values(input, *s.neighborhood, s.in_place);
   const FrameInput yielded = s.yielding.yielded(input, progress);
   if (!s.input.compare(yielded) && s.has_last) {
     s.timer.start();
     return false;
   }
-  check_waves(yielded.positions, yielded.directions, yielded.frequencies);
+  if (!s.yielding.yields()) check_values(input, *s.neighborhood, s.in_place);
   solve(progress, [&] {
     s.build(yielded, progress);
     s.timer.start();
@@ -325,7 +327,7 @@ void GpuAnimator::frame(const WaveBuffers& input, const Progress& progress) {
       const auto directions = read_buffer<Vec3>(input.directions, vertices);
       const auto frequencies = read_buffer<float>(input.frequencies, vertices);
       check_gl("reading the buffers of the first frame");
-      check_waves(positions, directions, frequencies);
+      check_values({positions, directions, frequencies}, *s.neighborhood, {});
       s.build({positions, directions, frequencies}, progress);
     }
     s.timer.start();
@@ -400,6 +402,7 @@ GpuAnimator GpuAnimator::sibling() const {
   state->is_sibling = state->topology != nullptr;
   state->measures = state_->measures;
   state->yielding = state_->yielding.sibling();
+  state->in_place = state_->in_place;
   return GpuAnimator(std::move(state));
 }
 

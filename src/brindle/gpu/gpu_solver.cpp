@@ -15,19 +15,21 @@ PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const 
                                const SolverOptions& options, const Progress& progress) {
   PhaseSolution solution;
   Stopwatch watch;
-  const Hierarchy hierarchy = build_hierarchy(graph, progress);
+  JobStages stages(progress, {{"hierarchy", 5}, {"cycles", 1}});
+  const Hierarchy hierarchy = build_hierarchy(graph, stages.begin("hierarchy"));
   const Level& finest = hierarchy.levels[0];
   GpuHierarchy device(std::move(kernels), topology_of(hierarchy, options.sweeps));
   device.upload(finest.layout(), finest.couplings);
   glFinish();
   solution.topology_milliseconds = watch.lap();
   device.solve();
-  device.run_cycles(options.cycles, progress);
+  device.run_cycles(options.cycles, stages.begin("cycles"));
   solution.z = to_nodes(finest.layout(), device.read_phases());
   check_gl("solving on the GPU");
   solution.solve_milliseconds = watch.lap();
   solution.iterations = options.sweeps * (1 + options.cycles);
   solution.energy = energy(graph, solution.z);
+  stages.finish();
   return solution;
 }
 

@@ -51,9 +51,9 @@ void lift(std::size_t count, const CornersOf& corners_of, PhaseShiftKind kind,
 
 template <class CornersOf>
 std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
-                                   PhaseShiftKind kind) {
+                                   PhaseShiftKind kind, const Progress& progress) {
   std::vector<CornerPhases> result(triangles);
-  parallel_for(triangles, [&](std::size_t begin, std::size_t end) {
+  parallel_for(triangles, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; t += kTriangleLanes) {
       lift(
           std::min(kTriangleLanes, end - t), [&](std::size_t i) { return corners_of(t + i); }, kind,
@@ -81,14 +81,18 @@ CornerPhases corner_phases(const Corners& corners, PhaseShiftKind kind) {
 }
 
 std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
-                                        std::span<const Complex> z, PhaseShiftKind kind) {
+                                        std::span<const Complex> z, PhaseShiftKind kind,
+                                        const Progress& progress) {
   return lift_all(
-      triangles.size(), [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind);
+      triangles.size(), [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind,
+      progress);
 }
 
-std::vector<CornerPhases> corner_phases(std::span<const Corners> triangles, PhaseShiftKind kind) {
+std::vector<CornerPhases> corner_phases(std::span<const Corners> triangles, PhaseShiftKind kind,
+                                        const Progress& progress) {
   return lift_all(
-      triangles.size(), [&](std::size_t t) -> const Corners& { return triangles[t]; }, kind);
+      triangles.size(), [&](std::size_t t) -> const Corners& { return triangles[t]; }, kind,
+      progress);
 }
 
 }  // namespace brindle

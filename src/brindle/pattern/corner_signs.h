@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/texture_waves.h"
 
 namespace brindle {
@@ -41,6 +42,7 @@ struct VertexWaves {
 /// The waves of all vertices at the corners of all triangles, turned as `signs` say. Allocates
 /// nothing if `waves` has room for them.
 void set_texture_waves(std::span<const Triangle> triangles, std::span<const CornerSigns> signs,
-                       const VertexWaves& u, const VertexWaves& v, TextureWaves& waves);
+                       const VertexWaves& u, const VertexWaves& v, TextureWaves& waves,
+                       const Progress& progress = {});
 
 }  // namespace brindle

@@ -9,11 +9,10 @@
 #include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "brindle/geometry/nearest.h"
+#include "brindle/pattern/coverage_places.h"
 
 namespace brindle {
 namespace {
-
-constexpr std::size_t kPlaces = 100'000;
 
 /// Segments as triangles without area, whose nearest places are those of the lines.
 Mesh segments_of(const Polylines& lines) {
@@ -38,25 +37,29 @@ Eigen::Vector3d point_in(const Mesh& mesh, const Triangle& triangle, double u, d
 
 double fraction(double x) { return x - std::floor(x); }
 
-/// The plastic number's reciprocals: no sequence in the square is known to be more even (Roberts
-/// 2018).
-Eigen::Vector3d place(const Mesh& mesh, std::span<const double> area_before, std::size_t k) {
-  const double wanted =
-      (static_cast<double>(k) + 0.5) / static_cast<double>(kPlaces) * area_before.back();
-  const auto after = std::upper_bound(area_before.begin(), area_before.end() - 1, wanted);
-  const auto t = static_cast<std::size_t>(
-      std::max<std::ptrdiff_t>(0, std::distance(area_before.begin(), after) - 1));
-  const auto number = static_cast<double>(k + 1);
-  return point_in(mesh, mesh.triangles[std::min(t, mesh.triangle_count() - 1)],
-                  fraction(number * 0.7548776662466927), fraction(number * 0.5698402909980532));
-}
-
 std::vector<double> areas_before(const Mesh& mesh) {
   std::vector<double> before = {0};
   for (const Triangle& t : mesh.triangles) {
     before.push_back(before.back() + static_cast<double>(triangle_area(mesh, t)));
   }
   return before;
+}
+
+/// The area at which a place lies, if that of all triangles is counted one after the other.
+double area_at(std::size_t place, double all) {
+  return (static_cast<double>(place) + 0.5) / static_cast<double>(kCoveragePlaces) * all;
+}
+
+/// The plastic number's reciprocals: no sequence in the square is known to be more even (Roberts
+/// 2018).
+Eigen::Vector3d place_at(const Mesh& mesh, std::span<const double> area_before, double wanted,
+                         std::size_t k) {
+  const auto after = std::upper_bound(area_before.begin(), area_before.end() - 1, wanted);
+  const auto t = static_cast<std::size_t>(
+      std::max<std::ptrdiff_t>(0, std::distance(area_before.begin(), after) - 1));
+  const auto number = static_cast<double>(k + 1);
+  return point_in(mesh, mesh.triangles[std::min(t, mesh.triangle_count() - 1)],
+                  fraction(number * 0.7548776662466927), fraction(number * 0.5698402909980532));
 }
 
 }  // namespace
@@ -78,22 +81,82 @@ CurveLengths curve_lengths(const Polylines& lines) {
   return lengths;
 }
 
-double curve_coverage(const Mesh& mesh, const Polylines& lines, double width) {
-  if (!(width > 0) || !std::isfinite(width)) {
-    throw Error("coverage: the width of a line must be a finite number above 0");
-  }
+namespace {
+
+/// Whether there is a line on the other side of a place than the nearest one, within `reach`, too.
+/// What is nearest to the far end of that way is the one, if it is on that side.
+bool has_line_beyond(const NearestOnMesh& nearest, const Eigen::Vector3d& place,
+                     const Eigen::Vector3d& nearest_to_it, double reach) {
+  const Eigen::Vector3d to_it = nearest_to_it - place;
+  if (!(to_it.norm() > 0)) return false;
+  const Eigen::Vector3d away = -to_it.normalized();
+  const auto other = nearest.nearest(place + reach * away, reach);
+  if (!other) return false;
+  const Eigen::Vector3d to_other = other->position - place;
+  return to_other.dot(away) > 0 && to_other.norm() <= reach;
+}
+
+struct Covered {
+  double once = 0, twice = 0;
+  Covered operator+(const Covered& other) const { return {once + other.once, twice + other.twice}; }
+};
+
+}  // namespace
+
+void check_line_width(double width) {
+  if (width > 0 && std::isfinite(width)) return;
+  throw Error("coverage: the width of a line must be a finite number above 0");
+}
+
+double area_of(const Mesh& mesh) { return areas_before(mesh).back(); }
+
+std::vector<Eigen::Vector3d> coverage_places(const Mesh& mesh, const AreaShare& share) {
+  std::vector<Eigen::Vector3d> places;
+  if (mesh.triangles.empty()) return places;
   const std::vector<double> before = areas_before(mesh);
-  if (lines.points.empty() || !(before.back() > 0)) return 0;
+  for (std::size_t k = 0; k < kCoveragePlaces; ++k) {
+    const double wanted = area_at(k, share.all);
+    if (wanted < share.before || wanted >= share.behind) continue;
+    places.push_back(place_at(mesh, before, wanted - share.before, k));
+  }
+  return places;
+}
+
+CurveCoverage measure_coverage(std::span<const Eigen::Vector3d> places, const Polylines& lines,
+                               double width, const Progress& progress) {
+  check_line_width(width);
+  if (lines.points.empty() || places.empty()) return {};
   const Mesh segments = segments_of(lines);
-  const NearestOnMesh nearest(segments);
-  const auto covered = parallel_sum<double>(kPlaces, [&](std::size_t begin, std::size_t end) {
-    double count = 0;
-    for (std::size_t k = begin; k < end; ++k) {
-      count += nearest.nearest(place(mesh, before, k), width / 2).has_value();
-    }
-    return count;
-  });
-  return covered / static_cast<double>(kPlaces);
+  JobStages stages(progress, {{"nearest places", 1}, {"coverage", 1}});
+  const NearestOnMesh nearest(segments, stages.begin("nearest places"));
+  const auto covered = parallel_sum<Covered>(
+      places.size(), stages.begin("coverage"), [&](std::size_t begin, std::size_t end) {
+        Covered count;
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto found = nearest.nearest(places[k], width / 2);
+          if (!found) continue;
+          ++count.once;
+          count.twice += has_line_beyond(nearest, places[k], found->position, width / 2);
+        }
+        return count;
+      });
+  stages.finish();
+  const auto all = static_cast<double>(places.size());
+  return {covered.once / all, covered.twice / all};
+}
+
+CurveCoverage measure_coverage(const Mesh& mesh, const Polylines& lines, double width,
+                               const Progress& progress) {
+  check_line_width(width);
+  const double area = area_of(mesh);
+  if (lines.points.empty() || !(area > 0)) return {};
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  return measure_coverage(coverage_places(mesh, {0, kAll, area}), lines, width, progress);
+}
+
+double curve_coverage(const Mesh& mesh, const Polylines& lines, double width,
+                      const Progress& progress) {
+  return measure_coverage(mesh, lines, width, progress).once;
 }
 
 }  // namespace brindle

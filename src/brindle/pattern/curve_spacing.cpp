@@ -6,8 +6,10 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/box_tree.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {
@@ -15,27 +17,13 @@ namespace {
 
 constexpr float kNeighborReach = 1.6f;  // how far a neighbour is looked for, times 1/f
 constexpr float kGapReach = 2.5f;       // beside a branch, the next curve but one is in reach
-constexpr float kStep = 0.2f;           // between points, times 1/f
+constexpr std::size_t kMarksPerReport = 4096;
+constexpr float kStep = 0.2f;     // between points, times 1/f
 constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
 
-/// Points along all curves, with what a measurement needs to know.
-struct Marks {
-  Polylines lines;
-  std::vector<Vec3> along;                     ///< the curve's direction, one per point
-  std::vector<float> frequencies;              ///< one per point
-  std::vector<std::array<Index, 2>> adjacent;  ///< points before and behind on the curve
-};
-
-/// The distance between points that is small enough everywhere.
-float step_along(const WavePattern& pattern) {
-  const auto& frequencies = pattern.waves.frequencies;
-  if (frequencies.empty()) return 1;
-  return kStep / *std::max_element(frequencies.begin(), frequencies.end());
-}
-
-Marks marks_along(const StripeCurves& curves, float step) {
-  Marks marks;
-  marks.lines = resampled(curves.lines, step);
+CurveMarks marks_along(const StripeCurves& curves, float step, const Progress& progress) {
+  CurveMarks marks;
+  marks.lines = resampled(curves.lines, step, progress);
   const auto& points = marks.lines.points;
   marks.along.resize(points.size());
   marks.adjacent.resize(points.size());
@@ -52,26 +40,32 @@ Marks marks_along(const StripeCurves& curves, float step) {
   return marks;
 }
 
+/// Marks with what a measurement needs to know.
+struct Marks {
+  const Polylines& lines;
+  const std::vector<Vec3>& along;
+  const std::vector<std::array<Index, 2>>& adjacent;
+  std::span<const float> frequencies;  ///< one per point: those chosen
+  std::span<const float> wanted;       ///< and those asked for
+};
+
 /// The frequency at each point is that of the nearest vertex.
-void add_frequencies(const WavePattern& pattern, Marks& marks) {
-  const PointTree vertices(pattern.mesh.positions);
-  marks.frequencies.resize(marks.lines.points.size());
-  const float constant = pattern.waves.frequencies.empty() ? 1 : pattern.waves.frequencies[0];
-  const bool same = std::all_of(pattern.waves.frequencies.begin(), pattern.waves.frequencies.end(),
-                                [&](float f) { return f == constant; });
-  const float diagonal = bounding_box(pattern.mesh).diagonal();
-  parallel_for(marks.frequencies.size(), [&](std::size_t begin, std::size_t end) {
+std::vector<float> frequencies_at(const PointTree& vertices, std::span<const float> by_vertex,
+                                  const Polylines& lines, const Progress& progress) {
+  std::vector<float> result(lines.points.size());
+  const float constant = by_vertex.empty() ? 1 : by_vertex[0];
+  const bool same =
+      std::all_of(by_vertex.begin(), by_vertex.end(), [&](float f) { return f == constant; });
+  parallel_for(result.size(), progress, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> found;
     for (std::size_t i = begin; i < end; ++i) {
-      marks.frequencies[i] = constant;
-      for (float radius = diagonal / 256; !same; radius *= 2) {
-        vertices.within(marks.lines.points[i], radius, found);
-        if (found.empty()) continue;
-        marks.frequencies[i] = pattern.waves.frequencies[found[0]];
-        break;
-      }
+      result[i] = constant;
+      if (same) continue;
+      vertices.nearest(lines.points[i], 1, found);
+      result[i] = by_vertex[found[0]];
     }
   });
+  return result;
 }
 
 float distance_to_curve(const Marks& marks, const Vec3& p, Index mark) {
@@ -87,12 +81,12 @@ float distance_to_curve(const Marks& marks, const Vec3& p, Index mark) {
 float bending(const Vec3& way, const Vec3& normal, const Vec3& other) {
   const Vec3 along = way.stableNormalized();
   const auto tilt = [&](const Vec3& n, const Vec3& up) {
-    return std::atan2(n.dot(along), n.dot(up));
+    return elementary::atan2(n.dot(along), n.dot(up));
   };
   const Vec3 sum = normal + other;
   const Vec3 up = (sum - sum.dot(along) * along).stableNormalized();
   const float half = 0.5f * std::abs(tilt(normal, up) - tilt(other, up));
-  return half < 1e-3f ? 1.0f : half / std::sin(std::min(half, 1.5f));
+  return half < 1e-3f ? 1.0f : half / elementary::sin(std::min(half, 1.5f));
 }
 
 /// The mean and both ends of some numbers.
@@ -107,23 +101,42 @@ struct GapRange {
   void add(double x) { *this = *this + GapRange{x, x, x}; }
 };
 
-struct RatioSums {
+/// Ratios of neighbours.
+struct NearRatios {
   Moments ratio;
   double within = 0;
-  std::size_t gaps = 0;
-  GapRange gap_length = {}, gap_ratio = {};
 
-  RatioSums operator+(const RatioSums& other) const {
-    return {ratio + other.ratio, within + other.within, gaps + other.gaps,
-            gap_length + other.gap_length, gap_ratio + other.gap_ratio};
+  NearRatios operator+(const NearRatios& other) const {
+    return {ratio + other.ratio, within + other.within};
   }
-  void add(double length, double r) {
-    ++gaps;
-    gap_length.add(length);
-    gap_ratio.add(r);
-    if (r > kNeighborReach) return;
+  void add(double r) {
     ratio.add(r);
     within += r >= 0.9 && r <= 1.1;
+  }
+  double share_within() const { return within / ratio.count; }
+};
+
+struct RatioSums {
+  NearRatios chosen, wanted;
+  std::size_t gaps = 0;
+  GapRange gap_length = {}, gap_chosen = {}, gap_wanted = {};
+
+  RatioSums operator+(const RatioSums& other) const {
+    return {chosen + other.chosen,
+            wanted + other.wanted,
+            gaps + other.gaps,
+            gap_length + other.gap_length,
+            gap_chosen + other.gap_chosen,
+            gap_wanted + other.gap_wanted};
+  }
+  void add(double length, double r_chosen, double r_wanted) {
+    ++gaps;
+    gap_length.add(length);
+    gap_chosen.add(r_chosen);
+    gap_wanted.add(r_wanted);
+    if (r_chosen > kNeighborReach) return;
+    chosen.add(r_chosen);
+    wanted.add(r_wanted);
   }
 };
 
@@ -134,66 +147,197 @@ CurveGaps gaps_of(const RatioSums& sums) {
           sums.gap_length.least,
           sums.gap_length.sum / count,
           sums.gap_length.most,
-          sums.gap_ratio.least,
-          sums.gap_ratio.sum / count,
-          sums.gap_ratio.most};
+          sums.gap_wanted.least,
+          sums.gap_wanted.sum / count,
+          sums.gap_wanted.most,
+          sums.gap_chosen.least,
+          sums.gap_chosen.sum / count,
+          sums.gap_chosen.most};
 }
+
+/// Finds the marks beside a mark. Those of a run, a few that follow each other, share a box.
+class MarkTree {
+ public:
+  MarkTree(const Marks& marks, const Progress& progress)
+      : marks_(marks),
+        runs_((marks.lines.points.size() + kRun - 1) / kRun, [&](Index run) { return box_of(run); },
+              progress) {
+    for (std::size_t i = 0; i < marks.adjacent.size(); ++i) {
+      for (const Index other : marks.adjacent[i]) {
+        longest_ = std::max(longest_, (marks.lines.points[other] - marks.lines.points[i]).norm());
+      }
+    }
+  }
+
+  /// The distances to the nearest curves on either side of a mark, infinite where there is none.
+  std::array<float, 2> nearest(Index i) const {
+    Search search(marks_, i, longest_);
+    runs_.visit(
+        marks_.lines.points[i].cast<double>(),
+        [&](const BoundingBox& box, double square) { return search.may_count(box, square); },
+        [&](Index run) {
+          const std::size_t end = std::min<std::size_t>((run + 1) * kRun, marks_.along.size());
+          for (std::size_t mark = run * kRun; mark < end; ++mark) {
+            search.take(static_cast<Index>(mark));
+          }
+        });
+    return search.nearest;
+  }
+
+ private:
+  static constexpr std::size_t kRun = 8;
+
+  struct Search {
+    Search(const Marks& all, Index mark, float longest_segment)
+        : marks(all),
+          i(mark),
+          longest(longest_segment),
+          p(all.lines.points[mark]),
+          along(all.along[mark]),
+          normal(all.lines.normals[mark]),
+          sideways(normal.cross(along).stableNormalized()),
+          reach(kGapReach / all.frequencies[mark]) {
+      nearest.fill(std::numeric_limits<float>::infinity());
+    }
+
+    /// Whether something in a box may be nearer than what was found. All bounds leave room for
+    /// rounding: the result is that of asking every mark.
+    bool may_count(const BoundingBox& box, double square) const {
+      constexpr double kRoom = 1e-3;
+      const double least = std::sqrt(square) * (1 - kRoom);
+      if (least > static_cast<double>(reach)) return false;
+      // A curve may be nearer than its marks by a segment; the bending only lengthens.
+      const double found = std::max(nearest[0], nearest[1]);
+      if (least - static_cast<double>(longest) > found * (1 + kRoom)) return false;
+      // What is before or behind, not beside.
+      const Vec3 center = 0.5f * (box.lower + box.upper) - p;
+      const Vec3 half = 0.5f * (box.upper - box.lower);
+      const float before = std::abs(center.dot(along)) - half.dot(along.cwiseAbs());
+      const float farthest = (center.cwiseAbs() + half).norm();
+      return before <= (kAslant + static_cast<float>(kRoom)) * farthest;
+    }
+
+    void take(Index other) {
+      const Vec3& q = marks.lines.points[other];
+      const Vec3 way = q - p;
+      const Vec3 back = p - q;
+      if (!(back.x() * back.x() + back.y() * back.y() + back.z() * back.z() < reach * reach)) {
+        return;
+      }
+      const float aside = way.dot(sideways);
+      const bool beside = std::abs(way.dot(along)) < kAslant * way.norm() && other != i;
+      const bool alike = std::abs(along.dot(marks.along[other])) > 0.5f &&
+                         normal.dot(marks.lines.normals[other]) > 0.3f;
+      if (!beside || !alike) return;
+      float& best = nearest[aside > 0];
+      best = std::min(best, distance_to_curve(marks, p, other) *
+                                bending(way, normal, marks.lines.normals[other]));
+    }
+
+    const Marks& marks;
+    const Index i;
+    const float longest;
+    const Vec3 p, along, normal, sideways;
+    const float reach;
+    std::array<float, 2> nearest;
+  };
+
+  BoundingBox box_of(Index run) const {
+    const auto& points = marks_.lines.points;
+    BoundingBox box{points[run * kRun], points[run * kRun]};
+    for (std::size_t i = run * kRun; i < std::min<std::size_t>((run + 1) * kRun, points.size());
+         ++i) {
+      box.lower = box.lower.cwiseMin(points[i]);
+      box.upper = box.upper.cwiseMax(points[i]);
+    }
+    return box;
+  }
+
+  const Marks& marks_;
+  BoxTree runs_;
+  float longest_ = 0;
+};
 
 /// Adds the distances to the nearest curves on either side of a mark.
-void measure(const Marks& marks, Index i, const std::vector<Index>& near, RatioSums& sums) {
-  const Vec3& p = marks.lines.points[i];
-  const Vec3& normal = marks.lines.normals[i];
-  const Vec3 sideways = normal.cross(marks.along[i]).stableNormalized();
-  std::array<float, 2> nearest;
-  nearest.fill(std::numeric_limits<float>::infinity());
-  for (const Index other : near) {
-    const Vec3 way = marks.lines.points[other] - p;
-    const float aside = way.dot(sideways);
-    const bool beside = std::abs(way.dot(marks.along[i])) < kAslant * way.norm() && other != i;
-    const bool alike = std::abs(marks.along[i].dot(marks.along[other])) > 0.5f &&
-                       normal.dot(marks.lines.normals[other]) > 0.3f;
-    if (!beside || !alike) continue;
-    float& best = nearest[aside > 0];
-    best = std::min(best, distance_to_curve(marks, p, other) *
-                              bending(way, normal, marks.lines.normals[other]));
-  }
-  for (const float distance : nearest) {
-    const double ratio = static_cast<double>(distance) * marks.frequencies[i];
-    if (ratio <= kGapReach) sums.add(static_cast<double>(distance), ratio);
+void measure(const Marks& marks, const MarkTree& tree, Index i, RatioSums& sums) {
+  for (const float distance : tree.nearest(i)) {
+    const auto length = static_cast<double>(distance);
+    const double ratio = length * marks.frequencies[i];
+    if (ratio <= kGapReach) sums.add(length, ratio, length * marks.wanted[i]);
   }
 }
 
-}  // namespace
+CurveSpacing spacing_of(const RatioSums& sums) {
+  CurveSpacing spacing;
+  spacing.gaps = gaps_of(sums);
+  spacing.measured = static_cast<std::size_t>(sums.chosen.ratio.count);
+  if (spacing.measured == 0) return spacing;
+  spacing.mean = sums.chosen.ratio.mean();
+  spacing.deviation = sums.chosen.ratio.deviation();
+  spacing.share_within_10_percent = sums.chosen.share_within();
+  spacing.mean_wanted = sums.wanted.ratio.mean();
+  spacing.deviation_wanted = sums.wanted.ratio.deviation();
+  spacing.share_within_10_percent_wanted = sums.wanted.share_within();
+  return spacing;
+}
 
-CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves,
-                                   std::size_t most_points) {
-  const float step = step_along(pattern);
+/// The distance between points that is small enough everywhere.
+float step_at(float highest_frequency) { return kStep / highest_frequency; }
+
+bool are_more_than(std::size_t most_points, const StripeCurves& curves, float step) {
   auto points = static_cast<double>(curves.lines.count());
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {
     points += length_of(curves.lines, line) / static_cast<double>(step);
   }
-  if (points > static_cast<double>(most_points)) return {};
-  Marks marks = marks_along(curves, step);
-  add_frequencies(pattern, marks);
-  const PointTree tree(marks.lines.points);
-  const RatioSums sums =
-      parallel_sum<RatioSums>(marks.lines.points.size(), [&](std::size_t begin, std::size_t end) {
+  return points > static_cast<double>(most_points);
+}
+
+CurveSpacing measured_spacing(const CurveMarks& marks, const MarkFrequencies& frequencies,
+                              JobStages& stages) {
+  const Marks all{marks.lines, marks.along, marks.adjacent, frequencies.chosen, frequencies.wanted};
+  const MarkTree tree(all, stages.begin("boxes"));
+  const RatioSums sums = parallel_sum<RatioSums>(
+      marks.lines.points.size(), stages.begin("gaps"),
+      [&](std::size_t begin, std::size_t end) {
         RatioSums part;
-        std::vector<Index> near;
-        for (std::size_t i = begin; i < end; ++i) {
-          tree.within(marks.lines.points[i], kGapReach / marks.frequencies[i], near);
-          measure(marks, static_cast<Index>(i), near, part);
-        }
+        for (std::size_t i = begin; i < end; ++i) measure(all, tree, static_cast<Index>(i), part);
         return part;
-      });
-  CurveSpacing spacing;
-  spacing.gaps = gaps_of(sums);
-  spacing.measured = static_cast<std::size_t>(sums.ratio.count);
-  if (spacing.measured == 0) return spacing;
-  spacing.mean = sums.ratio.mean();
-  spacing.deviation = sums.ratio.deviation();
-  spacing.share_within_10_percent = sums.within / sums.ratio.count;
-  return spacing;
+      },
+      kParallelGrain, kMarksPerReport);
+  stages.finish();
+  return spacing_of(sums);
+}
+
+}  // namespace
+
+std::optional<CurveMarks> curve_marks(const StripeCurves& curves, float highest,
+                                      std::size_t most_points, const Progress& progress) {
+  if (are_more_than(most_points, curves, step_at(highest))) return std::nullopt;
+  return marks_along(curves, step_at(highest), progress);
+}
+
+CurveSpacing measure_curve_spacing(const CurveMarks& marks, const MarkFrequencies& frequencies,
+                                   const Progress& progress) {
+  JobStages stages(progress, {{"boxes", 1}, {"gaps", 7}});
+  return measured_spacing(marks, frequencies, stages);
+}
+
+CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves,
+                                   std::size_t most_points, std::span<const float> wanted,
+                                   const Progress& progress) {
+  const std::span<const float> chosen = pattern.waves.frequencies;
+  const float step = step_at(chosen.empty() ? kStep : *std::ranges::max_element(chosen));
+  if (are_more_than(most_points, curves, step)) return {};
+  JobStages stages(progress, {{"points", 1}, {"frequencies", 1}, {"boxes", 1}, {"gaps", 7}});
+  const CurveMarks marks = marks_along(curves, step, stages.begin("points"));
+  const Progress finding = stages.begin("frequencies");
+  const PointTree vertices(pattern.mesh.positions, finding.part(0, 0));
+  MarkFrequencies frequencies;
+  frequencies.chosen = frequencies_at(vertices, chosen, marks.lines, finding.part(0, 0.5));
+  frequencies.wanted = wanted.empty()
+                           ? frequencies.chosen
+                           : frequencies_at(vertices, wanted, marks.lines, finding.part(0.5, 1));
+  return measured_spacing(marks, frequencies, stages);
 }
 
 }  // namespace brindle

@@ -1,27 +1,64 @@
 /// How far neighbouring curves are apart.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "brindle/curve_measures.h"
 #include "brindle/pattern/stripe_curves.h"
 
 namespace brindle {
 
-/// Distances between neighbouring curves over 1/f, measured on both sides of the curves at points
-/// about a fifth of 1/f apart.
+/// Distances between neighbouring curves over 1/f of the frequencies chosen, measured on both sides
+/// of the curves at points about a fifth of 1/f apart; `wanted` against those that were asked for.
 struct CurveSpacing {
   std::size_t measured = 0;            ///< how often a neighbour was there
   double mean = 0;                     ///< of the ratio; 1 is ideal
   double deviation = 0;                ///< standard deviation of the ratio
   double share_within_10_percent = 0;  ///< of what was measured, ratios from 0.9 to 1.1
-  CurveGaps gaps;                      ///< measured farther, for makers
+  double mean_wanted = 0, deviation_wanted = 0, share_within_10_percent_wanted = 0;
+  CurveGaps gaps;  ///< measured farther, for makers
 };
+
+/// As many points as a measurement takes unless told otherwise.
+inline constexpr std::size_t kMostSpacingPoints = 1'000'000;
 
 /// Distances along the surface are taken for arcs that meet the normals at both ends. A neighbour
 /// is the nearest curve sideways, on the same side of the surface, within 1.6 / f; where there is
 /// none (a boundary) nothing is measured. Nor is anything where it would take more than
 /// `most_points` points: their number grows with the square of the frequency, that of the curves'
-/// own points only with the frequency. Throws Error in a build without nanoflann.
+/// own points only with the frequency. `wanted` are the frequencies asked for, one per vertex;
+/// empty: those of the pattern. Throws Error in a build without nanoflann, and Cancelled if
+/// `progress` asks for it.
 CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves,
-                                   std::size_t most_points = 1'000'000);
+                                   std::size_t most_points = kMostSpacingPoints,
+                                   std::span<const float> wanted = {},
+                                   const Progress& progress = {});
+
+/// Points along all curves at which neighbours are looked for.
+struct CurveMarks {
+  Polylines lines;
+  std::vector<Vec3> along;                     ///< the curve's direction, one per point
+  std::vector<std::array<Index, 2>> adjacent;  ///< points before and behind on the curve
+};
+
+/// The points of `measure_curve_spacing` where no frequency is above `highest`; nothing where they
+/// would be more than `most_points`.
+std::optional<CurveMarks> curve_marks(const StripeCurves& curves, float highest,
+                                      std::size_t most_points = kMostSpacingPoints,
+                                      const Progress& progress = {});
+
+/// Frequencies at points: those chosen, and those asked for.
+struct MarkFrequencies {
+  std::vector<float> chosen, wanted;
+};
+
+/// The second half of `measure_curve_spacing`, for who knows frequencies at the marks but not the
+/// whole pattern: those of the nearest vertices.
+CurveSpacing measure_curve_spacing(const CurveMarks& marks, const MarkFrequencies& frequencies,
+                                   const Progress& progress = {});
 
 }  // namespace brindle

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle {
 namespace {
 
@@ -23,7 +25,7 @@ bool runs_against(const Vec3& a, const Vec3& b) { return a.dot(b) < 0; }
 /// machine loses others.
 Complex turned(float turns) {
   const float angle = 2 * std::numbers::pi_v<float> * (turns - std::floor(turns + 0.5f));
-  return {std::cos(angle), std::sin(angle)};
+  return {elementary::cos(angle), elementary::sin(angle)};
 }
 
 bool all_have_waves(const std::array<CornerWave, 3>& corners) {
@@ -41,7 +43,7 @@ bool comes_first(const Vec3& a, const Vec3& b) {
 
 /// The phase in turns since the last peak, or until the next: turning a wave round negates it.
 float turns_from_peak(Complex z) {
-  return std::atan2(-z.real(), z.imag()) / (2 * std::numbers::pi_v<float>);
+  return elementary::atan2(-z.real(), z.imag()) / (2 * std::numbers::pi_v<float>);
 }
 
 /// What the phase gains along an edge, in turns.

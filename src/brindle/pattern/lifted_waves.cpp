@@ -21,12 +21,12 @@ void check_sizes(const WavePattern& pattern) {
 
 }  // namespace
 
-LiftedWaves::LiftedWaves(const WavePattern& pattern) : pattern_(pattern) {
+LiftedWaves::LiftedWaves(const WavePattern& pattern, const Progress& progress) : pattern_(pattern) {
   check_sizes(pattern);
   const WaveSet& waves = pattern.waves;
   waves_.resize(pattern.mesh.vertex_count());
   turns_.resize(waves_.size());
-  parallel_for(waves_.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(waves_.size(), progress.part(0, 0.3), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       waves_[v] = canonical({waves.wave(v), pattern.z[v]});
       turns_[v] = waves.directions[v].isZero(0) ? 0 : turns_after_peak(waves_[v].z);
@@ -34,7 +34,7 @@ LiftedWaves::LiftedWaves(const WavePattern& pattern) : pattern_(pattern) {
   });
   const auto& vertices = pattern.edges.vertices;
   edges_.resize(vertices.size());
-  parallel_for(vertices.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(vertices.size(), progress.part(0.3, 1), [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const auto [a, b] = vertices[e];
       if (turns_[a] == 0 || turns_[b] == 0) continue;

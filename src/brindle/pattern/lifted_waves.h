@@ -6,6 +6,7 @@
 
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/pattern/stripe_pieces.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -21,8 +22,9 @@ struct WavePattern {
 
 class LiftedWaves {
  public:
-  /// Lifts all edges. Throws Error if the sizes of the pattern's parts do not match.
-  explicit LiftedWaves(const WavePattern& pattern);
+  /// Lifts all edges. Throws Error if the sizes of the pattern's parts do not match, and Cancelled
+  /// if `progress` asks for it.
+  explicit LiftedWaves(const WavePattern& pattern, const Progress& progress = {});
 
   const WavePattern& pattern() const { return pattern_; }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/corner_phases.h"
 
@@ -51,7 +52,7 @@ std::optional<Eigen::Vector2d> gradient(const CornerWave& wave, const Vec3& norm
 
 PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<const Vec3> normals,
                                      const WaveSet& waves, std::span<const Complex> z,
-                                     PhaseShiftKind kind) {
+                                     PhaseShiftKind kind, const Progress& progress) {
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     PointSums sums;
     std::vector<CornerWave> neighbors;
@@ -63,7 +64,8 @@ PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<co
       }
       const auto slope = gradient(wave_at(waves, z, i), normals[i], neighbors, kind);
       if (!slope) continue;
-      const double angle = std::abs(std::atan2(slope->y(), slope->x())) * 180 / std::numbers::pi;
+      const double angle =
+          std::abs(elementary::atan2(slope->y(), slope->x())) * 180 / std::numbers::pi;
       const double expected = 2 * std::numbers::pi * static_cast<double>(waves.frequencies[i]);
       ++sums.count;
       sums.over_5deg += angle > 5;
@@ -72,7 +74,7 @@ PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<co
     }
     return sums;
   };
-  const PointSums sums = parallel_sum<PointSums>(neighborhood.node_count(), sums_of);
+  const PointSums sums = parallel_sum<PointSums>(neighborhood.node_count(), progress, sums_of);
   const double count = std::max<double>(1, static_cast<double>(sums.count));
   PatternQuality quality;
   quality.angle_error_mean_deg = sums.angle / count;

@@ -15,6 +15,6 @@ namespace brindle {
 /// alike. `normals`, `waves` and `z` have one entry per point.
 PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<const Vec3> normals,
                                      const WaveSet& waves, std::span<const Complex> z,
-                                     PhaseShiftKind kind);
+                                     PhaseShiftKind kind, const Progress& progress = {});
 
 }  // namespace brindle

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr float kFarther = 1.1f;
 
 /// Distances along a wave to its peaks: first + k / frequency for all whole k.
 float first_peak(const PointWaves& waves, Index i) {
-  const float turns = std::arg(waves.z[i]) / (2 * std::numbers::pi_v<float>);
+  const float turns = elementary::arg(waves.z[i]) / (2 * std::numbers::pi_v<float>);
   return (0.25f - turns) / waves.waves.frequencies[i];
 }
 

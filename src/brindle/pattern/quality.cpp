@@ -70,9 +70,9 @@ std::size_t count_without_wave(std::span<const Vec3> directions) {
 }
 
 QualitySums quality_sums(const Mesh& mesh, const WaveSet& waves,
-                         std::span<const CornerPhases> corners) {
-  QualitySums sums =
-      parallel_sum<QualitySums>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+                         std::span<const CornerPhases> corners, const Progress& progress) {
+  QualitySums sums = parallel_sum<QualitySums>(
+      mesh.triangle_count(), progress, [&](std::size_t begin, std::size_t end) {
         QualitySums sum;
         ErrorLanes errors;
         for (std::size_t t = begin; t < end; ++t) {
@@ -99,8 +99,8 @@ PatternQuality quality_of(const QualitySums& sums) {
 }
 
 PatternQuality measure_quality(const Mesh& mesh, const WaveSet& waves,
-                               std::span<const CornerPhases> corners) {
-  return quality_of(quality_sums(mesh, waves, corners));
+                               std::span<const CornerPhases> corners, const Progress& progress) {
+  return quality_of(quality_sums(mesh, waves, corners, progress));
 }
 
 }  // namespace brindle

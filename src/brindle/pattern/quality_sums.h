@@ -26,7 +26,7 @@ struct QualitySums {
 
 /// `waves` has one entry per vertex, `corners` one per triangle.
 QualitySums quality_sums(const Mesh& mesh, const WaveSet& waves,
-                         std::span<const CornerPhases> corners);
+                         std::span<const CornerPhases> corners, const Progress& progress = {});
 
 /// The figures of the sums over all parts.
 PatternQuality quality_of(const QualitySums& sums);

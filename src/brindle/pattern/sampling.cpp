@@ -8,9 +8,11 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/geometry/areas.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {
@@ -26,6 +28,8 @@ constexpr double kNudge = 1e-10;
 /// asked for by mistake, and memory would not hold them.
 constexpr std::size_t kBlock = 4096;
 constexpr double kMostCrossings = 1 << 24;
+
+constexpr std::size_t kBlocksPerReport = 8;
 
 /// Lines that a triangle has, or one more.
 double line_count(const LiftedTriangle& triangle) {
@@ -193,6 +197,30 @@ class Sampler {
   double crossings_ = 0;  // in this block, at most
 };
 
+float mean_frequency(const CornerWaves& corners) {
+  return (corners[0].wave.frequency + corners[1].wave.frequency + corners[2].wave.frequency) / 3;
+}
+
+/// As many samples as a perfect grid has on the surface's area must find room.
+void check_memory(const Mesh& mesh, const SampledWaves& u, const SampledWaves& v) {
+  const auto count =
+      parallel_sum<double>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+          sum += static_cast<double>(triangle_area(mesh, mesh.triangles[t])) *
+                 static_cast<double>(mean_frequency(u.corners(t))) *
+                 static_cast<double>(mean_frequency(v.corners(t)));
+        }
+        return sum;
+      });
+  // Of blocks, of all, and what files and pictures are made of.
+  constexpr double kBytes = 3 * sizeof(Sample);
+  check_fits(count, kBytes, "samples where these stripes cross", "points", [&](double most) {
+    return "ask for fewer stripes: " + rounded_down(std::sqrt(most / count)) +
+           " times as many of both would do";
+  });
+}
+
 std::vector<Vec3> positions_of(std::span<const Sample> samples) {
   std::vector<Vec3> positions;
   positions.reserve(samples.size());
@@ -242,11 +270,13 @@ SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corner
 }
 
 std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
-                                 const SampledWaves& u, const SampledWaves& v) {
+                                 const SampledWaves& u, const SampledWaves& v,
+                                 const Progress& progress) {
+  check_memory(mesh, u, v);
   const std::size_t blocks = (mesh.triangle_count() + kBlock - 1) / kBlock;
   std::vector<std::vector<Sample>> parts(blocks);
   parallel_for(
-      blocks,
+      blocks, progress,
       [&](std::size_t begin, std::size_t end) {
         Sampler sampler(mesh, normals, u, v);
         for (std::size_t block = begin; block < end; ++block) {
@@ -255,7 +285,7 @@ std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals
           for (std::size_t t = block * kBlock; t < last; ++t) sampler.sample(t, parts[block]);
         }
       },
-      1);
+      1, kBlocksPerReport);
   std::size_t count = 0;
   for (const auto& part : parts) count += part.size();
   std::vector<Sample> samples;
@@ -267,13 +297,14 @@ std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals
   return samples;
 }
 
-std::size_t drop_doubles(std::vector<Sample>& samples, float share) {
+std::size_t drop_doubles(std::vector<Sample>& samples, float share, const Progress& progress) {
   if (samples.empty() || !(share > 0)) return 0;
+  JobStages stages(progress, {{"nearby samples", 1}, {"double samples", 2}});
   const std::vector<Vec3> positions = positions_of(samples);
-  const PointTree tree(positions);
+  const PointTree tree(positions, stages.begin("nearby samples"));
   std::vector<std::uint8_t> dropped(samples.size());
   std::vector<Index> found;
-  for (Index i = 0; i < samples.size(); ++i) {
+  const auto look_at = [&](std::size_t i) {
     const float own = smaller_spacing(samples[i]);
     tree.within(samples[i].position, share * own, found);
     dropped[i] = std::any_of(found.begin(), found.end(), [&](Index other) {
@@ -281,7 +312,9 @@ std::size_t drop_doubles(std::vector<Sample>& samples, float share) {
       return other < i && !dropped[other] && face_alike(samples[i], samples[other]) &&
              distance < share * smaller_spacing(samples[other]);
     });
-  }
+  };
+  reported_for(samples.size(), stages.begin("double samples"), look_at);
+  stages.finish();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!dropped[i]) samples[kept++] = samples[i];
@@ -291,11 +324,12 @@ std::size_t drop_doubles(std::vector<Sample>& samples, float share) {
   return count;
 }
 
-SampleSpacing measure_sample_spacing(std::span<const Sample> samples) {
+SampleSpacing measure_sample_spacing(std::span<const Sample> samples, const Progress& progress) {
+  JobStages stages(progress, {{"nearby samples", 1}, {"sample spacing", 2}});
   const std::vector<Vec3> positions = positions_of(samples);
-  const PointTree tree(positions);
-  const auto sums =
-      parallel_sum<SpacingSums>(samples.size(), [&](std::size_t begin, std::size_t end) {
+  const PointTree tree(positions, stages.begin("nearby samples"));
+  const auto sums = parallel_sum<SpacingSums>(
+      samples.size(), stages.begin("sample spacing"), [&](std::size_t begin, std::size_t end) {
         SpacingSums part;
         std::vector<Index> found;
         for (std::size_t i = begin; i < end; ++i) {
@@ -308,6 +342,7 @@ SampleSpacing measure_sample_spacing(std::span<const Sample> samples) {
         }
         return part;
       });
+  stages.finish();
   SampleSpacing spacing;
   spacing.samples = static_cast<std::size_t>(sums.ratio.count);
   if (spacing.samples == 0) return spacing;

@@ -30,8 +30,9 @@ SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corner
 /// lines cross in a triangle follows from the order of their ends around it, which neighbouring
 /// triangles agree on: a crossing on an edge or vertex is found once. U and V may have any
 /// frequencies. `normals` has one unit vector per vertex. Throws Error if there are far more
-/// crossings than triangles: 2^24 in 4096 of these.
+/// crossings than triangles: 2^24 in 4096 of these; Cancelled if `progress` asks for it.
 std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
-                                 const SampledWaves& u, const SampledWaves& v);
+                                 const SampledWaves& u, const SampledWaves& v,
+                                 const Progress& progress = {});
 
 }  // namespace brindle

@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/pattern/curve_places.h"
@@ -121,13 +123,15 @@ Adjacency adjacency_of(const MeshEdges& edges, std::size_t vertex_count) {
 }
 
 /// The directions of all waves, turned to run alike, whichever way they were given.
-std::vector<Vec3> directions_alike(const LiftedWaves& lifted) {
+std::vector<Vec3> directions_alike(const LiftedWaves& lifted, const Progress& progress) {
   const WavePattern& pattern = lifted.pattern();
   std::vector<Vec3> directions(pattern.mesh.vertex_count());
   for (std::size_t v = 0; v < directions.size(); ++v) {
     directions[v] = lifted.wave(static_cast<Index>(v)).wave.direction;
   }
-  orient_alike(adjacency_of(pattern.edges, directions.size()), directions);
+  progress.report(0);
+  const Adjacency adjacency = adjacency_of(pattern.edges, directions.size());
+  orient_alike(adjacency, directions, progress.part(0.3, 1));
   return directions;
 }
 
@@ -148,8 +152,12 @@ struct InnerEnd {
 class Tracer {
  public:
   Tracer(const LiftedWaves& lifted, const CurveOptions& options,
-         std::span<const EdgeBeyond> beyond = {})
-      : pattern_(lifted.pattern()), options_(options), lifted_(lifted), beyond_(beyond) {}
+         std::span<const EdgeBeyond> beyond = {}, const Progress& progress = {})
+      : pattern_(lifted.pattern()),
+        options_(options),
+        lifted_(lifted),
+        beyond_(beyond),
+        stages_(progress, {{"crossings", 2}, {"pieces", 4}, {"directions", 3}, {"curves", 6}}) {}
 
   StripeCurves trace() {
     trace_all();
@@ -165,11 +173,12 @@ class Tracer {
  private:
   void trace_all() {
     if (options_.join) run_on_.emplace(lifted_, beyond_);
-    number_nodes();
-    link_triangles();
+    number_nodes(stages_.begin("crossings"));
+    link_triangles(stages_.begin("pieces"));
     find_triangles_of_edges();
-    if (!links_.empty()) directions_ = directions_alike(lifted_);
-    walk();
+    if (!links_.empty()) directions_ = directions_alike(lifted_, stages_.begin("directions"));
+    walk(stages_.begin("curves"));
+    stages_.finish();
   }
 
   EdgeBeyond beyond(Index edge) const {
@@ -189,19 +198,20 @@ class Tracer {
     return is_nonmanifold(edge) ? pattern_.edges.triangle_counts[edge] : 1;
   }
 
-  void number_nodes() {
+  void number_nodes(const Progress& progress) {
     const std::size_t edges = pattern_.edges.count();
     first_node_.resize(edges + 1);
     std::size_t count = 0;
     for (std::size_t e = 0; e < edges; ++e) {
       first_node_[e] = static_cast<Index>(count);
       count += crossings(static_cast<Index>(e)) * copies(static_cast<Index>(e));
-      check_count(count);
     }
+    check_memory(count);
+    check_count(count);
     first_node_[edges] = static_cast<Index>(count);
     edge_of_node_.resize(count);
     links_.resize(count);
-    parallel_for(edges, [&](std::size_t begin, std::size_t end) {
+    parallel_for(edges, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) {
         const Link other = beyond_edge(static_cast<Index>(e));
         for (Index node = first_node_[e]; node < first_node_[e + 1]; ++node) {
@@ -242,6 +252,17 @@ class Tracer {
     return {triangles[0], triangles[pattern_.edges.triangle_counts[edge] - 1]};
   }
 
+  /// Nodes, with what curves have of each.
+  static void check_memory(std::size_t nodes) {
+    constexpr double kBytes = 3 * sizeof(Link) + 1 + 2 * sizeof(Vec3) + sizeof(TrianglePoint) +
+                              sizeof(std::array<double, 3>) + sizeof(CurvePoint);
+    check_fits(
+        static_cast<double>(nodes), kBytes, "curves", "crossings of edges", [&](double most) {
+          return "ask for fewer stripes: " + rounded_down(most / static_cast<double>(nodes)) +
+                 " times as many would do";
+        });
+  }
+
   static void check_count(std::size_t nodes) {
     if (nodes < kMostNodes) return;
     throw Error("curves would cross edges more than " + std::to_string(kMostNodes) +
@@ -249,10 +270,10 @@ class Tracer {
   }
 
   /// Regular triangles touch slots of their own only. Others, few, add nodes and ends, in order.
-  void link_triangles() {
+  void link_triangles(const Progress& progress) {
     const std::size_t count = pattern_.mesh.triangle_count();
     std::vector<std::uint8_t> irregular(count);
-    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+    parallel_for(count, progress.part(0, 0.8), [&](std::size_t begin, std::size_t end) {
       std::vector<StripePiece> pieces;
       for (std::size_t t = begin; t < end; ++t) {
         const LiftedTriangle triangle = lifted_.triangle(t);
@@ -265,9 +286,9 @@ class Tracer {
         irregular[t] = triangle.kind != TriangleKind::regular;
       }
     });
-    for (std::size_t t = 0; t < count; ++t) {
+    reported_for(count, progress.part(0.8, 1), [&](std::size_t t) {
       if (irregular[t]) link_irregular(t);
-    }
+    });
   }
 
   void link_irregular(std::size_t t) {
@@ -363,7 +384,8 @@ class Tracer {
     return result;
   }
 
-  void walk() {
+  void walk(const Progress& progress) {
+    walking_ = progress;
     const auto nodes = static_cast<Index>(links_.size());
     curves_.lines.points.reserve(nodes + inner_ends_.size());
     curves_.lines.normals.reserve(nodes + inner_ends_.size());
@@ -412,6 +434,9 @@ class Tracer {
   }
 
   void visit(Index node) {
+    if (walked_++ % kReportSlice == 0) {
+      walking_.report(static_cast<double>(walked_) / static_cast<double>(links_.size() + 1));
+    }
     visited_[node] = 1;
     curve_.push_back(point_of(node));
   }
@@ -465,7 +490,10 @@ class Tracer {
   const WavePattern& pattern_;
   const CurveOptions& options_;
   const LiftedWaves& lifted_;
-  std::span<const EdgeBeyond> beyond_;      // by edge; empty if this is the whole surface
+  std::span<const EdgeBeyond> beyond_;  // by edge; empty if this is the whole surface
+  JobStages stages_;
+  Progress walking_;
+  std::size_t walked_ = 0;
   std::vector<Index> first_node_;           // edges + 1 entries
   std::vector<Index> edge_of_node_;         // nodes on edges; those on cuts come after them
   std::vector<std::array<Link, 2>> links_;  // one per node
@@ -546,8 +574,9 @@ std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
   return counts;
 }
 
-StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options) {
-  StripeCurves curves = Tracer(waves, options).trace();
+StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options,
+                           const Progress& progress) {
+  StripeCurves curves = Tracer(waves, options, {}, progress).trace();
   curves.lines.origin = waves.pattern().mesh.origin;
   return curves;
 }
@@ -603,7 +632,7 @@ std::size_t move_peaks(const Adjacency& neighborhood, float periods, WaveSet& wa
     }
   }
   const float turn = -2 * std::numbers::pi_v<float> * (periods - std::floor(periods));
-  for (Complex& value : z) value *= std::polar(1.0f, turn);
+  for (Complex& value : z) value *= elementary::polar(1.0f, turn);
   return reflecting;
 }
 

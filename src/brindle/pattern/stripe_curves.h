@@ -25,8 +25,9 @@ namespace brindle {
 /// direction, the same for all.
 ///
 /// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
-/// crossings than an Index can count.
-StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {});
+/// crossings than an Index can count, and Cancelled if `progress` asks for it.
+StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {},
+                           const Progress& progress = {});
 
 /// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
 /// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and

@@ -9,6 +9,8 @@
 
 #include <Eigen/LU>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle {
 namespace {
 
@@ -263,7 +265,7 @@ CornerWave canonical(const CornerWave& corner) {
 }
 
 Turns turns_after_peak(Complex z) {
-  const double turns = std::atan2(z.imag(), z.real()) / kRadiansPerTurn - 0.25;
+  const double turns = elementary::atan2(z.imag(), z.real()) / kRadiansPerTurn - 0.25;
   const Turns rounded = std::llround((turns - std::floor(turns)) * static_cast<double>(kWholeTurn));
   return std::clamp<Turns>(rounded, 1, kWholeTurn - 1);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/two_pi.h"
 #include "brindle/corner_phases.h"
@@ -49,14 +50,14 @@ std::array<Coordinate, 3> split_coordinates(const CornerWave& a, CornerWave b, F
   const auto runs_against_a = [&](const Vec3& d) { return a.wave.direction.dot(d) < 0; };
   if (runs_against_a(b.wave.direction)) b = flipped(b);
   if (runs_against_a(centre.direction)) centre.z = -std::conj(centre.z);
-  const float phase_a = std::arg(a.z);
+  const float phase_a = elementary::arg(a.z);
   const float phase_b = phase_a + lifted_step(a, b, kind);
   const auto led_to = [&](const Wave& wave) {
     return kTwoPi * wave.frequency * wave.direction.dot(barycentre - wave.position);
   };
   const float led = 0.5f * (phase_a + led_to(a.wave) + phase_b + led_to(b.wave));
-  if (centre.z == Complex(0)) centre.z = std::polar(1.0f, led);
-  const float remainder = std::arg(centre.z) - led;
+  if (centre.z == Complex(0)) centre.z = elementary::polar(1.0f, led);
+  const float remainder = elementary::arg(centre.z) - led;
   const float phase = led + remainder - kTwoPi * std::round(remainder / kTwoPi);
   return {coordinate(a.z, phase_a), coordinate(b.z, phase_b), coordinate(centre.z, phase)};
 }
@@ -64,10 +65,10 @@ std::array<Coordinate, 3> split_coordinates(const CornerWave& a, CornerWave b, F
 /// All pieces, and the vertices that splitting adds.
 class Pieces {
  public:
-  Pieces(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind)
+  Pieces(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind, const Progress& progress)
       : mesh_(mesh), waves_(waves), kind_(kind) {
     pieces.reserve(mesh.triangle_count());
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) add(t);
+    reported_for(mesh.triangle_count(), progress, [&](std::size_t t) { add(t); });
   }
 
   std::vector<Piece> pieces;
@@ -127,23 +128,35 @@ struct Step {
   Tiles tiles;
 };
 
+/// In the same order where they start alike.
+std::vector<Step> sorted_by_start(const std::vector<Step>& steps, std::size_t pieces) {
+  std::vector<std::size_t> next(pieces + 1, 0);
+  for (const Step& step : steps) ++next[step.from + 1];
+  for (std::size_t p = 0; p < pieces; ++p) next[p + 1] += next[p];
+  std::vector<Step> sorted(steps.size());
+  for (const Step& step : steps) sorted[next[step.from]++] = step;
+  return sorted;
+}
+
 /// Sorted by `from`.
-std::vector<Step> steps_between(const std::vector<Piece>& pieces) {
+std::vector<Step> steps_between(const std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<Triangle> triangles;
   triangles.reserve(pieces.size());
   for (const Piece& piece : pieces) triangles.push_back(piece.vertices);
   std::vector<Step> steps;
-  for (const SharedEdge& edge : shared_edges(triangles)) {
+  progress.report(0.1);
+  const std::vector<SharedEdge> edges = shared_edges(triangles);
+  reported_for(edges.size(), progress.part(0.5, 0.8), [&](std::size_t e) {
+    const SharedEdge& edge = edges[e];
     const Index a = edge.from[0] / 3, b = edge.from[1] / 3;
     const auto at_from = tiles_between(pieces[a], edge.from[0] % 3, pieces[b], edge.from[1] % 3);
     const auto at_to = tiles_between(pieces[a], edge.to[0] % 3, pieces[b], edge.to[1] % 3);
-    if (!at_from || at_from != at_to) continue;
+    if (!at_from || at_from != at_to) return;
     steps.push_back({a, b, *at_from});
     steps.push_back({b, a, {-(*at_from)[0], -(*at_from)[1]}});
-  }
-  std::stable_sort(steps.begin(), steps.end(),
-                   [](const Step& x, const Step& y) { return x.from < y.from; });
-  return steps;
+  });
+  progress.report(0.8);
+  return sorted_by_start(steps, pieces.size());
 }
 
 void add_tiles(Piece& piece, const Tiles& tiles) {
@@ -154,8 +167,9 @@ void add_tiles(Piece& piece, const Tiles& tiles) {
 }
 
 /// Adds whole tiles to pieces, breadth-first, so that they agree with the neighbour before them.
-void align(std::vector<Piece>& pieces) {
-  const std::vector<Step> steps = steps_between(pieces);
+void align(std::vector<Piece>& pieces, const Progress& progress) {
+  const std::vector<Step> steps = steps_between(pieces, progress.part(0, 0.6));
+  const Progress visiting = progress.part(0.6, 1);
   std::vector<std::size_t> first;
   first.assign(pieces.size() + 1, 0);
   for (const Step& step : steps) ++first[step.from + 1];
@@ -170,6 +184,9 @@ void align(std::vector<Piece>& pieces) {
     std::size_t next = queue.size();
     queue.push_back(start);
     for (; next < queue.size(); ++next) {
+      if (next % kReportSlice == 0) {
+        visiting.report(static_cast<double>(next) / static_cast<double>(pieces.size()));
+      }
       const Index p = queue[next];
       for (std::size_t s = first[p]; s < first[p + 1]; ++s) {
         const auto& [from, to, tiles] = steps[s];
@@ -226,9 +243,12 @@ float value(const Coordinate& c) { return c.base + static_cast<float>(c.tiles); 
 
 }  // namespace
 
-TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind) {
-  Pieces all(mesh, waves, kind);
-  align(all.pieces);
+TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind,
+                                 const Progress& progress) {
+  JobStages stages(progress, {{"lift corners", 5}, {"align tiles", 8}, {"split vertices", 3}});
+  Pieces all(mesh, waves, kind, stages.begin("lift corners"));
+  align(all.pieces, stages.begin("align tiles"));
+  const Progress splitting = stages.begin("split vertices");
   TexturedMesh textured;
   textured.split_triangles = all.split.size();
   textured.mesh.positions = mesh.positions;
@@ -244,14 +264,16 @@ TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, Ph
   textured.coordinates.assign(textured.mesh.vertex_count(), Eigen::Vector2f::Zero());
   Splitter splitter(textured);
   textured.mesh.triangles.reserve(all.pieces.size());
-  for (const Piece& piece : all.pieces) {
+  reported_for(all.pieces.size(), splitting, [&](std::size_t p) {
+    const Piece& piece = all.pieces[p];
     Triangle triangle;
     for (int m = 0; m < 3; ++m) {
       triangle[m] = splitter.vertex_with(piece.vertices[m], {value(piece.u[m]), value(piece.v[m])});
     }
     textured.mesh.triangles.push_back(triangle);
     textured.triangle_origins.push_back(piece.origin);
-  }
+  });
+  stages.finish();
   return textured;
 }
 

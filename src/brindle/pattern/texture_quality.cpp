@@ -57,11 +57,12 @@ struct Distortions {
 };
 
 /// All triangles, -1 for those that do not count.
-Distortions distortions_of(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v) {
+Distortions distortions_of(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
+                           const Progress& progress) {
   const std::vector<std::uint8_t> at_branch = vertices_at_branches(mesh, u, v);
   Distortions result{std::vector<float>(mesh.triangle_count(), -1),
                      std::vector<float>(mesh.triangle_count(), -1)};
-  parallel_for(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(mesh.triangle_count(), progress, [&](std::size_t begin, std::size_t end) {
     DistortionLanes lanes;
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t lane = (t - begin) % kTriangleLanes;
@@ -98,8 +99,10 @@ double percentile_95(std::vector<float>& values) {
 
 }  // namespace
 
-TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v) {
-  auto [angles, areas] = distortions_of(mesh, u, v);
+TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
+                               const Progress& progress) {
+  auto [angles, areas] = distortions_of(mesh, u, v, progress.part(0, 0.7));
+  progress.report(0.7);
   TextureQuality quality;
   quality.measured_triangles = angles.size();
   quality.angle_mean_deg = mean(angles);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "brindle/corner_phases.h"
+#include "brindle/progress.h"
 #include "brindle/texture_waves.h"
 
 namespace brindle {
@@ -16,6 +17,7 @@ struct LinearPattern {
 
 /// What `measure_texture` finds for texture waves with these corner phases. Which way U and V run
 /// in a triangle makes no difference.
-TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v);
+TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
+                               const Progress& progress = {});
 
 }  // namespace brindle

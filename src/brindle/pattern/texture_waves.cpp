@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/pattern/corner_signs.h"
@@ -116,10 +117,11 @@ void turn_signs(std::span<const std::uint8_t> turned, std::span<CornerSigns> sig
 }
 
 void set_texture_waves(std::span<const Triangle> triangles, std::span<const CornerSigns> signs,
-                       const VertexWaves& u, const VertexWaves& v, TextureWaves& waves) {
+                       const VertexWaves& u, const VertexWaves& v, TextureWaves& waves,
+                       const Progress& progress) {
   waves.u.resize(triangles.size());
   waves.v.resize(triangles.size());
-  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(triangles.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (Index m = 0; m < 3; ++m) {
         waves.u[t][m] = corner_at(u, triangles[t][m], turns_u(signs[t], m));
@@ -129,8 +131,8 @@ void set_texture_waves(std::span<const Triangle> triangles, std::span<const Corn
   });
 }
 
-void orient_corners(TextureWaves& waves) {
-  parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
+void orient_corners(TextureWaves& waves, const Progress& progress) {
+  parallel_for(waves.triangle_count(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const CornerSigns signs = corner_signs(directions_of(waves.u[t]), directions_of(waves.v[t]));
       for (Index m = 0; m < 3; ++m) {
@@ -147,6 +149,8 @@ TextureFragment texture_fragment(const CornerWaves& u, const CornerWaves& v,
   return {split_fragment_phase(u, barycentric), split_fragment_phase(v, barycentric)};
 }
 
-float texture_coordinate(Complex z) { return std::arg(z) / (2 * std::numbers::pi_v<float>)+0.25f; }
+float texture_coordinate(Complex z) {
+  return elementary::arg(z) / (2 * std::numbers::pi_v<float>)+0.25f;
+}
 
 }  // namespace brindle

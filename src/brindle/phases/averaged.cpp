@@ -1,5 +1,6 @@
 #include "brindle/phases/averaged.h"
 
+#include <cmath>
 #include <utility>
 
 #include "brindle/error.h"
@@ -26,11 +27,18 @@ PhaseSolution solve_averaged(const PhaseGraph& graph, std::span<const AveragedLe
         "the averaged solver needs averaged levels of its phase graph; averaged_levels "
         "(waves/averaged_levels.h) makes them");
   }
-  PhaseSolution solution = relax(levels.back().graph, options, {}, progress);
+  // Coarse levels are small: each takes a part of what is left, half of all for the last.
+  const auto part = [&](std::size_t finer) {
+    const auto end = [](std::size_t levels_left) {
+      return std::pow(0.5, static_cast<double>(levels_left));
+    };
+    return progress.part(finer == levels.size() ? 0 : end(finer + 1), end(finer));
+  };
+  PhaseSolution solution = relax(levels.back().graph, options, {}, part(levels.size()));
   for (std::size_t l = levels.size(); l-- > 0;) {
     const PhaseGraph& finer = l > 0 ? levels[l - 1].graph : graph;
     const PhaseSolution coarse = std::move(solution);
-    solution = relax(finer, options, passed_down(levels[l], coarse.z), progress);
+    solution = relax(finer, options, passed_down(levels[l], coarse.z), part(l));
     solution.topology_milliseconds += coarse.topology_milliseconds;
     solution.solve_milliseconds += coarse.solve_milliseconds;
   }

@@ -7,7 +7,7 @@
 #include "brindle/phases/one_at_a_time.h"
 
 namespace brindle {
-Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed) {
+Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed, const Progress& progress) {
   const std::size_t nodes = adjacency.node_count();
   std::vector<Index> color(nodes, kUncolored);
   // Hashed twice: the random start hashes the same numbers once, and nodes whose place in the order
@@ -21,6 +21,7 @@ Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed) {
   std::vector<std::uint8_t> chosen(nodes);
   Index round = 0;
   for (; !remaining.empty(); ++round) {
+    progress.report(1 - static_cast<double>(remaining.size()) / static_cast<double>(nodes));
     parallel_for(remaining.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
         const Index node = remaining[r];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -41,7 +42,8 @@ class GreedyColorer {
 
 /// Jones-Plassmann-Luby as in the paper's section 4 (Naumov et al. 2015): in every round the nodes
 /// whose hash is larger than that of all uncoloured neighbours get the round's number as colour.
-Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed = 0);
+Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed = 0,
+                       const Progress& progress = {});
 
 /// The smallest colour that no neighbour has yet, in the order of node numbers. Fewer colours than
 /// `luby_coloring`: at most the largest degree plus one.

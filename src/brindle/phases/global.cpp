@@ -20,6 +20,7 @@ PhaseSolution solve_global(const PhaseGraph&, std::span<const float>, const Solv
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
+#include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/one_at_a_time.h"
 #include "brindle/phases/serial_blas.h"
@@ -60,7 +61,8 @@ double mass_of(std::span<const float> mass, Index node) {
 }
 
 /// The quadratic form of the energy, shifted by a multiple of the mass.
-Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass) {
+Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass,
+                     const Progress& progress) {
   const std::vector<double> weights = weight_sums(graph);
   const auto nodes = static_cast<Index>(graph.node_count());
   double total_weight = 0, total_mass = 0;
@@ -71,7 +73,8 @@ Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass) {
   const double shift = kShift * total_weight / total_mass;
   std::vector<Eigen::Triplet<double, SuiteSparse_long>> entries;
   entries.reserve(2 * nodes + 2 * graph.coupling.size());
-  for (Index i = 0; i < nodes; ++i) {
+  reported_for(nodes, progress.part(0, 0.4), [&](std::size_t node) {
+    const auto i = static_cast<Index>(node);
     // A node without couplings stands alone, whatever its phase.
     const double diagonal = weights[i] > 0 ? weights[i] + shift * mass_of(mass, i) : 1.0;
     entries.emplace_back(2 * i, 2 * i, diagonal);
@@ -80,7 +83,8 @@ Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass) {
       const Index j = graph.adjacency->neighbors[edge];
       if (j < i) add_coupling(entries, i, j, graph.coupling[edge], graph.reflecting[edge]);
     }
-  }
+  });
+  progress.report(0.4);
   Matrix matrix(2 * nodes, 2 * nodes);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
@@ -125,13 +129,19 @@ PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
                 std::to_string(graph.node_count()) + " nodes, or none");
   }
   Stopwatch watch;
-  progress.report("global: energy matrix", 0);
-  const Matrix matrix = energy_matrix(graph, mass);
-  progress.report("global: Cholesky factor", 0);
+  // The order and the factor are CHOLMOD's, which cannot be stopped within either.
+  JobStages stages(progress, {{"global: energy matrix", 3},
+                              {"global: order", 10},
+                              {"global: Cholesky factor", 40},
+                              {"global: inverse iteration", 20}});
+  const Matrix matrix = energy_matrix(graph, mass, stages.begin("global: energy matrix"));
+  stages.begin("global: order");
   const SerialBlas one_thread;
   Eigen::CholmodDecomposition<Matrix, Eigen::Lower> factor;
   factor.cholmod().print = 0;
-  factor.compute(matrix);
+  factor.analyzePattern(matrix);
+  stages.begin("global: Cholesky factor");
+  if (factor.info() == Eigen::Success) factor.factorize(matrix);
   if (factor.info() != Eigen::Success) {
     throw Error("the global solver could not factorise the energy matrix of " +
                 std::to_string(graph.node_count()) +
@@ -139,15 +149,16 @@ PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
   }
   const Vector masses = mass_vector(graph, mass);
   Vector x = start_vector(graph, options.seed);
+  const Progress iterating = stages.begin("global: inverse iteration");
   for (; solution.iterations < options.global_iterations; ++solution.iterations) {
-    progress.report("global: inverse iteration",
-                    static_cast<double>(solution.iterations) / options.global_iterations);
+    iterating.report(static_cast<double>(solution.iterations) / options.global_iterations);
     x = factor.solve(masses.cwiseProduct(x).eval()).eval();
     x /= std::sqrt(x.dot(masses.cwiseProduct(x)));
   }
   solution.z = unit_numbers(x);
   solution.solve_milliseconds = watch.lap();
   solution.energy = energy(graph, solution.z);
+  stages.finish();
   return solution;
 }
 

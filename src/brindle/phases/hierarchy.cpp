@@ -234,7 +234,7 @@ void SumScratch::make_room(OfThread& own) const {
   own.reflecting.reserve(entries);
 }
 
-Hierarchy finest_level(const Adjacency& adjacency) {
+Hierarchy finest_level(const Adjacency& adjacency, const Progress& progress) {
   Hierarchy hierarchy;
   Stopwatch watch;
   // Neither can be split among threads, but they can run beside each other.
@@ -247,6 +247,7 @@ Hierarchy finest_level(const Adjacency& adjacency) {
         if (end == 2) order = breadth_first_order(adjacency);
       },
       1);
+  progress.report(0.6);
   hierarchy.levels.push_back(make_level(
       {std::make_shared<SlicedLayout>(sliced_layout(adjacency, coloring, order)), nullptr}));
   hierarchy.topology_milliseconds = watch.lap();
@@ -257,32 +258,43 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
   Stopwatch watch;
   while (hierarchy.levels.back().layout().entry_count() > 0) {
     Level& fine = hierarchy.levels.back();
-    progress.report("hierarchy", 1 - static_cast<double>(fine.z.size()) /
-                                         static_cast<double>(hierarchy.levels[0].z.size()));
+    const double left =
+        static_cast<double>(fine.z.size()) / static_cast<double>(hierarchy.levels[0].z.size());
+    const auto report = [&](double of_level) {
+      progress.report("hierarchy", 1 - left + 0.7 * of_level * left);
+    };
+    report(0);
     const Aggregates aggregates = grow_aggregates(fine.layout(), fine.couplings);
     if (aggregates.count() == 0) break;
+    report(0.4);
     const Adjacency adjacency = coarse_adjacency(fine.layout(), aggregates);
-    Level coarse = make_level({std::make_shared<SlicedLayout>(coarse_layout(
-                                   aggregates, adjacency, greedy_coloring(adjacency))),
-                               nullptr});
+    report(0.6);
+    const Coloring coloring = greedy_coloring(adjacency);
+    report(0.65);
+    Level coarse = make_level(
+        {std::make_shared<SlicedLayout>(coarse_layout(aggregates, adjacency, coloring)), nullptr});
+    report(0.75);
     fine.topology.aggregation = std::make_shared<Aggregation>(
         arrange(fine.layout(), aggregates, adjacency, coarse.layout()));
+    report(0.9);
     hierarchy.levels.push_back(std::move(coarse));
     hierarchy.scratch.reserve(hierarchy.levels);
     hierarchy.topology_milliseconds += watch.lap();
     const std::size_t finer = hierarchy.levels.size() - 2;
     renew_gauges(hierarchy.levels[finer]);
+    report(0.95);
     renew_sums(hierarchy.levels[finer], hierarchy.levels[finer + 1], hierarchy.scratch);
     hierarchy.numeric_milliseconds += watch.lap();
   }
 }
 
 Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
-  Hierarchy hierarchy = finest_level(*graph.adjacency);
+  progress.report("hierarchy", 0);
+  Hierarchy hierarchy = finest_level(*graph.adjacency, progress.step("hierarchy").part(0, 0.3));
   Stopwatch watch;
   load_couplings(graph, hierarchy.levels[0].layout(), hierarchy.levels[0].couplings);
   hierarchy.numeric_milliseconds += watch.lap();
-  coarsen(hierarchy, progress);
+  coarsen(hierarchy, progress.part(0.3, 1));
   return hierarchy;
 }
 

@@ -71,7 +71,7 @@ struct Hierarchy {
 inline constexpr Complex kPeak(0, 1);
 
 /// The finest level alone, laid out for these neighbour lists; its couplings are still to be set.
-Hierarchy finest_level(const Adjacency& adjacency);
+Hierarchy finest_level(const Adjacency& adjacency, const Progress& progress = {});
 
 /// Adds the coarser levels, until no coupling is left. Aggregates follow the couplings of the
 /// finest level (`grow_aggregates`); gauges and sums are those that `renew` would give. Throws

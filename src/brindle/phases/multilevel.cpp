@@ -1,6 +1,7 @@
 #include "brindle/phases/multilevel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "brindle/base/parallel.h"
 #include "brindle/phases/sliced_kernels.h"
@@ -30,31 +31,41 @@ void set_turns(Level& level, bool is_finest) {
   });
 }
 
-void descend_from(Hierarchy& hierarchy, Complex start, int sweeps) {
+void descend_from(Hierarchy& hierarchy, Complex start, int sweeps, const Progress& progress) {
   auto& levels = hierarchy.levels;
   std::ranges::fill(levels.back().z, start);
   for (std::size_t l = levels.size(); l-- > 0;) {
+    // Each level takes about a quarter of the time of the next finer one.
+    progress.report(std::pow(0.25, static_cast<double>(l + 1)));
     if (l + 1 < levels.size()) prolong(levels[l + 1], levels[l]);
     sweep_level(levels[l], sweeps);
   }
 }
 
-void correct(Hierarchy& hierarchy, int sweeps, bool has_finest) {
+void correct(Hierarchy& hierarchy, int sweeps, bool has_finest, const Progress& progress) {
   hierarchy.corrected = true;
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    if (l < 2) progress.report(0.3 * static_cast<double>(l));
     set_turns(hierarchy.levels[l], has_finest && l == 0);
     renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);
   }
-  descend_from(hierarchy, Complex(1), sweeps);
+  descend_from(hierarchy, Complex(1), sweeps, progress.part(0.5, 1));
 }
 
-void descend(Hierarchy& hierarchy, int sweeps) { descend_from(hierarchy, kPeak, sweeps); }
+void descend(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
+  descend_from(hierarchy, kPeak, sweeps, progress);
+}
 
 void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress) {
+  const Progress cycling = progress.step("cycles");
   for (int cycle = 0; cycle < cycles; ++cycle) {
-    progress.report("cycles", static_cast<double>(cycle) / cycles);
-    correct(hierarchy, sweeps);
+    const double each = 1.0 / cycles;
+    correct(hierarchy, sweeps, true, cycling.part(cycle * each, (cycle + 1) * each));
   }
+}
+
+std::vector<JobStage> multilevel_stages() {
+  return {{"couple", 3}, {"hierarchy", 5}, {"descent", 1}, {"cycles", 3}};
 }
 
 }  // namespace brindle

@@ -27,21 +27,25 @@ void sweep_level(Level& level, int sweeps);
 void set_turns(Level& level, bool is_finest);
 
 /// From this phase on the coarsest level down to the finest, as `descend` does.
-void descend_from(Hierarchy& hierarchy, Complex start, int sweeps);
+void descend_from(Hierarchy& hierarchy, Complex start, int sweeps, const Progress& progress = {});
 
 /// From the coarsest level down: prolong the phases, then `sweeps` coloured sweeps, more on small
 /// levels. Phases end in `hierarchy.levels[0].z`. No random start and nothing to tune; each sweep
 /// can only lower the energy.
-void descend(Hierarchy& hierarchy, int sweeps);
+void descend(Hierarchy& hierarchy, int sweeps, const Progress& progress = {});
 
 /// One cycle of `run_cycles`. `has_finest` tells whether the first level is the finest, as it is
 /// unless finer ones are elsewhere.
-void correct(Hierarchy& hierarchy, int sweeps, bool has_finest = true);
+void correct(Hierarchy& hierarchy, int sweeps, bool has_finest = true,
+             const Progress& progress = {});
 
 /// So many further descents, each from the phases that the finest level has: they become its
 /// gauges, so that a coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is
 /// where every level starts. The energy cannot rise. Overwrites gauges and coarse couplings; the
 /// next `renew` restores them. Throws Cancelled if `progress` asks for it.
 void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress);
+
+/// The stages of the multilevel solver: "couple", "hierarchy", "descent" and "cycles".
+std::vector<JobStage> multilevel_stages();
 
 }  // namespace brindle

@@ -29,22 +29,26 @@ WaveSolution solve_multilevel_waves(const Adjacency& adjacency, const WaveSet& w
                                     const SolverOptions& options, const Progress& progress) {
   check(options);
   check_coupled_waves(adjacency, waves, edge_weights);
+  JobStages stages(progress, multilevel_stages());
+  const Progress coupling = stages.begin("couple");
   WaveSolution result;
-  Hierarchy hierarchy = finest_level(adjacency);
+  Hierarchy hierarchy = finest_level(adjacency, coupling);
+  coupling.report(0.8);
   Stopwatch watch;
   couple_finest(adjacency, waves, kind, edge_weights, hierarchy.levels[0]);
   result.couple_milliseconds = watch.lap();
-  coarsen(hierarchy, progress);
+  coarsen(hierarchy, stages.begin("hierarchy"));
   watch.lap();
   const Level& finest = hierarchy.levels[0];
-  descend(hierarchy, options.sweeps);
-  run_cycles(hierarchy, options.sweeps, options.cycles, progress);
+  descend(hierarchy, options.sweeps, stages.begin("descent"));
+  run_cycles(hierarchy, options.sweeps, options.cycles, stages.begin("cycles"));
   PhaseSolution& solution = result.solution;
   solution.z = to_nodes(finest.layout(), finest.z);
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
   solution.iterations = options.sweeps * (1 + options.cycles);
   solution.energy = energy(finest.layout(), finest.couplings, finest.z);
+  stages.finish();
   return result;
 }
 

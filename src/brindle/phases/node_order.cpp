@@ -2,9 +2,11 @@
 
 #include <cstdint>
 
+#include "brindle/base/parallel.h"
+
 namespace brindle {
 
-std::vector<Index> breadth_first_order(const Adjacency& adjacency) {
+std::vector<Index> breadth_first_order(const Adjacency& adjacency, const Progress& progress) {
   const auto count = static_cast<Index>(adjacency.node_count());
   std::vector<Index> order;
   order.reserve(count);
@@ -18,6 +20,9 @@ std::vector<Index> breadth_first_order(const Adjacency& adjacency) {
     const std::size_t first = order.size();
     visit(start);
     for (std::size_t next = first; next < order.size(); ++next) {
+      if (next % kReportSlice == 0) {
+        progress.report(static_cast<double>(next) / static_cast<double>(count));
+      }
       for (const Index neighbor : adjacency.of(order[next])) visit(neighbor);
     }
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "brindle/base/elementary.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -26,7 +27,7 @@ constexpr std::uint32_t one_at_a_time(std::uint32_t key) {
 inline Complex random_phase(Index node, std::uint32_t seed = 0) {
   const double turns = one_at_a_time(node + seed) / 4294967296.0;
   const auto radians = static_cast<float>(2 * std::numbers::pi * turns);
-  return std::polar(1.0f, radians);
+  return elementary::polar(1.0f, radians);
 }
 
 }  // namespace brindle

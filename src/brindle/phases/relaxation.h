@@ -10,7 +10,8 @@
 namespace brindle {
 
 /// The order in which a graph is relaxed: coloured as the paper does, neighbours close together.
-SlicedLayout relaxation_layout(const Adjacency& adjacency, std::uint32_t seed);
+SlicedLayout relaxation_layout(const Adjacency& adjacency, std::uint32_t seed,
+                               const Progress& progress = {});
 
 /// The phases that a relaxation starts from, by slot: `start` (one unit number per node), or the
 /// hashed random start if that is empty.

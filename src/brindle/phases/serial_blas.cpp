@@ -3,8 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <mutex>
+#include <string>
 
 #include <dlfcn.h>
+#include <sys/mman.h>
+
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {
@@ -40,6 +44,7 @@ constexpr ThreadControl<std::int64_t> kBlis{"bli_thread_get_num_threads",
 struct Shared {
   std::mutex mutex;
   int users = 0;
+  bool has_buffer = false;
   std::array<int, kLibraries.size()> before{};
   std::int64_t blis_before = 0;
 };
@@ -49,11 +54,52 @@ Shared& shared() {
   return instance;
 }
 
+/// A function of the process, if it is there.
+template <class Function>
+Function* function_named(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
+/// Whether so much could be mapped.
+bool has_room(std::size_t bytes) {
+  void* const place =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED) return false;
+  munmap(place, bytes);
+  return true;
+}
+
+/// Lets OpenBLAS take its buffer, which it keeps, while there surely is room.
+void take_buffer(Shared& s) {
+  constexpr std::size_t kBuffer = std::size_t{160} << 20;  // 128 MB, aligned
+  using Potrf = void(const char*, const std::int64_t*, double*, const std::int64_t*, std::int64_t*,
+                     std::size_t);
+  auto* const potrf = function_named<Potrf>("dpotrf_");
+  if (s.has_buffer || !potrf || !function_named<int()>("openblas_get_num_threads")) return;
+  if (!has_room(kBuffer)) {
+    throw Error("there is no memory left for the " + std::to_string(kBuffer >> 20) +
+                " MB that OpenBLAS needs; free some memory or use the multilevel solver");
+  }
+  // Integers of 32 bits are read from those of 64, too: one is small, and the first half is read.
+  const std::int64_t one = 1;
+  std::int64_t info = 0;
+  double matrix = 1;
+  potrf("L", &one, &matrix, &one, &info, 1);
+  s.has_buffer = true;
+}
+
 }  // namespace
 
 SerialBlas::SerialBlas() {
   Shared& s = shared();
   const std::lock_guard lock(s.mutex);
+  take_buffer(s);
+  auto* const get_levels = function_named<int()>("omp_get_max_active_levels");
+  auto* const set_levels = function_named<void(int)>("omp_set_max_active_levels");
+  if (get_levels && set_levels) {
+    levels_before_ = get_levels();
+    set_levels(0);
+  }
   if (s.users++ > 0) return;
   for (std::size_t l = 0; l < kLibraries.size(); ++l) s.before[l] = kLibraries[l].set(1);
   s.blis_before = kBlis.set(1);
@@ -62,6 +108,9 @@ SerialBlas::SerialBlas() {
 SerialBlas::~SerialBlas() {
   Shared& s = shared();
   const std::lock_guard lock(s.mutex);
+  if (levels_before_ >= 0) {
+    function_named<void(int)>("omp_set_max_active_levels")(levels_before_);
+  }
   if (--s.users > 0) return;
   for (std::size_t l = 0; l < kLibraries.size(); ++l) kLibraries[l].set(s.before[l]);
   kBlis.set(s.blis_before);

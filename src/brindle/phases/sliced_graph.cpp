@@ -20,6 +20,8 @@ constexpr std::size_t kBlock = 2048;
 /// Ranges (a colour in a block) that one task updates at least.
 constexpr std::size_t kRangeGrain = 4;
 
+constexpr std::size_t kBlocksPerReport = 32;
+
 /// A block's nodes colour by colour, in a colour by degree from the largest down. Each number says
 /// what comes first and where in the block the node stood, so that they are all different.
 void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<Index> block) {
@@ -53,7 +55,8 @@ void assign_block(SlicedLayout& layout, const Coloring& coloring, std::span<cons
 }
 
 void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Coloring& coloring,
-                  std::span<const Index> order, std::span<const Index> block_ends) {
+                  std::span<const Index> order, std::span<const Index> block_ends,
+                  const Progress& progress) {
   std::vector<Index> nodes(order.begin(), order.end());
   if (nodes.empty()) {
     nodes.resize(adjacency.node_count());
@@ -64,13 +67,17 @@ void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Colori
     return std::span(nodes).subspan(begin, block_ends[b] - begin);
   };
   parallel_for(
-      block_ends.size(),
+      block_ends.size(), progress.part(0, 0.8),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) sort_block(adjacency, coloring, block(b));
       },
-      1);
+      1, kBlocksPerReport);
   std::vector<std::vector<SliceRange>> ranges(coloring.color_count);
   for (std::size_t b = 0; b < block_ends.size(); ++b) {
+    if (b % kBlocksPerReport == 0) {
+      const double done = static_cast<double>(b) / static_cast<double>(block_ends.size());
+      progress.report(0.8 + 0.2 * done);
+    }
     assign_block(layout, coloring, block(b), ranges);
     layout.block_begin.push_back(layout.slice_count());
   }
@@ -81,9 +88,10 @@ void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Colori
   }
 }
 
-void fill_columns(SlicedLayout& layout, const Adjacency& adjacency) {
+void fill_columns(SlicedLayout& layout, const Adjacency& adjacency, const Progress& progress) {
   layout.column_begin.assign(layout.slice_count() + 1, 0);
   for (Index slot = 0; slot < layout.slot_count(); ++slot) {
+    if (slot % kReportSlice == 0) progress.report(0);
     const Index node = layout.node_at[slot];
     if (node == kNone) continue;
     Index& width = layout.column_begin[slot / kLanes + 1];
@@ -93,7 +101,7 @@ void fill_columns(SlicedLayout& layout, const Adjacency& adjacency) {
     layout.column_begin[slice + 1] += layout.column_begin[slice];
   }
   layout.neighbor.resize(std::size_t{layout.column_begin.back()} * kLanes);
-  parallel_for(layout.slot_count(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(layout.slot_count(), progress, [&](std::size_t begin, std::size_t end) {
     for (Index slot = static_cast<Index>(begin); slot < end; ++slot) {
       const Index node = layout.node_at[slot];
       std::size_t entry = layout.first_entry(slot);
@@ -122,14 +130,16 @@ std::vector<Index> equal_blocks(std::size_t nodes) {
 }
 
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
-                           std::span<const Index> order, std::span<const Index> block_ends) {
+                           std::span<const Index> order, std::span<const Index> block_ends,
+                           const Progress& progress) {
   SlicedLayout layout;
   layout.slot_of.resize(adjacency.node_count());
   layout.node_at.reserve(adjacency.node_count() + coloring.color_count * kLanes);
   assign_slots(layout, adjacency, coloring, order,
                block_ends.empty() ? equal_blocks(adjacency.node_count())
-                                  : std::vector<Index>(block_ends.begin(), block_ends.end()));
-  fill_columns(layout, adjacency);
+                                  : std::vector<Index>(block_ends.begin(), block_ends.end()),
+               progress.part(0, 0.5));
+  fill_columns(layout, adjacency, progress.part(0.5, 1));
   return layout;
 }
 

@@ -9,6 +9,7 @@
 #include "brindle/adjacency.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phases/coloring.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -65,7 +66,7 @@ struct SlicedLayout {
 /// empty: every 2048 nodes, so that what their neighbours' phases take fits the first cache.
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
                            std::span<const Index> order = {},
-                           std::span<const Index> block_ends = {});
+                           std::span<const Index> block_ends = {}, const Progress& progress = {});
 
 /// Where the blocks of so many nodes end if nobody says otherwise.
 std::vector<Index> equal_blocks(std::size_t nodes);

@@ -1,8 +1,9 @@
 /// The inner loops of the solvers over slices of a SlicedLayout, twice: portable C++, and Highway
-/// vectors with the instruction set chosen at run time. Both follow the same order of operations;
-/// results differ only where a fused multiply-add rounds once instead of twice.
+/// vectors with the instruction set chosen at run time. Both follow the same order of operations,
+/// without fused multiply-adds, and so give the same bits on every processor.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,16 @@ constexpr bool conjugate_bit(Complex value) {
 }
 
 struct SlicedWave;
+
+/// The sum of one number a lane, by halves: an order that does not depend on how long vectors are.
+inline float sum_of_lanes(const float* numbers) {
+  float sum[kLanes];
+  std::copy_n(numbers, kLanes, sum);
+  for (Index half = kLanes / 2; half > 0; half /= 2) {
+    for (Index lane = 0; lane < half; ++lane) sum[lane] += sum[lane + half];
+  }
+  return sum[0];
+}
 
 /// The couplings of all entries of a range and the sums of their weights by slot; see `couple` in
 /// sliced_waves.h. `entry_weights` may be null.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/phases/sliced_waves.h"
@@ -57,21 +56,34 @@ struct EdgeShift {
 };
 
 EdgeShift edge_shift(const SlicedWave& j, const SlicedWave& i, bool trapezoid) {
-  float cosine = 0, along_j = 0, along_i = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float e = i.position[axis] - j.position[axis];
-    cosine += i.direction[axis] * j.direction[axis];
-    along_j += e * j.direction[axis];
-    along_i += e * i.direction[axis];
-  }
+  const auto dot = [](const float* a, const float* b) {
+    return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]);
+  };
+  const float e[3] = {i.position[0] - j.position[0], i.position[1] - j.position[1],
+                      i.position[2] - j.position[2]};
+  const float cosine = dot(i.direction, j.direction);
+  const float along_j = dot(e, j.direction), along_i = dot(e, i.direction);
   const float along = along_j + (cosine < 0 ? -along_i : along_i);
   const float distance = along / (trapezoid ? 2 : 1 + std::abs(cosine));
   return {cosine, i.root_frequency * j.root_frequency * distance};
 }
 
-/// exp(2 pi i turns).
+/// exp(2 pi i turns): Taylor series about the nearest half turn, as the vectors have it.
 Complex unit(float turns) {
-  return std::polar(1.0f, 2 * std::numbers::pi_v<float> * (turns - std::round(turns)));
+  const float rest = turns - std::nearbyint(turns);
+  const float half_turns = std::nearbyint(rest + rest);
+  const float x = (rest - half_turns * 0.5f) * 6.283185307f;
+  const float x2 = x * x;
+  float sine = -2.505210839e-8f;
+  for (const float c : {2.755731922e-6f, -1.984126984e-4f, 8.333333333e-3f, -0.1666666667f, 1.0f}) {
+    sine = sine * x2 + c;
+  }
+  float cosine = 2.087675699e-9f;
+  for (const float c :
+       {-2.755731922e-7f, 2.480158730e-5f, -1.388888889e-3f, 4.166666667e-2f, -0.5f, 1.0f}) {
+    cosine = cosine * x2 + c;
+  }
+  return half_turns == 0 ? Complex(cosine, sine * x) : Complex(-cosine, -(sine * x));
 }
 
 }  // namespace
@@ -122,20 +134,19 @@ double relax_slices(const SlicedLayout& layout, const SlicedCouplings& couplings
   double drop = 0;
   for (Index slice = range.begin; slice < range.end; ++slice) {
     const Lanes t = targets(layout, couplings, z, slice);
-    float slice_drop = 0;
+    float lowered[kLanes];
     for (Index lane = 0; lane < kLanes; ++lane) {
-      if (!has_direction(t.re[lane], t.im[lane])) continue;
       const Index slot = slice * kLanes + lane;
       const Complex before = z[slot];
       const Complex pulled = Complex(t.re[lane], t.im[lane]) + momentum[slot];
-      if (has_direction(pulled.real(), pulled.imag())) {
+      if (has_direction(t.re[lane], t.im[lane]) && has_direction(pulled.real(), pulled.imag())) {
         z[slot] = normalized(pulled.real(), pulled.imag());
       }
       momentum[slot] = strength * (Complex(t.re[lane], t.im[lane]) - before);
-      slice_drop += (z[slot].real() - before.real()) * t.re[lane] +
-                    (z[slot].imag() - before.imag()) * t.im[lane];
+      lowered[lane] = (z[slot].real() - before.real()) * t.re[lane] +
+                      (z[slot].imag() - before.imag()) * t.im[lane];
     }
-    drop += slice_drop;
+    drop += static_cast<double>(sum_of_lanes(lowered));
   }
   return drop;
 }

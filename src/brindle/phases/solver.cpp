@@ -27,21 +27,30 @@ void require(bool holds, const char* message) {
 /// The multilevel solver, or its cycles from the phases that another solver has found.
 void run_multilevel(const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
                     PhaseSolution& solution) {
-  Hierarchy hierarchy = build_hierarchy(graph, progress);
+  JobStages stages(progress, {{"hierarchy", 7}, {"descent", 1}, {"cycles", 3}});
+  Hierarchy hierarchy = build_hierarchy(graph, stages.begin("hierarchy"));
   Level& finest = hierarchy.levels[0];
   Stopwatch watch;
   if (options.solver == Solver::multilevel) {
-    descend(hierarchy, options.sweeps);
+    descend(hierarchy, options.sweeps, stages.begin("descent"));
     solution.iterations = options.sweeps;
   } else {
     to_slots(finest.layout(), solution.z, finest.z);
   }
-  run_cycles(hierarchy, options.sweeps, options.cycles, progress);
+  run_cycles(hierarchy, options.sweeps, options.cycles, stages.begin("cycles"));
   solution.z = to_nodes(finest.layout(), finest.z);
   solution.topology_milliseconds += hierarchy.topology_milliseconds;
   solution.solve_milliseconds += hierarchy.numeric_milliseconds + watch.lap();
   solution.iterations += options.sweeps * options.cycles;
   solution.energy = energy(graph, solution.z);
+  stages.finish();
+}
+
+std::vector<JobStage> stages_of(const SolverOptions& options) {
+  if (options.solver == Solver::multilevel) return {{"multilevel", 1}};
+  std::vector<JobStage> stages = {{std::string(name_of(options.solver)), 3}};
+  if (options.cycles > 0) stages.push_back({"multilevel", 1});
+  return stages;
 }
 
 }  // namespace
@@ -77,22 +86,25 @@ PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options
                            const Progress& progress, const SolverData& data) {
   check(options);
   PhaseSolution solution;
+  JobStages stages(progress, stages_of(options));
+  const auto begin = [&] { return stages.begin(name_of(options.solver)); };
   switch (options.solver) {
     case Solver::relaxation:
-      solution = relax(graph, options, {}, progress);
+      solution = relax(graph, options, {}, begin());
       break;
     case Solver::averaged:
-      solution = solve_averaged(graph, data.averaged, options, progress);
+      solution = solve_averaged(graph, data.averaged, options, begin());
       break;
     case Solver::global:
-      solution = solve_global(graph, data.mass, options, progress);
+      solution = solve_global(graph, data.mass, options, begin());
       break;
     case Solver::multilevel:
       break;
   }
   if (options.solver == Solver::multilevel || options.cycles > 0) {
-    run_multilevel(graph, options, progress, solution);
+    run_multilevel(graph, options, stages.begin("multilevel"), solution);
   }
+  stages.finish();
   return solution;
 }
 

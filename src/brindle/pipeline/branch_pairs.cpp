@@ -17,6 +17,8 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pipeline/measured_pattern.h"
@@ -29,7 +31,35 @@ constexpr double kReach = 10;  // periods from a branch to its partner
 constexpr double kAround = 4;  // periods around the way between them that are solved for
 constexpr int kPolishSweeps = 4;
 constexpr int kMostMergeRounds = 12;
+/// What is looked at between two reports: where periods are many edges long, a pair has as many
+/// vertices around as take a second.
+constexpr std::size_t kStepsPerReport = 1 << 13;
 constexpr Index kNoNumber = std::numeric_limits<Index>::max();
+
+/// The share of a list's entry, of what the list was handed.
+Progress of_entry(const Progress& progress, std::size_t entry, std::size_t count) {
+  return progress.part(static_cast<double>(entry) / static_cast<double>(count),
+                       static_cast<double>(entry + 1) / static_cast<double>(count));
+}
+
+/// Conjugate gradients, which report at every iteration: the preconditioner is asked in each.
+class HeardPreconditioner : public Eigen::DiagonalPreconditioner<double> {
+ public:
+  void set_progress(const Progress& progress) { progress_ = &progress; }
+
+  template <class Right>
+  Eigen::Solve<Eigen::DiagonalPreconditioner<double>, Right> solve(
+      const Eigen::MatrixBase<Right>& b) const {
+    // The more iterations there have been, the fewer are left.
+    ++asked_;
+    if (progress_) progress_->report(1 - 1 / (1 + 0.02 * asked_));
+    return Eigen::DiagonalPreconditioner<double>::solve(b);
+  }
+
+ private:
+  const Progress* progress_ = nullptr;
+  mutable int asked_ = 0;
+};
 
 /// An edge that a change of phase crosses, and its number of whole turns.
 struct Crossed {
@@ -55,24 +85,27 @@ struct BranchPair {
 
 class PairMerger {
  public:
-  PairMerger(const Surface& surface, const StripePattern& pattern, const StripeOptions& options)
+  PairMerger(const Surface& surface, const StripePattern& pattern, const StripeOptions& options,
+             const Progress& progress)
       : mesh_(surface.mesh),
         adjacency_(*surface.neighborhood),
         waves_(pattern.waves),
         kind_(pattern.phase_shift),
         fixed_(options.fixed_phases),
         z_(pattern.solution.z),
-        edges_(mesh_edges(mesh_, adjacency_)),
+        edges_(mesh_edges(mesh_, adjacency_, progress.part(0, 0.2))),
         forms_(mesh_, edges_, waves_.directions),
-        triangles_of_(triangles_of_edges(edges_)),
+        triangles_of_(triangles_of_edges(edges_, progress.part(0.2, 0.3))),
         index_(mesh_.triangle_count()),
         number_(mesh_.vertex_count(), kNoNumber),
         best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()) {
-    weigh_edges(options.weights);
-    shift_edges();
+    weigh_edges(options.weights, progress.part(0.3, 0.4));
+    shift_edges(progress.part(0.4, 0.7));
     changed_.assign(mesh_.vertex_count(), true);
-    for (Index t = 0; t < mesh_.triangle_count(); ++t) index_[t] = index_of(t);
-    for (Index e = 0; e < edges_.count(); ++e) energy_ += term(e);
+    reported_for(mesh_.triangle_count(), progress.part(0.7, 0.9),
+                 [&](std::size_t t) { index_[t] = index_of(static_cast<Index>(t)); });
+    reported_for(edges_.count(), progress.part(0.9, 1),
+                 [&](std::size_t e) { energy_ += term(static_cast<Index>(e)); });
   }
 
   /// Removes what it can within the energy, and returns how many pairs that were.
@@ -80,10 +113,15 @@ class PairMerger {
     const double most = (1 + share) * energy_;
     std::size_t merged = 0;
     for (int round = 0; round < kMostMergeRounds; ++round) {
-      progress.report("merging branches", static_cast<double>(round) / kMostMergeRounds);
-      std::vector<BranchPair> pairs = find_pairs();
+      const Progress of_round =
+          progress.part(1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1));
+      of_round.report(0);
+      std::vector<BranchPair> pairs = find_pairs(of_round.part(0, 0.3));
+      const std::size_t all = pairs.size();
+      std::size_t number = 0;
       std::erase_if(pairs, [&](BranchPair& pair) {
-        std::optional<Trial> trial = try_pair(pair);
+        std::optional<Trial> trial =
+            try_pair(pair, of_entry(of_round.part(0.3, 0.9), number++, all));
         if (trial) pair.trial = std::move(*trial);
         return !trial;
       });
@@ -92,7 +130,9 @@ class PairMerger {
       });
       std::fill(changed_.begin(), changed_.end(), false);
       const std::size_t before = merged;
-      for (BranchPair& pair : pairs) merged += apply(pair, most);
+      for (std::size_t p = 0; p < pairs.size(); ++p) {
+        merged += apply(pairs[p], most, of_entry(of_round.part(0.9, 1), p, pairs.size()));
+      }
       if (merged == before) break;
     }
     return merged;
@@ -101,36 +141,39 @@ class PairMerger {
   const std::vector<Complex>& phases() const { return z_; }
 
  private:
-  void weigh_edges(EdgeWeights weights) {
+  void weigh_edges(EdgeWeights weights, const Progress& progress) {
     weight_.resize(edges_.count());
     std::vector<float> cotangents;
-    if (weights == EdgeWeights::cotangent) cotangents = cotangent_weights(mesh_, adjacency_);
-    for (Index e = 0; e < edges_.count(); ++e) {
+    if (weights == EdgeWeights::cotangent)
+      cotangents = cotangent_weights(mesh_, adjacency_, progress.part(0, 0.5));
+    reported_for(edges_.count(), progress.part(0.5, 1), [&](std::size_t e) {
       const auto [a, b] = edges_.vertices[e];
       weight_[e] = std::abs(static_cast<double>(waves_.directions[a].dot(waves_.directions[b])));
-      if (cotangents.empty()) continue;
+      if (cotangents.empty()) return;
       const auto row = adjacency_.of(b);
       const auto at = std::lower_bound(row.begin(), row.end(), a) - row.begin();
       weight_[e] *=
           static_cast<double>(cotangents[adjacency_.offsets[b] + static_cast<std::size_t>(at)]);
-    }
+    });
   }
 
   /// Shifts from the lower end in its sense; and of every directed edge the edge.
-  void shift_edges() {
+  void shift_edges(const Progress& progress) {
     shift_.resize(edges_.count());
-    for (Index e = 0; e < edges_.count(); ++e) {
+    reported_for(edges_.count(), progress.part(0, 0.4), [&](std::size_t number) {
+      const auto e = static_cast<Index>(number);
       const auto [a, b] = edges_.vertices[e];
       Wave there = waves_.wave(b);
       if (forms_.sign(e) < 0) there.direction = -there.direction;
       shift_[e] = static_cast<double>(phase_shift(kind_, waves_.wave(a), there).radians);
-    }
+    });
     edge_at_.resize(adjacency_.directed_edge_count());
-    for (Index v = 0; v < adjacency_.node_count(); ++v) {
+    reported_for(adjacency_.node_count(), progress.part(0.4, 1), [&](std::size_t node) {
+      const auto v = static_cast<Index>(node);
       for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
         edge_at_[k] = edge_between(v, adjacency_.neighbors[k]);
       }
-    }
+    });
   }
 
   /// The phase of an edge's higher end, in the sense of its lower one.
@@ -143,12 +186,12 @@ class PairMerger {
   double remainder(Index e) const {
     const auto [a, b] = edges_.vertices[e];
     const Complex difference = seen_from_lower(e, z_[b]) * std::conj(z_[a]);
-    return std::remainder(static_cast<double>(std::arg(difference)) - shift_[e],
+    return std::remainder(static_cast<double>(elementary::arg(difference)) - shift_[e],
                           2 * std::numbers::pi);
   }
 
   double term(Index e) const {
-    return forms_.sign(e) == 0 ? 0 : weight_[e] * (1 - std::cos(remainder(e)));
+    return forms_.sign(e) == 0 ? 0 : weight_[e] * (1 - elementary::cos(remainder(e)));
   }
 
   int index_of(Index t) const {
@@ -165,11 +208,15 @@ class PairMerger {
   }
 
   /// Of every branch, the way to the nearest that is its opposite.
-  std::vector<BranchPair> find_pairs() {
+  std::vector<BranchPair> find_pairs(const Progress& progress) {
     std::vector<BranchPair> pairs;
+    const auto branches = static_cast<std::size_t>(
+        std::ranges::count_if(index_, [](int index) { return std::abs(index) == 1; }));
+    std::size_t number = 0;
     for (Index t = 0; t < index_.size(); ++t) {
       if (std::abs(index_[t]) != 1) continue;
-      if (auto pair = nearest_partner(t)) pairs.push_back(std::move(*pair));
+      const Progress of_branch = of_entry(progress, number++, branches);
+      if (auto pair = nearest_partner(t, of_branch)) pairs.push_back(std::move(*pair));
     }
     const auto ends = [](const BranchPair& p) {
       return std::minmax(p.triangles[0], p.triangles[1]);
@@ -195,7 +242,7 @@ class PairMerger {
     }
   };
 
-  std::optional<BranchPair> nearest_partner(Index start) {
+  std::optional<BranchPair> nearest_partner(Index start, const Progress& progress) {
     steps_.clear();
     std::vector<Index> touched;
     std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
@@ -219,7 +266,8 @@ class PairMerger {
       push(start, m, forms_.number(start, *own, m, -index_[start]), 0, -1);
     }
     std::optional<BranchPair> found;
-    while (!queue.empty() && !found) {
+    for (std::size_t steps = 0; !queue.empty() && !found; ++steps) {
+      if (steps % kStepsPerReport == 0) progress.report(0);
       const Step step = queue.top();
       queue.pop();
       if (step.length > best_[step.triangle]) continue;
@@ -260,7 +308,7 @@ class PairMerger {
   }
 
   /// Free vertices within a few periods of the way, nearest first.
-  std::vector<Index> vertices_around(const BranchPair& pair) const {
+  std::vector<Index> vertices_around(const BranchPair& pair, const Progress& progress) const {
     const double reach = kAround * period_at(pair.triangles[0]);
     std::vector<Index> found;
     using Entry = std::pair<double, Index>;
@@ -270,7 +318,8 @@ class PairMerger {
     for (const Crossed& crossed : pair.way) {
       for (const Index v : edges_.vertices[crossed.edge]) queue.push({0, v});
     }
-    while (!queue.empty()) {
+    for (std::size_t steps = 0; !queue.empty(); ++steps) {
+      if (steps % kStepsPerReport == 0) progress.report(0);
       const auto [distance, v] = queue.top();
       queue.pop();
       if (seen(v)) continue;
@@ -312,25 +361,30 @@ class PairMerger {
 
   /// The phases that are best with so many turns across the way, if both branches go and no other
   /// comes.
-  std::optional<Trial> try_pair(const BranchPair& pair) {
+  std::optional<Trial> try_pair(const BranchPair& pair, const Progress& progress) {
     Trial trial;
-    trial.vertices = vertices_around(pair);
+    trial.vertices = vertices_around(pair, progress);
     if (!is_changed(trial.vertices)) return std::nullopt;  // the same as before
     for (std::size_t i = 0; i < trial.vertices.size(); ++i) {
       number_[trial.vertices[i]] = static_cast<Index>(i);
     }
+    progress.report(0.1);
     const std::vector<Index> edges = edges_around(trial.vertices);
     double before = 0;
-    for (const Index e : edges) before += term(e);
+    reported_for(edges.size(), progress.part(0.1, 0.2),
+                 [&](std::size_t e) { before += term(edges[e]); });
     const std::vector<Complex> old = phases_of(trial.vertices);
-    turn_phases(trial.vertices, edges, pair.way);
-    for (int sweep = 0; sweep < kPolishSweeps; ++sweep) polish(trial.vertices);
+    turn_phases(trial.vertices, edges, pair.way, progress.part(0.2, 0.6));
+    for (int sweep = 0; sweep < kPolishSweeps; ++sweep) {
+      polish(trial.vertices, of_entry(progress.part(0.6, 0.8), sweep, kPolishSweeps));
+    }
     double after = 0;
-    for (const Index e : edges) after += term(e);
+    reported_for(edges.size(), progress.part(0.8, 0.85),
+                 [&](std::size_t e) { after += term(edges[e]); });
     trial.raise = after - before;
     trial.z = phases_of(trial.vertices);
     trial.triangles = triangles_around(edges);
-    const bool good = is_merged(pair, trial);
+    const bool good = is_merged(pair, trial, progress.part(0.85, 1));
     for (std::size_t i = 0; i < old.size(); ++i) {
       z_[trial.vertices[i]] = old[i];
       number_[trial.vertices[i]] = kNoNumber;
@@ -347,14 +401,15 @@ class PairMerger {
 
   /// Least squares of all remainders, with whole turns added on the way; phases outside stay.
   void turn_phases(const std::vector<Index>& vertices, const std::vector<Index>& edges,
-                   const std::vector<Crossed>& way) {
+                   const std::vector<Crossed>& way, const Progress& progress) {
     const auto count = static_cast<Eigen::Index>(vertices.size());
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
     for (Index i = 0; i < vertices.size(); ++i) entries.emplace_back(i, i, 1e-9);
-    for (const Index e : edges) {
+    reported_for(edges.size(), progress.part(0, 0.2), [&](std::size_t number) {
+      const Index e = edges[number];
       const int sign = forms_.sign(e);
-      if (sign == 0) continue;
+      if (sign == 0) return;
       double wanted = remainder(e);
       for (const Crossed& crossed : way) {
         if (crossed.edge == e) wanted += 2 * std::numbers::pi * crossed.turns;
@@ -369,32 +424,38 @@ class PairMerger {
         entries.emplace_back(b, b, w);
         right[b] -= sign * w * wanted;
       }
-      if (a == kNoNumber || b == kNoNumber) continue;
+      if (a == kNoNumber || b == kNoNumber) return;
       entries.emplace_back(a, b, -sign * w);
       entries.emplace_back(b, a, -sign * w);
-    }
+    });
+    progress.report(0.2);
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(
-        matrix);
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
+                             HeardPreconditioner>
+        solver(matrix);
+    const Progress iterating = progress.part(0.3, 1);
+    solver.preconditioner().set_progress(iterating);
     solver.setTolerance(1e-3);
     const Eigen::VectorXd turn = solver.solve(right);
     for (Eigen::Index i = 0; i < count; ++i) {
       Complex& z = z_[vertices[static_cast<std::size_t>(i)]];
-      z = Complex(std::complex<double>(z) * std::polar(1.0, turn[i]));
+      z = Complex(std::complex<double>(z) * elementary::polar(1.0, turn[i]));
       z /= std::abs(z);
     }
   }
 
   /// Every vertex goes where its neighbours want it: down to the nearest minimum of the energy.
-  void polish(const std::vector<Index>& vertices) {
-    for (const Index v : vertices) {
+  void polish(const std::vector<Index>& vertices, const Progress& progress) {
+    reported_for(vertices.size(), progress, [&](std::size_t number) {
+      const Index v = vertices[number];
       std::complex<double> sum = 0;
       for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
         const Index e = edge_at_[k];
         if (forms_.sign(e) == 0) continue;
         const auto [a, b] = edges_.vertices[e];
-        const std::complex<double> turn = std::polar(weight_[e], v == a ? -shift_[e] : shift_[e]);
+        const std::complex<double> turn =
+            elementary::polar(weight_[e], v == a ? -shift_[e] : shift_[e]);
         const Complex other = z_[v == a ? b : a];
         // What the lower end makes of the higher one, or the reverse of that.
         sum += v == a ? std::complex<double>(seen_from_lower(e, other)) * turn
@@ -402,7 +463,7 @@ class PairMerger {
                             seen_from_lower(e, Complex(std::complex<double>(other) * turn)));
       }
       if (std::abs(sum) > 0) z_[v] = Complex(sum / std::abs(sum));
-    }
+    });
   }
 
   std::vector<Index> triangles_around(const std::vector<Index>& edges) const {
@@ -418,12 +479,13 @@ class PairMerger {
   }
 
   /// Whether there are two branches fewer; others may have moved to a neighbouring triangle.
-  bool is_merged(const BranchPair& pair, Trial& trial) const {
+  bool is_merged(const BranchPair& pair, Trial& trial, const Progress& progress) const {
     int fewer = 0;
-    for (const Index t : trial.triangles) {
+    reported_for(trial.triangles.size(), progress, [&](std::size_t number) {
+      const Index t = trial.triangles[number];
       trial.indices.push_back(index_of(t));
       fewer += std::abs(index_[t]) - std::abs(trial.indices.back());
-    }
+    });
     const auto gone = [&](Index t) { return index_of(t) == 0; };
     return fewer >= 2 && gone(pair.triangles[0]) && gone(pair.triangles[1]);
   }
@@ -433,10 +495,10 @@ class PairMerger {
   }
 
   /// Tries the pair once more, if others have gone nearby.
-  bool apply(BranchPair& pair, double most) {
+  bool apply(BranchPair& pair, double most, const Progress& progress) {
     if (is_changed(pair.trial.vertices)) {
       if (index_[pair.triangles[0]] == 0 || index_[pair.triangles[1]] == 0) return false;
-      std::optional<Trial> again = try_pair(pair);
+      std::optional<Trial> again = try_pair(pair, progress);
       if (!again) return false;
       pair.trial = std::move(*again);
     }
@@ -474,14 +536,16 @@ class PairMerger {
   double energy_ = 0;
 };
 
-double energy_of(const Surface& surface, const StripePattern& pattern, EdgeWeights weights) {
+double energy_of(const Surface& surface, const StripePattern& pattern, EdgeWeights weights,
+                 const Progress& progress) {
   std::vector<float> cotangents;
   if (weights == EdgeWeights::cotangent) {
-    cotangents = cotangent_weights(surface.mesh, *surface.neighborhood);
+    cotangents = cotangent_weights(surface.mesh, *surface.neighborhood, progress.part(0, 0.5));
   }
-  return energy(
-      build_phase_graph(surface.neighborhood, pattern.waves, pattern.phase_shift, cotangents),
-      pattern.solution.z);
+  const PhaseGraph graph = build_phase_graph(
+      surface.neighborhood, pattern.waves, pattern.phase_shift, cotangents, progress.part(0.5, 1));
+  progress.report(1);
+  return energy(graph, pattern.solution.z);
 }
 
 }  // namespace
@@ -499,14 +563,19 @@ MergedBranches merge_branches(const Surface& surface, StripePattern& pattern, do
   MergedBranches merged;
   merged.branches_before = pattern.quality.branches;
   merged.energy_before = pattern.solution.energy;
-  PairMerger merger(surface, pattern, options);
-  merged.pairs = merger.merge(share, progress);
+  JobStages stages(progress, {{"branches", 1}, {"merging branches", 5}, {"pattern", 1}});
+  PairMerger merger(surface, pattern, options, stages.begin("branches"));
+  merged.pairs = merger.merge(share, stages.begin("merging branches"));
+  const Progress measuring = stages.begin("pattern");
   if (merged.pairs > 0) {
     StripePattern result = pattern;
     result.solution.z = merger.phases();
-    result.solution.energy = energy_of(surface, result, options.weights);
-    measure_pattern(surface, options.slack.calm, result);
+    result.solution.energy = energy_of(surface, result, options.weights, measuring.part(0, 0.4));
+    measure_pattern(surface, options.slack.calm, result, measuring.part(0.4, 1));
+    stages.finish();
     pattern = std::move(result);
+  } else {
+    stages.finish();
   }
   merged.branches_after = pattern.quality.branches;
   merged.energy_after = pattern.solution.energy;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
@@ -84,9 +85,9 @@ Source source_in(const LastPattern& last, const PointOnMesh& place) {
 /// Finds the last pattern's waves.
 class Sources {
  public:
-  explicit Sources(const LastPattern& last) : last_(last) {
-    last.mesh.triangles.empty() ? static_cast<void>(vertices_.emplace(last.mesh))
-                                : static_cast<void>(triangles_.emplace(last.mesh));
+  Sources(const LastPattern& last, const Progress& progress) : last_(last) {
+    last.mesh.triangles.empty() ? static_cast<void>(vertices_.emplace(last.mesh, progress))
+                                : static_cast<void>(triangles_.emplace(last.mesh, progress));
   }
 
   std::optional<Source> near(const Eigen::Vector3d& point) const {
@@ -115,7 +116,7 @@ Complex led_phase(const Source& source, const Eigen::Vector3d& point, const Vec3
   if (offset.norm() * static_cast<double>(corner.wave.frequency) > max_periods) return 0;
   const Wave from{Vec3::Zero(), corner.wave.direction, corner.wave.frequency};
   const Wave to{offset.cast<float>(), direction, frequency};
-  return corner.z * std::polar(1.0f, phase_shift(PhaseShiftKind::aligned, from, to).radians);
+  return corner.z * elementary::polar(1.0f, phase_shift(PhaseShiftKind::aligned, from, to).radians);
 }
 
 }  // namespace
@@ -146,18 +147,19 @@ std::vector<Complex> matched_phases(const LastPattern& last, const WaveSet& wave
 }
 
 std::vector<Complex> carried_phases(const LastPattern& last, const Mesh& mesh, const WaveSet& waves,
-                                    double max_periods) {
+                                    double max_periods, const Progress& progress) {
   check_sizes(last);
   const std::size_t count = checked_size(waves);
   if (mesh.vertex_count() != count) {
     throw Error("carried phases: the mesh has " + std::to_string(mesh.vertex_count()) +
                 " vertices, but there are " + std::to_string(count) + " waves");
   }
-  const Sources sources(last);
+  JobStages stages(progress, {{"nearest places", 1}, {"look up", 1}});
+  const Sources sources(last, stages.begin("nearest places"));
   const Eigen::Vector3d shift = mesh.origin - last.mesh.origin;
   std::vector<Complex> z(count);
   parallel_for(
-      count,
+      count, stages.begin("look up"),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3& direction = waves.directions[i];
@@ -169,6 +171,7 @@ std::vector<Complex> carried_phases(const LastPattern& last, const Mesh& mesh, c
         }
       },
       kLookupGrain);
+  stages.finish();
   return z;
 }
 
@@ -187,7 +190,7 @@ PhaseStep phase_step(const WaveSet& waves, std::span<const Complex> z,
       ++step.unmatched;
       continue;
     }
-    sum += std::abs(std::arg(z[i] * std::conj(last_z[i])));
+    sum += std::abs(elementary::arg(z[i] * std::conj(last_z[i])));
     ++matched;
   }
   if (matched > 0) step.mean = sum / static_cast<double>(matched);

@@ -62,58 +62,33 @@ FrameInput frame_input(const WaveSet& waves) {
 
 }  // namespace
 
-struct CrossAnimator::State {
-  Surface surface;  ///< at the place of the last frame
-  AnimatorOptions options;
-  AnimatorOptions on_cover = {};
+namespace {
 
-  std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
+/// What a frame has come to.
+struct LaidCrosses {
   CrossCover cover = {};
-  Mesh cover_mesh = {};  ///< positions and triangles of the cover, in the last frame
+  Mesh cover_mesh = {};  ///< positions and triangles of the cover
   std::vector<Complex> z = {};
   CrossParts parts = {};
 
-  WaveSet checked_waves(const CrossFrameInput& input) const;
-  std::span<const Vec3> normals_of(const CrossFrameInput& input) const {
-    return input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals;
-  }
-  StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
-  void solve(const CrossFrameInput& input, const WaveSet& waves, const Progress& progress,
-             CrossFrameResult& result);
-  void measure(CrossFrameResult& result) const;
+  void take(const FrameResult& stripes);
 };
 
-WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const {
-  const std::size_t vertices = surface.mesh.vertex_count();
-  check(input.waves, vertices);
-  if (!input.normals.empty() && input.normals.size() != vertices) {
-    throw Error("cross animator: there are " + std::to_string(input.normals.size()) +
-                " normals for " + std::to_string(vertices) + " vertices");
+/// The frame's phases, and the frequencies that they are for.
+void LaidCrosses::take(const FrameResult& stripes) {
+  cover_mesh.positions = cover.waves.positions;
+  if (!stripes.frequencies.empty()) {
+    cover.waves.frequencies.assign(stripes.frequencies.begin(), stripes.frequencies.end());
   }
-  const auto& [positions, directions, frequencies] = input.waves;
-  WaveSet waves{{positions.begin(), positions.end()},
-                {directions.begin(), directions.end()},
-                {frequencies.begin(), frequencies.end()}};
-  check_tangent_waves(normals_of(input), waves);
-  return waves;
+  z.assign(stripes.z.begin(), stripes.z.end());
 }
 
-/// Goes on from the last frame's phases, if there are any.
-StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
-                                                 std::span<const Vec3> normals) const {
-  StripeAnimator result = on_cover.slack.yields()
-                              ? StripeAnimator(cover_surface(made, normals), on_cover)
-                              : StripeAnimator(made.neighborhood, on_cover);
-  if (!z.empty()) {
-    result.set_last_phases(matched_phases({cover_mesh, cover.waves, z}, made.waves));
-  }
-  return result;
-}
-
-void CrossAnimator::State::measure(CrossFrameResult& result) const {
-  const PhaseShiftKind kind = options.phase_shift;
-  const auto corners = corner_phases(cover.triangles, cover.waves, z, kind);
-  result.quality = cross_quality(cover, measure_quality(cover_mesh, cover.waves, corners), corners);
+void measure(const LaidCrosses& laid, PhaseShiftKind kind, const Progress& progress,
+             CrossFrameResult& result) {
+  const auto& [cover, cover_mesh, z, parts] = laid;
+  const auto corners = corner_phases(cover.triangles, cover.waves, z, kind, progress.part(0, 0.3));
+  result.quality = cross_quality(
+      cover, measure_quality(cover_mesh, cover.waves, corners, progress.part(0.3, 0.6)), corners);
   // The texture's triangles are those of the cover, whichever way their waves run, and the parts of
   // the singular ones.
   const std::size_t pairs = cover.base.size();
@@ -125,11 +100,64 @@ void CrossAnimator::State::measure(CrossFrameResult& result) const {
     }
     return phases;
   };
+  progress.report(0.6);
   const auto u = behind(std::span(corners).first(pairs), parts.waves.u);
   const auto v = behind(std::span(corners).last(pairs), parts.waves.v);
+  progress.report(0.65);
   const auto frequencies_u = frequencies_of(cover, 0, parts.mesh.vertex_count());
   const auto frequencies_v = frequencies_of(cover, 1, parts.mesh.vertex_count());
-  result.texture = measure_texture(parts.mesh, {u, frequencies_u}, {v, frequencies_v});
+  result.texture =
+      measure_texture(parts.mesh, {u, frequencies_u}, {v, frequencies_v}, progress.part(0.7, 1));
+}
+
+}  // namespace
+
+struct CrossAnimator::State {
+  Surface surface;  ///< at the place of the last frame
+  AnimatorOptions options;
+  AnimatorOptions on_cover = {};
+
+  std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
+  LaidCrosses laid = {};                        ///< the last frame
+
+  WaveSet checked_waves(const CrossFrameInput& input) const;
+  std::span<const Vec3> normals_of(const CrossFrameInput& input) const {
+    return input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals;
+  }
+  StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
+  void solve_again(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
+                   CrossFrameResult& result);
+  void solve_afresh(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
+                    CrossFrameResult& result);
+  void lay(const Mesh& placed, LaidCrosses& next, const Progress& progress,
+           CrossFrameResult& result) const;
+};
+
+WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  check(input.waves, vertices);
+  if (!input.normals.empty() && input.normals.size() != vertices) {
+    throw Error("cross animator: there are " + std::to_string(input.normals.size()) +
+                " normals for " + std::to_string(vertices) + " vertices");
+  }
+  const FrameInput& given = input.waves;
+  WaveSet waves{{given.positions.begin(), given.positions.end()},
+                {given.directions.begin(), given.directions.end()},
+                {given.frequencies.begin(), given.frequencies.end()}};
+  check_tangent_waves(normals_of(input), waves);
+  return waves;
+}
+
+/// Goes on from the last frame's phases, if there are any.
+StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
+                                                 std::span<const Vec3> normals) const {
+  StripeAnimator result = on_cover.slack.yields()
+                              ? StripeAnimator(cover_surface(made, normals), on_cover)
+                              : StripeAnimator(made.neighborhood, on_cover);
+  if (!laid.z.empty()) {
+    result.set_last_phases(matched_phases({laid.cover_mesh, laid.cover.waves, laid.z}, made.waves));
+  }
+  return result;
 }
 
 CrossAnimator::CrossAnimator(const Surface& surface, const AnimatorOptions& options) {
@@ -146,49 +174,73 @@ CrossAnimator::~CrossAnimator() = default;
 CrossAnimator::CrossAnimator(CrossAnimator&&) noexcept = default;
 CrossAnimator& CrossAnimator::operator=(CrossAnimator&&) noexcept = default;
 
-/// Phases for the crosses, as they belong together now.
-void CrossAnimator::State::solve(const CrossFrameInput& input, const WaveSet& waves,
-                                 const Progress& progress, CrossFrameResult& result) {
+/// The triangles of a frame whose phases are known, and what is measured of them.
+void CrossAnimator::State::lay(const Mesh& placed, LaidCrosses& next, const Progress& progress,
+                               CrossFrameResult& result) const {
   Stopwatch watch;
-  WaveSet crosses = cross_waves(waves, normals_of(input));
-  if (animator) keep_names(cover.waves, crosses);
-  if (animator && are_matched_alike(*surface.neighborhood, crosses, cover)) {
-    result.matching = CrossMatching::kept;
-    result.milliseconds.match = watch.lap();
-    result.stripes = animator->frame(frame_input(crosses), progress);
-    cover.waves = std::move(crosses);
-  } else {
-    result.matching = animator ? CrossMatching::renewed : CrossMatching::afresh;
-    CrossCover made =
-        cross_cover(*surface.neighborhood, surface.mesh.triangles, std::move(crosses));
-    StripeAnimator first = animator_of(made, normals_of(input));
-    result.milliseconds.match = watch.lap();
-    result.stripes = first.frame(frame_input(made.waves), progress);
-    animator = std::move(first);
-    cover = std::move(made);
-    cover_mesh.triangles = cover.triangles;
-  }
-  cover_mesh.positions = cover.waves.positions;
-  const auto& frequencies = result.stripes.frequencies;
-  if (!frequencies.empty()) {
-    cover.waves.frequencies.assign(frequencies.begin(), frequencies.end());
-  }
-  z.assign(result.stripes.z.begin(), result.stripes.z.end());
+  next.parts = cross_parts(placed, next.cover, next.z, options.phase_shift, std::move(next.parts),
+                           progress.part(0, 0.5));
+  result.milliseconds.orient = watch.lap();
+  measure(next, options.phase_shift, progress.part(0.5, 1), result);
+  result.milliseconds.measure = watch.lap();
+}
+
+/// Crosses belong together as in the last frame, whose memory is used again: once phases are known,
+/// the frame is the last one, and nobody is asked any more.
+void CrossAnimator::State::solve_again(WaveSet crosses, const CrossFrameInput& input,
+                                       const Progress& progress, CrossFrameResult& result) {
+  Stopwatch watch;
+  result.matching = CrossMatching::kept;
+  result.stripes = animator->frame(frame_input(crosses), progress);
+  laid.cover.waves = std::move(crosses);
+  laid.take(result.stripes);
   result.milliseconds.solve = watch.lap();
+  surface.mesh.positions.assign(input.waves.positions.begin(), input.waves.positions.end());
+  lay(surface.mesh, laid, {}, result);
+}
+
+/// Crosses belong together in another way, or there is no last frame. Everything is made beside
+/// that of the last frame.
+void CrossAnimator::State::solve_afresh(WaveSet crosses, const CrossFrameInput& input,
+                                        const Progress& progress, CrossFrameResult& result) {
+  JobStages stages(progress, {{"match crosses", 2}, {"frame", 10}, {"texture", 4}});
+  Stopwatch watch;
+  result.matching = animator ? CrossMatching::renewed : CrossMatching::afresh;
+  const Progress matching = stages.begin("match crosses");
+  LaidCrosses next;
+  next.cover = cross_cover(*surface.neighborhood, surface.mesh.triangles, std::move(crosses),
+                           matching.part(0, 0.8));
+  StripeAnimator first = animator_of(next.cover, normals_of(input));
+  result.milliseconds.match += watch.lap();
+  const WaveSet& waves = next.cover.waves;
+  result.stripes = first.frame(frame_input(waves), stages.begin("frame"));
+  next.cover_mesh.triangles = next.cover.triangles;
+  next.take(result.stripes);
+  result.milliseconds.solve = watch.lap();
+  Mesh placed = surface.mesh;
+  placed.positions.assign(input.waves.positions.begin(), input.waves.positions.end());
+  lay(placed, next, stages.begin("texture"), result);
+  stages.finish();
+  animator = std::move(first);
+  laid = std::move(next);
+  surface.mesh.positions = std::move(placed.positions);
 }
 
 CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progress& progress) {
   State& s = *state_;
   const WaveSet waves = s.checked_waves(input);
-  CrossFrameResult result{{}, s.cover, s.parts.mesh, s.parts.waves, {}, {}, {}, {}};
-  s.solve(input, waves, progress, result);
+  CrossFrameResult result{{}, s.laid.cover, s.laid.parts.mesh, s.laid.parts.waves, {}, {}, {}, {}};
   Stopwatch watch;
-  s.surface.mesh.positions = waves.positions;
+  WaveSet crosses = cross_waves(waves, s.normals_of(input));
+  if (s.animator) keep_names(s.laid.cover.waves, crosses);
+  const bool kept = s.animator && are_matched_alike(*s.surface.neighborhood, crosses, s.laid.cover);
+  result.milliseconds.match = watch.lap();
+  if (kept) {
+    s.solve_again(std::move(crosses), input, progress, result);
+  } else {
+    s.solve_afresh(std::move(crosses), input, progress, result);
+  }
   if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
-  s.parts = cross_parts(s.surface.mesh, s.cover, s.z, s.options.phase_shift, std::move(s.parts));
-  result.milliseconds.orient = watch.lap();
-  s.measure(result);
-  result.milliseconds.measure = watch.lap();
   return result;
 }
 
@@ -199,7 +251,7 @@ double CrossAnimator::energy() const {
 
 void CrossAnimator::restart() {
   state_->animator.reset();
-  state_->z.clear();
+  state_->laid.z.clear();
 }
 
 }  // namespace brindle

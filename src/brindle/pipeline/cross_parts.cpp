@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/geometry/normals.h"
 
@@ -26,7 +27,7 @@ CornerWave continued(const CornerWave& a, CornerWave b, const Vec3& point, Phase
                      (a.wave.frequency + b.wave.frequency) / 2},
                     0};
   for (const CornerWave& from : {a, b}) {
-    result.z += from.z * std::polar(1.0f, phase_shift(kind, from.wave, result.wave).radians);
+    result.z += from.z * elementary::polar(1.0f, phase_shift(kind, from.wave, result.wave).radians);
   }
   const float length = std::abs(result.z);
   result.z = length > 0 ? result.z / length : Complex(1);
@@ -37,7 +38,7 @@ CornerWave continued(const CornerWave& a, CornerWave b, const Vec3& point, Phase
 class CrossTriangles {
  public:
   CrossTriangles(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
-                 PhaseShiftKind kind, CrossParts last)
+                 PhaseShiftKind kind, CrossParts last, const Progress& progress)
       : cover_(cover),
         z_(z),
         kind_(kind),
@@ -46,7 +47,7 @@ class CrossTriangles {
     mesh_.positions = mesh.positions;
     mesh_.origin = mesh.origin;
     mesh_.positions.reserve(mesh.vertex_count() + cover.singular.size());
-    add_matching(mesh);
+    add_matching(mesh, progress);
     for (const Index t : cover.singular) split(mesh.triangles[t]);
   }
 
@@ -54,7 +55,7 @@ class CrossTriangles {
 
  private:
   /// The triangles around which crosses match, with room for the parts of the others.
-  void add_matching(const Mesh& mesh) {
+  void add_matching(const Mesh& mesh, const Progress& progress) {
     const std::size_t count = cover_.base.size();
     const std::size_t room = count + 3 * cover_.singular.size();
     mesh_.triangles.reserve(room);
@@ -63,7 +64,7 @@ class CrossTriangles {
     mesh_.triangles.resize(count);
     waves_.u.resize(count);
     waves_.v.resize(count);
-    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+    parallel_for(count, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
         mesh_.triangles[s] = mesh.triangles[cover_.base[s]];
         waves_.u[s] = corner_waves(cover_.u()[s], cover_.waves, z_);
@@ -109,8 +110,8 @@ class CrossTriangles {
 
 /// Turns V round where it runs to the right of U, seen from outside: what a tile's picture shows
 /// must not be mirrored.
-void turn_left(const Mesh& mesh, TextureWaves& waves) {
-  parallel_for(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+void turn_left(const Mesh& mesh, TextureWaves& waves, const Progress& progress) {
+  parallel_for(mesh.triangle_count(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       Vec3 turn = Vec3::Zero();
       for (int m = 0; m < 3; ++m) {
@@ -124,10 +125,11 @@ void turn_left(const Mesh& mesh, TextureWaves& waves) {
 }  // namespace
 
 CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
-                       PhaseShiftKind kind, CrossParts last) {
-  CrossParts parts = CrossTriangles(mesh, cover, z, kind, std::move(last)).take();
-  orient_corners(parts.waves);
-  turn_left(parts.mesh, parts.waves);
+                       PhaseShiftKind kind, CrossParts last, const Progress& progress) {
+  CrossParts parts =
+      CrossTriangles(mesh, cover, z, kind, std::move(last), progress.part(0, 0.4)).take();
+  orient_corners(parts.waves, progress.part(0.4, 0.7));
+  turn_left(parts.mesh, parts.waves, progress.part(0.7, 1));
   return parts;
 }
 

@@ -20,7 +20,7 @@ struct CrossParts {
 /// `z` has a phase for every node of the cover, which is one of `mesh`. The memory of `last` is
 /// used again.
 CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
-                       PhaseShiftKind kind, CrossParts last = {});
+                       PhaseShiftKind kind, CrossParts last = {}, const Progress& progress = {});
 
 /// Both waves of a vertex have the slack that the vertex has.
 Slack slack_on_cover(Slack slack);

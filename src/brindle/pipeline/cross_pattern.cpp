@@ -30,21 +30,25 @@ Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals) {
 CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
                            const StripeOptions& options, const Progress& progress) {
   check_tangent_waves(surface, waves);
+  JobStages stages(progress, {{"match crosses", 2}, {"stripes", 10}});
   Stopwatch watch;
-  progress.report("match crosses", 0);
+  const Progress matching_stage = stages.begin("match crosses");
   CrossPattern result;
   result.cover = cross_cover(*surface.neighborhood, surface.mesh.triangles,
-                             cross_waves(waves, surface.normals));
+                             cross_waves(waves, surface.normals), matching_stage.part(0, 0.8));
+  matching_stage.report(0.8);
   result.surface = cover_surface(result.cover, surface.normals);
   const double matching = watch.lap();
   check(options.slack, surface.mesh.vertex_count());
   StripeOptions on_cover = options;
   on_cover.slack = slack_on_cover(options.slack);
-  result.pattern = stripe_pattern(result.surface, result.cover.waves, on_cover, progress);
+  result.pattern =
+      stripe_pattern(result.surface, result.cover.waves, on_cover, stages.begin("stripes"));
   result.cover.waves.frequencies = result.pattern.waves.frequencies;
   result.pattern.milliseconds.couple += matching;
   result.quality = cross_quality(result.cover, result.pattern.quality, result.pattern.corners);
   add_singular_in_calm(surface.mesh.triangles, result.cover, options.slack.calm, result.quality);
+  stages.finish();
   return result;
 }
 

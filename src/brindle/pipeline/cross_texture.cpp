@@ -36,11 +36,14 @@ StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec
 
 /// Corner phases of both patterns, and what is measured of them. New triangles are singular,
 /// whatever their corners look like; the texture on them is measured all the same.
-void measure(const Mesh& mesh, std::size_t regular, TexturePattern& pattern) {
-  pattern.u.corners = corner_phases(pattern.waves.u, pattern.phase_shift);
-  pattern.v.corners = corner_phases(pattern.waves.v, pattern.phase_shift);
-  pattern.quality = measure_texture(mesh, {pattern.u.corners, pattern.u.waves.frequencies},
-                                    {pattern.v.corners, pattern.v.waves.frequencies});
+void measure(const Mesh& mesh, std::size_t regular, const Progress& progress,
+             TexturePattern& pattern) {
+  const PhaseShiftKind kind = pattern.phase_shift;
+  pattern.u.corners = corner_phases(pattern.waves.u, kind, progress.part(0, 0.3));
+  pattern.v.corners = corner_phases(pattern.waves.v, kind, progress.part(0.3, 0.6));
+  pattern.quality =
+      measure_texture(mesh, {pattern.u.corners, pattern.u.waves.frequencies},
+                      {pattern.v.corners, pattern.v.waves.frequencies}, progress.part(0.6, 1));
   for (StripePattern* part : {&pattern.u, &pattern.v}) {
     for (std::size_t t = regular; t < part->corners.size(); ++t) {
       part->corners[t].kind = TriangleKind::field_singularity;
@@ -51,19 +54,23 @@ void measure(const Mesh& mesh, std::size_t regular, TexturePattern& pattern) {
 }  // namespace
 
 CrossTexture cross_texture(const Surface& surface, const CrossPattern& cross,
-                           PhaseShiftKind phase_shift) {
+                           PhaseShiftKind phase_shift, const Progress& progress) {
+  JobStages stages(progress, {{"texture", 3}, {"surface", 3}, {"measure", 3}});
   Stopwatch watch;
-  CrossParts parts = cross_parts(surface.mesh, cross.cover, cross.pattern.solution.z, phase_shift);
+  CrossParts parts = cross_parts(surface.mesh, cross.cover, cross.pattern.solution.z, phase_shift,
+                                 {}, stages.begin("texture"));
   CrossTexture texture;
-  texture.surface = make_surface(std::move(parts.mesh));
+  texture.surface = make_surface(std::move(parts.mesh), stages.begin("surface"));
   TexturePattern& pattern = texture.pattern;
   pattern.waves = std::move(parts.waves);
   pattern.phase_shift = phase_shift;
+  const Progress measuring = stages.begin("measure");
   pattern.u = pattern_of(cross, 0, texture.surface.mesh.positions);
   pattern.v = pattern_of(cross, 1, texture.surface.mesh.positions);
-  measure(texture.surface.mesh, cross.cover.base.size(), pattern);
+  measure(texture.surface.mesh, cross.cover.base.size(), measuring, pattern);
   pattern.u.milliseconds = cross.pattern.milliseconds;
   pattern.orientation_milliseconds = watch.lap();
+  stages.finish();
   return texture;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "brindle/base/elementary.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/waves/direction_graph.h"
@@ -41,8 +42,8 @@ void add_feature_anchors(PhaseGraph& graph, const Mesh& mesh, const Adjacency& n
       feature_lines(mesh, neighborhood, normals, options.feature_angle_deg);
   for (Index i = 0; i < graph.node_count(); ++i) {
     const auto degree = static_cast<float>(graph.adjacency->of(i).size());
-    graph.anchor[i] += std::polar(options.feature_anchor * degree * std::abs(lines[i]),
-                                  turns * std::arg(lines[i]));
+    graph.anchor[i] += elementary::polar(options.feature_anchor * degree * std::abs(lines[i]),
+                                         turns * elementary::arg(lines[i]));
   }
 }
 

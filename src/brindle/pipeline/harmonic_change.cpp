@@ -179,10 +179,54 @@ void make_harmonic(const TwistedForms& forms, const MeshEdges& edges,
   }
 }
 
+/// Vertices whose edges nearly lie on a line, as in slivers, and their gradients: across it they
+/// are rounding errors over next to nothing.
+class Slivers {
+ public:
+  explicit Slivers(const std::vector<Eigen::Matrix2d>& products) {
+    for (Index v = 0; v < products.size(); ++v) {
+      const double trace = products[v].trace();
+      if (products[v].determinant() < kThin * trace * trace) vertices_.push_back(v);
+    }
+  }
+
+  /// Gives those that stand out from all their neighbours the mean of these.
+  void smooth(const Surface& surface, const std::vector<Vec3>& directions,
+              std::vector<Eigen::Vector3d>& gradients) const {
+    std::vector<Eigen::Vector3d> smoothed;
+    for (const Index v : vertices_)
+      smoothed.push_back(smooth_one(v, surface, directions, gradients));
+    for (std::size_t i = 0; i < vertices_.size(); ++i) gradients[vertices_[i]] = smoothed[i];
+  }
+
+ private:
+  static constexpr double kThin = 1e-3;
+  static constexpr double kStandsOut = 2;
+
+  Eigen::Vector3d smooth_one(Index v, const Surface& surface, const std::vector<Vec3>& directions,
+                             const std::vector<Eigen::Vector3d>& gradients) const {
+    double largest = 0, count = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Index w : surface.neighborhood->of(v)) {
+      if (std::ranges::binary_search(vertices_, w) || directions[w].isZero(0)) continue;
+      largest = std::max(largest, gradients[w].norm());
+      sum += (directions[v].dot(directions[w]) < 0 ? -1 : 1) * gradients[w];
+      ++count;
+    }
+    if (count == 0 || gradients[v].norm() <= kStandsOut * largest) return gradients[v];
+    const Eigen::Vector3d normal = surface.normals[v].cast<double>();
+    const Eigen::Vector3d mean = sum / count;
+    return mean - mean.dot(normal) * normal;
+  }
+
+  std::vector<Index> vertices_;  ///< in ascending order
+};
+
 /// The tangent vector whose products with the edges at a vertex come closest to the form.
 std::vector<Eigen::Vector3d> gradients(const TwistedForms& forms, const Surface& surface,
                                        const MeshEdges& edges, const std::vector<double>& weights,
-                                       const std::vector<double>& form) {
+                                       const std::vector<double>& form,
+                                       const std::vector<Vec3>& directions) {
   const std::size_t count = surface.mesh.vertex_count();
   std::vector<Eigen::Matrix2d> left(count, Eigen::Matrix2d::Zero());
   std::vector<Eigen::Vector2d> right(count, Eigen::Vector2d::Zero());
@@ -209,6 +253,7 @@ std::vector<Eigen::Vector3d> gradients(const TwistedForms& forms, const Surface&
     const TangentBasis basis = tangent_basis(surface.normals[v]);
     result[v] = flat.x() * basis.x.cast<double>() + flat.y() * basis.y.cast<double>();
   }
+  Slivers(left).smooth(surface, directions, result);
   return result;
 }
 
@@ -230,7 +275,7 @@ std::vector<Eigen::Vector3d> harmonic_change(const Surface& surface, const MeshE
   }
   const std::vector<double> weights = form_weights(surface, edges);
   make_harmonic(forms, edges, weights, surface.mesh.vertex_count(), form);
-  return gradients(forms, surface, edges, weights, form);
+  return gradients(forms, surface, edges, weights, form, directions);
 }
 
 }  // namespace brindle

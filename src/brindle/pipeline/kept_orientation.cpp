@@ -43,15 +43,27 @@ KeptOrientation::KeptOrientation(std::vector<Triangle> triangles)
 }
 
 FrameOrientation KeptOrientation::follow(std::span<const Vec3> u, std::span<const Vec3> v,
-                                         bool as_given) {
+                                         bool as_given, const Progress& progress) {
+  last_shown_ = shown_;
+  const TextureSeams last_seams = seams_;
+  const std::size_t last_shortest = shortest_;
   std::swap(signs_, last_signs_);
-  corner_signs(triangles_, u, v, signs_);
-  const FrameOrientation orientation = orient(u, as_given);
-  last_directions_.assign(u.begin(), u.end());
-  return orientation;
+  try {
+    corner_signs(triangles_, u, v, signs_);
+    const FrameOrientation orientation = orient(u, as_given, progress);
+    last_directions_.assign(u.begin(), u.end());
+    return orientation;
+  } catch (...) {
+    std::swap(signs_, last_signs_);
+    std::swap(shown_, last_shown_);
+    seams_ = last_seams;
+    shortest_ = last_shortest;
+    throw;
+  }
 }
 
-FrameOrientation KeptOrientation::orient(std::span<const Vec3> u, bool as_given) {
+FrameOrientation KeptOrientation::orient(std::span<const Vec3> u, bool as_given,
+                                         const Progress& progress) {
   const bool is_first = last_directions_.empty();
   flipped_.resize(u.size());
   if (!is_first) {
@@ -68,7 +80,7 @@ FrameOrientation KeptOrientation::orient(std::span<const Vec3> u, bool as_given)
     std::ranges::fill(turned_, std::uint8_t{0});
     if (!is_first) result = FrameOrientation::continued;
   } else if (is_first) {
-    turned_ = orienting_turns(triangles_, oriented_triangles(signs_), edges_, agreement_);
+    turned_ = orienting_turns(triangles_, oriented_triangles(signs_), edges_, agreement_, progress);
   } else {
     result = FrameOrientation::continued;
     follow_neighbors(continue_last());

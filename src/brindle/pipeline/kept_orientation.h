@@ -18,8 +18,10 @@ class KeptOrientation {
   explicit KeptOrientation(std::vector<Triangle> triangles);
 
   /// Orients a frame whose vertices have these directions. With `as_given` triangles stay as
-  /// `corner_signs` leaves them.
-  FrameOrientation follow(std::span<const Vec3> u, std::span<const Vec3> v, bool as_given);
+  /// `corner_signs` leaves them. Whatever it throws, among it Cancelled if `progress` asks for it,
+  /// the orientation stays that of the last frame.
+  FrameOrientation follow(std::span<const Vec3> u, std::span<const Vec3> v, bool as_given,
+                          const Progress& progress = {});
 
   /// How the corners of the last frame are turned.
   std::span<const CornerSigns> signs() const { return shown_; }
@@ -29,7 +31,7 @@ class KeptOrientation {
   void forget() { last_directions_.clear(); }
 
  private:
-  FrameOrientation orient(std::span<const Vec3> u, bool as_given);
+  FrameOrientation orient(std::span<const Vec3> u, bool as_given, const Progress& progress);
   std::vector<Index> continue_last();
   void follow_neighbors(std::vector<Index> undecided);
   bool follow_neighbors_of(Index triangle, std::span<const std::uint8_t> decided);
@@ -45,6 +47,7 @@ class KeptOrientation {
   std::vector<CornerSigns> last_signs_;   ///< those of the last frame
   std::vector<std::uint8_t> turned_;      ///< 1 where a triangle is shown turned round
   std::vector<CornerSigns> shown_;        ///< both together
+  std::vector<CornerSigns> last_shown_;   ///< of the last frame
   std::vector<Vec3> last_directions_;     ///< of U; empty: no last frame
   std::vector<std::uint8_t> flipped_;     ///< vertices whose direction has turned round
   std::vector<EdgeAgreement> agreement_;  ///< of what is shown

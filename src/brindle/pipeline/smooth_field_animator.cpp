@@ -7,6 +7,7 @@
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
+#include "brindle/phases/several_starts.h"
 #include "brindle/pipeline/field_anchors.h"
 #include "brindle/smooth_field.h"
 #include "brindle/waves/direction_graph.h"
@@ -18,6 +19,7 @@ struct SmoothFieldAnimator::State {
   SmoothFieldAnimatorOptions options;
   std::shared_ptr<const Adjacency> neighborhood;
   std::vector<Vec3> normals;
+  Starts starts = Starts::one;  ///< of the first frame
   Hierarchy hierarchy;
   std::vector<Complex> last_u;  ///< by slot; empty before the first frame
   std::vector<Complex> u_by_vertex;
@@ -40,7 +42,8 @@ float degree(const Adjacency& neighborhood, Index vertex) {
 }  // namespace
 
 SmoothFieldAnimator::SmoothFieldAnimator(const Surface& surface,
-                                         const SmoothFieldAnimatorOptions& options)
+                                         const SmoothFieldAnimatorOptions& options,
+                                         const Progress& progress)
     : state_(std::make_unique<State>()) {
   if (options.symmetry < 1) throw Error("smooth field: the symmetry N must be 1 or above");
   if (!(options.lambda >= 0) || !std::isfinite(options.lambda) || options.sweeps < 0) {
@@ -50,21 +53,31 @@ SmoothFieldAnimator::SmoothFieldAnimator(const Surface& surface,
   s.options = options;
   s.neighborhood = surface.neighborhood;
   s.normals = surface.normals;
-  s.hierarchy = build_hierarchy(
-      build_direction_graph(surface.neighborhood, surface.normals, options.symmetry));
+  const PhaseGraph graph =
+      build_direction_graph(surface.neighborhood, surface.normals, options.symmetry);
+  s.starts = starts_of_field(graph, !surface.mesh.triangles.empty());
+  s.hierarchy = build_hierarchy(graph, progress);
 }
 
 SmoothFieldAnimator::~SmoothFieldAnimator() = default;
 SmoothFieldAnimator::SmoothFieldAnimator(SmoothFieldAnimator&&) noexcept = default;
 SmoothFieldAnimator& SmoothFieldAnimator::operator=(SmoothFieldAnimator&&) noexcept = default;
 
-std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> anchors) {
+std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> anchors,
+                                                 const Progress& progress) {
   State& s = *state_;
   const bool first = s.last_u.empty();
   if (!first && std::ranges::equal(anchors, s.last_anchors, same)) return s.field;
   set_anchors(anchors);
+  // Nothing of the last frame is in what a solve leaves behind: the next one begins anew.
+  progress.report("field", 0);
   renew(s.hierarchy);
-  descend(s.hierarchy, s.options.sweeps);
+  if (first && s.starts == Starts::several) {
+    descend_from_several(s.hierarchy, s.options.sweeps, progress.step("field").part(0, 0.5));
+  } else {
+    descend(s.hierarchy, s.options.sweeps);
+  }
+  progress.report("field", 0.5);
 
   // All that may fail comes before anything of the last frame is given up.
   const SlicedLayout& layout = s.finest().layout();

@@ -10,6 +10,7 @@
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/frame_check.h"
 #include "brindle/pipeline/last_phases.h"
 #include "brindle/pipeline/yielding_frames.h"
 #include "brindle/solver.h"
@@ -26,24 +27,39 @@ struct StripeAnimator::State {
   bool has_frame = false;         ///< whether a frame has come to its end
   bool is_sibling = false;        ///< whether the hierarchy was there before
   std::vector<SlicedWave> waves;  ///< of the last frame
-  /// Of the frame that is solved, if it may be cancelled. A frame without cycles cannot, and its
-  /// waves replace the last ones at once: that saves memory.
+  /// Of the frame that is solved, if it may be taken back. One without cycles need not, where
+  /// nothing comes after it, and its waves replace the last ones at once: that saves memory.
   std::vector<SlicedWave> cancellable_waves;
+  bool may_be_taken_back = false;
+  bool has_yielded = false;      ///< whether frequencies of the frame that is solved are new
   std::vector<float> weights;    ///< options.edge_weights by entry
   std::vector<float> degree;     ///< sum of weights by slot
   std::vector<Complex> last_z;   ///< by slot; empty: none
   std::vector<Complex> given_z;  ///< by vertex: what the next frame follows instead; empty: none
   std::vector<Complex> z_by_vertex;
   Momentum momentum;
+  std::vector<Complex> last_momentum;  ///< before the frame that is solved, if it has changed
+  bool has_iterated = false;           ///< whether it has
   YieldingFrames yielding;
+  NormalsInPlace in_place;
 
   Level& finest() { return hierarchy.levels[0]; }
-  std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
+  std::vector<SlicedWave>& next_waves() { return may_be_taken_back ? cancellable_waves : waves; }
   bool has_last() const { return !last_z.empty(); }
   bool has_given() const { return !given_z.empty(); }
   /// Whether the next frame is a descent, not the paper's iterations.
   bool descends() const { return options.solver == FrameSolver::multilevel || !has_last(); }
 };
+
+namespace {
+
+FrameResult unchanged_result() {
+  FrameResult result;
+  result.unchanged = true;
+  return result;
+}
+
+}  // namespace
 
 void check(const AnimatorOptions& options) {
   const auto require = [](bool holds, const char* message) {
@@ -57,18 +73,30 @@ void check(const AnimatorOptions& options) {
 
 void check(const FrameInput& input, std::size_t vertices) {
   if (input.positions.size() == vertices && input.directions.size() == vertices &&
-      input.frequencies.size() == vertices) {
+      input.frequencies.size() == vertices &&
+      (input.normals.empty() || input.normals.size() == vertices)) {
     return;
   }
   throw Error("animator: a frame needs one position, direction and frequency for each of " +
-              std::to_string(vertices) + " vertices");
+              std::to_string(vertices) + " vertices, and as many normals, or none");
 }
+
+namespace {
+
+/// A frame that nobody listens to allocates nothing.
+Progress progress_of_frame(const Progress& progress) {
+  return progress.is_heard() ? JobStages(progress, {{"frame", 1}}).begin("frame") : Progress();
+}
+
+}  // namespace
 
 StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
   check(options);
   refuse_slack(options);
+  if (!neighborhood)
+    throw Error("animator: the surface has no neighbours; make_surface finds them");
   if (options.phase_shift == PhaseShiftKind::common_source) {
     throw Error("animator options: the phase shift must be aligned or trapezoid");
   }
@@ -79,6 +107,7 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
   check_edge_weights(options.edge_weights);
   state_->neighborhood = std::move(neighborhood);
   state_->options = options;
+  state_->may_be_taken_back = options.cycles > 0;
   state_->momentum.strength = SolverOptions().momentum;
 }
 
@@ -86,6 +115,7 @@ StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& op
     : StripeAnimator(surface.neighborhood, without_slack(options)) {
   state_->yielding = YieldingFrames(surface, options.slack);
   state_->options.slack = options.slack;
+  state_->in_place = {surface.mesh.positions, surface.normals};
 }
 
 StripeAnimator::StripeAnimator(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -94,14 +124,30 @@ StripeAnimator::StripeAnimator(StripeAnimator&&) noexcept = default;
 StripeAnimator& StripeAnimator::operator=(StripeAnimator&&) noexcept = default;
 
 FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progress) {
+  FrameResult result = solve(input, progress);
+  keep(input, result);
+  return result;
+}
+
+/// Lets frames be taken back that have been solved. To be called before the first one.
+void StripeAnimator::allow_take_back() { state_->may_be_taken_back = true; }
+
+/// The next frame, which `keep` or `take_back` must follow: until then, its phases are not the
+/// animator's, and not in the result.
+FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard) {
   State& s = *state_;
   check(input, s.neighborhood->node_count());
-  check_waves(input.positions, input.directions, input.frequencies);
-  if (!s.has_given() && s.has_last() && s.yielding.is_kept(input)) return unchanged_frame();
+  check_values(input, *s.neighborhood, s.in_place);
+  s.has_yielded = s.has_iterated = false;
+  if (!s.has_given() && s.has_last() && s.yielding.is_kept(input)) return unchanged_result();
   Stopwatch watch;
-  const FrameInput yielded = s.yielding.yielded(input, progress);
+  const Progress progress = progress_of_frame(heard);
+  const FrameInput yielded = s.yielding.yielded(input, progress.part(0, 0.3));
+  s.has_yielded = true;
   const double yield_milliseconds = watch.lap();
+  progress.report(0.3);
   start();
+  progress.report(0.3);
   watch.lap();
   // Given phases are of this frame's directions: there is nothing to turn.
   const bool changed = load_waves(s.finest().layout(), yielded.positions, yielded.directions,
@@ -110,34 +156,36 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   if (s.has_given()) {
     take_given();
   } else if (s.has_last() && !changed) {
-    s.yielding.keep(input);
-    return unchanged_frame();
+    return unchanged_result();
   }
   FrameResult result;
   try {
-    result.milliseconds = solve_next(watch, progress);
+    result.milliseconds = solve_next(watch, progress.part(0.3, 1));
   } catch (...) {
-    take_back();
+    take_phases_back();
     throw;
   }
   if (s.has_last()) result.phase_step = phase_steps(s.finest().z, s.last_z, s.degree).mean();
-  keep();
-  s.yielding.keep(input);
-  result.z = s.z_by_vertex;
-  result.frequencies = s.yielding.frequencies();
-  result.frequency_change = s.yielding.change();
   result.milliseconds.solve = watch.lap();
   result.milliseconds.frequency = yield_milliseconds;
   return result;
 }
 
-FrameResult StripeAnimator::unchanged_frame() const {
-  FrameResult result;
-  result.z = state_->z_by_vertex;
-  result.unchanged = true;
-  result.frequencies = state_->yielding.frequencies();
-  result.frequency_change = state_->yielding.change();
-  return result;
+/// Makes the frame that was just solved the last one. Cannot fail.
+void StripeAnimator::keep(const FrameInput& input, FrameResult& solved) {
+  State& s = *state_;
+  Stopwatch watch;
+  if (!solved.unchanged) keep_phases();
+  if (s.has_yielded) s.yielding.keep(input);
+  solved.z = s.z_by_vertex;
+  solved.frequencies = s.yielding.frequencies();
+  solved.frequency_change = s.yielding.change();
+  if (!solved.unchanged) solved.milliseconds.solve += watch.lap();
+}
+
+/// Makes everything as it was before the frame that was just solved. Cannot fail.
+void StripeAnimator::take_back(const FrameResult& solved) {
+  if (!solved.unchanged) take_phases_back();
 }
 
 /// The finest level, and everything that frames write to, so that they allocate nothing.
@@ -149,7 +197,7 @@ void StripeAnimator::start() {
   if (builds) s.hierarchy = finest_level(*s.neighborhood);
   const SlicedLayout& layout = s.finest().layout();
   s.waves.reserve(layout.slot_count());
-  if (s.options.cycles > 0) s.cancellable_waves.reserve(layout.slot_count());
+  if (s.may_be_taken_back) s.cancellable_waves.reserve(layout.slot_count());
   s.last_z.resize(layout.slot_count());  // so that no page is new when phases are kept
   s.last_z.clear();
   s.z_by_vertex.resize(layout.slot_of.size());
@@ -173,11 +221,13 @@ void StripeAnimator::take_given() {
 FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& progress) {
   State& s = *state_;
   FrameMilliseconds milliseconds;
+  progress.report(0);
   couple_next();
   milliseconds.couple = watch.lap();
+  progress.report(0);
   const bool builds = s.hierarchy.levels.size() == 1;
   if (builds) {
-    coarsen(s.hierarchy, progress);
+    coarsen(s.hierarchy, progress.part(0, 0.6));
     s.topology_milliseconds += watch.lap();
   }
   if (!s.has_last() && s.options.lambda > 0) {
@@ -189,7 +239,7 @@ FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& p
   milliseconds.sum = watch.lap();
   if (s.descends()) {
     descend(s.hierarchy, s.options.sweeps);
-    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress);
+    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress.part(0.6, 1));
   } else {
     iterate();
   }
@@ -214,6 +264,10 @@ void StripeAnimator::couple_next() {
 void StripeAnimator::iterate() {
   State& s = *state_;
   Level& finest = s.finest();
+  if (s.may_be_taken_back) {
+    s.last_momentum = s.momentum.m;
+    s.has_iterated = true;
+  }
   std::ranges::transform(s.last_z, finest.z.begin(),
                          [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
   for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
@@ -224,24 +278,25 @@ void StripeAnimator::iterate() {
 }
 
 /// Makes the frame just solved the last one. Cannot fail.
-void StripeAnimator::keep() {
+void StripeAnimator::keep_phases() {
   State& s = *state_;
   const SlicedLayout& layout = s.finest().layout();
   s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
   to_nodes(layout, s.last_z, s.z_by_vertex);
   s.given_z.clear();
-  if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
+  if (s.may_be_taken_back) std::swap(s.waves, s.cancellable_waves);
   s.has_frame = true;
 }
 
 /// Makes everything as it was before a frame that has not come to its end.
-void StripeAnimator::take_back() {
+void StripeAnimator::take_phases_back() {
   State& s = *state_;
   if (s.has_frame) {
     Level& finest = s.finest();
     turn_phases(s.waves, s.next_waves(), s.last_z);
     couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
     to_slots(finest.layout(), s.z_by_vertex, finest.z);
+    if (s.has_iterated) std::swap(s.momentum.m, s.last_momentum);
   } else if (!s.is_sibling) {
     // Aggregates follow the couplings of the first frame that comes to its end.
     s.hierarchy = {};
@@ -261,8 +316,10 @@ StripeAnimator StripeAnimator::sibling() const {
   state->options = state_->options;
   state->hierarchy = brindle::sibling(state_->hierarchy);
   state->is_sibling = !state->hierarchy.levels.empty();
+  state->may_be_taken_back = state_->may_be_taken_back;
   state->momentum.strength = state_->momentum.strength;
   state->yielding = state_->yielding.sibling();
+  state->in_place = state_->in_place;
   return StripeAnimator(std::move(state));
 }
 

@@ -23,6 +23,7 @@
 #include "brindle/pipeline/stripes_again.h"
 #include "brindle/points/point_tree.h"
 #include "brindle/waves/averaged_levels.h"
+#include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -40,20 +41,22 @@ std::vector<float> positive_areas(const Mesh& mesh) {
   return areas;
 }
 
-std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights) {
+std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights,
+                                const Progress& progress) {
   if (weights == EdgeWeights::paper) return {};
-  return cotangent_weights(surface.mesh, *surface.neighborhood);
+  return cotangent_weights(surface.mesh, *surface.neighborhood, progress);
 }
 
 SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
-                    PhaseShiftKind kind, std::span<const float> edge_weights) {
+                    PhaseShiftKind kind, std::span<const float> edge_weights,
+                    const Progress& progress) {
   if (solver == Solver::global) return {positive_areas(surface.mesh), {}};
   if (solver != Solver::averaged) return {};
   constexpr int kLevels = 10;
   return {
       {},
       averaged_levels(*surface.neighborhood, waves, {surface.normals, positive_areas(surface.mesh)},
-                      kind, kLevels, edge_weights)};
+                      kind, kLevels, edge_weights, progress)};
 }
 
 constexpr float kFixed = 1000;  // so many times what all neighbours ask for
@@ -96,24 +99,29 @@ void check_anchors(const StripeOptions& options, std::size_t vertices) {
 void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
                     std::span<const float> weights, const Progress& progress,
                     StripePattern& result) {
+  JobStages stages(progress, {{"couple", 2}, {"solve", 8}});
+  const Progress coupling = stages.begin("couple");
   Stopwatch watch;
-  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights);
+  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights,
+                                       coupling.part(0, 0.3));
   if (is_followed(options)) anchor_phases(graph, options.last_phases, options.lambda);
   if (!options.fixed_phases.empty()) add_fixed_phases(graph, options.fixed_phases);
   result.milliseconds.couple = watch.lap();
-  const SolverData data =
-      data_for(options.solver.solver, surface, waves, options.phase_shift, weights);
+  coupling.report(0.5);
+  const SolverData data = data_for(options.solver.solver, surface, waves, options.phase_shift,
+                                   weights, coupling.part(0.5, 1));
   result.milliseconds.topology = watch.lap();
   const SolvePhases solve = options.solve ? options.solve : solve_phases;
-  result.solution = solve(graph, options.solver, progress, data);
+  result.solution = solve(graph, options.solver, stages.begin("solve"), data);
   set_fixed_phases(graph, options.fixed_phases, result.solution);
 }
 
 /// From waves to phases. The multilevel solver needs no phase graph between them.
 void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
            const Progress& progress, StripePattern& result) {
+  progress.report(0);
   Stopwatch watch;
-  const std::vector<float> weights = edge_weights(surface, options.weights);
+  const std::vector<float> weights = edge_weights(surface, options.weights, progress.part(0, 0.1));
   const double weigh_milliseconds = watch.lap();
   if (!options.solve && !is_anchored(options) && options.solver.solver == Solver::multilevel &&
       options.phase_shift != PhaseShiftKind::common_source) {
@@ -129,6 +137,16 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
   result.milliseconds.solve = result.solution.solve_milliseconds;
 }
 
+void check_surface(const Surface& surface) {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  if (surface.neighborhood && surface.neighborhood->node_count() == vertices &&
+      surface.normals.size() == vertices) {
+    return;
+  }
+  throw Error("the surface has no neighbours and normals for its " + std::to_string(vertices) +
+              " vertices; make it with make_surface");
+}
+
 void check_sizes(const Surface& surface, const WaveSet& waves) {
   const std::size_t vertices = surface.mesh.vertex_count();
   if (waves.positions.size() == vertices && waves.directions.size() == vertices &&
@@ -141,14 +159,12 @@ void check_sizes(const Surface& surface, const WaveSet& waves) {
 
 void let_yield(const Surface& surface, WaveSet& waves, const StripeOptions& options,
                const Progress& progress, StripePattern& result) {
-  check(options.slack, surface.mesh.vertex_count());
-  if (!options.slack.yields()) return;
-  check_sizes(surface, waves);
-  check_waves(waves.positions, waves.directions, waves.frequencies);
   Stopwatch watch;
-  YieldingFrequency yielding(surface, options.slack);
-  const std::span<const float> frequencies =
-      yielding.solve(waves.positions, waves.directions, waves.frequencies, progress);
+  // Of a mesh there is little to find before the solve, of points their triangles.
+  const double begins = surface.mesh.triangles.empty() ? 0.3 : 0.02;
+  YieldingFrequency yielding(surface, options.slack, progress.part(0, begins));
+  const std::span<const float> frequencies = yielding.solve(
+      waves.positions, waves.directions, waves.frequencies, progress.part(begins, 1));
   result.frequencies_wanted = std::move(waves.frequencies);
   waves.frequencies.assign(frequencies.begin(), frequencies.end());
   result.frequency_change = yielding.change();
@@ -174,27 +190,28 @@ void check_tangent_waves(std::span<const Vec3> normals, const WaveSet& waves) {
         std::to_string(vertices) + " vertices");
   }
   check_waves(waves.positions, waves.directions, waves.frequencies);
-  constexpr float kSine = 0.07f;
-  for (std::size_t i = 0; i < vertices; ++i) {
-    if (std::abs(normals[i].dot(waves.directions[i])) <= kSine) continue;
-    throw Error("waves: the direction of vertex " + std::to_string(i) +
-                " is not tangent to the surface; project it with tangent_directions");
-  }
+  check_turnable(normals, waves.directions);
 }
 
 namespace {
 
+std::vector<JobStage> stages_of(const StripeOptions& options) {
+  std::vector<JobStage> stages = {{"solve", 10}, {"pattern", 3}};
+  if (options.slack.yields()) stages.insert(stages.begin(), {"frequency", 10});
+  return stages;
+}
+
 /// From waves whose frequencies are chosen to a measured pattern.
-void lay(const Surface& surface, WaveSet waves, const StripeOptions& options,
-         const Progress& progress, StripePattern& result) {
-  progress.report("couple", 0);
-  solve(surface, waves, options, progress, result);
+void lay(const Surface& surface, WaveSet waves, const StripeOptions& options, JobStages& stages,
+         StripePattern& result) {
+  solve(surface, waves, options, stages.begin("solve"), result);
 
   Stopwatch watch;
-  progress.report("pattern", 0);
+  const Progress measuring = stages.begin("pattern");
   result.waves = std::move(waves);
-  measure_pattern(surface, options.slack.calm, result);
+  measure_pattern(surface, options.slack.calm, result, measuring);
   result.milliseconds.pattern = watch.lap();
+  stages.finish();
 }
 
 }  // namespace
@@ -203,9 +220,18 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
                              const Progress& progress) {
   StripePattern result;
   result.phase_shift = options.phase_shift;
+  check_surface(surface);
+  check_sizes(surface, waves);
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+  check_tangent(surface.normals, waves.directions);
+  check_fineness(*surface.neighborhood, waves.positions, waves.directions, waves.frequencies);
   check_anchors(options, surface.mesh.vertex_count());
-  let_yield(surface, waves, options, progress, result);
-  lay(surface, std::move(waves), options, progress, result);
+  check(options.slack, surface.mesh.vertex_count());
+  JobStages stages(progress, stages_of(options));
+  if (options.slack.yields()) {
+    let_yield(surface, waves, options, stages.begin("frequency"), result);
+  }
+  lay(surface, std::move(waves), options, stages, result);
   return result;
 }
 
@@ -216,7 +242,9 @@ StripePattern stripes_again(const Surface& surface, WaveSet waves, const StripeP
   check_anchors(options, surface.mesh.vertex_count());
   result.frequencies_wanted = before.frequencies_wanted;
   result.frequency_change = before.frequency_change;
-  lay(surface, std::move(waves), options, progress, result);
+  result.milliseconds.frequency = before.milliseconds.frequency;
+  JobStages stages(progress, {{"solve", 10}, {"pattern", 3}});
+  lay(surface, std::move(waves), options, stages, result);
   return result;
 }
 
@@ -247,57 +275,76 @@ void check_belongs(const Surface& surface, const StripePattern& pattern) {
               std::to_string(surface.mesh.triangle_count()));
 }
 
-LiftedWaves lifted(const Surface& surface, const MeshEdges& edges, const StripePattern& pattern) {
+LiftedWaves lifted(const Surface& surface, const MeshEdges& edges, const StripePattern& pattern,
+                   const Progress& progress) {
   return LiftedWaves({surface.mesh, edges, surface.normals, pattern.waves, pattern.solution.z,
-                      pattern.phase_shift});
+                      pattern.phase_shift},
+                     progress);
 }
 
 }  // namespace
 
 StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
-                           const CurveOptions& options) {
+                           const CurveOptions& options, const Progress& progress) {
   check_belongs(surface, pattern);
   if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
-  return stripe_curves(lifted(surface, edges, pattern), options);
+  JobStages stages(progress, {{"edges", 3}, {"lift", 2}, {"trace", 10}});
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, stages.begin("edges"));
+  const LiftedWaves waves = lifted(surface, edges, pattern, stages.begin("lift"));
+  StripeCurves curves = stripe_curves(waves, options, stages.begin("trace"));
+  stages.finish();
+  return curves;
 }
 
 CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
-                             const StripeCurves& curves, double line_width) {
+                             const StripeCurves& curves, double line_width,
+                             const Progress& progress) {
   check_belongs(surface, pattern);
   if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
+  JobStages stages(progress, {{"lengths", 1}, {"gaps", 10}, {"coverage", 5}});
+  stages.begin("lengths");
   CurveMeasures measures;
   measures.lengths = curve_lengths(curves.lines);
   if (PointTree::available()) {
-    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+    const Progress measuring = stages.begin("gaps");
+    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, measuring.part(0, 0.1));
     const CurveGaps gaps =
         measure_curve_spacing({surface.mesh, edges, surface.normals, pattern.waves,
                                pattern.solution.z, pattern.phase_shift},
-                              curves)
+                              curves, kMostSpacingPoints, pattern.frequencies_wanted,
+                              measuring.part(0.1, 1))
             .gaps;
     if (gaps.measured > 0) measures.gaps = gaps;
   }
   if (line_width != 0) {
-    measures.coverage = curve_coverage(surface.mesh, curves.lines, line_width);
+    const CurveCoverage coverage =
+        measure_coverage(surface.mesh, curves.lines, line_width, stages.begin("coverage"));
+    measures.coverage = coverage.once;
+    measures.covered_twice = coverage.twice;
   }
+  stages.finish();
   return measures;
 }
 
 std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,
-                                   const StripePattern& v) {
+                                   const StripePattern& v, const Progress& progress) {
   check_belongs(surface, u);
   check_belongs(surface, v);
+  JobStages stages(progress, {{"lift", 4}, {"crossings", 5}, {"doubles", 3}});
+  const Progress lifting = stages.begin("lift");
   std::vector<Sample> samples;
   if (surface.mesh.triangles.empty()) {
     samples = point_samples(*surface.neighborhood, surface.normals, {u.waves, u.solution.z},
                             {v.waves, v.solution.z});
   } else {
-    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
-    const LiftedWaves lifted_u = lifted(surface, edges, u), lifted_v = lifted(surface, edges, v);
+    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, lifting.part(0, 0.5));
+    const LiftedWaves lifted_u = lifted(surface, edges, u, lifting.part(0.5, 0.75));
+    const LiftedWaves lifted_v = lifted(surface, edges, v, lifting.part(0.75, 1));
     samples = wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
-                           sampled_waves(lifted_v));
+                           sampled_waves(lifted_v), stages.begin("crossings"));
   }
-  drop_doubles(samples);
+  drop_doubles(samples, kDoubleShare, stages.begin("doubles"));
+  stages.finish();
   return samples;
 }
 

@@ -11,19 +11,30 @@
 #include "brindle/error.h"
 #include "brindle/pattern/texture_quality.h"
 #include "brindle/pipeline/kept_orientation.h"
+#include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
 
+/// The waves of a frame's patterns, and what V is orthogonal about.
+struct NextWaves {
+  WaveSet u, v;
+  std::vector<Vec3> normals;  ///< empty: as before
+};
+
+FrameInput frame_input(const WaveSet& waves, std::span<const Vec3> normals) {
+  return {waves.positions, waves.directions, waves.frequencies, normals};
+}
+
 /// One pattern from frame to frame.
 struct AnimatedPattern {
   StripeAnimator animator;
-  WaveSet waves;  ///< of the last frame
-  std::vector<CornerPhases> corners;
+  WaveSet waves = {};                      ///< of the last frame, with the frequencies chosen
+  FrequencyField frequencies_wanted = {};  ///< those asked for; empty without slack: the same
+  std::vector<CornerPhases> corners = {};
 
-  FrameInput input() const { return {waves.positions, waves.directions, waves.frequencies}; }
   VertexWaves vertex_waves(std::span<const Complex> z) const {
     return {waves.positions, waves.directions, waves.frequencies, z};
   }
@@ -42,7 +53,9 @@ struct TextureAnimator::State {
       : surface(made_for),
         options(made_with),
         orientation(made_for.mesh.triangles),
-        u{StripeAnimator(made_for.neighborhood, made_with.stripes), {}, {}} {}
+        u{StripeAnimator(made_for, made_with.stripes)} {
+    u.animator.allow_take_back();
+  }
 
   Surface surface;  ///< at the place of the last frame
   TextureAnimatorOptions options;
@@ -51,31 +64,94 @@ struct TextureAnimator::State {
   std::optional<AnimatedPattern> v;  ///< after the first frame of U, whose topology it shares
   TextureWaves waves;
 
-  WaveSet checked_waves(const TextureFrameInput& input) const;
+  NextWaves checked_waves(const TextureFrameInput& input) const;
+  TextureFrameResult solve(NextWaves& next, const Progress& progress);
+  void take_waves(AnimatedPattern& pattern, WaveSet& next, const FrameResult& stripes) const;
   TexturePatternFrame measured(AnimatedPattern& pattern, const FrameResult& stripes) const;
 };
 
-/// U of a frame, if everything about it is right.
-WaveSet TextureAnimator::State::checked_waves(const TextureFrameInput& input) const {
+/// The waves of a frame, if everything about them is right.
+NextWaves TextureAnimator::State::checked_waves(const TextureFrameInput& input) const {
   const std::size_t vertices = surface.mesh.vertex_count();
   check(input.u, vertices);
   check_entries(input.frequencies_v.size(), vertices, "frequencies of V");
   check_entries(input.normals.size(), vertices, "normals");
-  const auto& [positions, directions, frequencies] = input.u;
-  WaveSet result{{positions.begin(), positions.end()},
-                 {directions.begin(), directions.end()},
-                 {frequencies.begin(), frequencies.end()}};
-  check_tangent_waves(
-      input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals, result);
+  const auto& [positions, directions, frequencies, ignored] = input.u;
+  NextWaves next;
+  next.u = {{positions.begin(), positions.end()},
+            {directions.begin(), directions.end()},
+            {frequencies.begin(), frequencies.end()}};
+  next.normals.assign(input.normals.begin(), input.normals.end());
+  const std::span<const Vec3> normals = next.normals.empty() ? surface.normals : next.normals;
+  check_tangent_waves(normals, next.u);
   if (!input.frequencies_v.empty()) check_waves(positions, directions, input.frequencies_v);
+  next.v = next.u;
+  next.v.directions = rotated(next.u.directions, normals, std::numbers::pi_v<float> / 2);
+  if (!input.frequencies_v.empty()) {
+    next.v.frequencies.assign(input.frequencies_v.begin(), input.frequencies_v.end());
+  }
+  return next;
+}
+
+/// Both patterns and the orientation of the next frame, or none of them.
+TextureFrameResult TextureAnimator::State::solve(NextWaves& next, const Progress& progress) {
+  TextureFrameResult result{{}, {}, waves, {}, {}, {}, {}};
+  const std::span<const Vec3> normals = next.normals.empty() ? surface.normals : next.normals;
+  const FrameInput input_u = frame_input(next.u, normals), input_v = frame_input(next.v, normals);
+  Stopwatch watch;
+  FrameResult& stripes_u = result.u.stripes;
+  FrameResult& stripes_v = result.v.stripes;
+  stripes_u = u.animator.solve(input_u, progress);
+  const bool first = !v;
+  bool has_v = false;
+  try {
+    if (first) v = AnimatedPattern{u.animator.sibling()};
+    stripes_v = v->animator.solve(input_v, progress);
+    has_v = true;
+    result.milliseconds.solve = watch.lap();
+    progress.report("texture", 0);
+    result.orientation =
+        orientation.follow(next.u.directions, next.v.directions, options.oriented, progress);
+  } catch (...) {
+    if (has_v) v->animator.take_back(stripes_v);
+    if (first) v.reset();
+    u.animator.take_back(stripes_u);
+    throw;
+  }
+  result.milliseconds.orient = watch.lap();
+  u.animator.keep(input_u, stripes_u);
+  v->animator.keep(input_v, stripes_v);
+  result.milliseconds.solve += watch.lap();
   return result;
+}
+
+void TextureAnimator::State::take_waves(AnimatedPattern& pattern, WaveSet& next,
+                                        const FrameResult& stripes) const {
+  pattern.waves = std::move(next);
+  const std::span<const float> chosen = stripes.frequencies;
+  if (chosen.empty()) return;
+  pattern.frequencies_wanted = std::move(pattern.waves.frequencies);
+  pattern.waves.frequencies.assign(chosen.begin(), chosen.end());
 }
 
 TexturePatternFrame TextureAnimator::State::measured(AnimatedPattern& pattern,
                                                      const FrameResult& stripes) const {
   const PhaseShiftKind kind = options.stripes.phase_shift;
-  pattern.corners = corner_phases(surface.mesh.triangles, pattern.waves, stripes.z, kind);
-  return {stripes, pattern.corners, measure_quality(surface.mesh, pattern.waves, pattern.corners)};
+  WaveSet& waves_now = pattern.waves;
+  pattern.corners = corner_phases(surface.mesh.triangles, waves_now, stripes.z, kind);
+  PatternQuality quality = measure_quality(surface.mesh, waves_now, pattern.corners);
+  quality.spacing_error_wanted_mean = quality.spacing_error_mean;
+  if (!pattern.frequencies_wanted.empty()) {
+    std::swap(waves_now.frequencies, pattern.frequencies_wanted);
+    quality.spacing_error_wanted_mean =
+        measure_quality(surface.mesh, waves_now, pattern.corners).spacing_error_mean;
+    std::swap(waves_now.frequencies, pattern.frequencies_wanted);
+  }
+  const std::vector<float>& calm = options.stripes.slack.calm;
+  if (!calm.empty()) {
+    quality.branches_in_calm = count_in_calm(surface.mesh.triangles, pattern.corners, calm);
+  }
+  return {stripes, pattern.corners, quality};
 }
 
 TextureAnimator::TextureAnimator(const Surface& surface, const TextureAnimatorOptions& options) {
@@ -87,33 +163,21 @@ TextureAnimator::~TextureAnimator() = default;
 TextureAnimator::TextureAnimator(TextureAnimator&&) noexcept = default;
 TextureAnimator& TextureAnimator::operator=(TextureAnimator&&) noexcept = default;
 
-TextureFrameResult TextureAnimator::frame(const TextureFrameInput& input) {
+TextureFrameResult TextureAnimator::frame(const TextureFrameInput& input,
+                                          const Progress& progress) {
   State& s = *state_;
-  WaveSet waves_u = s.checked_waves(input);
-  WaveSet waves_v = waves_u;
-  if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
-  waves_v.directions =
-      rotated(waves_u.directions, s.surface.normals, std::numbers::pi_v<float> / 2);
-  if (!input.frequencies_v.empty()) {
-    waves_v.frequencies.assign(input.frequencies_v.begin(), input.frequencies_v.end());
-  }
-  s.surface.mesh.positions = waves_u.positions;
-
+  NextWaves next = s.checked_waves(input);
+  TextureFrameResult result = s.solve(next, progress);
   Stopwatch watch;
-  s.u.waves = std::move(waves_u);
-  const FrameResult u = s.u.animator.frame(s.u.input());
-  if (!s.v) s.v = {s.u.animator.sibling(), {}, {}};
-  s.v->waves = std::move(waves_v);
-  const FrameResult v = s.v->animator.frame(s.v->input());
-  TextureFrameResult result{{}, {}, s.waves, {}, {}, {}, {}};
-  result.milliseconds.solve = watch.lap();
-
-  result.orientation =
-      s.orientation.follow(s.u.waves.directions, s.v->waves.directions, s.options.oriented);
+  if (!next.normals.empty()) s.surface.normals = std::move(next.normals);
+  s.surface.mesh.positions = next.u.positions;
+  const FrameResult u = result.u.stripes, v = result.v.stripes;
+  s.take_waves(s.u, next.u, u);
+  s.take_waves(*s.v, next.v, v);
   result.seams = s.orientation.seams();
   set_texture_waves(s.surface.mesh.triangles, s.orientation.signs(), s.u.vertex_waves(u.z),
                     s.v->vertex_waves(v.z), s.waves);
-  result.milliseconds.orient = watch.lap();
+  result.milliseconds.orient += watch.lap();
 
   result.u = s.measured(s.u, u);
   result.v = s.measured(*s.v, v);

@@ -167,7 +167,7 @@ std::vector<EdgeAgreement> agreements(const TextureWaves& waves,
   std::vector<EdgeAgreement> result(edges.size(), kNoAgreement);
   parallel_for(edges.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const auto [a, b] = edges[e].from;
+      const auto a = edges[e].from[0], b = edges[e].from[1];
       if (!oriented[a / 3] || !oriented[b / 3]) continue;
       const auto alike = [&](const std::vector<CornerWaves>& corners) {
         return corners[a / 3][a % 3].wave.direction.dot(corners[b / 3][b % 3].wave.direction) > 0;
@@ -230,13 +230,16 @@ std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
   SolverOptions options;
   options.sweeps = 4;
   options.cycles = 4;
+  JobStages stages(progress, {{"orientation", 4}, {"seams", 2}});
+  const Progress orienting = stages.begin("orientation");
   const PhaseGraph graph = triangle_graph(links_of(triangles.size(), edges, agreement));
-  const PhaseSolution solution = solve_phases(graph, options, progress);
+  const PhaseSolution solution = solve_phases(graph, options, orienting.part(0.1, 1));
   std::vector<std::uint8_t> turned(triangles.size());
   for (std::size_t t = 0; t < turned.size(); ++t) turned[t] = solution.z[t].imag() < 0;
-  progress.report("seams", 0);
+  const Progress shortening = stages.begin("seams");
   std::vector<EdgeAgreement> after(agreement.begin(), agreement.end());
   turn_agreements(turned, edges, after);
+  shortening.report(0.1);
   const auto shorter = shortening_turns(triangles, oriented, edges, after);
   for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= shorter[t];
   return turned;

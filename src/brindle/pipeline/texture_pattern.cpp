@@ -40,20 +40,26 @@ LinearPattern linear_pattern(const StripePattern& pattern) {
 /// Waves, oriented, and seams from both patterns.
 void orient(std::span<const Triangle> triangles, bool as_given, const Progress& progress,
             TexturePattern& pattern) {
+  progress.report(0);
   std::vector<CornerSigns> signs;
   corner_signs(triangles, pattern.u.waves.directions, pattern.v.waves.directions, signs);
+  progress.report(0.1);
   const std::vector<SharedEdge> edges = shared_edges(triangles);
+  progress.report(0.3);
   const std::vector<std::uint8_t> oriented = oriented_triangles(signs);
   std::vector<EdgeAgreement> agreement;
   agreements(signs, edges, agreement);
   if (!as_given) {
-    const auto turned = orienting_turns(triangles, oriented, edges, agreement, progress);
+    const auto turned =
+        orienting_turns(triangles, oriented, edges, agreement, progress.part(0.3, 0.8));
     turn_agreements(turned, edges, agreement);
     turn_signs(turned, signs);
   }
+  progress.report(0.8);
   pattern.seams = texture_seams(oriented, agreement);
+  progress.report(0.9);
   set_texture_waves(triangles, signs, vertex_waves(pattern.u), vertex_waves(pattern.v),
-                    pattern.waves);
+                    pattern.waves, progress.part(0.9, 1));
 }
 
 /// Waves without stripes. Their phase is that of a crest: the same whichever way they run.
@@ -69,15 +75,20 @@ TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const Text
   TexturePattern pattern;
   pattern.phase_shift = options.stripes.phase_shift;
   WaveSet waves_v = orthogonal_waves(surface, waves, options.frequencies_v);
-  pattern.u = stripe_pattern(surface, std::move(waves), options.stripes, progress);
-  pattern.v = stripe_pattern(surface, std::move(waves_v), options.stripes, progress);
+  JobStages stages(progress, {{"stripes of U", 4}, {"stripes of V", 4}, {"texture", 5}});
+  pattern.u =
+      stripe_pattern(surface, std::move(waves), options.stripes, stages.begin("stripes of U"));
+  pattern.v =
+      stripe_pattern(surface, std::move(waves_v), options.stripes, stages.begin("stripes of V"));
 
   Stopwatch watch;
-  progress.report("texture", 0);
-  orient(surface.mesh.triangles, options.oriented, progress, pattern);
-  pattern.quality =
-      measure_texture(surface.mesh, linear_pattern(pattern.u), linear_pattern(pattern.v));
+  const Progress texture = stages.begin("texture");
+  orient(surface.mesh.triangles, options.oriented, texture.part(0, 0.9), pattern);
+  texture.report(0.9);
+  pattern.quality = measure_texture(surface.mesh, linear_pattern(pattern.u),
+                                    linear_pattern(pattern.v), texture.part(0.9, 1));
   pattern.orientation_milliseconds = watch.lap();
+  stages.finish();
   return pattern;
 }
 
@@ -89,22 +100,31 @@ TexturePattern texture_pattern(const Surface& surface, DirectionField field, flo
                          options, progress);
 }
 
-TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern) {
+TexturedMesh texture_coordinates(const Surface& surface, const TexturePattern& pattern,
+                                 const Progress& progress) {
   check_fits(surface, pattern.waves.triangle_count(), "texture");
-  return texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift);
+  return texture_coordinates(surface.mesh, pattern.waves, pattern.phase_shift, progress);
 }
 
 TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pattern,
-                                 PhaseShiftKind phase_shift, bool oriented) {
+                                 PhaseShiftKind phase_shift, bool oriented,
+                                 const Progress& progress) {
   check_fits(surface, pattern.corners.size(), "pattern");
+  JobStages stages(progress, {{"orient", 1}, {"coordinates", 2}});
+  const Progress orienting = stages.begin("orient");
   const std::vector<Complex> crest(pattern.solution.z.size(), Complex(0, 1));
   TextureWaves waves = texture_waves(surface.mesh.triangles, pattern.waves, pattern.solution.z,
                                      level_waves(pattern.waves), crest);
   orient_corners(waves);
   if (!oriented) {
-    orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+    orienting.report(0.1);
+    orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles),
+                     orienting.part(0.2, 1));
   }
-  return texture_coordinates(surface.mesh, waves, phase_shift);
+  TexturedMesh textured =
+      texture_coordinates(surface.mesh, waves, phase_shift, stages.begin("coordinates"));
+  stages.finish();
+  return textured;
 }
 
 }  // namespace brindle

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 #include <utility>
 
+#include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/harmonic_change.h"
 #include "brindle/pipeline/stripes_again.h"
@@ -84,6 +86,40 @@ struct Wanted {
   int periods;
 };
 
+/// Which way each vertex's wave runs, 1 or -1, in an orientation of every piece's field, which is
+/// unique where the field has one; 0 without a wave.
+std::vector<int> senses_of(const Surface& surface, const std::vector<Vec3>& directions) {
+  std::vector<int> senses(directions.size(), 0);
+  std::vector<Index> queue;
+  for (Index start = 0; start < directions.size(); ++start) {
+    if (senses[start] != 0 || directions[start].isZero(0)) continue;
+    senses[start] = 1;
+    queue.assign(1, start);
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      const Index v = queue[next];
+      for (const Index w : surface.neighborhood->of(v)) {
+        if (senses[w] != 0 || directions[w].isZero(0)) continue;
+        senses[w] = directions[v].dot(directions[w]) < 0 ? -senses[v] : senses[v];
+        queue.push_back(w);
+      }
+    }
+  }
+  return senses;
+}
+
+/// The boundaries of every piece that has two or more.
+std::vector<std::vector<std::size_t>> boundaries_of_pieces(std::span<const SurfaceLoop> loops) {
+  std::map<std::size_t, std::vector<std::size_t>> of_piece;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].boundary) of_piece[loops[i].component].push_back(i);
+  }
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [piece, boundaries] : of_piece) {
+    if (boundaries.size() > 1) result.push_back(std::move(boundaries));
+  }
+  return result;
+}
+
 std::vector<Wanted> wanted_of(const std::vector<SurfaceLoop>& loops,
                               std::span<const WantedWinding> wanted) {
   std::vector<Wanted> result;
@@ -107,6 +143,43 @@ void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Windin
     const bool named = std::ranges::any_of(wanted, [&](const Wanted& w) { return w.loop == i; });
     if (!named && !loops[i].boundary && before[i]) wanted.push_back({i, *before[i]});
   }
+}
+
+[[noreturn]] void refuse_sum(const std::vector<SurfaceLoop>& loops,
+                             const std::vector<std::size_t>& boundaries, int last) {
+  std::string names;
+  for (const std::size_t b : boundaries) names += (names.empty() ? "" : ", ") + loops[b].name;
+  throw Error("windings: " + names +
+              " are all boundaries of their piece, and what winds in at "
+              "some must wind out at others: with the others as wanted, " +
+              loops[boundaries.back()].name + " has " + std::to_string(last) +
+              "; ask for that, or leave it out");
+}
+
+/// Of pieces all of whose boundaries are named, the last of these: it follows from the others.
+std::vector<std::size_t> followers(const Surface& surface, const std::vector<SurfaceLoop>& loops,
+                                   const std::vector<LoopWalk>& walks, const WaveSet& waves,
+                                   const std::vector<MissingPeriods>& missing) {
+  std::vector<std::size_t> result;
+  std::vector<int> senses;
+  for (const auto& boundaries : boundaries_of_pieces(loops)) {
+    int sum = 0, named = 0;
+    for (const MissingPeriods& m : missing) {
+      if (std::ranges::find(boundaries, m.loop) == boundaries.end()) continue;
+      if (senses.empty()) senses = senses_of(surface, waves.directions);
+      sum += senses[loops[m.loop].vertices[0]] * m.periods;
+      ++named;
+    }
+    if (named < std::ssize(boundaries)) continue;
+    const std::size_t last = boundaries.back();
+    if (sum != 0) {
+      const auto own = std::ranges::find(missing, last, &MissingPeriods::loop);
+      const int gained = walks[last].periods + own->periods - senses[loops[last].vertices[0]] * sum;
+      refuse_sum(loops, boundaries, walks[last].sign * gained);
+    }
+    result.push_back(last);
+  }
+  return result;
 }
 
 void check_oriented(const SurfaceLoop& loop, const LoopWalk& walk) {
@@ -157,7 +230,7 @@ void measure_turn(const WaveSet& before, WoundPattern& result) {
     const Eigen::Vector3d a = before.directions[v].cast<double>();
     const Eigen::Vector3d b = after.directions[v].cast<double>();
     if (a.isZero(0)) continue;
-    const double turn = std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+    const double turn = elementary::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
     const double change =
         static_cast<double>(after.frequencies[v]) / static_cast<double>(before.frequencies[v]) - 1;
     sum += turn;
@@ -173,6 +246,23 @@ void measure_turn(const WaveSet& before, WoundPattern& result) {
 std::vector<Winding> windings(const Surface& surface, std::span<const SurfaceLoop> loops,
                               const StripePattern& pattern) {
   return numbers_of(walks_of(surface, loops, pattern));
+}
+
+std::vector<WindingSum> winding_sums(const Surface& surface, std::span<const SurfaceLoop> loops,
+                                     const StripePattern& pattern) {
+  const std::vector<LoopWalk> walks = walks_of(surface, loops, pattern);
+  const std::vector<int> senses = senses_of(surface, pattern.waves.directions);
+  std::vector<WindingSum> result;
+  for (const auto& boundaries : boundaries_of_pieces(loops)) {
+    WindingSum sum{boundaries};
+    bool oriented = true;
+    for (const std::size_t b : boundaries) {
+      oriented = oriented && walks[b].oriented;
+      sum.periods += senses[loops[b].vertices[0]] * walks[b].periods;
+    }
+    if (oriented) result.push_back(std::move(sum));
+  }
+  return result;
 }
 
 std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
@@ -228,6 +318,8 @@ WaveSet waves_round(const Surface& surface, const DirectionField& reference,
 WoundPattern wind(const Surface& surface, const StripePattern& pattern,
                   std::span<const WantedWinding> wanted, const StripeOptions& options,
                   const Progress& progress) {
+  JobStages stages(progress, {{"loops", 2}, {"windings", 10}});
+  stages.begin("loops");
   const std::vector<SurfaceLoop> loops = surface_loops(surface);
   std::vector<Wanted> numbers = wanted_of(loops, wanted);
   std::vector<LoopWalk> walks = walks_of(surface, loops, pattern);
@@ -237,22 +329,28 @@ WoundPattern wind(const Surface& surface, const StripePattern& pattern,
   keep_others(loops, result.before, numbers);
   result.energy_before = pattern.solution.energy;
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  const Progress winding = stages.begin("windings");
   for (int round = 0;; ++round) {
-    const std::vector<MissingPeriods> missing = missing_of(loops, walks, numbers);
+    std::vector<MissingPeriods> missing = missing_of(loops, walks, numbers);
     if (missing.empty()) break;
+    for (const std::size_t last : followers(surface, loops, walks, result.pattern.waves, missing)) {
+      std::erase_if(missing, [&](const MissingPeriods& m) { return m.loop == last; });
+    }
     if (round == kMostRounds) {
       throw Error("windings: the solver comes to other numbers than those wanted, as with " +
                   loops[missing[0].loop].name + "; take numbers nearer to those of the pattern");
     }
-    progress.report("windings", static_cast<double>(round) / kMostRounds);
+    const Progress of_round = winding.part(1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1));
+    of_round.report(0);
     const WaveSet& waves = result.pattern.waves;
     WaveSet turned = turned_waves(
         waves, harmonic_change(surface, edges, loops, walks, missing, waves.directions));
-    result.pattern = stripes_again(surface, std::move(turned), pattern, options, progress);
+    result.pattern = stripes_again(surface, std::move(turned), pattern, options, of_round);
     walks = walks_of(surface, loops, result.pattern);
   }
   result.after = numbers_of(walks);
   measure_turn(pattern.waves, result);
+  stages.finish();
   return result;
 }
 

@@ -1,8 +1,12 @@
 #include "brindle/points/point_neighborhood.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/points/point_tree.h"
@@ -12,11 +16,11 @@ namespace {
 
 /// For each used point the numbers of its nearest others, `count` each.
 std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<const Index> used,
-                                  std::size_t count) {
+                                  std::size_t count, const Progress& progress) {
   std::vector<Vec3> points;
   points.reserve(used.size());
   for (const Index i : used) points.push_back(positions[i]);
-  const PointTree tree(points);
+  const PointTree tree(points, progress.part(0, 0.2));
   std::vector<Index> nearest(used.size() * count);
   const auto find = [&](std::size_t begin, std::size_t end) {
     std::vector<Index> found;
@@ -30,57 +34,75 @@ std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<con
     }
   };
   constexpr std::size_t kGrain = 256;
-  parallel_for(used.size(), find, kGrain);
+  parallel_for(used.size(), progress.part(0.2, 1), find, kGrain);
   return nearest;
 }
 
 /// Rows of i with both i's nearest and those whose nearest i is, not yet sorted and with doubles.
 Adjacency joined_both_ways(std::span<const Index> used, std::span<const Index> nearest,
-                           std::size_t count, std::size_t points) {
+                           std::size_t count, std::size_t points, const Progress& progress) {
   Adjacency rows;
   rows.offsets.assign(points + 1, 0);
-  for (std::size_t k = 0; k < nearest.size(); ++k) {
+  reported_for(nearest.size(), progress.part(0, 0.3), [&](std::size_t k) {
     ++rows.offsets[used[k / count] + 1];
     ++rows.offsets[nearest[k] + 1];
-  }
+  });
   for (std::size_t i = 0; i < points; ++i) rows.offsets[i + 1] += rows.offsets[i];
   rows.neighbors.resize(rows.offsets[points]);
   std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (std::size_t k = 0; k < nearest.size(); ++k) {
+  reported_for(nearest.size(), progress.part(0.3, 1), [&](std::size_t k) {
     const Index i = used[k / count], j = nearest[k];
     rows.neighbors[next[i]++] = j;
     rows.neighbors[next[j]++] = i;
-  }
+  });
   return rows;
 }
 
 /// Sorts every row and takes doubles out.
-Adjacency tidied(Adjacency rows) {
+Adjacency tidied(Adjacency rows, const Progress& progress) {
   Adjacency result;
   result.offsets.assign(rows.node_count() + 1, 0);
   result.neighbors.reserve(rows.neighbors.size());
-  for (std::size_t i = 0; i < rows.node_count(); ++i) {
+  reported_for(rows.node_count(), progress, [&](std::size_t i) {
     const auto begin = rows.neighbors.begin() + rows.offsets[i];
     const auto end = rows.neighbors.begin() + rows.offsets[i + 1];
     std::sort(begin, end);
     result.neighbors.insert(result.neighbors.end(), begin, std::unique(begin, end));
     result.offsets[i + 1] = static_cast<Index>(result.neighbors.size());
-  }
+  });
   return result;
+}
+
+/// Refuses neighbours that memory does not hold: those found, and both ways before and after
+/// doubles are taken out.
+void check_room(std::size_t points, std::size_t others) {
+  constexpr double kBytes = 5 * sizeof(Index);
+  const auto count = static_cast<double>(points);
+  check_fits(
+      count * static_cast<double>(others), kBytes,
+      std::to_string(others) + " neighbours of each of " + std::to_string(points) + " points",
+      "neighbours", [&](double most) {
+        return most < count ? std::string("take fewer points")
+                            : rounded_down(std::floor(most / count)) + " each would do";
+      });
 }
 
 }  // namespace
 
 Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const Index> used,
-                             int count) {
+                             int count, const Progress& progress) {
   if (count < 1) throw Error("points need at least one neighbour each");
   if (used.size() < 2) return {std::vector<Index>(positions.size() + 1, 0), {}};
   const std::size_t others = std::min(static_cast<std::size_t>(count), used.size() - 1);
   if (used.size() > 0xfffffffe / (2 * others)) {
     throw Error("there are too many points for this number of neighbours; take fewer of either");
   }
-  const std::vector<Index> nearest = nearest_others(positions, used, others);
-  return tidied(joined_both_ways(used, nearest, others, positions.size()));
+  check_room(used.size(), others);
+  const std::vector<Index> nearest = nearest_others(positions, used, others, progress.part(0, 0.7));
+  progress.report(0.7);
+  Adjacency rows =
+      joined_both_ways(used, nearest, others, positions.size(), progress.part(0.7, 0.85));
+  return tidied(std::move(rows), progress.part(0.85, 1));
 }
 
 }  // namespace brindle

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "brindle/adjacency.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -12,8 +13,8 @@ namespace brindle {
 /// either is among the nearest of the other. `used` is in ascending order; all other points have no
 /// neighbours. Positions are finite and different from each other where used. Of points equally far
 /// away any may be taken, the same ones in every run. Throws Error for a count below 1, and in a
-/// build without nanoflann.
+/// build without nanoflann; TooLarge (memory.h) for neighbours that memory does not hold.
 Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const Index> used,
-                             int count);
+                             int count, const Progress& progress = {});
 
 }  // namespace brindle

@@ -106,26 +106,33 @@ struct Candidate {
 
 }  // namespace
 
-std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacency& neighborhood) {
+std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,
+                                 const Progress& progress) {
   constexpr std::size_t kGrain = 256;
   std::vector<Vec3> fitted(positions.size()), normals(positions.size());
-  const auto for_all_points = [&](const auto& work) {
+  const auto for_all_points = [&](const Progress& stage, const auto& work) {
     const auto work_on_range = [&](std::size_t begin, std::size_t end) {
       for (auto i = static_cast<Index>(begin); i < end; ++i) work(i);
     };
-    parallel_for(positions.size(), work_on_range, kGrain);
+    parallel_for(positions.size(), stage, work_on_range, kGrain);
   };
-  for_all_points([&](Index i) { fitted[i] = fitted_normal(i, positions, neighborhood); });
-  for_all_points([&](Index i) { normals[i] = mean_axis(i, fitted, neighborhood); });
+  for_all_points(progress.part(0, 0.5),
+                 [&](Index i) { fitted[i] = fitted_normal(i, positions, neighborhood); });
+  for_all_points(progress.part(0.5, 1),
+                 [&](Index i) { normals[i] = mean_axis(i, fitted, neighborhood); });
   return normals;
 }
 
 void orient_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,
-                    std::span<Vec3> normals) {
+                    std::span<Vec3> normals, const Progress& progress) {
+  std::size_t visited = 0, taken = 0;
   std::vector<char> done(normals.size(), 0);
   std::vector<Index> component;
   std::priority_queue<Candidate> queue;
   const auto add = [&](Index point) {
+    if (visited++ % kReportSlice == 0) {
+      progress.report(static_cast<double>(visited) / static_cast<double>(normals.size()));
+    }
     done[point] = 1;
     component.push_back(point);
     for (const Index neighbor : neighborhood.of(point)) {
@@ -138,6 +145,9 @@ void orient_normals(std::span<const Vec3> positions, const Adjacency& neighborho
     component.clear();
     add(start);
     while (!queue.empty()) {
+      if (++taken % kReportSlice == 0) {
+        progress.report(static_cast<double>(visited) / static_cast<double>(normals.size()));
+      }
       const Candidate next = queue.top();
       queue.pop();
       if (done[next.to]) continue;

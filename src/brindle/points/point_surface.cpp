@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/geometry/edge_lengths.h"
 #include "brindle/points.h"
 #include "brindle/points/point_neighborhood.h"
 #include "brindle/points/point_normals.h"
@@ -11,10 +12,12 @@ namespace brindle {
 namespace {
 
 /// The normals of all points, zero for those that are not used.
-std::vector<Vec3> normals_of(PointCloud& cloud, const Adjacency& neighborhood) {
+std::vector<Vec3> normals_of(PointCloud& cloud, const Adjacency& neighborhood,
+                             const Progress& progress) {
   if (cloud.normals.empty()) {
-    std::vector<Vec3> normals = fitted_normals(cloud.positions, neighborhood);
-    orient_normals(cloud.positions, neighborhood, normals);
+    std::vector<Vec3> normals =
+        fitted_normals(cloud.positions, neighborhood, progress.part(0, 0.6));
+    orient_normals(cloud.positions, neighborhood, normals, progress.part(0.6, 1));
     return normals;
   }
   std::vector<Vec3> normals(cloud.positions.size(), Vec3::Zero());
@@ -44,13 +47,15 @@ void check(const PointCloud& cloud) {
 
 }  // namespace
 
-Surface make_point_surface(PointCloud cloud, int neighbors) {
+Surface make_point_surface(PointCloud cloud, int neighbors, const Progress& progress) {
   check_positions(cloud.positions);
   check(cloud);
+  JobStages stages(progress, {{"neighborhood", 3}, {"normals", 3}});
   Surface surface;
-  surface.neighborhood =
-      std::make_shared<const Adjacency>(point_neighborhood(cloud.positions, cloud.used, neighbors));
-  surface.normals = normals_of(cloud, *surface.neighborhood);
+  surface.neighborhood = std::make_shared<const Adjacency>(
+      point_neighborhood(cloud.positions, cloud.used, neighbors, stages.begin("neighborhood")));
+  check_edge_lengths(edge_lengths(cloud.positions, *surface.neighborhood));
+  surface.normals = normals_of(cloud, *surface.neighborhood, stages.begin("normals"));
   if (std::ranges::all_of(surface.normals, [](const Vec3& n) { return n.isZero(0); })) {
     throw Error(
         "the points make no surface: there are fewer than three, or they lie on a line; give more "
@@ -58,6 +63,7 @@ Surface make_point_surface(PointCloud cloud, int neighbors) {
   }
   surface.mesh.positions = std::move(cloud.positions);
   surface.mesh.origin = cloud.origin;
+  stages.finish();
   return surface;
 }
 

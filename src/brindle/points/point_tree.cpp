@@ -1,6 +1,7 @@
 #include "brindle/points/point_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "brindle/error.h"
@@ -15,12 +16,21 @@ namespace brindle {
 
 namespace {
 
-/// The points as nanoflann wants to see them.
+/// Every point is asked for some twenty times on each of the tree's levels.
+constexpr std::size_t kAskedPerReport = 1 << 20;
+
+/// The points as nanoflann wants to see them. It has no progress of its own: while it builds, it
+/// can be stopped where it asks for a point. How often it will ask is not known.
 struct Points {
   std::span<const Vec3> positions;
+  const Progress* progress = nullptr;  ///< while the tree is built
+  mutable std::size_t asked = 0;
 
   std::size_t kdtree_get_point_count() const { return positions.size(); }
   float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    if (progress != nullptr && ++asked % kAskedPerReport == 0) {
+      progress->report(1 - std::pow(0.95, static_cast<double>(asked / kAskedPerReport)));
+    }
     return positions[i][static_cast<Eigen::Index>(axis)];
   }
   template <class Box>
@@ -39,7 +49,10 @@ struct PointTree::State {
   Tree tree{3, points};
 };
 
-PointTree::PointTree(std::span<const Vec3> points) : state_(new State{{points}}) {}
+PointTree::PointTree(std::span<const Vec3> points, const Progress& progress)
+    : state_(new State{{points, progress.is_heard() ? &progress : nullptr}}) {
+  state_->points.progress = nullptr;
+}
 PointTree::~PointTree() = default;
 bool PointTree::available() { return true; }
 
@@ -64,7 +77,7 @@ void PointTree::nearest(const Vec3& point, std::size_t count, std::vector<Index>
 
 struct PointTree::State {};
 
-PointTree::PointTree(std::span<const Vec3> /*points*/) {
+PointTree::PointTree(std::span<const Vec3> /*points*/, const Progress& /*progress*/) {
   throw Error("this build cannot find points near points; configure with -DBRINDLE_NANOFLANN=ON");
 }
 PointTree::~PointTree() = default;

@@ -6,14 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
 
 class PointTree {
  public:
-  /// The points must outlive the tree. Throws Error in a build without nanoflann.
-  explicit PointTree(std::span<const Vec3> points);
+  /// The points must outlive the tree. Throws Error in a build without nanoflann, and Cancelled if
+  /// `progress` asks for it.
+  explicit PointTree(std::span<const Vec3> points, const Progress& progress = {});
   ~PointTree();
   PointTree(const PointTree&) = delete;
   PointTree& operator=(const PointTree&) = delete;

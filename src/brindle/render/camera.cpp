@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle {
 namespace {
 
@@ -22,11 +24,12 @@ Eigen::Matrix3d camera_axes(const CameraView& view) {
   if (view.rotation) return view.rotation->cast<double>().normalized().toRotationMatrix();
   const double azimuth = radians(view.azimuth_deg);
   const double elevation = radians(view.elevation_deg);
-  const double s = std::sin(azimuth);
-  const double c = std::cos(azimuth);
+  const double s = elementary::sin(azimuth);
+  const double c = elementary::cos(azimuth);
   Eigen::Matrix3d axes;
   axes.row(0) << c, 0, -s;
-  axes.row(2) << s * std::cos(elevation), std::sin(elevation), c * std::cos(elevation);
+  axes.row(2) << s * elementary::cos(elevation), elementary::sin(elevation),
+      c * elementary::cos(elevation);
   axes.row(1) = axes.row(2).cross(axes.row(0));
   if (view.up == UpAxis::z) {
     Eigen::Matrix3d y_up_from_z_up;
@@ -139,8 +142,8 @@ Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int w
   camera.origin = middle_of(points);
   const Eigen::Matrix3d axes = camera_axes(view);
   const double longer_side = std::max(width, height);
-  const double t = std::tan(radians(kFieldOfViewDeg / 2)) * width / longer_side;
-  const double u = std::tan(radians(kFieldOfViewDeg / 2)) * height / longer_side;
+  const double t = elementary::tan(radians(kFieldOfViewDeg / 2)) * width / longer_side;
+  const double u = elementary::tan(radians(kFieldOfViewDeg / 2)) * height / longer_side;
   const double inner_t = t * (1 - kMargin);
   const double inner_u = u * (1 - kMargin);
 

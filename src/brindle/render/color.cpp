@@ -5,28 +5,31 @@
 #include <numbers>
 #include <string>
 
+#include "brindle/base/elementary.h"
 #include "brindle/image.h"
 
 namespace brindle {
 namespace {
 
 float linear_of(float channel) {
-  return channel <= 0.04045f ? channel / 12.92f : std::pow((channel + 0.055f) / 1.055f, 2.4f);
+  return channel <= 0.04045f ? channel / 12.92f
+                             : elementary::pow((channel + 0.055f) / 1.055f, 2.4f);
 }
 
 float srgb_of(float light) {
   const float clamped = std::clamp(light, 0.0f, 1.0f);
-  return clamped <= 0.0031308f ? 12.92f * clamped : 1.055f * std::pow(clamped, 1 / 2.4f) - 0.055f;
+  return clamped <= 0.0031308f ? 12.92f * clamped
+                               : 1.055f * elementary::pow(clamped, 1 / 2.4f) - 0.055f;
 }
 
 /// From lightness, chroma and hue; the matrices are those of Ottosson's definition of Oklab.
 Color oklch_color(float lightness, float chroma, float hue_deg) {
   const float hue = hue_deg * std::numbers::pi_v<float> / 180;
-  const float a = chroma * std::cos(hue);
-  const float b = chroma * std::sin(hue);
-  const float l = std::pow(lightness + 0.3963377774f * a + 0.2158037573f * b, 3.0f);
-  const float m = std::pow(lightness - 0.1055613458f * a - 0.0638541728f * b, 3.0f);
-  const float s = std::pow(lightness - 0.0894841775f * a - 1.2914855480f * b, 3.0f);
+  const float a = chroma * elementary::cos(hue);
+  const float b = chroma * elementary::sin(hue);
+  const float l = elementary::pow(lightness + 0.3963377774f * a + 0.2158037573f * b, 3.0f);
+  const float m = elementary::pow(lightness - 0.1055613458f * a - 0.0638541728f * b, 3.0f);
+  const float s = elementary::pow(lightness - 0.0894841775f * a - 1.2914855480f * b, 3.0f);
   return {srgb_of(4.0767416621f * l - 3.3077115913f * m + 0.2309699292f * s),
           srgb_of(-1.2684380046f * l + 2.6097574011f * m - 0.3413193965f * s),
           srgb_of(-0.0041960863f * l - 0.7034186147f * m + 1.7076147010f * s)};

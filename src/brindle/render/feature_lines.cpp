@@ -8,6 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/feature_edges.h"
@@ -152,7 +154,7 @@ bool covered(const TrianglePoint& place, const Mesh& mesh, const WaveSet& waves,
   }
   const Complex phase = fragment_phase(corners, weights).z;
   if (phase == Complex(0)) return true;
-  const float turns = std::arg(phase) / (2 * std::numbers::pi_v<float>)-0.25f;
+  const float turns = elementary::arg(phase) / (2 * std::numbers::pi_v<float>)-0.25f;
   return std::abs(turns - std::round(turns)) <= 0.5f * width;
 }
 
@@ -196,23 +198,33 @@ Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, cons
 }
 
 Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
-                       const Adjacency& neighborhood, float angle_deg) {
+                       const Adjacency& neighborhood, float angle_deg, const Progress& heard) {
   check_normals(mesh, normals);
-  std::map<std::array<Index, 2>, LineSegment> of_edge;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+  JobStages stages(heard, {{"creases", 1}});
+  const Progress progress = stages.begin("creases");
+  const MeshEdges edges = mesh_edges(mesh, neighborhood, progress.part(0, 0.4));
+  const auto features = feature_edges(mesh, edges, angle_deg, progress.part(0.4, 0.6));
+  std::map<std::array<Index, 2>, std::optional<LineSegment>> of_edge;
+  for (const auto& [from, to] : features) of_edge[{std::min(from, to), std::max(from, to)}];
+  reported_for(mesh.triangle_count(), progress.part(0.6, 0.9), [&](std::size_t t) {
     for (int a = 0; a < 3; ++a) {
       const int b = (a + 1) % 3;
       const Index from = mesh.triangles[t][a], to = mesh.triangles[t][b];
+      const auto found = of_edge.find({std::min(from, to), std::max(from, to)});
+      if (found == of_edge.end() || found->second) continue;
       LineSegment segment{{from, to}, static_cast<Index>(t), {}};
       segment.barycentric[0][a] = segment.barycentric[1][b] = 1;
-      of_edge.try_emplace({std::min(from, to), std::max(from, to)}, segment);
+      found->second = segment;
     }
-  }
+  });
   std::vector<LineSegment> segments;
-  for (const auto& [from, to] : feature_edges(mesh, mesh_edges(mesh, neighborhood), angle_deg)) {
-    segments.push_back(of_edge.at({std::min(from, to), std::max(from, to)}));
+  for (const auto& [from, to] : features) {
+    segments.push_back(*of_edge.at({std::min(from, to), std::max(from, to)}));
   }
-  return SegmentJoiner(mesh, normals, std::move(segments)).joined();
+  progress.report(0.9);
+  Polylines lines = SegmentJoiner(mesh, normals, std::move(segments)).joined();
+  stages.finish();
+  return lines;
 }
 
 Polylines dashes_of(const Polylines& lines, const Mesh& mesh, const WaveSet& waves,

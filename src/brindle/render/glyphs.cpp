@@ -11,12 +11,16 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/memory.h"
 #include "brindle/error.h"
 
 namespace brindle {
 namespace {
 
 constexpr float kFullTurn = 2 * std::numbers::pi_v<float>;
+
+constexpr std::size_t kGlyphsPerReport = 1 << 10;
 
 /// How much of a tile a quad shows along each side: beyond its border is the opposite one.
 constexpr float kTileShare = 0.99f;
@@ -25,6 +29,16 @@ constexpr float kTileShare = 0.99f;
 /// it, z off the surface.
 class GlyphBuilder {
  public:
+  void reserve(std::size_t vertices, std::size_t triangles, bool tiles) {
+    glyphs_.mesh.positions.reserve(vertices);
+    glyphs_.normals.reserve(vertices);
+    glyphs_.sample_of_vertex.reserve(vertices);
+    glyphs_.mesh.triangles.reserve(triangles);
+    if (!tiles) return;
+    glyphs_.waves.u.reserve(triangles);
+    glyphs_.waves.v.reserve(triangles);
+  }
+
   void begin(const Sample& sample, Index number) {
     origin_ = sample.position;
     axes_.col(0) = sample.direction_u;
@@ -56,7 +70,7 @@ class GlyphBuilder {
         const float way = (position - glyphs_.mesh.positions[corner]).dot(direction);
         // The texture coordinate is a quarter more than the phase over 2 pi.
         const float turns = 0.5f * (1 - kTileShare) + way * frequency - 0.25f;
-        corners[m] = {{position, direction, frequency}, std::polar(1.0f, kFullTurn * turns)};
+        corners[m] = {{position, direction, frequency}, elementary::polar(1.0f, kFullTurn * turns)};
       }
       return corners;
     };
@@ -90,9 +104,9 @@ void add_disc(GlyphBuilder& builder, const GlyphSize& size) {
     const Index middle = builder.add({0, 0, side * lift}, normal);
     for (int k = 0; k < kCorners; ++k) {
       const float angle = kFullTurn * static_cast<float>(k) / kCorners;
-      builder.add(
-          {0.5f * size.along * std::cos(angle), 0.5f * size.across * std::sin(angle), side * lift},
-          normal);
+      builder.add({0.5f * size.along * elementary::cos(angle),
+                   0.5f * size.across * elementary::sin(angle), side * lift},
+                  normal);
     }
     for (Index k = 0; k < kCorners; ++k) {
       builder.add_triangle(middle, middle + 1 + k, middle + 1 + (k + 1) % kCorners);
@@ -113,7 +127,7 @@ void add_turned(GlyphBuilder& builder, std::span<const Ring> rings, float height
     Index first = 0;
     for (int k = 0; k < kSides; ++k) {
       const float angle = kFullTurn * static_cast<float>(k) / kSides;
-      const Vec3 out(0, std::cos(angle), std::sin(angle));
+      const Vec3 out(0, elementary::cos(angle), elementary::sin(angle));
       const Index v = builder.add(rings[r].radius * out + Vec3(rings[r].x, 0, height),
                                   out + Vec3(rings[r].slope, 0, 0));
       if (k == 0) first = v;
@@ -155,7 +169,8 @@ void add_ellipse(GlyphBuilder& builder, const GlyphSize& size) {
     Index first = 0;
     for (int k = 0; k < kAround; ++k) {
       const float angle = kFullTurn * static_cast<float>(k) / kAround;
-      const Vec3 out(std::cos(up) * std::cos(angle), std::cos(up) * std::sin(angle), std::sin(up));
+      const Vec3 out(elementary::cos(up) * elementary::cos(angle),
+                     elementary::cos(up) * elementary::sin(angle), elementary::sin(up));
       const Index v = builder.add(out.cwiseProduct(radii), out.cwiseQuotient(radii));
       if (k == 0) first = v;
     }
@@ -212,6 +227,43 @@ void add_quad(GlyphBuilder& builder, const GlyphSize& size) {
   }
 }
 
+bool is_drawn(const GlyphSize& size) { return size.along > 0 && size.across > 0; }
+
+/// How much one glyph of a shape adds to the mesh.
+struct GlyphCounts {
+  std::size_t vertices, triangles;
+};
+
+GlyphCounts counts_of(GlyphShape shape) {
+  switch (shape) {
+    case GlyphShape::disc:
+      return {2 * 25, 2 * 24};
+    case GlyphShape::arrow:
+      return {8 * 14, 7 * 28};
+    case GlyphShape::ellipse:
+      return {8 * 28, 7 * 56};
+    case GlyphShape::stroke:
+      return {4 * 30, 4 * 28};
+    case GlyphShape::quad:
+      break;
+  }
+  return {8, 4};
+}
+
+/// Refuses glyphs that memory does not hold, and takes what they need.
+void make_room(GlyphBuilder& builder, GlyphShape shape, std::size_t glyphs) {
+  const GlyphCounts each = counts_of(shape);
+  const bool tiles = shape == GlyphShape::quad;
+  const std::size_t of_triangle = sizeof(Triangle) + (tiles ? 2 * sizeof(CornerWaves) : 0);
+  const std::size_t of_glyph =
+      each.vertices * (2 * sizeof(Vec3) + sizeof(Index)) + each.triangles * of_triangle;
+  check_fits(static_cast<double>(glyphs), static_cast<double>(of_glyph), "the picture", "glyphs",
+             [](double most) { return rounded_down(most) + " would do"; });
+  const std::size_t vertices = glyphs * each.vertices;
+  if (vertices > std::numeric_limits<Index>::max()) return;  // refused where there are too many
+  builder.reserve(vertices, glyphs * each.triangles, tiles);
+}
+
 }  // namespace
 
 std::optional<GlyphShape> parse_glyph_shape(std::string_view name) {
@@ -237,15 +289,21 @@ std::vector<GlyphSize> glyph_sizes(std::span<const Sample> samples, float share,
 }
 
 Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
-                 std::span<const GlyphSize> sizes) {
+                 std::span<const GlyphSize> sizes, const Progress& heard) {
   if (sizes.size() != samples.size()) {
     throw Error("there are " + std::to_string(sizes.size()) + " sizes for " +
                 std::to_string(samples.size()) + " glyphs");
   }
   GlyphBuilder builder;
+  make_room(builder, shape, static_cast<std::size_t>(std::ranges::count_if(sizes, is_drawn)));
+  JobStages stages(heard, {{"glyphs", 1}});
+  const Progress progress = stages.begin("glyphs");
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i % kGlyphsPerReport == 0) {
+      progress.report(static_cast<double>(i) / static_cast<double>(samples.size()));
+    }
     const GlyphSize& size = sizes[i];
-    if (!(size.along > 0) || !(size.across > 0)) continue;
+    if (!is_drawn(size)) continue;
     builder.begin(samples[i], static_cast<Index>(i));
     switch (shape) {
       case GlyphShape::disc:
@@ -265,6 +323,7 @@ Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
         break;
     }
   }
+  stages.finish();
   return builder.take();
 }
 

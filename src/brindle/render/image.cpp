@@ -1,15 +1,20 @@
 #include "brindle/image.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <cstdio>
+#include <exception>
 #include <ostream>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include <png.h>
 
+#include "brindle/base/file_extension.h"
+#include "brindle/base/input_stream.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/printable.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -27,29 +32,86 @@ struct PngSession {
 };
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason) {
-  throw Error("cannot read '" + path.string() + "': " + reason + "; give a complete PNG file");
+  throw Error("cannot read '" + shown(path.native()) + "': " + reason +
+              "; give a complete PNG file");
 }
 
-std::vector<char> bytes_of(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) fail_to_read(path, "it is a folder");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail_to_read(path, "it does not exist or may not be read");
-  std::vector<char> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) fail_to_read(path, "reading failed");
-  return bytes;
-}
+constexpr std::size_t kPixelsPerReport = 1 << 21;
 
-std::vector<std::uint8_t> packed_rows(const Image& image, bool with_alpha) {
+std::vector<std::uint8_t> packed_rows(const Image& image, bool with_alpha,
+                                      const Progress& progress) {
   std::vector<std::uint8_t> rows(image.pixels.size() * (with_alpha ? 4 : 3));
   std::uint8_t* next = rows.data();
-  for (const Pixel& pixel : image.pixels) {
+  const auto pack = [&](std::size_t p) {
+    const Pixel& pixel = image.pixels[p];
     *next++ = pixel.red;
     *next++ = pixel.green;
     *next++ = pixel.blue;
     if (with_alpha) *next++ = pixel.alpha;
-  }
+  };
+  reported_for(image.pixels.size(), progress, pack, kPixelsPerReport);
   return rows;
+}
+
+/// A file in memory that libpng writes to piece by piece, so that it can be stopped between them:
+/// an exception must not run through it.
+class HeardFile {
+ public:
+  HeardFile(std::size_t expected, const Progress& progress)
+      : expected_(static_cast<double>(expected)), progress_(progress) {}
+
+  /// Whether to go on.
+  bool append(const char* bytes, std::size_t count) {
+    content_.append(bytes, count);
+    try {
+      const double done = static_cast<double>(content_.size()) / expected_;
+      progress_.report(done / (1 + done));
+    } catch (...) {
+      thrown_ = std::current_exception();
+    }
+    return !thrown_;
+  }
+
+  std::string take() {
+    if (thrown_) std::rethrow_exception(thrown_);
+    return std::move(content_);
+  }
+
+ private:
+  double expected_;
+  const Progress& progress_;
+  std::string content_;
+  std::exception_ptr thrown_;
+};
+
+/// The PNG file of packed rows. Where the C library has no streams of one's own it is written in
+/// one piece.
+std::string compressed(PngSession& png, const std::vector<std::uint8_t>& rows,
+                       const Progress& progress) {
+#ifdef __GLIBC__
+  HeardFile file(rows.size() / 8, progress);
+  cookie_io_functions_t functions{};
+  functions.write = [](void* cookie, const char* bytes, std::size_t count) -> ssize_t {
+    return static_cast<HeardFile*>(cookie)->append(bytes, count) ? static_cast<ssize_t>(count) : 0;
+  };
+  std::FILE* stream = fopencookie(&file, "w", functions);
+  if (stream == nullptr) throw Error("there is no memory for a picture's file");
+  const int written = png_image_write_to_stdio(&png.image, stream, 0, rows.data(), 0, nullptr);
+  const int closed = std::fclose(stream);
+  std::string content = file.take();
+  if (!written) throw Error(png.image.message);
+  if (closed != 0) throw Error("there is no memory for a picture's file");
+  return content;
+#else
+  progress.report(0);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
+  std::string file(size, '\0');
+  if (!png_image_write_to_memory(&png.image, file.data(), &size, 0, rows.data(), 0, nullptr)) {
+    throw Error(png.image.message);
+  }
+  file.resize(size);
+  return file;
+#endif
 }
 
 }  // namespace
@@ -71,14 +133,16 @@ Image::Image(int image_width, int image_height) : width(image_width), height(ima
   pixels.resize(static_cast<std::size_t>(width) * height);
 }
 
-std::string png_of(const Image& image) {
+std::string png_of(const Image& image, const Progress& heard) {
   check_image_size(image.width, image.height);
   if (image.pixels.size() != static_cast<std::size_t>(image.width) * image.height) {
     throw Error("the picture's pixels do not match its size");
   }
   const bool with_alpha = std::any_of(image.pixels.begin(), image.pixels.end(),
                                       [](const Pixel& pixel) { return pixel.alpha != 255; });
-  const std::vector<std::uint8_t> rows = packed_rows(image, with_alpha);
+  JobStages stages(heard, {{"picture file", 1}});
+  const Progress progress = stages.begin("picture file");
+  const std::vector<std::uint8_t> rows = packed_rows(image, with_alpha, progress.part(0, 0.2));
   PngSession png;
   png.image.width = static_cast<png_uint_32>(image.width);
   png.image.height = static_cast<png_uint_32>(image.height);
@@ -86,27 +150,28 @@ std::string png_of(const Image& image) {
   // No filters: stripes are flat but for the dithered rounding, which filters would spread. Files
   // are smaller, and written seven times as fast.
   png.image.flags |= PNG_IMAGE_FLAG_FAST;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
-  std::string file(size, '\0');
-  if (!png_image_write_to_memory(&png.image, file.data(), &size, 0, rows.data(), 0, nullptr)) {
-    throw Error(png.image.message);
-  }
-  file.resize(size);
+  std::string file = compressed(png, rows, progress.part(0.2, 1));
+  stages.finish();
   return file;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+void write_png(const std::filesystem::path& path, const Image& image, const Progress& progress) {
+  if (lower_extension(path) != ".png") {
+    throw Error("cannot write '" + path.string() + "': this is a PNG file; name it .png");
+  }
   std::string file;
   try {
-    file = png_of(image);
+    file = png_of(image, progress);
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
-    throw Error("cannot write '" + path.string() + "': " + error.what());
+    throw Error("cannot write '" + shown(path.native()) + "': " + error.what());
   }
   write_file(path, [&](std::ostream& out) { out << file; });
 }
 
 Image read_png(const std::filesystem::path& path) {
-  const std::vector<char> bytes = bytes_of(path);
+  const std::string bytes = whole_input(path, "a PNG file");
   PngSession png;
   if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) {
     fail_to_read(path, png.image.message);

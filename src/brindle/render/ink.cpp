@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "brindle/base/elementary.h"
 #include "brindle/renderer.h"
 
 namespace brindle {
@@ -11,7 +12,7 @@ namespace {
 
 std::uint8_t encoded(float light) {
   const float l = std::clamp(light, 0.0f, 1.0f);
-  const float level = l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
+  const float level = l <= 0.0031308f ? 12.92f * l : 1.055f * elementary::pow(l, 1 / 2.4f) - 0.055f;
   return static_cast<std::uint8_t>(std::lround(255 * level));
 }
 

@@ -57,8 +57,23 @@ std::vector<Tick> ticks_of(const Legend& legend) {
   return ticks;
 }
 
+/// Whether values from the threshold on have no place on the bar: then a field above it has their
+/// colour.
+bool has_field_beyond(const Legend& legend) {
+  constexpr float kRounding = 1e-6f;
+  return legend.scale && legend.scale->threshold && legend.highest > legend.lowest &&
+         *legend.scale->threshold >= 1 - kRounding;
+}
+
+std::string text_beyond(const Legend& legend) {
+  char text[32];
+  const float from = legend.lowest + *legend.scale->threshold * (legend.highest - legend.lowest);
+  std::snprintf(text, sizeof text, "from %.4g", static_cast<double>(from));
+  return text;
+}
+
 float label_width(const Legend& legend, const LegendSizes& sizes) {
-  float widest = 0;
+  float widest = has_field_beyond(legend) ? text_width(text_beyond(legend), sizes.letter) : 0;
   for (const Tick& tick : ticks_of(legend)) {
     widest = std::max(widest, text_width(tick.text, sizes.letter));
   }
@@ -89,10 +104,23 @@ void draw_bar(Image& image, const Legend& legend, const Vector2f& top, float bot
   }
 }
 
+/// Draws the field at `corner` and its label among `lines`. Returns how far the bar is below.
+float draw_field_beyond(Image& image, const Legend& legend, const LegendSizes& sizes,
+                        const Vector2f& corner, std::vector<Stroke>& lines) {
+  const float height = 1.5f * sizes.letter;
+  fill(image, corner, corner + Vector2f(sizes.bar, height), legend.scale->beyond);
+  const Vector2f label =
+      corner + Vector2f(sizes.bar + 1.25f * sizes.letter, 0.5f * (height + sizes.letter));
+  const std::vector<Stroke> letters = text_strokes(text_beyond(legend), label, sizes.letter);
+  lines.insert(lines.end(), letters.begin(), letters.end());
+  return height + 0.6f * sizes.letter;
+}
+
 void draw_legend(Image& image, const Legend& legend, const LegendSizes& sizes, float left,
                  float top, float bottom) {
   std::vector<Stroke> lines = text_strokes(legend.title, {left, top + sizes.letter}, sizes.letter);
-  const Vector2f bar(left, top + 2.3f * sizes.letter);
+  Vector2f bar(left, top + 2.3f * sizes.letter);
+  if (has_field_beyond(legend)) bar.y() += draw_field_beyond(image, legend, sizes, bar, lines);
   draw_bar(image, legend, bar, bottom, sizes.bar);
   const float range = legend.highest - legend.lowest;
   for (const auto& [value, text] : ticks_of(legend)) {

@@ -6,10 +6,13 @@
 #include <limits>
 #include <map>
 #include <ostream>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/output_file.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/reported_sort.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/render/simplified_stroke.h"
@@ -22,7 +25,8 @@ constexpr float kStep = 0.5f;             // pixels between points whose visibil
 constexpr float kShortest = 1.5f;         // pixels: shorter strokes are noise along silhouettes
 constexpr float kLongestGap = 1.5f;       // pixels: shorter gaps are noise, too
 constexpr float kSmallestCorner = 0.05f;  // pixels: what is less is left out
-constexpr float kSteepest = 5e-3f;        // of distances, between neighbouring cells
+constexpr std::size_t kWorkPerReport = 1 << 20;
+constexpr float kSteepest = 5e-3f;  // of distances, between neighbouring cells
 
 float edge_function(const Eigen::Vector2f& a, const Eigen::Vector2f& b, float x, float y) {
   return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
@@ -130,10 +134,12 @@ Camera drawing_camera(const Mesh& mesh, const CameraView& view, int width, int h
 
 }  // namespace
 
-Visibility::Visibility(const Mesh& mesh, const CameraView& view, int width, int height)
-    : Visibility(mesh, drawing_camera(mesh, view, width, height), width, height) {}
+Visibility::Visibility(const Mesh& mesh, const CameraView& view, int width, int height,
+                       const Progress& progress)
+    : Visibility(mesh, drawing_camera(mesh, view, width, height), width, height, progress) {}
 
-Visibility::Visibility(const Mesh& mesh, const Camera& camera, int width, int height)
+Visibility::Visibility(const Mesh& mesh, const Camera& camera, int width, int height,
+                       const Progress& progress)
     : camera_(camera),
       width_(width),
       height_(height),
@@ -141,7 +147,9 @@ Visibility::Visibility(const Mesh& mesh, const Camera& camera, int width, int he
       rows_(kPerPixel * height) {
   check_drawing_size(width, height);
   nearness_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
-  draw(mesh);
+  JobStages stages(progress, {{"hidden lines", 1}});
+  draw(mesh, stages.begin("hidden lines"));
+  stages.finish();
 }
 
 Visibility::Seen Visibility::project(const Vec3& point) const {
@@ -154,11 +162,32 @@ Visibility::Seen Visibility::project(const Vec3& point) const {
       camera_.orthographic() ? -seen.z() : clip.w()};
 }
 
-void Visibility::draw(const Mesh& mesh) {
+/// Where a triangle may be seen.
+struct Visibility::Cells {
+  int first_row, last_row, first_column, last_column;
+
+  int columns() const { return std::max(0, last_column - first_column + 1); }
+  /// How long the triangle takes: as long as so many cells, and some more.
+  std::size_t work() const {
+    const int rows = std::max(0, last_row - first_row + 1);
+    return 16 + static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns());
+  }
+};
+
+void Visibility::draw(const Mesh& mesh, const Progress& progress) {
   std::vector<Seen> seen;
   seen.reserve(mesh.vertex_count());
-  for (const Vec3& position : mesh.positions) seen.push_back(project(position));
-  for (const Triangle& t : mesh.triangles) draw_triangle({seen[t[0]], seen[t[1]], seen[t[2]]});
+  reported_for(mesh.vertex_count(), progress.part(0, 0.1),
+               [&](std::size_t v) { seen.push_back(project(mesh.positions[v])); });
+  const auto corners_of = [&](std::size_t number) {
+    const Triangle& t = mesh.triangles[number];
+    return std::array{seen[t[0]], seen[t[1]], seen[t[2]]};
+  };
+  std::size_t work = 0;
+  reported_for(mesh.triangle_count(), progress.part(0.1, 0.2),
+               [&](std::size_t t) { work += cells_of(corners_of(t)).work(); });
+  Reporter reporter(progress.part(0.2, 1), work, kWorkPerReport);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) draw_triangle(corners_of(t), reporter);
 }
 
 /// 1 / distance is linear in a picture with perspective, the distance in one without.
@@ -170,21 +199,29 @@ float Visibility::nearness(std::span<const Seen> seen, std::span<const float> we
   return camera_.orthographic() ? 1 / sum : sum;
 }
 
-void Visibility::draw_triangle(const std::array<Seen, 3>& corners) {
+Visibility::Cells Visibility::cells_of(const std::array<Seen, 3>& corners) const {
   const auto& [a, b, c] = corners;
-  const float area = edge_function(a.pixel, b.pixel, c.pixel.x(), c.pixel.y());
-  if (area == 0 || !std::isfinite(area)) return;
   const Eigen::Vector2f lower = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
   const Eigen::Vector2f upper = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel);
   const auto cell = [](float pixel, int count) {
     return static_cast<int>(
         std::clamp(std::floor(kPerPixel * pixel), -1.0f, static_cast<float>(count)));
   };
-  const int first_row = std::max(0, cell(lower.y(), rows_));
-  const int last_row = std::min(rows_ - 1, cell(upper.y(), rows_));
-  const int first_column = std::max(0, cell(lower.x(), columns_));
-  const int last_column = std::min(columns_ - 1, cell(upper.x(), columns_));
+  // Written so that what is no number is nowhere.
+  if (!(lower.x() <= upper.x() && lower.y() <= upper.y())) return {0, -1, 0, -1};
+  return {std::max(0, cell(lower.y(), rows_)), std::min(rows_ - 1, cell(upper.y(), rows_)),
+          std::max(0, cell(lower.x(), columns_)),
+          std::min(columns_ - 1, cell(upper.x(), columns_))};
+}
+
+void Visibility::draw_triangle(const std::array<Seen, 3>& corners, Reporter& reporter) {
+  const auto& [a, b, c] = corners;
+  const auto [first_row, last_row, first_column, last_column] = cells_of(corners);
+  const float area = edge_function(a.pixel, b.pixel, c.pixel.x(), c.pixel.y());
+  reporter.done(16);
+  if (area == 0 || !std::isfinite(area)) return;
   for (int row = first_row; row <= last_row; ++row) {
+    reporter.done(static_cast<std::size_t>(std::max(0, last_column - first_column + 1)));
     const float y = (static_cast<float>(row) + 0.5f) / kPerPixel;
     for (int column = first_column; column <= last_column; ++column) {
       const float x = (static_cast<float>(column) + 0.5f) / kPerPixel;
@@ -260,49 +297,72 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool h
   finish();
 }
 
-std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance,
-                                        bool hidden) const {
+std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance, bool hidden,
+                                        const Progress& heard) const {
+  JobStages stages(heard, {{"strokes", 1}});
+  Reporter reporter(stages.begin("strokes"), lines.points.size());
   std::vector<Stroke> strokes;
   std::vector<Seen> path;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     path.clear();
+    reporter.done(lines.points_of(line).size());
     for (const Vec3& point : lines.points_of(line)) path.push_back(project(point));
     if (lines.closed[line] && !path.empty()) path.push_back(path.front());
     add_strokes(path, tolerance, hidden, strokes);
   }
+  stages.finish();
   return strokes;
 }
 
 Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
-                  int width, int height) {
+                  int width, int height, const Progress& heard) {
+  JobStages stages(heard, {{"outline", 1}});
+  const Progress progress = stages.begin("outline");
   const Camera camera = framed_camera(points_of_triangles(mesh), view, width, height);
   const Vec3 eye = viewpoint_of(camera);
-  struct Sides {
-    int front = 0, back = 0;
+  /// An edge of a triangle that faces the viewer or does not.
+  struct Side {
+    Index low, high;
+    bool front;
   };
-  std::map<std::pair<Index, Index>, Sides> edges;
-  for (const Triangle& t : mesh.triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * mesh.triangle_count());
+  reported_for(mesh.triangle_count(), progress.part(0, 0.3), [&](std::size_t number) {
+    const Triangle& t = mesh.triangles[number];
     const Vec3& a = mesh.positions[t[0]];
     const Vec3 normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
     const bool front = normal.dot(eye - a) > 0;
     for (int m = 0; m < 3; ++m) {
-      Sides& sides = edges[std::minmax(t[m], t[(m + 1) % 3])];
-      ++(front ? sides.front : sides.back);
+      const auto [low, high] = std::minmax(t[m], t[(m + 1) % 3]);
+      sides.push_back({low, high, front});
     }
-  }
+  });
+  reported_sort(sides.begin(), sides.end(), progress.part(0.3, 0.8),
+                [](const Side& x, const Side& y) {
+                  return std::pair(x.low, x.high) < std::pair(y.low, y.high);
+                });
   std::map<Index, std::vector<Index>> bounding;  // for every vertex those at the other ends
-  for (const auto& [edge, sides] : edges) {
-    const bool bounds = sides.front + sides.back == 1 || (sides.front > 0 && sides.back > 0);
+  Reporter reporter(progress.part(0.8, 1), sides.size());
+  for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
+    const auto& [low, high, ignored] = sides[first];
+    std::size_t front = 0;
+    for (; end < sides.size() && sides[end].low == low && sides[end].high == high; ++end) {
+      front += sides[end].front;
+    }
+    reporter.done(end - first);
+    const bool bounds = end - first == 1 || (front > 0 && front < end - first);
     if (!bounds) continue;
-    bounding[edge.first].push_back(edge.second);
-    bounding[edge.second].push_back(edge.first);
+    bounding[low].push_back(high);
+    bounding[high].push_back(low);
   }
-  return chains(mesh, normals, bounding);
+  Polylines lines = chains(mesh, normals, std::move(bounding));
+  stages.finish();
+  return lines;
 }
 
-void write_svg(const std::filesystem::path& path, int width, int height,
-               std::span<const Pen> pens) {
-  write_file(path, [&](std::ostream& out) {
+void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
+               const Progress& progress) {
+  const auto write = [&](std::ostream& out) {
     TextOutput text(out);
     text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
@@ -310,7 +370,8 @@ void write_svg(const std::filesystem::path& path, int width, int height,
          << "\">\n";
     for (const Pen& pen : pens) put_pen(text, pen);
     text << "</svg>\n";
-  });
+  };
+  write_file(path, write, progress);
 }
 
 }  // namespace brindle

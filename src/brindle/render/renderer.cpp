@@ -106,21 +106,23 @@ void Renderer::update(const DrawingChange& change) {
 
 void Renderer::use_phases(unsigned buffer) { state_->surface.use_phases(buffer); }
 
-Image Renderer::draw(const RenderOptions& options) const {
+Image Renderer::draw(const RenderOptions& options, const Progress& progress) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->surface.points(), options.camera, options.width, options.height);
-  return state_->picture.draw(options, [&](const Target& target, const Tile& tile) {
+  const auto draw_light = [&](const Target& target, const Tile& tile) {
     state_->draw_light(target, camera, tile, options);
-  });
+  };
+  return state_->picture.draw(options, draw_light, progress);
 }
 
-Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options) {
+Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options,
+                     const Progress& progress) {
   check_options(options);
   const HeadlessContext context;
   Renderer renderer;
   renderer.upload(drawing);
-  Image image = renderer.draw(options);
+  Image image = renderer.draw(options, progress);
   context.check_errors("drawing the picture");
   return image;
 }

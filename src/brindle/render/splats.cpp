@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
@@ -55,7 +56,7 @@ std::vector<PackedSplat> packed_splats(const SplatDrawing& drawing) {
     splat.normal_turns << drawing.normals[i], 0;
     splat.direction_frequency.setZero();
     if (drawing.waves == nullptr) continue;
-    splat.normal_turns.w() = std::arg(drawing.z[i]) / (2 * std::numbers::pi_v<float>);
+    splat.normal_turns.w() = elementary::arg(drawing.z[i]) / (2 * std::numbers::pi_v<float>);
     splat.direction_frequency << drawing.waves->directions[i], drawing.waves->frequencies[i];
   }
   return packed;
@@ -173,22 +174,24 @@ void SplatRenderer::upload(const SplatDrawing& drawing) {
   check_gl("copying the points to OpenGL");
 }
 
-Image SplatRenderer::draw(const RenderOptions& options) const {
+Image SplatRenderer::draw(const RenderOptions& options, const Progress& progress) const {
   check_options(options);
   const Camera camera =
       framed_camera(state_->points, options.camera, options.width, options.height);
-  return state_->picture.draw(options, [&](const Target& target, const Tile& tile) {
+  const auto draw_light = [&](const Target& target, const Tile& tile) {
     fit_target(state_->sums, {GL_RGBA32F, GL_RGBA32F}, true, target.width, target.height);
     state_->draw_tile(target, camera, tile, options);
-  });
+  };
+  return state_->picture.draw(options, draw_light, progress);
 }
 
-Image render_splats(const SplatDrawing& drawing, const RenderOptions& options) {
+Image render_splats(const SplatDrawing& drawing, const RenderOptions& options,
+                    const Progress& progress) {
   check_options(options);
   const HeadlessContext context;
   SplatRenderer renderer;
   renderer.upload(drawing);
-  Image image = renderer.draw(options);
+  Image image = renderer.draw(options, progress);
   context.check_errors("drawing the points");
   return image;
 }

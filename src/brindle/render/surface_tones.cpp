@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "brindle/render/outer_side.h"
 
@@ -29,15 +30,17 @@ Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Vec3& up) {
   Vec3 light = key * Vec3(0.66f, 0.64f, 0.61f) + fill * Vec3(0.12f, 0.13f, 0.15f) + ground_light +
                sky * (sky_light - ground_light);
   light *= 0.62f + (1 - 0.62f) * smoothstep(0, 0.55f, facing);
-  const float gloss = std::pow(std::clamp(n.dot((key_from + v).normalized()), 0.0f, 1.0f), 40.0f);
+  const float gloss =
+      elementary::pow(std::clamp(n.dot((key_from + v).normalized()), 0.0f, 1.0f), 40.0f);
   light += Vec3::Constant(0.035f * gloss);
-  light += Vec3::Constant(0.03f * std::pow(1 - facing, 4.0f) * sky);
+  light += Vec3::Constant(0.03f * elementary::pow(1 - facing, 4.0f) * sky);
   return light;
 }
 
 /// The twin of tone.glsl.
 float tone_of(const Vec3& light) {
-  return std::pow(std::clamp(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 0.0f, 1.0f), 1 / 2.2f);
+  return elementary::pow(std::clamp(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 0.0f, 1.0f),
+                         1 / 2.2f);
 }
 
 }  // namespace

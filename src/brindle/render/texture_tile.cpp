@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/elementary.h"
 #include "brindle/renderer.h"
 
 namespace brindle {
@@ -113,7 +114,7 @@ float plus_and_minus(const Point& p) {
 
 std::uint8_t srgb_byte(float light) {
   const float level =
-      light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
+      light <= 0.0031308f ? 12.92f * light : 1.055f * elementary::pow(light, 1 / 2.4f) - 0.055f;
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(level, 0.0f, 1.0f)));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "brindle/base/elementary.h"
 #include "brindle/shapes/isosurface.h"
 
 namespace brindle {
@@ -88,13 +89,13 @@ double CapsuleUnion::minimum(const Point& p, std::span<const int> parts) const {
     const double d = parts_[part](p);
     if (d > nearest + kNegligible * blend_) continue;
     if (d < nearest) {
-      sum = sum * std::exp((d - nearest) / blend_) + 1;
+      sum = sum * elementary::exp((d - nearest) / blend_) + 1;
       nearest = d;
     } else {
-      sum += std::exp((nearest - d) / blend_);
+      sum += elementary::exp((nearest - d) / blend_);
     }
   }
-  return nearest - blend_ * std::log(sum);
+  return nearest - blend_ * elementary::log(sum);
 }
 
 BoundingBox box_around(std::span<const Capsule> parts) {
@@ -108,13 +109,15 @@ BoundingBox box_around(std::span<const Capsule> parts) {
   return {lower.cast<float>(), upper.cast<float>()};
 }
 
-Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length) {
+Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length,
+                     const Progress& progress) {
   BoundingBox box = box_around(parts);
   // The smooth minimum lies below the minimum, by less the fewer parts are equally near.
-  const auto margin = static_cast<float>(blend * std::log(static_cast<double>(parts.size()) + 1));
+  const auto margin =
+      static_cast<float>(blend * elementary::log(static_cast<double>(parts.size()) + 1));
   box.lower.array() -= margin;
   box.upper.array() += margin;
-  return isosurface(CapsuleUnion(parts, blend), box, edge_length);
+  return isosurface(CapsuleUnion(parts, blend), box, edge_length, progress);
 }
 
 }  // namespace brindle

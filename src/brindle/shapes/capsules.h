@@ -55,6 +55,7 @@ class CapsuleUnion {
 BoundingBox box_around(std::span<const Capsule> parts);
 
 /// The blended surface of capsules, as `isosurface` makes it.
-Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length);
+Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length,
+                     const Progress& progress = {});
 
 }  // namespace brindle

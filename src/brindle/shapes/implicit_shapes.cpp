@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/shapes/capsules.h"
 #include "brindle/shapes/isosurface.h"
 #include "brindle/shapes/random.h"
@@ -29,8 +30,9 @@ void center(std::vector<Capsule>& parts) {
   }
 }
 
-Mesh polygonize(const std::vector<Capsule>& parts, double blend, int resolution) {
-  return capsule_surface(parts, blend, 1.0f / static_cast<float>(resolution));
+Mesh polygonize(const std::vector<Capsule>& parts, double blend, int resolution,
+                const Progress& progress) {
+  return capsule_surface(parts, blend, 1.0f / static_cast<float>(resolution), progress);
 }
 
 /// Grows vessels from parent to children.
@@ -48,7 +50,8 @@ struct VesselGrowth {
             double length, int generation) {
     // Murray's law: radius^3 = left^3 + right^3.
     const double share = random(0.4, 0.6);
-    const double left = radius * std::cbrt(share), right = radius * std::cbrt(1 - share);
+    const double left = radius * elementary::cbrt(share),
+                 right = radius * elementary::cbrt(1 - share);
     const Point to = from + length * direction;
     vessels.push_back({from, to, radius, std::max(left, right)});
     if (generation == 0) return;
@@ -72,11 +75,11 @@ double rounded_maximum(double a, double b, double fillet) {
 
 }  // namespace
 
-Mesh make_vessels(const VesselsShape& shape) {
+Mesh make_vessels(const VesselsShape& shape, const Progress& progress) {
   VesselGrowth growth{shape, {}};
   growth.grow(Point::Zero(), Point::UnitZ(), Point::UnitX(), shape.radius, 0.85, shape.generations);
   center(growth.vessels);
-  return polygonize(growth.vessels, 0.12 * shape.radius, shape.resolution);
+  return polygonize(growth.vessels, 0.12 * shape.radius, shape.resolution, progress);
 }
 
 std::vector<Capsule> molecule_atoms(const MoleculeShape& shape) {
@@ -99,7 +102,7 @@ std::vector<Capsule> molecule_atoms(const MoleculeShape& shape) {
       const double z = 2 * random() - 1, turn = 2 * std::numbers::pi * random();
       const double across = std::sqrt(1 - z * z);
       const Point place =
-          anchor + 0.42 * Point(across * std::cos(turn), across * std::sin(turn), z);
+          anchor + 0.42 * Point(across * elementary::cos(turn), across * elementary::sin(turn), z);
       if (attempt == 0 || clearance(place) > clearance(best)) best = place;
     }
     atoms.push_back({best, best, radius, radius});
@@ -108,11 +111,11 @@ std::vector<Capsule> molecule_atoms(const MoleculeShape& shape) {
   return atoms;
 }
 
-Mesh make_molecule(const MoleculeShape& shape) {
-  return polygonize(molecule_atoms(shape), 0.5 * shape.blend, shape.resolution);
+Mesh make_molecule(const MoleculeShape& shape, const Progress& progress) {
+  return polygonize(molecule_atoms(shape), 0.5 * shape.blend, shape.resolution, progress);
 }
 
-Mesh make_box(const BoxShape& shape) {
+Mesh make_box(const BoxShape& shape, const Progress& progress) {
   const Point half = 0.5 * Point(shape.width, shape.depth, shape.height);
   const double fillet = shape.fillet, hole = shape.hole;
   const auto function = [=](const Point& p) {
@@ -121,7 +124,7 @@ Mesh make_box(const BoxShape& shape) {
     return hole > 0 ? rounded_maximum(block, hole - p.head<2>().norm(), fillet) : block;
   };
   return isosurface(function, {-half.cast<float>(), half.cast<float>()},
-                    1.0f / static_cast<float>(shape.resolution));
+                    1.0f / static_cast<float>(shape.resolution), progress);
 }
 
 }  // namespace brindle

@@ -1,6 +1,7 @@
 /// Built-in shapes without a formula, polygonised from implicit functions.
 ///
-/// All are closed, centred at the origin, about two units large, and wound outwards.
+/// All are closed, centred at the origin, about two units large, and wound outwards. `progress` may
+/// throw Cancelled.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ struct VesselsShape {
   std::uint32_t seed = 1;
   int resolution = 110;  ///< edges along one unit of length
 };
-Mesh make_vessels(const VesselsShape& shape = {});
+Mesh make_vessels(const VesselsShape& shape = {}, const Progress& progress = {});
 
 /// A cluster of spheres of a few sizes, blended: like a molecule's surface.
 struct MoleculeShape {
@@ -28,7 +29,7 @@ struct MoleculeShape {
   std::uint32_t seed = 1;
   int resolution = 55;  ///< edges along one unit of length
 };
-Mesh make_molecule(const MoleculeShape& shape = {});
+Mesh make_molecule(const MoleculeShape& shape = {}, const Progress& progress = {});
 
 /// The spheres of that molecule, as they are in its mesh.
 std::vector<Capsule> molecule_atoms(const MoleculeShape& shape = {});
@@ -42,6 +43,6 @@ struct BoxShape {
   float hole = 0.3f;    ///< radius; 0 for none
   int resolution = 55;  ///< edges along one unit of length
 };
-Mesh make_box(const BoxShape& shape = {});
+Mesh make_box(const BoxShape& shape = {}, const Progress& progress = {});
 
 }  // namespace brindle

@@ -12,7 +12,9 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/reported_sort.h"
 #include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
 #include "brindle/geometry/vertex_triangles.h"
@@ -27,18 +29,21 @@ using Tetrahedron = std::array<Index, 4>;
 /// Edges of the resulting triangles over the lattice's cells, by measurement.
 constexpr double kCellPerEdge = 1.29;
 constexpr int kMaxCells = 1 << 12;  ///< along one axis
+constexpr std::size_t kValuesPerReport = 1 << 12;
+constexpr std::size_t kMovedPerReport = 1 << 12;  ///< vertices, each some values
 
 /// The body-centred cubic lattice near the surface: points with what the function is there, and
 /// all tetrahedra that it crosses.
 class Lattice {
  public:
-  Lattice(const ImplicitFunction& function, const BoundingBox& box, double cell)
-      : function_(function), origin_(box.lower.cast<double>()), cell_(cell) {
+  Lattice(const ImplicitFunction& function, const BoundingBox& box, double cell,
+          const Progress& progress)
+      : function_(function), progress_(progress), origin_(box.lower.cast<double>()), cell_(cell) {
     const Point extent = (box.upper - box.lower).cast<double>();
     // Up to the last cell on each axis one tetrahedron reaches beyond it: leave a margin.
     origin_ -= Point::Constant(1.5 * cell);
     const Cell cells = (extent / cell).array().ceil().cast<int>() + 3;
-    descend(Cell::Zero(), cells);
+    descend(Cell::Zero(), cells, 0, 1);
     points_.clear();
   }
 
@@ -47,12 +52,20 @@ class Lattice {
   std::vector<Tetrahedron> tetrahedra;
 
  private:
-  /// Halves the range of cells [lower, upper) until it is one cell or away from the surface.
-  void descend(const Cell& lower, const Cell& upper) {
+  /// The function at a point. From time to time reports that a share of the box is done.
+  double value(const Point& at) {
+    if (++asked_ % kValuesPerReport == 0) progress_.report(done_);
+    return function_(at);
+  }
+
+  /// Halves the range of cells [lower, upper) until it is one cell or away from the surface. In the
+  /// order of the work the range goes from `begin` to `end` of the box.
+  void descend(const Cell& lower, const Cell& upper, double begin, double end) {
+    done_ = begin;
     const Cell size = upper - lower;
     const Point center = place(lower + upper);
     const double reach = 0.5 * cell_ * size.cast<double>().norm() + cell_;
-    if (std::abs(function_(center)) > reach) return;
+    if (std::abs(value(center)) > reach) return;
     int axis = 0;
     if (size.maxCoeff(&axis) == 1) {
       add_cell(lower);
@@ -60,8 +73,9 @@ class Lattice {
     }
     Cell middle_upper = upper, middle_lower = lower;
     middle_upper[axis] = middle_lower[axis] = lower[axis] + size[axis] / 2;
-    descend(lower, middle_upper);
-    descend(middle_lower, upper);
+    const double middle = 0.5 * (begin + end);
+    descend(lower, middle_upper, begin, middle);
+    descend(middle_lower, upper, middle, end);
   }
 
   /// The tetrahedra between this cell's centre and those of the next cells along each axis.
@@ -94,12 +108,15 @@ class Lattice {
     const auto [found, added] = points_.try_emplace(key, static_cast<Index>(positions.size()));
     if (added) {
       positions.push_back(place(halves));
-      values.push_back(function_(positions.back()));
+      values.push_back(value(positions.back()));
     }
     return found->second;
   }
 
   const ImplicitFunction& function_;
+  const Progress& progress_;
+  std::size_t asked_ = 0;
+  double done_ = 0;
   Point origin_;
   double cell_;
   std::unordered_map<std::uint64_t, Index> points_;
@@ -110,22 +127,25 @@ Point crossing(const Lattice& lattice, Index a, Index b) {
   return lattice.positions[a] + fa / (fa - fb) * (lattice.positions[b] - lattice.positions[a]);
 }
 
-std::vector<std::vector<Index>> tetrahedra_around(const Lattice& lattice) {
+std::vector<std::vector<Index>> tetrahedra_around(const Lattice& lattice,
+                                                  const Progress& progress) {
   std::vector<std::vector<Index>> around(lattice.positions.size());
-  for (Index t = 0; t < lattice.tetrahedra.size(); ++t) {
-    for (const Index point : lattice.tetrahedra[t]) around[point].push_back(t);
-  }
+  reported_for(lattice.tetrahedra.size(), progress, [&](std::size_t t) {
+    for (const Index point : lattice.tetrahedra[t]) around[point].push_back(static_cast<Index>(t));
+  });
   return around;
 }
 
 /// Moves lattice points that are close to a crossing of one of their edges onto it; returns which.
-std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell) {
+std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell,
+                                       const Progress& progress) {
   struct Candidate {
     double distance;
     Index point, other;
   };
   std::vector<Candidate> candidates;
-  for (const Tetrahedron& t : lattice.tetrahedra) {
+  reported_for(lattice.tetrahedra.size(), progress.part(0, 0.2), [&](std::size_t number) {
+    const Tetrahedron& t = lattice.tetrahedra[number];
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         const Index a = t[i], b = t[j];
@@ -137,30 +157,36 @@ std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell) {
         if (distance < limit) candidates.push_back({distance, a, b});
       }
     }
-  }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
-    return std::tie(x.distance, x.point, x.other) < std::tie(y.distance, y.point, y.other);
   });
-  const std::vector<std::vector<Index>> around = tetrahedra_around(lattice);
+  reported_sort(candidates.begin(), candidates.end(), progress.part(0.2, 0.6),
+                [](const Candidate& x, const Candidate& y) {
+                  return std::tie(x.distance, x.point, x.other) <
+                         std::tie(y.distance, y.point, y.other);
+                });
+  const std::vector<std::vector<Index>> around =
+      tetrahedra_around(lattice, progress.part(0.6, 0.8));
   std::vector<int> snapped_corners(lattice.tetrahedra.size(), 0);
   std::vector<std::optional<Point>> snapped(lattice.positions.size());
-  for (const auto& [distance, point, other] : candidates) {
-    if (snapped[point] || snapped[other]) continue;
+  reported_for(candidates.size(), progress.part(0.8, 1), [&](std::size_t number) {
+    const Index point = candidates[number].point, other = candidates[number].other;
+    if (snapped[point] || snapped[other]) return;
     // A tetrahedron that lies in the surface with all its corners is neither inside nor outside.
     const auto flat = [&](Index t) { return snapped_corners[t] == 3; };
-    if (std::any_of(around[point].begin(), around[point].end(), flat)) continue;
+    if (std::any_of(around[point].begin(), around[point].end(), flat)) return;
     snapped[point] = crossing(lattice, point, other);
     for (const Index t : around[point]) ++snapped_corners[t];
-  }
+  });
   return snapped;
 }
 
 /// Turns the crossed tetrahedra of a lattice into triangles.
 class Polygonizer {
  public:
-  Polygonizer(const Lattice& lattice, std::vector<std::optional<Point>> snapped)
+  Polygonizer(const Lattice& lattice, std::vector<std::optional<Point>> snapped,
+              const Progress& progress)
       : lattice_(lattice), snapped_(std::move(snapped)), vertex_of_point_(snapped_.size(), kNone) {
-    for (const Tetrahedron& t : lattice.tetrahedra) add(t);
+    reported_for(lattice.tetrahedra.size(), progress,
+                 [&](std::size_t t) { add(lattice.tetrahedra[t]); });
     for (const auto& [t, keep] : triangles_) {
       if (keep) mesh.triangles.push_back(t);
     }
@@ -316,30 +342,65 @@ Point balance_point(const Mesh& mesh, std::span<const Index> around) {
   return total > 0 ? Point(sum / total) : sum;
 }
 
-void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int steps) {
-  const VertexTriangles around = vertex_triangles(mesh);
+void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int steps,
+           const Progress& progress) {
+  const VertexTriangles around = vertex_triangles(mesh, progress.part(0, 0.1));
   std::vector<Vec3> moved(mesh.vertex_count());
   parallel_for(
-      mesh.vertex_count(),
+      mesh.vertex_count(), progress.part(0.1, 1),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
           const Point at = balance_point(mesh, around.of(v));
           moved[v] = project(function, at, 0.5 * edge_length, steps).cast<float>();
         }
       },
-      256);
+      256, kMovedPerReport);
   mesh.positions = std::move(moved);
 }
 
-Mesh polygonize(const Lattice& lattice, std::vector<std::optional<Point>> snapped) {
-  Mesh mesh = std::move(Polygonizer(lattice, std::move(snapped)).mesh);
+Mesh polygonize(const Lattice& lattice, std::vector<std::optional<Point>> snapped,
+                const Progress& progress) {
+  Mesh mesh = std::move(Polygonizer(lattice, std::move(snapped), progress).mesh);
   drop_unused_vertices(mesh);
   return mesh;
 }
 
+/// How many cells of a coarse grid the surface goes through, within `reach` of their centres.
+std::size_t cells_near(const ImplicitFunction& function, const Point& lower, const Point& size,
+                       int most) {
+  const Point middle = lower + 0.5 * size;
+  if (std::abs(function(middle)) > 0.5 * size.norm()) return 0;
+  if (most == 0) return 1;
+  int axis = 0;
+  size.maxCoeff(&axis);
+  Point half = size, upper = lower;
+  half[axis] *= 0.5;
+  upper[axis] += half[axis];
+  return cells_near(function, lower, half, most - 1) + cells_near(function, upper, half, most - 1);
+}
+
+/// Refuses a surface that memory does not hold. Cells of a coarse grid near the surface tell how
+/// large it is: as many more are near it as they are smaller, squared.
+void check_room(const ImplicitFunction& function, const BoundingBox& box, float edge_length) {
+  constexpr int kHalvings = 12;
+  // Both by measurement: of built-in shapes the count is right within a factor of two.
+  constexpr double kVerticesPerFace = 0.6;  ///< of a cell near the surface
+  constexpr double kBytesPerVertex = 960;   ///< with the lattice
+  const Point size = (box.upper - box.lower).cast<double>();
+  const auto near =
+      static_cast<double>(cells_near(function, box.lower.cast<double>(), size, kHalvings));
+  const double cell = std::cbrt(size.prod() / (1 << kHalvings));
+  const double vertices = near * kVerticesPerFace * std::pow(cell / edge_length, 2);
+  check_fits(vertices, kBytesPerVertex, "the surface", "vertices", [&](double most) {
+    const double longest = edge_length * std::sqrt(vertices / most);
+    return "edges of length " + rounded_up(longest) + " would do";
+  });
+}
+
 }  // namespace
 
-Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float edge_length) {
+Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float edge_length,
+                const Progress& progress) {
   const double cell = kCellPerEdge * edge_length;
   const double extent = (box.upper - box.lower).maxCoeff();
   if (!(edge_length > 0) || !(extent / cell < kMaxCells)) {
@@ -347,23 +408,28 @@ Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float 
                 " are too short for an implicit surface of size " + std::to_string(extent) +
                 "; lower the resolution");
   }
+  check_room(function, box, edge_length);
   Mesh mesh;
   std::optional<HalfEdges> edges;
   {
-    const Lattice lattice(function, box, cell);
-    mesh = polygonize(lattice, snap(lattice, cell));
-    edges = half_edges(mesh);
+    const Lattice lattice(function, box, cell, progress.part(0, 0.2));
+    mesh =
+        polygonize(lattice, snap(lattice, cell, progress.part(0.2, 0.3)), progress.part(0.3, 0.4));
+    edges = half_edges(mesh, progress.part(0.4, 0.45));
     if (!edges) {
       // Snapping may pinch what is hardly thicker than a cell; without it nothing is pinched.
-      mesh = polygonize(lattice, std::vector<std::optional<Point>>(lattice.positions.size()));
-      edges = half_edges(mesh);
+      mesh = polygonize(lattice, std::vector<std::optional<Point>>(lattice.positions.size()),
+                        progress.part(0.45, 0.49));
+      edges = half_edges(mesh, progress.part(0.49, 0.5));
     }
   }
   if (!edges) throw Error("the implicit surface leaves its box; enlarge the box");
   constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
-    flip_to_delaunay(mesh, *edges, 3);
-    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 3);
+    const Progress of_round =
+        progress.part(0.5 + 0.5 * round / kRounds, 0.5 + 0.5 * (round + 1) / kRounds);
+    flip_to_delaunay(mesh, *edges, 3, of_round.part(0, 0.5));
+    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 3, of_round.part(0.5, 1));
   }
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -21,7 +22,10 @@ using ImplicitFunction = std::function<double(const Eigen::Vector3d&)>;
 /// (Labelle and Shewchuk 2007, Isosurface Stuffing) gives the topology; Delaunay flips and
 /// relaxation in the tangent planes give the triangles their shape.
 ///
-/// Throws Error if the surface leaves the box, or the box holds too many cells.
-Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float edge_length);
+/// Throws Error if the surface leaves the box, or the box holds too many cells; TooLarge (memory.h)
+/// for a surface that memory does not hold, before it is begun; Cancelled if `progress` asks for
+/// it.
+Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float edge_length,
+                const Progress& progress = {});
 
 }  // namespace brindle

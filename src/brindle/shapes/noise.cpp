@@ -28,14 +28,16 @@ double mean_edge_length(const Mesh& mesh) {
 
 }  // namespace
 
-void add_noise(Mesh& mesh, float amplitude, std::uint32_t seed) {
+void add_noise(Mesh& mesh, float amplitude, std::uint32_t seed, const Progress& progress) {
   if (!std::isfinite(amplitude)) throw Error("the amplitude of noise must be a finite number");
-  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const VertexTriangles around = vertex_triangles(mesh, progress.part(0, 0.3));
+  const std::vector<Vec3> normals = vertex_normals(mesh, around, progress.part(0.3, 0.8));
+  progress.report(0.8);
   const double reach = amplitude * mean_edge_length(mesh);
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+  reported_for(mesh.vertex_count(), progress.part(0.9, 1), [&](std::size_t v) {
     const double distance = reach * (2 * random_number(seed, v) - 1);
     mesh.positions[v] += static_cast<float>(distance) * normals[v];
-  }
+  });
 }
 
 }  // namespace brindle

@@ -11,6 +11,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
+
 namespace brindle {
 namespace {
 
@@ -146,9 +148,10 @@ int even_row_count(double height, double spacing) {
 
 /// The point that divides the great circle from a to b (unit vectors) at t.
 Eigen::Vector3d slerp(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) {
-  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double angle = elementary::atan2(a.cross(b).norm(), a.dot(b));
   if (angle < 1e-12) return a;
-  return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+  return (elementary::sin((1 - t) * angle) * a + elementary::sin(t * angle) * b) /
+         elementary::sin(angle);
 }
 
 constexpr double kGolden = 1.6180339887498949;
@@ -305,13 +308,14 @@ class Icosphere {
 constexpr double kTrefoilScale = 1.0 / 3.2;
 Eigen::Vector3d trefoil_point(double t) {
   // Shifted so that the middle of the bounding box is at the origin.
-  return kTrefoilScale * Eigen::Vector3d(std::sin(t) + 2 * std::sin(2 * t),
-                                         std::cos(t) - 2 * std::cos(2 * t) + 0.46,
-                                         -std::sin(3 * t));
+  return kTrefoilScale * Eigen::Vector3d(elementary::sin(t) + 2 * elementary::sin(2 * t),
+                                         elementary::cos(t) - 2 * elementary::cos(2 * t) + 0.46,
+                                         -elementary::sin(3 * t));
 }
 Eigen::Vector3d trefoil_tangent(double t) {
-  return Eigen::Vector3d(std::cos(t) + 4 * std::cos(2 * t), -std::sin(t) + 4 * std::sin(2 * t),
-                         -3 * std::cos(3 * t))
+  return Eigen::Vector3d(elementary::cos(t) + 4 * elementary::cos(2 * t),
+                         -elementary::sin(t) + 4 * elementary::sin(2 * t),
+                         -3 * elementary::cos(3 * t))
       .normalized();
 }
 
@@ -359,12 +363,12 @@ Tube trefoil_frames(double spacing) {
   }
   // What the frame has turned by after one round is spread evenly over the rows.
   transport(parameters[0]);
-  const double turn = std::atan2(normal.dot(tube.binormal[0]), normal.dot(tube.normal[0]));
+  const double turn = elementary::atan2(normal.dot(tube.binormal[0]), normal.dot(tube.normal[0]));
   for (int row = 0; row < rows; ++row) {
     const double angle = -turn * row / rows;
     const Eigen::Vector3d n = tube.normal[row], b = tube.binormal[row];
-    tube.normal[row] = std::cos(angle) * n + std::sin(angle) * b;
-    tube.binormal[row] = std::cos(angle) * b - std::sin(angle) * n;
+    tube.normal[row] = elementary::cos(angle) * n + elementary::sin(angle) * b;
+    tube.binormal[row] = elementary::cos(angle) * b - elementary::sin(angle) * n;
   }
   return tube;
 }
@@ -388,8 +392,8 @@ StripShape cylinder_strips(const CylinderShape& shape) {
   const double spacing = 2 * kPi * shape.radius / shape.resolution;
   return ring_lattice(
       shape.resolution, row_count(shape.height, spacing), false, [=](double u, double v) {
-        return point(shape.radius * std::cos(2 * kPi * u), shape.radius * std::sin(2 * kPi * u),
-                     (v - 0.5) * shape.height);
+        return point(shape.radius * elementary::cos(2 * kPi * u),
+                     shape.radius * elementary::sin(2 * kPi * u), (v - 0.5) * shape.height);
       });
 }
 
@@ -399,13 +403,14 @@ StripShape tube_strips(const TubeShape& shape) {
   const double straight = turn > 1e-9 ? shape.length / turn : 0;  // the arc's radius
   return ring_lattice(
       shape.resolution, row_count(shape.length, spacing), false, [=](double u, double v) {
-        const double r =
-            shape.radius * (1 + shape.bulge * std::sin(2 * kPi * v)) * (1 + (shape.taper - 1) * v);
-        const double out = r * std::cos(2 * kPi * u), aside = r * std::sin(2 * kPi * u);
+        const double r = shape.radius * (1 + shape.bulge * elementary::sin(2 * kPi * v)) *
+                         (1 + (shape.taper - 1) * v);
+        const double out = r * elementary::cos(2 * kPi * u),
+                     aside = r * elementary::sin(2 * kPi * u);
         if (straight == 0) return point(out, aside, (v - 0.5) * shape.length);
         const double a = (v - 0.5) * turn;
-        return point((straight + out) * std::cos(a) - straight, aside,
-                     (straight + out) * std::sin(a));
+        return point((straight + out) * elementary::cos(a) - straight, aside,
+                     (straight + out) * elementary::sin(a));
       });
 }
 
@@ -429,14 +434,14 @@ StripShape torus_strips(const TorusShape& shape) {
   // psi is conformal to the angle along the major circle: d psi = r d theta / (R + r cos theta).
   const double period = 2 * kPi * r / std::sqrt(R * R - r * r);
   const double spacing = 2 * kPi / shape.resolution;
-  return ring_lattice(shape.resolution, even_row_count(period, spacing), true,
-                      [=](double u, double v) {
-                        const double theta = 2 * std::atan2(std::sqrt(R + r) * std::sin(kPi * v),
-                                                            std::sqrt(R - r) * std::cos(kPi * v));
-                        const double distance = R + r * std::cos(theta);
-                        return point(distance * std::cos(2 * kPi * u),
-                                     distance * std::sin(2 * kPi * u), r * std::sin(theta));
-                      });
+  return ring_lattice(
+      shape.resolution, even_row_count(period, spacing), true, [=](double u, double v) {
+        const double theta = 2 * elementary::atan2(std::sqrt(R + r) * elementary::sin(kPi * v),
+                                                   std::sqrt(R - r) * elementary::cos(kPi * v));
+        const double distance = R + r * elementary::cos(theta);
+        return point(distance * elementary::cos(2 * kPi * u),
+                     distance * elementary::sin(2 * kPi * u), r * elementary::sin(theta));
+      });
 }
 
 StripShape trefoil_strips(const TrefoilShape& shape) {
@@ -446,8 +451,8 @@ StripShape trefoil_strips(const TrefoilShape& shape) {
   return ring_lattice(shape.resolution, rows, true, [=](double u, double v) {
     const auto row = static_cast<std::size_t>(std::lround(v * rows));
     const double angle = 2 * kPi * u;
-    return Vec3((tube->center[row] + shape.radius * (std::cos(angle) * tube->normal[row] +
-                                                     std::sin(angle) * tube->binormal[row]))
+    return Vec3((tube->center[row] + shape.radius * (elementary::cos(angle) * tube->normal[row] +
+                                                     elementary::sin(angle) * tube->binormal[row]))
                     .cast<float>());
   });
 }
@@ -464,9 +469,9 @@ StripShape hemisphere_strips(const HemisphereShape& shape) {
     if (ring == 0) return point(0, 0, shape.radius);
     const double polar = 0.5 * kPi * static_cast<double>(ring) / static_cast<double>(rings);
     const double azimuth = 2 * kPi * i / static_cast<double>(4 * ring);
-    return point(shape.radius * std::sin(polar) * std::cos(azimuth),
-                 shape.radius * std::sin(polar) * std::sin(azimuth),
-                 ring == rings ? 0.0 : shape.radius * std::cos(polar));
+    return point(shape.radius * elementary::sin(polar) * elementary::cos(azimuth),
+                 shape.radius * elementary::sin(polar) * elementary::sin(azimuth),
+                 ring == rings ? 0.0 : shape.radius * elementary::cos(polar));
   };
   strips.strips = rings;
   strips.triangles_of = [](std::size_t strip) { return 4 * (2 * strip + 1); };
@@ -497,9 +502,9 @@ StripShape mobius_strips(const MobiusShape& shape) {
       [=](std::size_t row, double at) {
         const double angle = 2 * kPi * static_cast<double>(row) / rows;
         const double across = (at - 0.5) * shape.width;
-        const double distance = shape.radius + across * std::cos(angle / 2);
-        return point(distance * std::cos(angle), distance * std::sin(angle),
-                     across * std::sin(angle / 2));
+        const double distance = shape.radius + across * elementary::cos(angle / 2);
+        return point(distance * elementary::cos(angle), distance * elementary::sin(angle),
+                     across * elementary::sin(angle / 2));
       });
 }
 
@@ -522,13 +527,13 @@ StripShape sheets_strips(const SheetsShape& shape) {
         const double angle = 2 * kPi * static_cast<double>(sheet) / shape.count;
         const double distance =
             shape.width * static_cast<double>(number_of(block)) / static_cast<double>(rows);
-        return point(distance * std::cos(angle), distance * std::sin(angle), height);
+        return point(distance * elementary::cos(angle), distance * elementary::sin(angle), height);
       });
 }
 
 StripShape pieces_strips(const PiecesShape& shape) {
   // Neighbours on a circle of radius 1 - size leave a gap of half their size.
-  const double half = std::sin(kPi / std::max(2, shape.count));
+  const double half = elementary::sin(kPi / std::max(2, shape.count));
   const double size = shape.count < 2 ? 1.0 : std::min(0.5, half / (1.25 + half));
   const auto radius = static_cast<float>(size);
   const std::array<StripShape, 3> kinds = {
@@ -543,8 +548,9 @@ StripShape pieces_strips(const PiecesShape& shape) {
   for (int i = 0; i < shape.count; ++i) {
     const double angle = 2 * kPi * i / shape.count;
     const double distance = shape.count < 2 ? 0.0 : 1 - size;
-    shapes.push_back({kinds[static_cast<std::size_t>(i % 3)],
-                      point(distance * std::cos(angle), distance * std::sin(angle), 0)});
+    shapes.push_back(
+        {kinds[static_cast<std::size_t>(i % 3)],
+         point(distance * elementary::cos(angle), distance * elementary::sin(angle), 0)});
   }
   return joined_shapes(std::move(shapes));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/shapes/implicit_shapes.h"
@@ -47,7 +48,9 @@ struct Shape {
   std::string_view help;
   std::vector<Parameter> parameters;
   /// Those that have a formula can be made in parts.
-  std::variant<std::function<Mesh(const Values&)>, std::function<StripShape(const Values&)>> make;
+  std::variant<std::function<Mesh(const Values&, const Progress&)>,
+               std::function<StripShape(const Values&)>>
+      make;
 };
 
 Parameter length(std::string_view name, double standard, std::string_view help) {
@@ -171,12 +174,13 @@ Shape vessels() {
            {"spread", s.spread, 0.1, 1.3, false, "angle of the branches, radians"},
            seed("seed", s.seed),
            resolution(s.resolution, 20, 800, "edges along one unit")},
-          [](const Values& v) {
+          [](const Values& v, const Progress& progress) {
             return make_vessels({.generations = v.whole("generations"),
                                  .radius = v.real("radius"),
                                  .spread = v.real("spread"),
                                  .seed = v.seed("seed"),
-                                 .resolution = v.whole("resolution")});
+                                 .resolution = v.whole("resolution")},
+                                progress);
           }};
 }
 
@@ -188,15 +192,16 @@ Shape molecule() {
            {"blend", s.blend, 0.001, 0.3, false, "radius of the blends"},
            seed("seed", s.seed),
            resolution(s.resolution, 5, 800, "edges along one unit")},
-          [](const Values& v) {
+          [](const Values& v, const Progress& progress) {
             return make_molecule({.atoms = v.whole("atoms"),
                                   .blend = v.real("blend"),
                                   .seed = v.seed("seed"),
-                                  .resolution = v.whole("resolution")});
+                                  .resolution = v.whole("resolution")},
+                                 progress);
           }};
 }
 
-Mesh checked_box(const BoxShape& shape) {
+Mesh checked_box(const BoxShape& shape, const Progress& progress) {
   const float room = std::min(shape.width, shape.depth);
   if (2 * shape.fillet > std::min(room, shape.height)) {
     throw Error("shape 'box': fillet must be at most half the shortest side");
@@ -207,7 +212,7 @@ Mesh checked_box(const BoxShape& shape) {
         "shape 'box': the hole does not fit; hole + 2 fillet must be at most half of "
         "width and depth");
   }
-  return make_box(shape);
+  return make_box(shape, progress);
 }
 
 Shape box() {
@@ -220,13 +225,14 @@ Shape box() {
            {"fillet", s.fillet, 0.001, 5, false, "radius of the rounding"},
            {"hole", s.hole, 0, 5, false, "radius of the hole along z; 0 for none"},
            resolution(s.resolution, 5, 400, "edges along one unit")},
-          [](const Values& v) {
+          [](const Values& v, const Progress& progress) {
             return checked_box({.width = v.real("width"),
                                 .depth = v.real("depth"),
                                 .height = v.real("height"),
                                 .fillet = v.real("fillet"),
                                 .hole = v.real("hole"),
-                                .resolution = v.whole("resolution")});
+                                .resolution = v.whole("resolution")},
+                               progress);
           }};
 }
 
@@ -405,17 +411,45 @@ AskedShape parse_spec(std::string_view spec) {
   return {shape, values};
 }
 
-Mesh whole(Mesh mesh) { return mesh; }
-Mesh whole(const StripShape& shape) { return mesh_of(shape); }
+using Maker = std::function<Mesh(const Values&, const Progress&)>;
+
+Mesh whole(const Maker& make, const Values& values, const Progress& progress) {
+  return make(values, progress);
+}
+Mesh whole(const std::function<StripShape(const Values&)>& make, const Values& values,
+           const Progress& progress) {
+  return mesh_of(make(values), progress);
+}
+
+/// The resolution that memory holds: vertices grow with its square.
+[[noreturn]] void refuse_resolution(const AskedShape& asked, const TooLarge& error) {
+  const double most = asked.values.real("resolution") * std::sqrt(error.share());
+  throw TooLarge("shape '" + std::string(asked.shape.name) +
+                     "': resolution=" + std::to_string(asked.values.whole("resolution")) +
+                     " is too fine: " + error.what() +
+                     ", as with resolution=" + std::to_string(static_cast<int>(std::floor(most))),
+                 error.share());
+}
 
 }  // namespace
 
-Mesh make_shape(std::string_view spec) {
+Mesh make_shape(std::string_view spec, const Progress& progress) {
   const AskedShape asked = parse_spec(spec);
   const Values& values = asked.values;
-  Mesh mesh = std::visit([&](const auto& make) { return whole(make(values)); }, asked.shape.make);
-  if (values.real("noise") > 0) add_noise(mesh, values.real("noise"), values.seed("noise_seed"));
-  return mesh;
+  const float noise = values.real("noise");
+  std::vector<JobStage> parts = {{"shape", 5}};
+  if (noise > 0) parts.push_back({"noise", 1});
+  JobStages stages(progress, std::move(parts));
+  try {
+    const Progress making = stages.begin("shape");
+    Mesh mesh =
+        std::visit([&](const auto& make) { return whole(make, values, making); }, asked.shape.make);
+    if (noise > 0) add_noise(mesh, noise, values.seed("noise_seed"), stages.begin("noise"));
+    stages.finish();
+    return mesh;
+  } catch (const TooLarge& error) {
+    refuse_resolution(asked, error);
+  }
 }
 
 std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts) {

@@ -4,6 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "brindle/base/memory.h"
+#include "brindle/base/parallel.h"
+
 namespace brindle {
 namespace {
 
@@ -27,28 +30,42 @@ StripRange strips_of_part(const StripShape& shape, int part, int parts) {
   return range;
 }
 
-ShapePart with_strips(const StripShape& shape, StripRange range) {
+ShapePart with_strips(const StripShape& shape, StripRange range, const Progress& progress) {
   const std::size_t blocks = shape.block_sizes.size();
   std::vector<std::uint8_t> wanted(blocks);
   for (std::size_t strip = range.begin; strip < range.end; ++strip) {
     for (const std::size_t block : shape.blocks_of(strip)) wanted[block] = 1;
   }
+  std::size_t vertices = 0, triangles = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    if (wanted[block]) vertices += shape.block_sizes[block];
+  }
+  for (std::size_t strip = range.begin; strip < range.end; ++strip) {
+    triangles += shape.triangles_of(strip);
+  }
   ShapePart made;
+  made.mesh.positions.reserve(vertices);
+  made.vertex_ids.reserve(vertices);
+  made.mesh.triangles.reserve(triangles);
   std::vector<Index> first(blocks);
   std::uint64_t number = 0;
+  Reporter placed(progress.part(0, 0.8), vertices);
   for (std::size_t block = 0; block < blocks; number += shape.block_sizes[block++]) {
     if (!wanted[block]) continue;
     first[block] = static_cast<Index>(made.vertex_ids.size());
     for (Index i = 0; i < shape.block_sizes[block]; ++i) {
       made.mesh.positions.push_back(shape.position(block, i));
       made.vertex_ids.push_back(number + i);
+      placed.done(1);
     }
   }
   std::vector<Index> firsts;
+  Reporter joined(progress.part(0.8, 1), triangles);
   for (std::size_t strip = range.begin; strip < range.end; ++strip) {
     firsts.clear();
     for (const std::size_t block : shape.blocks_of(strip)) firsts.push_back(first[block]);
     shape.add_strip(strip, firsts, made.mesh.triangles);
+    joined.done(shape.triangles_of(strip));
   }
   return made;
 }
@@ -68,10 +85,27 @@ void drop_unused(ShapePart& part) {
 
 }  // namespace
 
-Mesh mesh_of(const StripShape& shape) { return with_strips(shape, {0, shape.strips}).mesh; }
+ShapeSize size_of(const StripShape& shape) {
+  ShapeSize size;
+  for (const Index block : shape.block_sizes) size.vertices += block;
+  for (std::size_t strip = 0; strip < shape.strips; ++strip) {
+    size.triangles += shape.triangles_of(strip);
+  }
+  return size;
+}
+
+Mesh mesh_of(const StripShape& shape, const Progress& progress) {
+  const ShapeSize size = size_of(shape);
+  const auto vertices = static_cast<double>(size.vertices);
+  const double bytes = vertices * (sizeof(Vec3) + sizeof(std::uint64_t)) +
+                       static_cast<double>(size.triangles) * sizeof(Triangle);
+  check_fits(vertices, bytes / std::max(1.0, vertices), "the surface", "vertices",
+             [](double most) { return "one of " + rounded_down(most) + " would do"; });
+  return with_strips(shape, {0, shape.strips}, progress).mesh;
+}
 
 ShapePart part_of(const StripShape& shape, int part, int parts) {
-  ShapePart made = with_strips(shape, strips_of_part(shape, part, parts));
+  ShapePart made = with_strips(shape, strips_of_part(shape, part, parts), {});
   drop_unused(made);
   return made;
 }

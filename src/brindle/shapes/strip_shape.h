@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/shapes.h"
 
 namespace brindle {
@@ -26,8 +27,15 @@ struct StripShape {
       add_strip;
 };
 
-/// The whole shape.
-Mesh mesh_of(const StripShape& shape);
+/// How many vertices and triangles the whole shape has.
+struct ShapeSize {
+  std::uint64_t vertices = 0, triangles = 0;
+};
+ShapeSize size_of(const StripShape& shape);
+
+/// The whole shape. Throws TooLarge (memory.h) if memory does not hold it, before it is begun, and
+/// Cancelled if `progress` asks for it.
+Mesh mesh_of(const StripShape& shape, const Progress& progress = {});
 
 /// The strips of one of `parts` parts, with as many triangles as the others as near as strips
 /// allow, and the vertices that they use.

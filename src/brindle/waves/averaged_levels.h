@@ -4,6 +4,7 @@
 #include <span>
 
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -24,6 +25,7 @@ struct SurfaceElements {
 std::vector<AveragedLevel> averaged_levels(const Adjacency& adjacency, const WaveSet& waves,
                                            const SurfaceElements& elements, PhaseShiftKind kind,
                                            int levels = 10,
-                                           std::span<const float> edge_weights = {});
+                                           std::span<const float> edge_weights = {},
+                                           const Progress& progress = {});
 
 }  // namespace brindle

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "brindle/geometry/mesh_edges.h"
 
@@ -44,7 +45,7 @@ std::vector<Complex> boundary_phases(const Surface& surface, const WaveSet& wave
   }
   float share = periods - std::floor(periods);
   if (share < kInside || share > 1 - kInside) share = kInside;
-  const Complex phase = std::polar(1.0f, std::numbers::pi_v<float> * (0.5f - 2 * share));
+  const Complex phase = elementary::polar(1.0f, std::numbers::pi_v<float> * (0.5f - 2 * share));
   const std::vector<Vec3> inwards = ways_inwards(surface);
   std::vector<Complex> phases(count, Complex(0));
   for (std::size_t v = 0; v < count; ++v) {

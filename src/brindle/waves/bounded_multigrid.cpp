@@ -174,8 +174,11 @@ void BoundedMultigrid::sum(std::size_t l) {
   weigh(l + 1);
 }
 
-void BoundedMultigrid::sum_all() {
-  for (std::size_t l = 0; !is_coarsest(l); ++l) sum(l);
+void BoundedMultigrid::sum_all(const Progress& progress) {
+  for (std::size_t l = 0; !is_coarsest(l); ++l) {
+    progress.report(1 - std::pow(0.25, l));
+    sum(l);
+  }
   if (peers_ != nullptr && levels_.size() > 1) {
     peers_->set_coarsest({levels_.back().values, levels_.back().diagonal});
   }
@@ -295,11 +298,12 @@ void BoundedMultigrid::restrict_bounds(std::size_t l) {
   });
 }
 
-void BoundedMultigrid::start() { start_with(0); }
+void BoundedMultigrid::start(const Progress& progress) { start_with(0, progress); }
 
-void BoundedMultigrid::start_with(int finest_sweeps) {
+void BoundedMultigrid::start_with(int finest_sweeps, const Progress& progress) {
   std::ranges::fill(free_, 1.0f);
-  sum_all();
+  sum_all(progress.part(0, 0.4));
+  progress.report(0.4);
   for (std::size_t l = 0; !is_coarsest(l); ++l) restrict_bounds(l);
   std::ranges::fill(levels_.back().x, 1.0f);
   const bool is_solved = peers_ != nullptr && levels_.size() > 1;
@@ -309,6 +313,10 @@ void BoundedMultigrid::start_with(int finest_sweeps) {
   }
   for (std::size_t l = levels_.size() - (is_solved ? 1 : 0); l-- > 0;) {
     Level& level = levels_[l];
+    // A level takes four times as long as the next coarser one.
+    const Progress of_level =
+        progress.part(0.4 + 0.6 * std::pow(0.25, l + 1), 0.4 + 0.6 * std::pow(0.25, l));
+    of_level.report(0);
     if (!is_coarsest(l)) {
       const RowLevel& rows = rows_->levels[l];
       for_rows(rows, [&](Index i) {
@@ -317,7 +325,10 @@ void BoundedMultigrid::start_with(int finest_sweeps) {
       exchange(l, level.x);
     }
     const int sweeps = l == 0 ? finest_sweeps : kCoarsestSweeps;
-    for (int s = 0; s < sweeps; ++s) sweep<true>(l, s % 2 == 0);
+    for (int s = 0; s < sweeps; ++s) {
+      of_level.report(static_cast<double>(s) / sweeps);
+      sweep<true>(l, s % 2 == 0);
+    }
   }
 }
 
@@ -409,21 +420,24 @@ void BoundedMultigrid::step() {
 }
 
 /// By the coarser levels. Which nodes are free is on its way while residuals are summed.
-void BoundedMultigrid::correct_finest() {
+void BoundedMultigrid::correct_finest(const Progress& progress) {
   if (peers_ != nullptr) peers_->start(0, free_);
   restrict_free_residual();
   if (peers_ != nullptr) peers_->finish();
   if (!summed_ || changed_ * kMostChanged > nodes_of_all_) {
-    sum_all();
+    sum_all(progress.part(0, 0.3));
     summed_ = true;
     changed_ = 0;
   }
+  progress.report(0.3);
   visit(1, 1);
+  progress.report(0.8);
   step();
 }
 
-BoundedMultigrid::Measure BoundedMultigrid::cycle() {
+BoundedMultigrid::Measure BoundedMultigrid::cycle(const Progress& progress) {
   sweep<true>(0, true);
+  progress.report(0.2);
   const Measure now = measure();
   // Long steps leave the bounds and are cut there: that may raise the energy.
   if (now.energy > last_energy_) {
@@ -431,7 +445,8 @@ BoundedMultigrid::Measure BoundedMultigrid::cycle() {
     has_momentum_ = false;
   }
   last_energy_ = now.energy;
-  if (levels_.size() > 1) correct_finest();
+  if (levels_.size() > 1) correct_finest(progress.part(0.3, 0.8));
+  progress.report(0.8);
   sweep<true>(0, false);
   return now;
 }

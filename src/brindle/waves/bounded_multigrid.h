@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/progress.h"
 #include "brindle/waves/row_levels.h"
 #include "brindle/waves/row_peers.h"
 
@@ -17,6 +18,7 @@ namespace brindle {
 /// 2009). Blocks of rows are relaxed at the same time, each with the others' last values and the
 /// diagonal larger by what they share (Baker et al. 2011), so that sweeps never raise the energy
 /// and the result is the same for every number of threads. Nothing is allocated after construction.
+/// Where `progress` throws, `x` is somewhere on its way.
 ///
 /// With peers, who must live as long, it is one multigrid over all processes: others' nodes have
 /// values beside the own ones, come after them, and are what the others say at the end of a sweep.
@@ -37,7 +39,7 @@ class BoundedMultigrid {
   void prepare();
 
   /// A start for `x`: from the coarsest level down, each between the bounds that its nodes share.
-  void start();
+  void start(const Progress& progress = {});
 
   struct Measure {
     double energy = 0;              ///< x'Ax - 2 b'x
@@ -45,7 +47,7 @@ class BoundedMultigrid {
   };
 
   /// One cycle. Says how far things were after its first sweep.
-  Measure cycle();
+  Measure cycle(const Progress& progress = {});
 
   /// How far things are.
   Measure measure();
@@ -65,7 +67,7 @@ class BoundedMultigrid {
   void weigh(std::size_t level);
   bool is_coarsest(std::size_t level) const { return level + 1 == levels_.size(); }
   void sum(std::size_t level);
-  void sum_all();
+  void sum_all(const Progress& progress = {});
   template <bool kBounded>
   void relax_block(std::size_t level, std::size_t block, bool forward);
   template <bool kBounded>
@@ -79,10 +81,10 @@ class BoundedMultigrid {
   void restrict_residual(std::size_t level);
   void restrict_bounds(std::size_t level);
   void correct(std::size_t level);
-  void start_with(int finest_sweeps);
+  void start_with(int finest_sweeps, const Progress& progress = {});
   void visit(std::size_t level, int visits);
   void descend(std::size_t level);
-  void correct_finest();
+  void correct_finest(const Progress& progress);
   void step();
 
   std::shared_ptr<const RowLevels> rows_;

@@ -1,5 +1,7 @@
 #include "brindle/waves/circulation.h"
 
+#include <cmath>
+
 namespace brindle {
 namespace {
 
@@ -23,7 +25,7 @@ Lanes sign_of(const Lanes& x) {
 /// How long a unit vector's projection into the plane is, at least a little.
 Lanes length_in_plane(const LaneVectors& direction, const LaneVectors& normal) {
   const Lanes out = dot(direction, normal);
-  return (1 - out * out).max(0.01f).sqrt();
+  return square_root((1 - out * out).max(0.01f));
 }
 
 }  // namespace
@@ -32,6 +34,12 @@ Lanes divisor(const Lanes& x) {
   Lanes safe;
   for (int l = 0; l < kTriangleLanes; ++l) safe[l] = x[l] == 0 ? 1.0f : x[l];
   return safe;
+}
+
+Lanes square_root(const Lanes& x) {
+  Lanes root;
+  for (int l = 0; l < kTriangleLanes; ++l) root[l] = std::sqrt(x[l]);
+  return root;
 }
 
 TriangleShapes triangle_shapes(const std::array<LaneVectors, 3>& corners) {
@@ -44,7 +52,7 @@ TriangleShapes triangle_shapes(const std::array<LaneVectors, 3>& corners) {
     longest = longest.max(dot(shapes.edge[m], shapes.edge[m]));
   }
   shapes.normal = cross(shapes.edge[0], shapes.edge[1]);
-  const Lanes twice = dot(shapes.normal, shapes.normal).sqrt();
+  const Lanes twice = square_root(dot(shapes.normal, shapes.normal));
   for (Lanes& coordinate : shapes.normal) coordinate /= divisor(twice);
   shapes.area = (twice / 2).max(kThinnest * longest);
   const Lanes scale = -0.25f / divisor(shapes.area);

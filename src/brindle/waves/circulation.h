@@ -34,4 +34,7 @@ std::array<Lanes, 3> circulation_coefficients(const TriangleShapes& shapes,
 /// What may be divided by: zero becomes 1.
 Lanes divisor(const Lanes& x);
 
+/// Rounded as IEEE 754 has it. Eigen's own approximates, and each processor in its way.
+Lanes square_root(const Lanes& x);
+
 }  // namespace brindle

@@ -27,12 +27,13 @@ void check_crosses(const Adjacency& neighborhood, const WaveSet& crosses) {
 }
 
 /// Rows keep their order, so that neighbours ascend as they do on the surface.
-Adjacency cover_neighborhood(const Adjacency& neighborhood, const WaveSet& crosses) {
+Adjacency cover_neighborhood(const Adjacency& neighborhood, const WaveSet& crosses,
+                             const Progress& progress) {
   const std::size_t vertices = neighborhood.node_count();
   Adjacency cover;
   cover.offsets.resize(2 * vertices + 1);
   cover.neighbors.resize(2 * neighborhood.directed_edge_count());
-  parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
+  parallel_for(vertices, progress, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       const auto row = neighborhood.of(i);
       const Index first = 2 * neighborhood.offsets[i];
@@ -102,11 +103,13 @@ bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
 }
 
 CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> triangles,
-                       WaveSet crosses) {
+                       WaveSet crosses, const Progress& progress) {
   check_crosses(neighborhood, crosses);
   CrossCover cover;
-  cover.neighborhood = std::make_shared<const Adjacency>(cover_neighborhood(neighborhood, crosses));
-  for (Index t = 0; t < triangles.size(); ++t) {
+  cover.neighborhood = std::make_shared<const Adjacency>(
+      cover_neighborhood(neighborhood, crosses, progress.part(0, 0.6)));
+  reported_for(triangles.size(), progress.part(0.6, 0.9), [&](std::size_t number) {
+    const auto t = static_cast<Index>(number);
     const auto& [a, b, c] = triangles[t];
     const Index to_b = matching_wave(crosses, a, b);
     const Index to_c = matching_wave(crosses, a, c);
@@ -116,7 +119,8 @@ CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> 
       cover.base.push_back(t);
       cover.triangles.push_back({2 * a, 2 * b + to_b, 2 * c + to_c});
     }
-  }
+  });
+  progress.report(0.9);
   cover.triangles.reserve(2 * cover.base.size());
   for (std::size_t s = 0; s < cover.base.size(); ++s) {
     const auto& [a, b, c] = cover.triangles[s];

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
@@ -59,7 +60,7 @@ DirectionField curvature_direction_field(std::span<const PrincipalCurvature> cur
 
 DirectionField rotated(std::span<const Vec3> directions, std::span<const Vec3> normals,
                        float radians) {
-  const float cosine = std::cos(radians), sine = std::sin(radians);
+  const float cosine = elementary::cos(radians), sine = elementary::sin(radians);
   DirectionField turned(directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i) {
     turned[i] = cosine * directions[i] + sine * normals[i].cross(directions[i]);

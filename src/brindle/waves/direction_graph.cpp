@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
@@ -21,7 +22,7 @@ Vec3 transported(const Vec3& vector, const Vec3& from, const Vec3& to) {
 }
 
 float angle_of(const Vec3& direction, const TangentBasis& basis) {
-  return std::atan2(direction.dot(basis.y), direction.dot(basis.x));
+  return elementary::atan2(direction.dot(basis.y), direction.dot(basis.x));
 }
 
 struct Transport {
@@ -59,16 +60,17 @@ TangentBasis tangent_basis(const Vec3& normal) {
 }
 
 PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
-                                 std::span<const Vec3> normals, int symmetry) {
+                                 std::span<const Vec3> normals, int symmetry,
+                                 const Progress& progress) {
   check_normals(*adjacency, normals);
   PhaseGraph graph;
   graph.coupling.resize(adjacency->directed_edge_count());
   graph.reflecting.resize(adjacency->directed_edge_count());
-  parallel_for(adjacency->node_count(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(adjacency->node_count(), progress, [&](std::size_t begin, std::size_t end) {
     for (Index i = static_cast<Index>(begin); i < end; ++i) {
       for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
         const Transport t = transport(normals[adjacency->neighbors[edge]], normals[i]);
-        graph.coupling[edge] = std::polar(1.0f, static_cast<float>(symmetry) * t.radians);
+        graph.coupling[edge] = elementary::polar(1.0f, static_cast<float>(symmetry) * t.radians);
         graph.reflecting[edge] = t.reflecting;
       }
     }
@@ -80,19 +82,20 @@ PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) {
   if (direction.isZero(0)) return 0;
   const float theta = angle_of(direction, tangent_basis(normal));
-  return std::polar(1.0f, static_cast<float>(symmetry) * theta);
+  return elementary::polar(1.0f, static_cast<float>(symmetry) * theta);
 }
 
 DirectionField directions_of(std::span<const Complex> u, std::span<const Vec3> normals,
-                             int symmetry) {
+                             int symmetry, const Progress& progress) {
   DirectionField directions(u.size());
-  parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(u.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const float theta = std::arg(u[i]) / static_cast<float>(symmetry);
+      const float theta = elementary::arg(u[i]) / static_cast<float>(symmetry);
       const TangentBasis basis = tangent_basis(normals[i]);
-      directions[i] = normals[i].isZero(0)
-                          ? Vec3(Vec3::Zero())
-                          : Vec3(std::cos(theta) * basis.x + std::sin(theta) * basis.y);
+      directions[i] =
+          normals[i].isZero(0)
+              ? Vec3(Vec3::Zero())
+              : Vec3(elementary::cos(theta) * basis.x + elementary::sin(theta) * basis.y);
     }
   });
   return directions;

@@ -6,6 +6,7 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -23,13 +24,14 @@ TangentBasis tangent_basis(const Vec3& normal);
 /// B_ij. All weights are 1. `normals` has one entry per node, `symmetry` is N. Throws Error if
 /// sizes do not match, and for a normal that is not finite, naming the first.
 PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
-                                 std::span<const Vec3> normals, int symmetry);
+                                 std::span<const Vec3> normals, int symmetry,
+                                 const Progress& progress = {});
 
 /// u = exp(i N theta) of a tangent direction; zero for a zero direction.
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry);
 
 /// One of the N directions that each u stands for: theta = arg(u) / N. Zero where the normal is.
 DirectionField directions_of(std::span<const Complex> u, std::span<const Vec3> normals,
-                             int symmetry);
+                             int symmetry, const Progress& progress = {});
 
 }  // namespace brindle

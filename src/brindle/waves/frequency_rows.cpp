@@ -113,7 +113,7 @@ struct TermLanes {
 TermLanes terms_of(const TriangleLanes& lanes) {
   const TriangleShapes shapes = triangle_shapes(lanes.corners);
   const std::array<Lanes, 3> coefficient = circulation_coefficients(shapes, lanes.directions);
-  const Lanes root = (lanes.weight / divisor(shapes.area)).sqrt();
+  const Lanes root = square_root(lanes.weight / divisor(shapes.area));
   std::array<Lanes, 3> c;
   for (int m = 0; m < 3; ++m) c[m] = root * coefficient[m] * lanes.f[m];
   TermLanes terms;
@@ -159,65 +159,69 @@ Index entry_of(const RowLevel& rows, Index row, Index column) {
   return static_cast<Index>(std::find(begin, end, column) - rows.columns.begin());
 }
 
-RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, RowPeers* peers) {
+RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, RowPeers* peers,
+                     const Progress& progress) {
   const std::vector<float> strengths = stripe_strengths(adjacency, input);
-  return peers == nullptr ? row_levels(adjacency, strengths)
+  return peers == nullptr ? row_levels(adjacency, strengths, progress)
                           : peers->make_levels(adjacency, strengths);
 }
 
 }  // namespace
 
 FrequencyRows::FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
-                             const FrequencyInput& input, RowPeers* peers)
-    : levels_(std::make_shared<const RowLevels>(levels_for(adjacency, input, peers))) {
-  set_triangles(triangles);
-  set_corners();
+                             const FrequencyInput& input, RowPeers* peers, const Progress& progress)
+    : levels_(std::make_shared<const RowLevels>(
+          levels_for(adjacency, input, peers, progress.part(0, 0.7)))) {
+  set_triangles(triangles, progress.part(0.7, 0.8));
+  set_corners(progress.part(0.8, 1));
 }
 
-void FrequencyRows::set_triangles(const FrequencyTriangles& triangles) {
+void FrequencyRows::set_triangles(const FrequencyTriangles& triangles, const Progress& progress) {
   const std::vector<Index>& place_of = levels_->place_of;
   std::vector<Index> offsets(place_of.size() + 1);
   const auto first_place = [&](const Triangle& t) {
     return std::min({place_of[t[0]], place_of[t[1]], place_of[t[2]]});
   };
-  for (const Triangle& triangle : triangles.corners) {
+  reported_for(triangles.corners.size(), progress.part(0, 0.4), [&](std::size_t t) {
+    const Triangle& triangle = triangles.corners[t];
     if (has_three_vertices(triangle)) ++offsets[first_place(triangle) + 1];
-  }
+  });
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
   const Index count = offsets.back();
   triangles_.corners.resize(count);
   triangles_.weights.resize(triangles.weights.empty() ? 0 : count);
   triangles_.counted.resize(triangles.counted.empty() ? 0 : count);
-  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
-    if (!has_three_vertices(triangles.corners[t])) continue;
+  reported_for(triangles.corners.size(), progress.part(0.4, 1), [&](std::size_t t) {
+    if (!has_three_vertices(triangles.corners[t])) return;
     const Index place = offsets[first_place(triangles.corners[t])]++;
     triangles_.corners[place] = triangles.corners[t];
     if (!triangles.weights.empty()) triangles_.weights[place] = triangles.weights[t];
     if (!triangles.counted.empty()) triangles_.counted[place] = triangles.counted[t];
-  }
+  });
 }
 
-void FrequencyRows::set_corners() {
+void FrequencyRows::set_corners(const Progress& progress) {
   const RowLevel& rows = levels_->levels[0];
   const std::vector<Index>& place_of = levels_->place_of;
   // Counted one place to the right, so that filling moves each offset to where it belongs.
   offsets_.assign(rows.size() + 2, 0);
   const auto& triangles = triangles_.corners;
-  for (const Triangle& triangle : triangles) {
-    for (const Index vertex : triangle) {
+  reported_for(triangles.size(), progress.part(0, 0.2), [&](std::size_t t) {
+    for (const Index vertex : triangles[t]) {
       if (vertex < own()) ++offsets_[place_of[vertex] + 2];
     }
-  }
+  });
   for (std::size_t i = 2; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
   corners_.resize(offsets_.back());
-  for (Index t = 0; t < triangles.size(); ++t) {
+  reported_for(triangles.size(), progress.part(0.2, 0.5), [&](std::size_t t) {
     for (Index m = 0; m < 3; ++m) {
       const Index vertex = triangles[t][m];
-      if (vertex < own()) corners_[offsets_[place_of[vertex] + 1]++].corner = 4 * t + m;
+      if (vertex >= own()) continue;
+      corners_[offsets_[place_of[vertex] + 1]++].corner = 4 * static_cast<Index>(t) + m;
     }
-  }
+  });
   offsets_.pop_back();
-  parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(rows.size(), progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
     for (auto row = static_cast<Index>(begin); row < end; ++row) {
       for (Index k = offsets_[row]; k < offsets_[row + 1]; ++k) {
         const Triangle& triangle = triangles[corners_[k].corner / 4];

@@ -52,7 +52,8 @@ class FrequencyRows {
  public:
   /// Edges of triangles are edges of `adjacency`.
   FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
-                const FrequencyInput& input, RowPeers* peers = nullptr);
+                const FrequencyInput& input, RowPeers* peers = nullptr,
+                const Progress& progress = {});
 
   const std::shared_ptr<const RowLevels>& levels() const { return levels_; }
 
@@ -75,8 +76,8 @@ class FrequencyRows {
     Index corner;          ///< 4 t + m: corner m of triangle t
     Index next, previous;  ///< the row's entries of the triangle's other vertices
   };
-  void set_triangles(const FrequencyTriangles& triangles);
-  void set_corners();
+  void set_triangles(const FrequencyTriangles& triangles, const Progress& progress);
+  void set_corners(const Progress& progress);
 
   std::shared_ptr<const RowLevels> levels_;
   FrequencyTriangles triangles_;

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/reported_sort.h"
 
 namespace brindle {
 namespace {
@@ -20,7 +25,7 @@ std::vector<std::pair<float, Index>> around(std::span<const Vec3> positions, con
   std::vector<std::pair<float, Index>> result;
   for (const Index j : neighborhood.of(i)) {
     const Vec3 edge = positions[j] - positions[i];
-    result.emplace_back(std::atan2(edge.dot(y), edge.dot(x)), j);
+    result.emplace_back(elementary::atan2(edge.dot(y), edge.dot(x)), j);
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -37,10 +42,11 @@ Triangle from_smallest(Index a, Index b, Index c) {
 
 std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
                                          std::span<const Vec3> normals,
-                                         const Adjacency& neighborhood) {
+                                         const Adjacency& neighborhood, const Progress& progress) {
   std::vector<Triangle> triangles;
-  for (Index i = 0; i < neighborhood.node_count(); ++i) {
-    if (normals[i].isZero(0)) continue;
+  reported_for(neighborhood.node_count(), progress.part(0, 0.5), [&](std::size_t point) {
+    const auto i = static_cast<Index>(point);
+    if (normals[i].isZero(0)) return;
     const auto ring = around(positions, normals[i], neighborhood, i);
     for (std::size_t k = 0; k < ring.size() && ring.size() > 1; ++k) {
       const bool last = k + 1 == ring.size();
@@ -50,8 +56,8 @@ std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
       if (angle < kSmallestAngle || angle > kLargestAngle) continue;
       triangles.push_back(from_smallest(i, ring[k].second, next));
     }
-  }
-  std::sort(triangles.begin(), triangles.end());
+  });
+  reported_sort(triangles.begin(), triangles.end(), progress.part(0.5, 1), std::less<>());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }

@@ -6,6 +6,7 @@
 
 #include "brindle/adjacency.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -14,6 +15,7 @@ namespace brindle {
 /// They overlap, and edges between neighbours need not be edges of the neighbourhood.
 std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
                                          std::span<const Vec3> normals,
-                                         const Adjacency& neighborhood);
+                                         const Adjacency& neighborhood,
+                                         const Progress& progress = {});
 
 }  // namespace brindle

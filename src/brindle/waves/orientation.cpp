@@ -20,32 +20,84 @@ bool runs_against_neighbors(const Adjacency& neighborhood, std::span<const Vec3>
   return agreement < 0;
 }
 
-}  // namespace
+/// Visits vertices breadth-first.
+class OrientationWalk {
+ public:
+  OrientationWalk(const Adjacency& neighborhood, std::span<Vec3> directions,
+                  const Progress& progress)
+      : neighborhood_(neighborhood),
+        directions_(directions),
+        progress_(progress),
+        visits_(directions.size(), Visit::not_yet) {
+    queue_.reserve(directions.size());
+  }
 
-void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions) {
-  const auto count = static_cast<Index>(directions.size());
-  std::vector<Visit> visits(count, Visit::not_yet);
-  std::vector<Index> queue;
-  queue.reserve(count);
-  for (Index start = 0; start < count; ++start) {
-    if (visits[start] != Visit::not_yet) continue;
-    visits[start] = Visit::queued;
-    std::size_t next = queue.size();
-    queue.push_back(start);
-    for (; next < queue.size(); ++next) {
-      const Index vertex = queue[next];
-      if (runs_against_neighbors(neighborhood, directions, visits, vertex)) {
-        directions[vertex] = -directions[vertex];
-      }
-      visits[vertex] = Visit::done;
-      for (const Index neighbor : neighborhood.of(vertex)) {
-        // What has no wave carries no sign on.
-        if (visits[neighbor] != Visit::not_yet || directions[neighbor].isZero(0)) continue;
-        visits[neighbor] = Visit::queued;
-        queue.push_back(neighbor);
-      }
+  void settle(Index vertex) { visits_[vertex] = Visit::done; }
+
+  void enter(Index vertex) {
+    if (visits_[vertex] != Visit::not_yet) return;
+    visits_[vertex] = Visit::queued;
+    queue_.push_back(vertex);
+  }
+
+  void enter_neighbors(Index vertex) {
+    for (const Index neighbor : neighborhood_.of(vertex)) {
+      // What has no wave carries no sign on.
+      if (!directions_[neighbor].isZero(0)) enter(neighbor);
     }
   }
+
+  void go_on() {
+    for (; next_ < queue_.size(); ++next_) {
+      if (next_ % kReportSlice == 0) {
+        progress_.report(static_cast<double>(next_) / static_cast<double>(visits_.size()));
+      }
+      const Index vertex = queue_[next_];
+      if (runs_against_neighbors(neighborhood_, directions_, visits_, vertex)) {
+        directions_[vertex] = -directions_[vertex];
+      }
+      visits_[vertex] = Visit::done;
+      enter_neighbors(vertex);
+    }
+  }
+
+ private:
+  const Adjacency& neighborhood_;
+  std::span<Vec3> directions_;
+  const Progress& progress_;
+  std::vector<Visit> visits_;
+  std::vector<Index> queue_;
+  std::size_t next_ = 0;
+};
+
+/// From the first of every component that nothing has reached yet.
+void walk_all(OrientationWalk& walk, std::size_t count) {
+  for (Index start = 0; start < count; ++start) {
+    walk.enter(start);
+    walk.go_on();
+  }
+}
+
+}  // namespace
+
+void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
+                  const Progress& progress) {
+  OrientationWalk walk(neighborhood, directions, progress);
+  walk_all(walk, directions.size());
+}
+
+void orient_alike(const Adjacency& neighborhood, std::span<const std::uint8_t> settled,
+                  std::span<Vec3> directions) {
+  const Progress silent;
+  OrientationWalk walk(neighborhood, directions, silent);
+  for (Index vertex = 0; vertex < settled.size(); ++vertex) {
+    if (settled[vertex] != 0) walk.settle(vertex);
+  }
+  for (Index vertex = 0; vertex < settled.size(); ++vertex) {
+    if (settled[vertex] != 0 && !directions[vertex].isZero(0)) walk.enter_neighbors(vertex);
+  }
+  walk.go_on();
+  walk_all(walk, directions.size());
 }
 
 void orient_like(std::span<const Vec3> reference, std::span<Vec3> directions) {

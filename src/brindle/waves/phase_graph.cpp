@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
-                             PhaseShiftKind kind, std::span<const float> edge_weights) {
+                             PhaseShiftKind kind, std::span<const float> edge_weights,
+                             const Progress& progress) {
   const std::size_t nodes = adjacency->node_count();
   const std::size_t edges = adjacency->directed_edge_count();
   check_coupled_waves(*adjacency, waves, edge_weights);
   PhaseGraph graph;
   graph.coupling.resize(edges);
   graph.reflecting.resize(edges);
-  parallel_for(nodes, [&](std::size_t begin, std::size_t end) {
+  parallel_for(nodes, progress, [&](std::size_t begin, std::size_t end) {
     for (Index i = static_cast<Index>(begin); i < end; ++i) {
       const Wave w_i = waves.wave(i);
       for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
@@ -25,8 +27,8 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
         if (!edge_weights.empty()) weight *= edge_weights[edge];
         const PhaseShift shift = phase_shift(kind, w_j, w_i);
         graph.reflecting[edge] = shift.reflecting;
-        graph.coupling[edge] = shift.reflecting ? -std::polar(weight, -shift.radians)
-                                                : std::polar(weight, shift.radians);
+        graph.coupling[edge] = shift.reflecting ? -elementary::polar(weight, -shift.radians)
+                                                : elementary::polar(weight, shift.radians);
       }
     }
   });

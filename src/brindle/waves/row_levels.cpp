@@ -1,6 +1,7 @@
 #include "brindle/waves/row_levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -48,12 +49,15 @@ Index strongest_group(const StrengthGraph& graph, Index node, const Grouping& gr
 
 /// Nodes left alone join a neighbour's group; only those without neighbours of their own process
 /// stay alone.
-Grouping RowLevelMaker::grouped() const {
+Grouping RowLevelMaker::grouped(const Progress& progress) const {
   const StrengthGraph& graph = coarsest();
   Grouping grouping{std::vector<Index>(graph.size() + graph.others, kFree), 0, 0};
   std::vector<float> sums(graph.size() + graph.others);
   std::vector<Index> members;
   for (Index start = 0; start < graph.size(); ++start) {
+    if (start % kReportSlice == 0) {
+      progress.report(static_cast<double>(start) / static_cast<double>(graph.size()));
+    }
     if (grouping.parent[start] != kFree) continue;
     members.assign(1, start);
     grouping.parent[start] = grouping.count;
@@ -90,13 +94,17 @@ std::vector<Index> sorted_by(std::span<const Index> key, Index count, std::vecto
   return begin;
 }
 
-StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping) {
+StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping,
+                     const Progress& progress) {
   std::vector<Index> nodes;
   const auto own_parents = std::span(grouping.parent).first(fine.size());
   const std::vector<Index> begin = sorted_by(own_parents, grouping.count, nodes);
   StrengthGraph coarse{{0}, {}, {}, grouping.others};
   std::vector<Index> entry_of(grouping.count + grouping.others, kFree);
   for (Index group = 0; group < grouping.count; ++group) {
+    if (group % kReportSlice == 0) {
+      progress.report(static_cast<double>(group) / static_cast<double>(grouping.count));
+    }
     const std::size_t first = coarse.neighbors.size();
     for (Index n = begin[group]; n < begin[group + 1]; ++n) {
       for (Index e = fine.offsets[nodes[n]]; e < fine.offsets[nodes[n] + 1]; ++e) {
@@ -148,7 +156,8 @@ Places placed_by_parents(const Grouping& grouping, const Places& coarse, RowLeve
   return places;
 }
 
-void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level) {
+void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level,
+              const Progress& progress) {
   level.offsets.resize(graph.offsets.size());
   for (Index place = 0; place < graph.size(); ++place) {
     const Index node = places.node_at[place];
@@ -156,7 +165,7 @@ void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level)
   }
   level.outside.resize(graph.size());
   level.columns.resize(graph.neighbors.size());
-  parallel_for(graph.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(graph.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (auto place = static_cast<Index>(begin); place < end; ++place) {
       const Index node = places.node_at[place], block = place / kRowBlock;
       const auto row = level.columns.begin() + level.offsets[place];
@@ -199,22 +208,27 @@ void set_targets(RowLevel& fine, const RowLevel& coarse) {
 
 RowLevelMaker::RowLevelMaker(StrengthGraph finest) { graphs_.push_back(std::move(finest)); }
 
-void RowLevelMaker::merge(Grouping grouping) {
-  graphs_.push_back(merged(graphs_.back(), grouping));
+void RowLevelMaker::merge(Grouping grouping, const Progress& progress) {
+  graphs_.push_back(merged(graphs_.back(), grouping, progress));
   groupings_.push_back(std::move(grouping));
 }
 
-RowLevels RowLevelMaker::made() {
+RowLevels RowLevelMaker::made(const Progress& progress) {
   RowLevels result;
   result.levels.resize(graphs_.size());
   places_of_.resize(graphs_.size());
   Places places = natural_places(coarsest().size() + coarsest().others);
   for (std::size_t l = graphs_.size(); l-- > 0;) {
+    // A level takes four times as long as the next coarser one.
+    const Progress of_level = progress.part(std::pow(0.25, l + 1), std::pow(0.25, l));
+    of_level.report(0);
     RowLevel& level = result.levels[l];
     level.others = graphs_[l].others;
     if (l < groupings_.size()) places = placed_by_parents(groupings_[l], places, level);
     places_of_[l] = places.place_of;
-    set_rows(graphs_[l], places, level);
+    of_level.report(0.3);
+    set_rows(graphs_[l], places, level, of_level.part(0.3, 0.8));
+    of_level.report(0.8);
     if (l < groupings_.size()) set_targets(level, result.levels[l + 1]);
   }
   result.node_at = std::move(places.node_at);
@@ -222,15 +236,19 @@ RowLevels RowLevelMaker::made() {
   return result;
 }
 
-RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths) {
+RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths,
+                     const Progress& progress) {
   RowLevelMaker maker(
       {adjacency.offsets, adjacency.neighbors, {strengths.begin(), strengths.end()}});
-  while (maker.coarsest().size() > kFewestNodes) {
-    Grouping grouping = maker.grouped();
+  // A level takes a quarter of the time of the finer one, and all of them as long as `made`.
+  for (int level = 0; maker.coarsest().size() > kFewestNodes; ++level) {
+    const Progress of_level =
+        progress.part(0.5 - 0.5 * std::pow(0.25, level), 0.5 - 0.5 * std::pow(0.25, level + 1));
+    Grouping grouping = maker.grouped(of_level.part(0, 0.5));
     if (grouping.count > maker.coarsest().size() / 10 * 9) break;
-    maker.merge(std::move(grouping));
+    maker.merge(std::move(grouping), of_level.part(0.5, 1));
   }
-  return maker.made();
+  return maker.made(progress.part(0.5, 1));
 }
 
 }  // namespace brindle

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -43,7 +44,8 @@ struct RowLevels {
 /// Aggregates of up to four nodes that are joined strongly become one node of the next level; the
 /// children of a node lie side by side, level by level, so that what is close together lies close
 /// together. `strengths` has a number of 0 or above per directed edge.
-RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths);
+RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths,
+                     const Progress& progress = {});
 
 /// Fewer nodes are not worth another level.
 inline constexpr Index kFewestNodes = 32;
@@ -74,13 +76,13 @@ class RowLevelMaker {
   const StrengthGraph& coarsest() const { return graphs_.back(); }
 
   /// How its own nodes are best merged; the parents of others mean nothing yet.
-  Grouping grouped() const;
+  Grouping grouped(const Progress& progress = {}) const;
 
   /// Makes the groups the nodes of another level.
-  void merge(Grouping grouping);
+  void merge(Grouping grouping, const Progress& progress = {});
 
   /// All levels. Nodes of others have their numbers as places.
-  RowLevels made();
+  RowLevels made(const Progress& progress = {});
 
   /// Node -> place in a level, after `made`.
   std::span<const Index> places_of(std::size_t level) const { return places_of_[level]; }

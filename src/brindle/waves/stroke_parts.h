@@ -21,12 +21,13 @@ double allowed_distance(const FieldStroke& stroke, double diagonal);
 /// vertices within their radii of these triangles. With the same order of vertices and triangles as
 /// in the whole, anchors have the same bits.
 std::vector<FieldAnchor> stroke_anchors(const Surface& part, std::span<const FieldStroke> strokes,
-                                        double diagonal);
+                                        double diagonal, const Progress& progress = {});
 
 /// Edges of a mesh as strokes, each from corner to corner: what `feature_strokes` makes of feature
 /// edges.
 std::vector<FieldStroke> strokes_along(const Mesh& mesh,
                                        const std::vector<std::array<Index, 2>>& edges,
-                                       double radius, double strength);
+                                       double radius, double strength,
+                                       const Progress& progress = {});
 
 }  // namespace brindle

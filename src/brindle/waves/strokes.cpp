@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/nearest.h"
@@ -102,11 +104,11 @@ struct StepPlace {
 /// The surface that strokes are near to, with triangles or without.
 class NearSurface {
  public:
-  explicit NearSurface(const Surface& surface) : mesh_(surface.mesh) {
+  NearSurface(const Surface& surface, const Progress& progress) : mesh_(surface.mesh) {
     if (mesh_.triangles.empty()) {
-      vertices_.emplace(mesh_);
+      vertices_.emplace(mesh_, progress);
     } else {
-      triangles_.emplace(mesh_);
+      triangles_.emplace(mesh_, progress);
     }
   }
 
@@ -194,9 +196,9 @@ class StrokeReach {
   }
 
   static Vec3 direction_of(Complex line, const Vec3& normal) {
-    const float theta = std::arg(line) / 2;
+    const float theta = elementary::arg(line) / 2;
     const TangentBasis basis = tangent_basis(normal);
-    return std::cos(theta) * basis.x + std::sin(theta) * basis.y;
+    return elementary::cos(theta) * basis.x + elementary::sin(theta) * basis.y;
   }
 
   const Surface& surface_;
@@ -241,22 +243,27 @@ double allowed_distance(const FieldStroke& stroke, double diagonal) {
 }
 
 std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
-                                        std::span<const FieldStroke> strokes) {
-  return stroke_anchors(surface, strokes, bounding_box(surface.mesh).diagonal());
+                                        std::span<const FieldStroke> strokes,
+                                        const Progress& progress) {
+  return stroke_anchors(surface, strokes, bounding_box(surface.mesh).diagonal(), progress);
 }
 
 std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
-                                        std::span<const FieldStroke> strokes, double diagonal) {
+                                        std::span<const FieldStroke> strokes, double diagonal,
+                                        const Progress& progress) {
   check_strokes(strokes);
   std::vector<FieldAnchor> anchors;
   if (strokes.empty()) return anchors;
-  const NearSurface near(surface);
+  JobStages stages(progress, {{"nearest places", 3}, {"strokes", 1}});
+  const NearSurface near(surface, stages.begin("nearest places"));
+  const Progress reaching = stages.begin("strokes");
   StrokeReach reach(surface);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const FieldStroke& stroke = strokes[i];
     const double allowed = allowed_distance(stroke, diagonal);
     check_near(stroke, name_of(i), near, allowed);
     for (const StrokeStep& step : steps_along(stroke)) {
+      reaching.report(static_cast<double>(i) / static_cast<double>(strokes.size()));
       const StepPlace place = near.place(step.position);
       if (place.distance > allowed) {
         refuse_far(name_of(i) + ": the line between two of its points", place.distance, allowed,
@@ -266,6 +273,7 @@ std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
     }
     reach.take(static_cast<float>(stroke.strength), anchors);
   }
+  stages.finish();
   return anchors;
 }
 
@@ -275,24 +283,32 @@ namespace {
 /// than 45 degrees.
 class EdgeChains {
  public:
-  EdgeChains(const Mesh& mesh, const std::vector<std::array<Index, 2>>& edges)
+  EdgeChains(const Mesh& mesh, const std::vector<std::array<Index, 2>>& edges,
+             const Progress& progress)
       : mesh_(mesh), edges_(edges), edges_at_(mesh.vertex_count()), used_(edges.size()) {
-    for (std::size_t e = 0; e < edges.size(); ++e) {
+    reported_for(edges.size(), progress, [&](std::size_t e) {
       for (const Index v : edges[e]) edges_at_[v].push_back(e);
-    }
+    });
   }
 
-  std::vector<std::vector<Index>> chains() {
+  std::vector<std::vector<Index>> chains(const Progress& progress) {
     std::vector<std::vector<Index>> all;
+    Reporter reporter(progress, 2 * edges_at_.size() + edges_.size());
     const auto start_at = [&](Index v) {
       for (const std::size_t e : edges_at_[v]) {
-        if (!used_[e]) all.push_back(chain(v, e));
+        if (used_[e]) continue;
+        all.push_back(chain(v, e));
+        reporter.done(all.back().size() - 1);
       }
     };
     for (Index v = 0; v < edges_at_.size(); ++v) {
+      reporter.done(1);
       if (is_corner(v)) start_at(v);
     }
-    for (Index v = 0; v < edges_at_.size(); ++v) start_at(v);
+    for (Index v = 0; v < edges_at_.size(); ++v) {
+      reporter.done(1);
+      start_at(v);
+    }
     return all;
   }
 
@@ -331,17 +347,26 @@ class EdgeChains {
 }  // namespace
 
 std::vector<FieldStroke> feature_strokes(const Surface& surface, float angle_deg, double radius,
-                                         double strength) {
+                                         double strength, const Progress& progress) {
   const Mesh& mesh = surface.mesh;
-  const auto edges = feature_edges(mesh, mesh_edges(mesh, *surface.neighborhood), angle_deg);
-  return strokes_along(mesh, edges, radius, strength);
+  JobStages stages(progress, {{"edges", 3}, {"features", 1}, {"strokes", 2}});
+  const MeshEdges all = mesh_edges(mesh, *surface.neighborhood, stages.begin("edges"));
+  const auto edges = feature_edges(mesh, all, angle_deg, stages.begin("features"));
+  std::vector<FieldStroke> strokes =
+      strokes_along(mesh, edges, radius, strength, stages.begin("strokes"));
+  stages.finish();
+  return strokes;
 }
 
 std::vector<FieldStroke> strokes_along(const Mesh& mesh,
                                        const std::vector<std::array<Index, 2>>& edges,
-                                       double radius, double strength) {
+                                       double radius, double strength, const Progress& progress) {
   std::vector<FieldStroke> strokes;
-  for (const std::vector<Index>& chain : EdgeChains(mesh, edges).chains()) {
+  EdgeChains edge_chains(mesh, edges, progress.part(0, 0.2));
+  const auto chains = edge_chains.chains(progress.part(0.2, 0.7));
+  Reporter reporter(progress.part(0.7, 1), edges.size());
+  for (const std::vector<Index>& chain : chains) {
+    reporter.done(chain.size());
     FieldStroke stroke{{}, radius, strength};
     for (const Index v : chain) {
       stroke.points.push_back(mesh.positions[v].cast<double>() + mesh.origin);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -14,6 +15,10 @@ namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr float kSquareTolerance = 0.01f;
+constexpr float kTurnable = 0.07f;    // sine of 4 degrees
+constexpr float kSlanted = 0.1737f;   // of 10, and a little for rounding
+constexpr float kSteep = 0.866f;      // of 60
+constexpr double kMostSlanted = 0.1;  // share
 
 bool is_unit_or_zero(const Vec3& d) {
   return std::abs(d.squaredNorm() - 1) <= kSquareTolerance || d.isZero(0);
@@ -80,6 +85,13 @@ std::string text_of(const Vec3& v) {
   return text.str();
 }
 
+std::string degrees_text(float sine) {
+  std::ostringstream text;
+  text.precision(3);
+  text << std::asin(std::min(sine, 1.0f)) * 180 / std::numbers::pi_v<float> << " degrees";
+  return text.str();
+}
+
 [[noreturn]] void refuse(std::size_t vertex, const Vec3& position, const Vec3& direction,
                          float frequency) {
   std::ostringstream text;
@@ -110,6 +122,58 @@ void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directio
     return is_wave(positions[i], directions[i], frequencies[i]);
   });
   if (bad < positions.size()) refuse(bad, positions[bad], directions[bad], frequencies[bad]);
+}
+
+TangentTally tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions) {
+  struct Sum {
+    TangentTally tally;
+    Sum operator+(const Sum& other) const {
+      const TangentTally& a = tally;
+      const TangentTally& b = other.tally;
+      const TangentTally& worse = b.largest_sine > a.largest_sine ? b : a;
+      return {{a.counted + b.counted, a.slanted + b.slanted, worse.largest_sine, worse.vertex}};
+    }
+  };
+  const auto body = [&](std::size_t begin, std::size_t end) {
+    TangentTally tally;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (directions[i].isZero(0) || normals[i].isZero(0)) continue;
+      const float sine = std::abs(normals[i].dot(directions[i]));
+      ++tally.counted;
+      tally.slanted += sine > kSlanted;
+      if (sine > tally.largest_sine) {
+        tally.largest_sine = sine;
+        tally.vertex = i;
+      }
+    }
+    return Sum{tally};
+  };
+  return parallel_sum<Sum>(directions.size(), body).tally;
+}
+
+void check_tangent(const TangentTally& tally) {
+  const double most_slanted = kMostSlanted * static_cast<double>(tally.counted);
+  const bool few = static_cast<double>(tally.slanted) <= most_slanted;
+  if (few && tally.largest_sine <= kSteep) return;
+  std::string text = "waves: the direction of vertex " + std::to_string(tally.vertex) +
+                     " sticks out of the surface by " + degrees_text(tally.largest_sine);
+  if (!few) {
+    text += ", and " + std::to_string(tally.slanted) + " of " + std::to_string(tally.counted) +
+            " by more than 10";
+  }
+  throw Error(text + "; project directions into the tangent planes with tangent_directions");
+}
+
+void check_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions) {
+  check_tangent(tally_tangent(normals, directions));
+}
+
+void check_turnable(std::span<const Vec3> normals, std::span<const Vec3> directions) {
+  const TangentTally tally = tally_tangent(normals, directions);
+  if (tally.largest_sine <= kTurnable) return;
+  throw Error("waves: the direction of vertex " + std::to_string(tally.vertex) +
+              " sticks out of the surface by " + degrees_text(tally.largest_sine) +
+              ", and is not tangent to it; project it with tangent_directions");
 }
 
 void check_last_phases(std::span<const Complex> z, std::size_t count) {

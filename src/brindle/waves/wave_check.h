@@ -17,6 +17,28 @@ namespace brindle {
 void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directions,
                  std::span<const float> frequencies);
 
+/// How far directions stick out of their tangent planes, counted where there are a direction and a
+/// normal.
+struct TangentTally {
+  std::size_t counted = 0;
+  std::size_t slanted = 0;  ///< by more than 10 degrees
+  float largest_sine = 0;   ///< of the angle by which one sticks out
+  std::size_t vertex = 0;   ///< the first where that is so
+};
+
+TangentTally tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
+
+/// Throws Error unless directions are meant as tangent ones: none sticks out of the tangent plane
+/// by more than 60 degrees, and no more than a tenth of them by more than 10. Directions that were
+/// projected along normals weighted otherwise are within that; what lies along normals, or in a
+/// plane of its own, is not. A wave that sticks out by 10 degrees is spaced 1.5 % too wide. The
+/// message names the vertex, the angle and the remedy.
+void check_tangent(const TangentTally& tally);
+void check_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
+
+/// Throws Error if a direction sticks out by more than 4 degrees.
+void check_turnable(std::span<const Vec3> normals, std::span<const Vec3> directions);
+
 /// Throws Error unless there is one phase for each of `count` vertices, a number of length 1 (to
 /// half a percent) or 0, naming the first that is neither.
 void check_last_phases(std::span<const Complex> z, std::size_t count);

@@ -50,8 +50,8 @@ void check(const Slack& slack, std::size_t vertices) {
   check_numbers(slack.calm, 1, "calm", "give a number from 0 to 1");
 }
 
-std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface,
-                                                        const Slack& slack) {
+std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
+                                                        const Progress& progress) {
   const Mesh& mesh = surface.mesh;
   check(slack, mesh.vertex_count());
   auto setting = std::make_shared<YieldingSetting>();
@@ -60,13 +60,16 @@ std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface,
   if (mesh.triangles.empty()) {
     Mesh joined;
     joined.positions = mesh.positions;
-    joined.triangles = neighbor_triangles(mesh.positions, surface.normals, *surface.neighborhood);
-    setting->adjacency = std::make_shared<const Adjacency>(vertex_neighborhood(joined));
+    joined.triangles = neighbor_triangles(mesh.positions, surface.normals, *surface.neighborhood,
+                                          progress.part(0, 0.6));
+    setting->adjacency =
+        std::make_shared<const Adjacency>(vertex_neighborhood(joined, progress.part(0.6, 0.9)));
     triangles.corners = std::move(joined.triangles);
   } else {
     setting->adjacency = surface.neighborhood;
     triangles.corners = mesh.triangles;
   }
+  progress.report(0.9);
   triangles.weights = calm_weights(triangles.corners, slack.calm);
   return setting;
 }
@@ -75,8 +78,10 @@ struct YieldingFrequency::State {
   YieldingSolver solver;
 };
 
-YieldingFrequency::YieldingFrequency(const Surface& surface, const Slack& slack)
-    : state_(std::make_unique<State>(State{YieldingSolver(yielding_setting(surface, slack))})) {}
+YieldingFrequency::YieldingFrequency(const Surface& surface, const Slack& slack,
+                                     const Progress& progress)
+    : state_(std::make_unique<State>(
+          State{YieldingSolver(yielding_setting(surface, slack, progress.step("frequency")))})) {}
 
 YieldingFrequency::YieldingFrequency(std::unique_ptr<State> state) : state_(std::move(state)) {}
 

@@ -63,9 +63,9 @@ YieldingSolver::YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
                                std::shared_ptr<RowPeers> peers)
     : setting_(std::move(setting)), peers_(std::move(peers)) {}
 
-void YieldingSolver::build(const FrequencyInput& input) {
+void YieldingSolver::build(const FrequencyInput& input, const Progress& progress) {
   auto built = std::make_unique<FrequencyRows>(setting_->triangles, *setting_->adjacency, input,
-                                               peers_.get());
+                                               peers_.get(), progress);
   multigrid_ = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
   const std::size_t vertices = setting_->slack.size();
   terms_.triangles.resize(built->triangles().corners.size());
@@ -100,8 +100,8 @@ void YieldingSolver::set_slack(const Slack& slack) {
   }
 }
 
-void YieldingSolver::set_start() {
-  if (starts_) return multigrid_->start();
+void YieldingSolver::set_start(const Progress& progress) {
+  if (starts_) return multigrid_->start(progress);
   const std::span<const float> lower = multigrid_->lower(), upper = multigrid_->upper();
   for (std::size_t place = 0; place < kept_.size(); ++place) {
     multigrid_->x()[place] = std::clamp(kept_[place], lower[place], upper[place]);
@@ -127,8 +127,10 @@ void YieldingSolver::relax(const Progress& progress) {
   double last = std::numeric_limits<double>::max();
   std::optional<BoundedMultigrid::Measure> end;
   for (int cycle = 0; cycle < most; ++cycle) {
-    if (starts_) progress.report("frequency", static_cast<double>(cycle) / most);
-    const BoundedMultigrid::Measure measure = multigrid_->cycle();
+    const Progress of_cycle =
+        progress.part(static_cast<double>(cycle) / most, static_cast<double>(cycle + 1) / most);
+    if (starts_) of_cycle.report(0);
+    const BoundedMultigrid::Measure measure = multigrid_->cycle(inner(of_cycle));
     const double energy = measure.energy + constant;
     if (cycle == 0) first_gradient = measure.projected_gradient;
     change_.sweeps += 2;
@@ -176,14 +178,21 @@ void YieldingSolver::take(std::span<const float> wanted) {
   change_.share_at_bounds = sums.at_bounds / sums.count;
 }
 
-std::span<const float> YieldingSolver::solve(const FrequencyInput& input,
-                                             const Progress& progress) {
-  if (!settled_) build(input);
+std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const Progress& heard) {
+  const Progress progress = heard.step("frequency");
+  const auto report = [&](double done) {
+    if (starts_) progress.report(done);
+  };
+  report(0);
+  if (!settled_) build(input, inner(progress.part(0, 0.2)));
+  report(0.2);
   rows_->set_terms(input, peers_.get(), terms_);
+  report(0.22);
   rows_->set(terms_, input.wanted, *multigrid_);
+  report(0.24);
   multigrid_->prepare();
-  set_start();
-  relax(progress);
+  set_start(inner(progress.part(0.24, 0.3)));
+  relax(progress.part(0.3, 1));
   take(input.wanted);
   return next_;
 }

@@ -27,8 +27,9 @@ struct YieldingSetting {
   std::shared_ptr<const Adjacency> adjacency;
 };
 
-/// Of a whole surface. Throws Error as `check` does.
-std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack);
+/// Of a whole surface. Throws Error as `check` does, and Cancelled if `progress` asks for it.
+std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
+                                                        const Progress& progress = {});
 
 /// What YieldingFrequency is in one process. With peers all functions but `keep`, `frequencies` and
 /// `change` must be called by all of them, and `progress` has to throw for all or none.
@@ -52,9 +53,11 @@ class YieldingSolver {
   const FrequencyChange& change() const { return change_; }
 
  private:
-  void build(const FrequencyInput& input);
+  void build(const FrequencyInput& input, const Progress& progress);
   void set_bounds();
-  void set_start();
+  void set_start(const Progress& progress);
+  /// What is heard within a step: with peers nothing, whose steps need not be alike.
+  Progress inner(const Progress& progress) const { return peers_ ? Progress() : progress; }
   void relax(const Progress& progress);
   void take(std::span<const float> wanted);
 

@@ -1,0 +1,64 @@
+#include "cli/described_options.h"
+
+#include <sstream>
+#include <string_view>
+
+namespace brindle::tool {
+namespace {
+
+// Under any of its names.
+const OptionInfo* row_of(const CLI::Option& option, PatternJob job) {
+  for (const std::string& name : option.get_lnames()) {
+    if (const OptionInfo* info = find_option(name, job)) return info;
+  }
+  return nullptr;
+}
+
+void describe_option(CLI::Option& option, const OptionInfo& info) {
+  option.description(std::string(info.help));
+  if (info.kind == OptionKind::flag) return;
+  option.type_name(std::string(info.form));
+  const NumberRange& range = info.range;
+  if (info.kind == OptionKind::whole && range.contains(range.most)) {
+    option.check(
+        CLI::Range(static_cast<std::int64_t>(range.least), static_cast<std::int64_t>(range.most)));
+  }
+}
+
+// A command may lack what others have.
+void link(CLI::App& app, CLI::Option& option, const OptionInfo& info) {
+  for (const std::string& name : option_names(info.needs)) {
+    if (CLI::Option* needed = app.get_option_no_throw("--" + name)) option.needs(needed);
+  }
+  for (const std::string& name : option_names(info.excludes)) {
+    if (CLI::Option* other = app.get_option_no_throw("--" + name)) option.excludes(other);
+  }
+}
+
+}  // namespace
+
+PatternJob job_of(const std::string& command) {
+  if (command == "curves") return PatternJob::curves;
+  if (command == "sample") return PatternJob::sample;
+  if (command == "animate") return PatternJob::animate;
+  if (command == "compare") return PatternJob::compare;
+  return PatternJob::stripe;
+}
+
+void describe_options(CLI::App& app, PatternJob job) {
+  for (CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
+    const OptionInfo* info = row_of(*option, job);
+    if (info == nullptr || !option->get_description().empty()) continue;
+    describe_option(*option, *info);
+    link(app, *option, *info);
+  }
+}
+
+std::vector<std::string> option_names(std::string_view words) {
+  std::istringstream stream{std::string(words)};
+  std::vector<std::string> names;
+  for (std::string name; stream >> name;) names.push_back(std::move(name));
+  return names;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,106 @@
+#include "cli/option_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "brindle/recipe/refusals.h"
+
+namespace brindle::tool {
+
+void wrong_usage(const std::string& option, const std::string& expected, const std::string& value) {
+  throw CLI::ValidationError(option, "expected " + expected + ", got '" + value + "'");
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos;
+       end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+namespace {
+
+// Empty unless all of the text is one finite number.
+template <class Number = float>
+std::optional<Number> finite_number(const std::string& text) {
+  const bool plus = !text.empty() && text.front() == '+';
+  Number value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+float parse_number(const std::string& option, const std::string& text) {
+  const auto value = finite_number<float>(text);
+  if (!value) wrong_usage(option, "a finite number", text);
+  return *value;
+}
+
+Eigen::Vector3d parse_place(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  Eigen::Vector3d place;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = parts.size() == 3 ? finite_number<double>(parts[i]) : std::nullopt;
+    if (!value) wrong_usage(option, "three finite numbers X,Y,Z", text);
+    place[static_cast<Eigen::Index>(i)] = *value;
+  }
+  return place;
+}
+
+float parse_not_negative_number(const std::string& option, const std::string& text) {
+  const float value = parse_number(option, text);
+  if (value < 0) wrong_usage(option, "a finite number, zero or more", text);
+  return value;
+}
+
+float parse_weight(const std::string& option, const std::string& text) {
+  const float value = parse_not_negative_number(option, text);
+  if (value > kMostWeight) wrong_usage(option, "a number from 0 to 1000000", text);
+  return value;
+}
+
+float parse_positive_number(const std::string& option, const std::string& text) {
+  const auto value = finite_number(text);
+  if (!value || *value <= 0) wrong_usage(option, "a finite number above zero", text);
+  return *value;
+}
+
+Length parse_length(const std::string& option, const std::string& text) {
+  const bool percent = text.ends_with('%');
+  const auto value = finite_number(percent ? text.substr(0, text.size() - 1) : text);
+  if (!value || *value < 0) {
+    wrong_usage(option, "a length like 0.02, or 1.5% of the diagonal", text);
+  }
+  return {percent ? *value / 100 : *value, percent};
+}
+
+Length parse_positive_length(const std::string& option, const std::string& text) {
+  const Length length = parse_length(option, text);
+  if (length.value <= 0) wrong_usage(option, "a length above zero", text);
+  return length;
+}
+
+Vec3 parse_direction(const std::string& option, const std::string& text) {
+  const char* expected = "x,y,z: three finite numbers, not all zero";
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) wrong_usage(option, expected, text);
+  Vec3 direction;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value = finite_number(parts[static_cast<std::size_t>(axis)]);
+    if (!value) wrong_usage(option, expected, text);
+    direction[axis] = *value;
+  }
+  if (direction.isZero(0)) wrong_usage(option, expected, text);
+  return direction;
+}
+
+}  // namespace brindle::tool

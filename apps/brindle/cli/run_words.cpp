@@ -1,0 +1,20 @@
+#include "cli/run_words.h"
+
+#include <algorithm>
+
+#include "cli/commands.h"
+
+namespace brindle::tool {
+
+void run_words(std::vector<std::string> words) {
+  CLI::App app{"", "brindle"};
+  const std::vector<Command> commands = {add_stripe_command(app), add_curves_command(app),
+                                         add_sample_command(app), add_animate_command(app)};
+  std::ranges::reverse(words);  // as CLI11 takes them
+  app.parse(words);
+  for (const Command& command : commands) {
+    if (command.app->parsed()) command.run();
+  }
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,63 @@
+#include <iostream>
+
+#include "brindle/base/parallel.h"
+#include "brindle/recipe/report.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "jobs/curves_output.h"
+#include "jobs/curves_report.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kCurvesExamples = R"(Examples:
+  brindle curves horse.ply --stripes 100 --output horse.svg --camera 60,15
+  brindle curves scan.obj --lines both --stripes 30 --stripes-v 60 --output grid.obj
+  brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
+  brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
+  brindle curves shape:torus --stripes 60 --line-width 0.8% --report torus.json
+  brindle curves shape:tube --field curvature --curvature-direction min --winding 1 --output vase.vtp
+  brindle curves shape:trefoil --join --output curves.vtp --report curves.json
+  brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
+
+Files by extension: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh
+of tubes; .svg a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in
+the mesh's units, or in percent of the bounding box's diagonal. --help of 'brindle stripe' tells
+more of fields and cameras.)";
+
+void write(CurveOutput kind, const std::string& path, const CLI::App& command,
+           const CurvesArguments& arguments, const CurvesJob& job, ProgressDisplay& display) {
+  const Preparation& prepared = job.prepared;
+  if (kind == CurveOutput::report) {
+    return write_report(path, command, prepared.surface.mesh, to_json(job, *arguments.picture));
+  }
+  write_curves(kind, path, {arguments, prepared.surface, prepared.arrays, job.families}, display);
+}
+
+void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
+  const auto files = plan_files<CurveOutput>(
+      curves_inputs(arguments), arguments.outputs, arguments.report, [&](const std::string& path) {
+        return planned_curves(path, arguments.tube_radius.has_value());
+      });
+  check_curves_options(command, arguments, files);
+  check_curves_points(arguments);
+  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  const ThreadLimit threads(arguments.solving.threads);
+  const CurvesJob job = make_and_write(
+      files, arguments.quiet, curves_stages(arguments),
+      [&](ProgressDisplay& display) { return make_curves_job(arguments, display); },
+      [&](CurveOutput kind, const std::string& path, const CurvesJob& made,
+          ProgressDisplay& display) { write(kind, path, command, arguments, made, display); });
+  if (arguments.quiet) return;
+  print(std::cout, job);
+  print_written(std::cout, files);
+}
+
+}  // namespace
+
+Command add_curves_command(CLI::App& app) {
+  return add_command<CurvesArguments>(app, "curves", "Trace the stripes as curves", kCurvesExamples,
+                                      add_curves_options, run_curves);
+}
+
+}  // namespace brindle::tool

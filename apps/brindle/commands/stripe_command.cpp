@@ -1,0 +1,139 @@
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/printable.h"
+#include "brindle/base/stopwatch.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/progress_display.h"
+#include "jobs/stripe_job.h"
+#include "outputs/written_files.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kStripeExamples =
+    R"(Stripes run ACROSS the direction: a wave runs along it, and stripes are the wave's crests. --along
+turns them.
+
+    --direction 1,0,0    |  |  |  |        --direction 1,0,0    -----------
+      or a field of      |  |  |  |          --along            -----------
+      arrows like ->     |  |  |  |                             -----------
+
+Examples:
+  brindle stripe shape:torus --output torus.png
+  brindle stripe horse.ply --direction 0.31,0.9,0.27 --stripes 40 --output horse.png
+  brindle stripe scan.obj --field curvature --rotate 90 --output scan.glb --report scan.json
+  brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
+  brindle stripe horse.ply --device gpu --report horse.json
+  brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
+  brindle stripe shape:trefoil --merge-branches 0.05 --output fewer.png
+  brindle stripe scan.obj --cross --texture plus --output crosses.png
+  brindle stripe points.csv --output points.png --output points.ply
+  brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
+  brindle stripe horse.ply --slack 0.25 --output horse.png --report horse.json
+  brindle stripe scan.obj --slack 0.25 --calm face.csv --view branches --output face.png
+  brindle stripe scan.obj --uv --output scan.vtp --output scan.ply
+  brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
+  brindle stripe flow.vtp --width-by array:speed --color-by array:speed --output speed.png
+  brindle stripe scan.obj --between nothing --with horse.ply@#b03a2e --output inside.png
+  brindle stripe scan.obj --width-by light --cross-hatch 0.5 --outline solid --output ink.png
+  brindle stripe step2.vtp --field array:velocity --previous step1_stripes.vtp --output step2.png
+  brindle stripe flow.vtp --field array:velocity --frequency-by array:speed --output flow.png
+  brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
+  brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
+
+Files by extension: .png a picture; .svg a drawing of the stripes' outlines; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
+where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,
+branch (1 at the corners of triangles where a stripe begins or ends) and original_id (the number in
+MESH) at every vertex, and all arrays that MESH has; .obj the mesh alone; .json a report. With
+--texture, meshes have texture coordinates and show the tile: .gltf and .glb hold it, others have it
+beside them; --uv gives coordinates alone.)";
+
+constexpr const char* kStripes = "stripes";
+constexpr const char* kStyle = "stripes of the style";
+
+std::string writing(const Output& output) { return "writing " + shown(output.path.native()); }
+
+std::vector<JobStage> stages_of(const CLI::App& command, const StripeArguments& arguments,
+                                const std::vector<Output>& outputs) {
+  std::vector<JobStage> stages = preparation_stages(arguments.surface);
+  stages.push_back({kStripes, 6});
+  if (has_style(command, outputs)) stages.push_back({kStyle, 4});
+  for (const Output& output : outputs) stages.push_back({writing(output), 3});
+  return stages;
+}
+
+void write_outputs(const CLI::App& command, const std::vector<Output>& outputs, StripeJob& job,
+                   const std::optional<StyleJob>& styled, const StripeArguments& arguments,
+                   ProgressDisplay& display) {
+  const MadeMesh made{*job.surface, job.result, job.data, arguments.solving.stripes.phase_shift,
+                      arguments.uv};
+  for (const Output& output : outputs) {
+    display.stage(writing(output));
+    Stopwatch watch;
+    if (output.kind == OutputKind::picture && has_style(command, {output})) {
+      write_styled_picture(output.path, *job.surface, job.result, styled->patterns, arguments.style,
+                           styled->input, *arguments.picture);
+    } else {
+      write_output(output, made, job.report, *arguments.picture, display);
+    }
+    if (output.kind == OutputKind::picture) {
+      job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
+      job.report.picture_quality = quality_name(*arguments.picture);
+    }
+  }
+}
+
+void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
+  check_solver(arguments.device, arguments.solving.stripes.solver);
+  std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
+  const std::vector<Output> outputs = checked_outputs(command, arguments);
+  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+
+  const ThreadLimit threads(arguments.solving.threads);
+  Report report;
+  {
+    ProgressDisplay display(arguments.quiet);
+    display.plan(stages_of(command, arguments, outputs));
+    Preparation prepared =
+        prepare(arguments.surface, arguments.waves, display, viewpoint_of(*arguments.picture),
+                previous_directions(arguments));
+    std::optional<StyleInput> style;
+    if (has_style(command, outputs)) {
+      style = read_style_input(arguments.style, prepared, prepared.waves, arguments.surface,
+                               arguments.waves, *arguments.picture, display);
+    }
+    display.stage(kStripes);
+    StripeJob job =
+        make_stripe_job(arguments, std::move(prepared), std::move(tile), display.progress());
+    std::optional<StyleJob> styled;
+    if (style) {
+      display.stage(kStyle);
+      StylePatterns patterns =
+          make_style_patterns(*job.surface, job.result, arguments.style, *style,
+                              arguments.solving.stripes, display.progress());
+      styled.emplace(StyleJob{std::move(*style), std::move(patterns)});
+    }
+    job.report.invocation = invocation_of(command);
+    display.note(
+        branch_warning(job.report.waves, job.report.quality.branches, job.report.triangles));
+    write_outputs(command, outputs, job, styled, arguments, display);
+    report = job.report;
+  }
+  if (arguments.quiet) return;
+  print_report(std::cout, report);
+  for (const UsedFile& file : files_of(outputs, has_tiles(arguments)))
+    print_written(std::cout, file.path);
+}
+
+}  // namespace
+
+Command add_stripe_command(CLI::App& app) {
+  return add_command<StripeArguments>(app, "stripe", "Lay stripes over a surface or a point cloud",
+                                      kStripeExamples, add_stripe_options, run_stripe);
+}
+
+}  // namespace brindle::tool

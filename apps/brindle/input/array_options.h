@@ -1,0 +1,39 @@
+/// Waves from arrays of the mesh's file or of another one: what may be asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/array_field.h"
+#include "brindle/tensor_field.h"
+#include "cli/option_values.h"
+
+namespace brindle::tool {
+
+struct ArrayOptions {
+  std::optional<TensorAxis> tensor;    ///< of a field that is a tensor; major if not given
+  std::string frequency;               ///< array of stripes per unit length
+  std::string frequency_by;            ///< value that --stripes or --frequency are multiplied by
+  FrequencyRange range;                ///< of the factors
+  std::string mesh;                    ///< file that all arrays are from; empty: the mesh's own
+  std::optional<Length> max_distance;  ///< from `mesh`
+};
+
+/// Whether an option's value names an array: "array:NAME", "array:points/NAME".
+bool is_array(std::string_view value);
+
+/// What follows "array:". Throws CLI::ValidationError for other values and for an empty name.
+std::string parse_array(const std::string& option, const std::string& value);
+
+/// --tensor, --frequency-by, --frequency-range, --field-mesh and --max-distance.
+void add_array_options(CLI::App& app, ArrayOptions& options);
+
+/// Throws CLI::ValidationError for options that leave each other without effect. `field` is what
+/// --field says.
+void check_array_options(const CLI::App& command, const ArrayOptions& options,
+                         const std::string& field);
+
+}  // namespace brindle::tool

@@ -1,0 +1,77 @@
+#include "input/csv_field.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "brindle/base/printable.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/files/component_groups.h"
+#include "brindle/files/csv_file.h"
+#include "input/array_source.h"
+
+namespace brindle::tool {
+namespace {
+
+/// What the columns of a file would make, with one row: the columns' places.
+std::vector<DataArray> arrays_named_in(const std::string& path) {
+  const CsvFile file(path, {"field", "x,y,z or x,y,z,frequency"});
+  std::vector<DataArray> columns;
+  for (const std::string& name : file.names()) {
+    const std::vector<double> place = {static_cast<double>(columns.size())};
+    columns.push_back(make_data_array(name, 1, place));
+  }
+  return grouped_columns(std::move(columns));
+}
+
+/// ParaView writes positions and normals with all that it writes.
+bool is_data_vector(const DataArray& array) {
+  return array.components == 3 && array.name != "Points" && array.name != "Normals";
+}
+
+bool has_vector_first(const std::vector<DataArray>& arrays) {
+  const DataArray in_order = make_data_array(arrays[0].name, 3, std::vector<double>{0, 1, 2});
+  return arrays[0] == in_order && arrays.size() <= 3 &&
+         std::all_of(arrays.begin() + 1, arrays.end(),
+                     [](const DataArray& array) { return array.components == 1; });
+}
+
+/// Empty if there is none, or if it stands where files without names have it.
+std::string only_vector_in(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return "";  // read once alone
+  const std::vector<DataArray> arrays = arrays_named_in(path);
+  const auto vector = std::find_if(arrays.begin(), arrays.end(), is_data_vector);
+  if (vector == arrays.end() || has_vector_first(arrays)) return "";
+  if (std::count_if(vector, arrays.end(), is_data_vector) > 1) {
+    throw Error(shown(path) + " has several vectors: " + list_of(arrays) +
+                "; choose one: " + shown(path) + ":" + vector->name);
+  }
+  return vector->name;
+}
+
+}  // namespace
+
+CsvFieldName csv_field_name(const std::string& field) {
+  std::error_code ignored;
+  const std::size_t colon = field.rfind(".csv:");
+  if (colon == std::string::npos || std::filesystem::exists(field, ignored)) return {field, ""};
+  return {field.substr(0, colon + 4), field.substr(colon + 5)};
+}
+
+std::optional<CsvField> read_csv_field(const CsvFieldName& name) {
+  std::string array = name.array;
+  if (array.empty()) {
+    array = only_vector_in(name.path);
+    if (array.empty()) return std::nullopt;
+  }
+  const DataArrays arrays{read_csv_arrays(name.path), {}};
+  CsvField field{array_named(arrays, array, name.path), {}};
+  const DataArray* frequency = find_array(arrays.points, "frequency");
+  if (frequency != nullptr && frequency->components == 1) field.frequency = *frequency;
+  return field;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,227 @@
+#include "input/make_waves.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "brindle/array_field.h"
+#include "brindle/curvature.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/smooth_field.h"
+#include "brindle/strokes.h"
+#include "brindle/tensor_field.h"
+#include "brindle/waves/orientation.h"
+#include "input/array_source.h"
+#include "input/csv_field.h"
+#include "input/vertex_values.h"
+
+namespace brindle::tool {
+namespace {
+
+using Field = BaseField;
+
+Field rows_field(const Surface& surface, const std::string& path,
+                 std::span<const Index> vertex_of_row) {
+  FieldFile file = read_field_csv(path, surface.mesh.vertex_count(), vertex_of_row);
+  const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
+                                       [](const Vec3& vector) { return !vector.allFinite(); });
+  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
+          std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
+}
+
+Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
+  TensorField tensor = tensor_field_of(surface, array, options.tensor.value_or(TensorAxis::major));
+  Field field{std::move(tensor.directions), {}, {}};
+  field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
+  if (!options.tensor) {
+    field.notes += "the array '" + array.name +
+                   "' is a tensor: waves run along its major axis; --tensor chooses\n";
+  }
+  if (tensor.not_symmetric > 0) {
+    field.notes += "at " + std::to_string(tensor.not_symmetric) + " vertices the tensor '" +
+                   array.name + "' is not symmetric: its symmetric part counts\n";
+  }
+  return field;
+}
+
+[[noreturn]] void refuse_tensor(const std::string& why) {
+  throw CLI::ValidationError("--tensor", "has no effect here: " + why);
+}
+
+Field array_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
+  Field field;
+  if (is_tensor(array)) {
+    field = tensor_field(surface, array, options);
+  } else if (options.tensor) {
+    refuse_tensor("the array '" + array.name + "' has " + std::to_string(array.components) +
+                  " numbers in a row, and is no tensor");
+  } else {
+    field.directions = direction_field_of(surface, array);
+  }
+  field.rows_nonfinite = nonfinite_rows(array);
+  return field;
+}
+
+Field file_field(const Surface& surface, const WaveOptions& options, const FileData& data) {
+  const CsvFieldName name = csv_field_name(options.field);
+  if (const std::optional<CsvField> csv = read_csv_field(name)) {
+    Field field = array_field(surface, csv->array, options.arrays);
+    if (!csv->frequency) return field;
+    field.frequencies = frequencies_of(*csv->frequency, field.directions);
+    field.missing.without_frequency =
+        drop_waves_without_frequency(field.directions, field.frequencies);
+    return field;
+  }
+  if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
+  return rows_field(surface, name.path, data.vertex_of_row);
+}
+
+void add_read_strokes(const Surface& surface, const std::string& path,
+                      std::vector<FieldAnchor>& anchors) {
+  const std::vector<FieldStroke> strokes = read_strokes(path);
+  try {
+    anchors = stroke_anchors(surface, strokes);
+  } catch (const Error& error) {
+    throw Error(path + ": " + error.what());
+  }
+}
+
+SmoothFieldOptions smooth_options(const Surface& surface, const WaveOptions& options,
+                                  const Progress& progress) {
+  SmoothFieldOptions smooth;
+  smooth.symmetry = symmetry_of(options);
+  smooth.curvature_anchor = curvature_anchor(options);
+  smooth.curvature_direction = options.curvature_direction;
+  smooth.feature_anchor = options.feature_anchor;
+  smooth.feature_angle_deg = options.feature_angle_deg;
+  if (options.feature_radius) {
+    smooth.feature_radius = options.feature_radius->on(bounding_box(surface.mesh).diagonal());
+  }
+  if (!options.strokes.empty()) add_read_strokes(surface, options.strokes, smooth.anchors);
+  if (!options.drawn_strokes.empty()) {
+    const std::vector<FieldAnchor> drawn = stroke_anchors(surface, options.drawn_strokes, progress);
+    smooth.anchors.insert(smooth.anchors.end(), drawn.begin(), drawn.end());
+  }
+  return smooth;
+}
+
+Field smooth_field(const Surface& surface, const WaveOptions& options, const LastDirections& last,
+                   const Progress& progress) {
+  Field field;
+  if (last.same_surface) {
+    field.directions = last.directions;
+  } else {
+    SmoothFieldOptions smooth = smooth_options(surface, options, progress.part(0, 0.2));
+    smooth.last.directions = last.directions;
+    field.directions = smooth_direction_field(surface, smooth, progress.part(0.2, 1));
+  }
+  if (!last.directions.empty()) {
+    field.step = field_step(field.directions, last.directions, symmetry_of(options));
+  }
+  return field;
+}
+
+Field make_field(const Surface& surface, const WaveOptions& options, const FileData& data,
+                 const ArraySource& arrays, const LastDirections& last, const Progress& progress) {
+  if (options.direction)
+    return {projected_direction_field(*options.direction, surface.normals), {}, {}};
+  if (is_smooth(options)) return smooth_field(surface, options, last, progress);
+  if (options.field == "raw-curvature") {
+    const auto curvatures = principal_curvatures(surface.mesh.positions, surface.normals,
+                                                 *surface.neighborhood, progress.part(0, 0.6));
+    DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
+    // The solvers are faster where few neighbours run against each other.
+    orient_alike(*surface.neighborhood, directions, progress.part(0.6, 1));
+    return {std::move(directions), {}, {}};
+  }
+  if (!is_array(options.field)) return file_field(surface, options, data);
+  const auto [array, rows_nonfinite] = arrays.array(parse_array("--field", options.field));
+  Field field = array_field(surface, array, options.arrays);
+  field.rows_nonfinite = rows_nonfinite;  // before rows were moved to vertices
+  return field;
+}
+
+/// What frequencies follow: an array as it is, or a number per vertex.
+DataArray frequency_values(const Surface& surface, const ArrayOptions& options,
+                           const FileData& data, const ArraySource& arrays) {
+  const std::string option = "--frequency-by", &value = options.frequency_by;
+  if (is_array(value)) return arrays.array(parse_array(option, value)).array;
+  const ValueSource source{surface, data.arrays,        data.name,
+                           options, data.vertex_of_row, data.viewpoint};
+  const VertexValues values = vertex_values(option, value, source);
+  return make_data_array(values.title, 1, values.values);
+}
+
+// What options say goes before what the field says.
+void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
+                        const ArraySource& arrays, Field& field) {
+  const ArrayOptions& wanted = options.arrays;
+  if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
+    if (!field.frequencies.empty() && !options.stripes && !options.frequency) return;
+    field.frequencies = constant_frequency_field(constant_frequency(surface.mesh, options),
+                                                 surface.mesh.vertex_count());
+  } else if (!wanted.frequency.empty()) {
+    field.frequencies = frequencies_of(arrays.array(wanted.frequency).array, field.directions);
+  } else {
+    field.frequencies = frequencies_by(surface, frequency_values(surface, wanted, data, arrays),
+                                       constant_frequency(surface.mesh, options), wanted.range);
+  }
+  field.frequencies_v.clear();
+}
+
+// Waves of arrays that are not everywhere.
+void drop_waves(const ArrayOptions& options, Field& field) {
+  if (options.frequency.empty() && options.frequency_by.empty()) return;
+  field.missing.without_frequency =
+      drop_waves_without_frequency(field.directions, field.frequencies);
+}
+
+}  // namespace
+
+const std::vector<std::string> kOptionsAfterField = {
+    "along",           "rotate",    "stripes",     "frequency", "frequency-by",
+    "frequency-range", "stripes-v", "frequency-v", "texture",   "oriented"};
+
+BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
+                          const LastDirections& last, const Progress& progress) {
+  auto arrays =
+      std::make_shared<const ArraySource>(surface, data.arrays, data.name, options.arrays);
+  BaseField field = make_field(surface, options, data, *arrays, last, progress);
+  field.notes = arrays->notes() + field.notes;
+  field.arrays = std::move(arrays);
+  return field;
+}
+
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            const FileData& data) {
+  return make_waves(surface, options, data, make_base_field(surface, options, data));
+}
+
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            const FileData& data, BaseField field) {
+  const ArraySource& arrays = *field.arrays;
+  const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180;
+  if (turn != 0) field.directions = rotated(field.directions, surface.normals, turn);
+  field.missing.too_far = arrays.drop_too_far(field.directions);
+  choose_frequencies(surface, options, data, arrays, field);
+  drop_waves(options.arrays, field);
+  const auto everywhere = [&](float frequency) {
+    return constant_frequency_field(frequency, surface.mesh.vertex_count());
+  };
+  if (options.frequency_v) field.frequencies_v = everywhere(*options.frequency_v);
+  if (options.stripes_v) {
+    field.frequencies_v =
+        everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
+  }
+  for (float& frequency : field.frequencies) frequency *= options.frequency_factor;
+  for (float& frequency : field.frequencies_v) frequency *= options.frequency_factor;
+  return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
+          std::move(field.frequencies_v),
+          field.rows_nonfinite,
+          field.missing,
+          field.notes,
+          field.step};
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,83 @@
+/// Waves from what options ask for.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/carried_field.h"
+#include "brindle/data_arrays.h"
+#include "brindle/frequency_field.h"
+#include "brindle/phase_graph.h"
+#include "brindle/progress.h"
+#include "brindle/recipe/wave_report.h"
+#include "brindle/surface.h"
+#include "input/array_source.h"
+#include "input/viewpoint.h"
+#include "input/wave_options.h"
+
+namespace brindle::tool {
+
+/// What the file of a mesh says beside the mesh.
+struct FileData {
+  std::string name;          ///< of the file
+  const DataArrays& arrays;  ///< a row per vertex of the surface, and per triangle
+  /// Rows of a field file may stand for those of the mesh's file (`Preparation`).
+  std::span<const Index> vertex_of_row = {};
+  const Viewpoint* viewpoint = nullptr;  ///< of pictures; null: there are none
+};
+
+/// Waves without phases, and the frequencies of those that cross them.
+struct WavesAndCrossing {
+  WaveSet waves;                                    ///< one wave per vertex
+  FrequencyField frequencies_v;                     ///< one per vertex; empty: those of `waves`
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
+  MissingWaves missing;
+  std::string notes;                    ///< lines for the user
+  std::optional<FieldStep> field_step;  ///< of a smooth field that went on from a last one
+};
+
+/// A direction field before it is turned and gets the frequencies that options ask for.
+struct FoundField {
+  DirectionField directions;
+  FrequencyField frequencies;    ///< empty if the field says nothing of them
+  FrequencyField frequencies_v;  ///< the same of crossing stripes
+  std::optional<std::size_t> rows_nonfinite = {};
+  MissingWaves missing = {};
+  std::string notes = {};
+};
+
+/// What takes long, and need not be made again for other frequencies.
+struct BaseField : FoundField {
+  std::optional<FieldStep> step = {};  ///< as WavesAndCrossing has it
+  /// Of the surface's file or another one; refers to the surface and the data.
+  std::shared_ptr<const ArraySource> arrays = {};
+};
+
+/// What a smooth field goes on from.
+struct LastDirections {
+  DirectionField directions;  ///< one per vertex, as `SmoothFieldOptions::last` has them; or none
+  bool same_surface = false;  ///< nothing has moved since: they are the field
+  std::string notes = {};     ///< lines about them
+};
+
+/// Options that a base field takes no notice of, by their long names without dashes.
+extern const std::vector<std::string> kOptionsAfterField;
+
+/// The first half of `make_waves`, with what that throws. A smooth field goes on from `last`.
+BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
+                          const LastDirections& last = {}, const Progress& progress = {});
+
+/// The second half.
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            const FileData& data, BaseField field);
+
+/// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor if the
+/// field turns out to be no tensor.
+WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
+                            const FileData& data);
+
+}  // namespace brindle::tool

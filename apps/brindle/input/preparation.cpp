@@ -1,0 +1,189 @@
+#include "input/preparation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "brindle/base/printable.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/error.h"
+#include "brindle/points.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kNeighborhood = "neighbourhood and normals";
+constexpr const char* kNeighborhoodOfPoints = "neighbours and normals of points";
+constexpr const char* kField = "direction field";
+
+std::string loading(const SurfaceOptions& options) { return "loading " + shown(options.mesh); }
+
+// Errors then name the file.
+template <class Make>
+Surface of_file(const std::string& mesh, const Make& make) {
+  try {
+    return make();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(shown(mesh) + ": " + error.what());
+  }
+}
+
+// Loads a surface into `result`, with the time that takes.
+void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListener& listener) {
+  Stopwatch watch;
+  LoadedSurface loaded = load_mesh(options, listener.progress());
+  listener.note(describe(loaded));
+  result.original_ids = original_ids_of(loaded);
+  result.vertices_joined = loaded.repair.vertices_joined;
+  result.vertices_not_finite = loaded.repair.vertices_not_finite;
+  if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
+  // A row of a field for every vertex of the file says nothing of vertices that were added.
+  if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
+  result.arrays = std::move(loaded.arrays);
+  result.load_milliseconds = watch.lap();
+  listener.stage(kNeighborhood);
+  result.surface = of_file(
+      options.mesh, [&] { return make_surface(std::move(loaded.mesh), listener.progress()); });
+  result.topology_milliseconds = watch.lap();
+}
+
+void prepare_points(Preparation& result, const SurfaceOptions& options, JobListener& listener) {
+  Stopwatch watch;
+  LoadedPoints loaded = load_points(options);
+  listener.note(describe_kind(options) + describe(loaded));
+  result.points = true;
+  result.partners = std::move(loaded.first_at_place);
+  result.vertices_joined = loaded.repair.repeated;
+  result.original_ids.resize(loaded.cloud.positions.size());
+  std::iota(result.original_ids.begin(), result.original_ids.end(), std::int64_t{0});
+  result.arrays.points = std::move(loaded.arrays);
+  result.load_milliseconds = watch.lap();
+  listener.stage(kNeighborhoodOfPoints);
+  const std::size_t used = loaded.cloud.used.size();
+  result.surface = of_file(options.mesh, [&] {
+    return make_point_surface(std::move(loaded.cloud),
+                              options.neighbors.value_or(kDefaultNeighbors), listener.progress());
+  });
+  const auto with_normal = static_cast<std::size_t>(
+      std::ranges::count_if(result.surface.normals, [](const Vec3& n) { return !n.isZero(0); }));
+  if (with_normal < used) {
+    listener.note(std::to_string(used - with_normal) +
+                  " points whose neighbours lie on a line: kept, without a wave\n");
+  }
+  result.topology_milliseconds = watch.lap();
+}
+
+}  // namespace
+
+std::vector<JobStage> preparation_stages(const SurfaceOptions& surface) {
+  return {{loading(surface), 4},
+          {is_points(surface) ? kNeighborhoodOfPoints : kNeighborhood, 3},
+          {kField, 4}};
+}
+
+std::vector<std::int64_t> original_ids_of(const LoadedSurface& loaded) {
+  std::vector<std::int64_t> ids(loaded.mesh.vertex_count(), -1);
+  if (!loaded.renumbered) {
+    const auto end = ids.begin() + static_cast<std::ptrdiff_t>(loaded.own_vertices);
+    std::iota(ids.begin(), end, std::int64_t{0});
+    return ids;
+  }
+  for (std::size_t row = loaded.vertex_of_row.size(); row-- > 0;) {
+    ids[loaded.vertex_of_row[row]] = static_cast<std::int64_t>(row);
+  }
+  return ids;
+}
+
+void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
+  if (!needs_own_arrays(waves) || !is_shape(surface)) return;
+  throw CLI::ValidationError("array:NAME",
+                             "built-in shapes have no arrays; name a file that "
+                             "does, as MESH or with --field-mesh");
+}
+
+WaveReport noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
+                       JobListener& listener, const MissingWaves& missing) {
+  WaveReport figures{measure_waves(surface, waves), missing};
+  check_wave_report(figures, source);
+  listener.note(warnings(figures, source));
+  return figures;
+}
+
+Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener) {
+  Preparation result;
+  listener.stage(loading(surface));
+  is_points(surface) ? prepare_points(result, surface, listener)
+                     : prepare_mesh(result, surface, listener);
+  return result;
+}
+
+namespace {
+
+FileData data_of(const Preparation& prepared, const SurfaceOptions& surface,
+                 const std::optional<Viewpoint>& viewpoint) {
+  return {surface.mesh, prepared.arrays, prepared.vertex_of_row, viewpoint ? &*viewpoint : nullptr};
+}
+
+}  // namespace
+
+BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surface,
+                        const WaveOptions& waves, JobListener& listener,
+                        const LastDirections& last) {
+  listener.stage(kField);
+  return make_base_field(prepared.surface, waves, data_of(prepared, surface, std::nullopt), last,
+                         listener.progress());
+}
+
+WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
+                     const WaveOptions& waves, const std::optional<Viewpoint>& viewpoint) {
+  return make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint)).waves;
+}
+
+PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
+                            const WaveOptions& waves, BaseField field, JobListener& listener,
+                            const std::optional<Viewpoint>& viewpoint) {
+  Stopwatch watch;
+  WavesAndCrossing made =
+      make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint), std::move(field));
+  listener.note(made.notes);
+  PreparedWaves result{std::move(made.waves), std::move(made.frequencies_v), {}, {}, {}};
+  result.turn_deg = turn_deg(waves);
+  result.field_rows_nonfinite = made.field_rows_nonfinite;
+  result.field_step = made.field_step;
+  result.figures =
+      noted_waves(prepared.surface, result.waves, source_of(waves), listener, made.missing);
+  result.field_milliseconds = watch.lap();
+  return result;
+}
+
+void take_waves(PreparedWaves waves, Preparation& prepared) {
+  prepared.waves = std::move(waves.waves);
+  prepared.frequencies_v = std::move(waves.frequencies_v);
+  prepared.figures = std::move(waves.figures);
+  prepared.field_rows_nonfinite = waves.field_rows_nonfinite;
+  prepared.field_step = waves.field_step;
+  prepared.turn_deg = waves.turn_deg;
+  prepared.field_milliseconds = waves.field_milliseconds;
+}
+
+Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, JobListener& listener,
+                    const std::optional<Viewpoint>& viewpoint,
+                    const FindLastDirections& find_last) {
+  check_own_arrays(surface, waves);
+  Preparation result = prepare_surface(surface, listener);
+  const bool smooth = is_smooth(waves);
+  const LastDirections last = find_last && smooth ? find_last(result) : LastDirections();
+  listener.note(last.notes);
+  Stopwatch watch;
+  BaseField field = prepare_field(result, surface, waves, listener, last);
+  if (smooth) result.smooth_field = field.directions;
+  PreparedWaves made = prepare_waves(result, surface, waves, std::move(field), listener, viewpoint);
+  made.field_milliseconds = watch.lap();
+  take_waves(std::move(made), result);
+  return result;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,50 @@
+#include "input/second_waves.h"
+
+#include <numbers>
+#include <utility>
+
+#include "brindle/direction_field.h"
+#include "brindle/files.h"
+#include "brindle/frequency_field.h"
+#include "brindle/windings.h"
+#include "cli/option_values.h"
+
+namespace brindle::tool {
+
+void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
+  app.add_option("--field-v", options.field);
+  add_parsed_option(app, "--stripes-v", options.stripes, parse_positive_number);
+  add_parsed_option(app, "--frequency-v", options.frequency, parse_positive_number);
+}
+
+FirstWaves first_waves(const Preparation& prepared) {
+  return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row};
+}
+
+WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options,
+                          JobListener& listener) {
+  const Surface& surface = first.surface;
+  WaveSet waves{first.waves.positions, {}, first.frequencies_v};
+  if (waves.frequencies.empty()) waves.frequencies = first.waves.frequencies;
+  if (options.field.empty()) {
+    waves.directions =
+        rotated(first.waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
+  } else {
+    FieldFile file =
+        read_field_csv(options.field, surface.mesh.vertex_count(), first.vertex_of_row);
+    waves.directions = tangent_directions(file.vectors, surface.normals);
+    if (!file.frequencies.empty()) waves.frequencies = std::move(file.frequencies);
+  }
+  std::optional<float> frequency = options.frequency;
+  if (options.stripes) {
+    frequency = frequency_of_stripes(*options.stripes, bounding_box(surface.mesh).diagonal());
+  }
+  if (frequency) {
+    waves.frequencies = constant_frequency_field(*frequency, surface.mesh.vertex_count());
+  }
+  if (options.wales.periods > 0) waves = waves_round(surface, waves.directions, options.wales);
+  if (is_other(options)) noted_waves(surface, waves, "the field of V", listener);
+  return waves;
+}
+
+}  // namespace brindle::tool

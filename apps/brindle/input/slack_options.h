@@ -1,0 +1,36 @@
+/// How far frequencies may yield.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/yielding_frequency.h"
+#include "input/used_files.h"
+
+namespace brindle::tool {
+
+struct SlackOptions {
+  float slack = 0;
+  std::string calm;  ///< a file; empty: none
+};
+
+/// --slack and --calm.
+void add_slack_options(CLI::App& app, SlackOptions& options);
+
+/// Throws CLI::ValidationError for --calm without slack.
+void check_slack_options(const CLI::App& command, const SlackOptions& options);
+
+/// Adds the file of --calm.
+void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs);
+
+/// Reads the file of --calm, if there is one: a number from 0 to 1 per row, in the only column or
+/// in the one that its first row names calm. A row stands for a vertex or, if there are as many as
+/// entries in `vertex_of_row`, for a vertex of the mesh's file; of the rows of one vertex the
+/// largest counts. Throws Error naming the file, the line and the remedy.
+Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
+                 std::span<const Index> vertex_of_row);
+
+}  // namespace brindle::tool

@@ -1,0 +1,137 @@
+#include "input/surface_options.h"
+
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/memory.h"
+#include "brindle/base/printable.h"
+#include "brindle/base/suggestion.h"
+#include "brindle/error.h"
+#include "brindle/geometry/local_positions.h"
+#include "brindle/geometry/translate_mesh.h"
+#include "brindle/mesh_data.h"
+#include "brindle/recipe/refusals.h"
+#include "brindle/shapes.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr std::string_view kShapePrefix = "shape:";
+
+Mesh make_named_shape(const SurfaceOptions& options, const Progress& progress) {
+  try {
+    return make_shape(shape_spec(options), progress);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const TooLarge&) {
+    throw;  // what is asked for is right elsewhere
+  } catch (const Error& error) {
+    throw CLI::ValidationError("MESH", error.what());
+  }
+}
+
+/// A path that is no file may be the name of a shape.
+void check_exists(const SurfaceOptions& options) {
+  std::error_code ignored;
+  if (is_shape(options) || std::filesystem::exists(options.mesh, ignored)) return;
+  const std::string shape = nearest(options.mesh.substr(0, options.mesh.find(',')), shape_names());
+  if (shape.empty()) return;
+  throw Error(shown(options.mesh) + ": there is no such file; did you mean " +
+              std::string(kShapePrefix) + shape + "?");
+}
+
+SurfaceFile& file_of(const SurfaceOptions& options) {
+  if (!options.file || options.file->path() != options.mesh) {
+    options.file = std::make_shared<SurfaceFile>(options.mesh);
+  }
+  return *options.file;
+}
+
+}  // namespace
+
+void add_surface_options(CLI::App& app, SurfaceOptions& options) {
+  app.add_option("MESH", options.mesh,
+                 "a file (.vtp .vtu .vtk .ply .obj .stl .off .gltf .glb) or a built-in shape, such "
+                 "as shape:torus "
+                 "or shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
+      ->required()
+      ->check([](const std::string& mesh) {
+        return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");
+      });
+  app.add_option("--subdivide", options.subdivide);
+}
+
+void add_point_options(CLI::App& app, SurfaceOptions& options) {
+  app.add_flag("--points", options.points);
+  app.add_option("--neighbors", options.neighbors);
+}
+
+void refuse_points(const SurfaceOptions& options, const std::string& command) {
+  if (!is_points(options)) return;
+  throw Error(
+      shown(options.mesh) + ": points have no triangles, and 'brindle " + command +
+      "' works on meshes alone; 'brindle stripe', 'compare', 'sample' and 'info' take points");
+}
+
+std::string describe_kind(const SurfaceOptions& options) {
+  // A CSV file could have none.
+  const bool given = options.points || is_shape(options) || lower_extension(options.mesh) == ".csv";
+  return given ? "" : shown(options.mesh) + " has no faces: its vertices are taken for points\n";
+}
+
+std::string describe(const LoadedPoints& loaded) {
+  return describe_origin(loaded.cloud.origin) + loaded.left_out + describe(loaded.repair);
+}
+
+std::string describe(const LoadedMesh& loaded) {
+  return describe_origin(loaded.mesh.origin) + loaded.left_out + describe(loaded.repair);
+}
+
+bool is_points(const SurfaceOptions& options) {
+  return options.points || (!is_shape(options) && !file_of(options).has_faces());
+}
+
+LoadedPoints load_points(const SurfaceOptions& options) {
+  check_exists(options);
+  if (options.subdivide > 0) {
+    throw CLI::ValidationError("--subdivide", "points have no triangles to split");
+  }
+  return is_shape(options) ? make_point_cloud(make_named_shape(options, {}).positions)
+                           : file_of(options).points();
+}
+
+bool is_shape(const SurfaceOptions& options) {
+  return std::string_view(options.mesh).starts_with(kShapePrefix);
+}
+
+std::string_view shape_spec(const SurfaceOptions& options) {
+  return std::string_view(options.mesh).substr(kShapePrefix.size());
+}
+
+LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress) {
+  if (options.neighbors) {
+    throw CLI::ValidationError("--neighbors",
+                               "a mesh's vertices are joined by its edges; add --points to take "
+                               "them as points");
+  }
+  check_exists(options);
+  JobStages stages(progress, {{"reading", 3}, {"subdividing", 2}});
+  const Progress reading = stages.begin("reading");
+  LoadedSurface loaded;
+  if (is_shape(options)) {
+    loaded.mesh = make_named_shape(options, reading);
+  } else {
+    static_cast<LoadedMesh&>(loaded) = file_of(options).mesh(reading);
+  }
+  if (!options.moved.isZero(0)) translate(loaded.mesh, options.moved);
+  loaded.own_vertices = loaded.mesh.vertex_count();
+  if (options.subdivide > 0) {
+    subdivide(loaded.mesh, loaded.arrays, options.subdivide, stages.begin("subdividing"));
+  }
+  stages.finish();
+  return loaded;
+}
+
+}  // namespace brindle::tool

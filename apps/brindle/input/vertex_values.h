@@ -1,0 +1,66 @@
+/// Numbers per vertex that styles follow, from what options ask for.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/surface.h"
+#include "input/array_options.h"
+#include "input/viewpoint.h"
+
+namespace brindle::tool {
+
+/// What values may be taken from.
+struct ValueSource {
+  const Surface& surface;
+  const DataArrays& arrays;  ///< of the mesh's file: a row per vertex, and per triangle
+  std::string file;          ///< the mesh's, for messages
+  const ArrayOptions& options;
+  std::span<const Index> vertex_of_row;  ///< as FileData has it
+  const Viewpoint* viewpoint = nullptr;  ///< of the picture; null: there is none
+};
+
+struct VertexValues {
+  std::vector<float> values;  ///< one per vertex; NaN: none
+  std::string title;          ///< for legends
+  /// Of a range that is given, and not that of the values themselves.
+  std::optional<Eigen::Vector2f> ends = std::nullopt;
+
+  /// The ends of all finite values, unless others are given. Throws Error, naming `option`, if
+  /// there are none.
+  Eigen::Vector2f range(const std::string& option) const;
+};
+
+/// What VALUE may be, for the help text. Heights are z, or along the axis that --up names.
+inline constexpr const char* kValueNames =
+    "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light";
+
+/// Throws CLI::ValidationError, naming the option, unless `text` can name values.
+void check_value_name(const std::string& option, const std::string& text);
+
+/// The values of FILE.csv or FILE.csv:COLUMN for a mesh of so many vertices; rows may stand for
+/// those of the mesh's file, as FileData has them. Throws as `vertex_values` does.
+VertexValues csv_values(const std::string& option, const std::string& text, std::size_t vertices,
+                        std::span<const Index> vertex_of_row);
+
+/// The file that `text` names values of; empty if it names none.
+std::string value_file(const std::string& text);
+
+/// Whether values belong to a file, and not to the shape and its place.
+bool is_of_file(const std::string& text);
+
+/// Whether the values are others from another viewpoint.
+bool depends_on_camera(const std::string& text);
+
+/// Whether they are others where another axis points up.
+bool depends_on_up(const std::string& text);
+
+/// Throws Error for arrays and columns that are not there, that have not one number a row (vectors
+/// count by their lengths) or not a row per vertex, and for values of a camera without a viewpoint.
+VertexValues vertex_values(const std::string& option, const std::string& text,
+                           const ValueSource& source);
+
+}  // namespace brindle::tool

@@ -1,0 +1,165 @@
+#include "input/wave_options.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "brindle/base/suggestion.h"
+#include "brindle/curvature.h"
+#include "brindle/frequency_field.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kDefaultStripes = 40;
+constexpr float kDefaultCurvatureAnchor = 0.1f;  // of --field curvature
+
+const std::vector<std::string> kMadeFields = {"smooth", "curvature", "raw-curvature"};
+
+std::optional<CurvatureDirection> parse_curvature_direction(std::string_view name) {
+  if (name == "max") return CurvatureDirection::maximum;
+  if (name == "min") return CurvatureDirection::minimum;
+  return std::nullopt;
+}
+
+// What neither is a field nor looks like a file.
+void check_field_name(const WaveOptions& options) {
+  if (is_array(options.field)) parse_array("--field", options.field);  // which may be mistyped
+  const std::filesystem::path path(options.field);
+  std::error_code ignored;
+  if (!is_field_file(options) || path.has_extension() || std::filesystem::exists(path, ignored)) {
+    return;
+  }
+  const std::string meant = nearest(options.field, kMadeFields);
+  throw CLI::ValidationError(
+      "--field", "'" + options.field +
+                     "' is no file and none of smooth, curvature, raw-curvature, array:NAME" +
+                     (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
+}
+
+}  // namespace
+
+bool is_smooth(const WaveOptions& options) {
+  return !options.direction && (options.field == "smooth" || options.field == "curvature");
+}
+
+float curvature_anchor(const WaveOptions& options) {
+  return options.curvature_anchor.value_or(options.field == "curvature" ? kDefaultCurvatureAnchor
+                                                                        : 0);
+}
+
+int symmetry_of(const WaveOptions& options) { return options.cross ? 4 : 2; }
+
+float turn_deg(const WaveOptions& options) {
+  return options.rotate_deg + (options.along ? 90.0f : 0.0f);
+}
+
+bool is_field_file(const WaveOptions& options) {
+  return !options.direction && !is_array(options.field) &&
+         std::find(kMadeFields.begin(), kMadeFields.end(), options.field) == kMadeFields.end();
+}
+
+std::string source_of(const WaveOptions& options) {
+  if (options.direction) return "the direction";
+  if (is_array(options.field)) return "the array '" + parse_array("--field", options.field) + "'";
+  return is_field_file(options) ? "the field '" + options.field + "'"
+                                : "the " + options.field + " field";
+}
+
+bool needs_own_arrays(const WaveOptions& options) {
+  const ArrayOptions& arrays = options.arrays;
+  return arrays.mesh.empty() &&
+         (is_array(options.field) || !arrays.frequency.empty() || is_array(arrays.frequency_by));
+}
+
+void check_field_options(const CLI::App& command, const WaveOptions& options) {
+  check_field_name(options);
+  check_array_options(command, options.arrays, options.field);
+  if (options.cross) {
+    refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
+  }
+  if (!is_smooth(options)) {
+    refuse_given(command,
+                 {"--curvature-anchor", "--feature-anchor", "--feature-angle", "--feature-radius",
+                  "--strokes"},
+                 "only --field smooth and --field curvature are drawn to anything");
+    if (options.direction || options.field != "raw-curvature") {
+      refuse_given(command, {"--curvature-direction"},
+                   "the field does not follow curvature; --field curvature does");
+    }
+    return;
+  }
+  if (options.field == "curvature" && curvature_anchor(options) == 0) {
+    throw CLI::ValidationError("--curvature-anchor",
+                               "0 leaves nothing of --field curvature; take --field smooth");
+  }
+  refuse_usage(command, [&](const IsGiven& given) {
+    check_smooth_field(given, curvature_anchor(options), options.feature_anchor);
+  });
+}
+
+void refuse_triangle_options(const CLI::App& command) {
+  refuse_usage(command, check_triangle_options);
+}
+
+float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
+  return constant_frequency(bounding_box(mesh).diagonal(), options);
+}
+
+float constant_frequency(float diagonal, const WaveOptions& options) {
+  if (options.frequency) return *options.frequency;
+  return frequency_of_stripes(options.stripes.value_or(kDefaultStripes), diagonal);
+}
+
+CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options) {
+  return add_parsed_option(app, "--direction", options.direction, parse_direction);
+}
+
+CLI::Option* add_along_option(CLI::App& app, WaveOptions& options) {
+  return app.add_flag("--along", options.along);
+}
+
+namespace {
+
+void add_frequency_options(CLI::App& app, WaveOptions& options) {
+  add_parsed_option(app, "--stripes", options.stripes, parse_positive_number);
+  app.add_option_function<std::string>("--frequency", [&options](const std::string& text) {
+    if (is_array(text)) {
+      options.arrays.frequency = parse_array("--frequency", text);
+    } else {
+      options.frequency = parse_positive_number("--frequency", text);
+    }
+  });
+}
+
+}  // namespace
+
+void add_wave_options(CLI::App& app, WaveOptions& options) {
+  add_direction_option(app, options);
+  app.add_option("--field", options.field);
+  add_named_option(app, "--curvature-direction", options.curvature_direction,
+                   parse_curvature_direction);
+  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, parse_weight);
+  add_parsed_option(app, "--feature-anchor", options.feature_anchor, parse_weight);
+  add_parsed_option(app, "--feature-angle", options.feature_angle_deg, parse_not_negative_number);
+  add_parsed_option(app, "--feature-radius", options.feature_radius, parse_positive_length);
+  app.add_option("--strokes", options.strokes);
+  add_parsed_option(app, "--rotate", options.rotate_deg, parse_number);
+  add_along_option(app, options);
+  add_frequency_options(app, options);
+  add_array_options(app, options.arrays);
+}
+
+CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {
+  return app.add_flag("--cross", options.cross);
+}
+
+void add_crossing_frequency_options(CLI::App& app, WaveOptions& options) {
+  add_parsed_option(app, "--stripes-v", options.stripes_v, parse_positive_number);
+  add_parsed_option(app, "--frequency-v", options.frequency_v, parse_positive_number);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,86 @@
+/// Where the waves run and how dense they are.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/direction_field.h"
+#include "brindle/strokes.h"
+#include "brindle/surface.h"
+#include "cli/option_values.h"
+#include "input/array_options.h"
+
+namespace brindle::tool {
+
+struct WaveOptions {
+  std::optional<Vec3> direction;  ///< a global vector, instead of `field`
+  std::string field = "smooth";   ///< "smooth", "curvature", "raw-curvature", an array or a file
+  CurvatureDirection curvature_direction = CurvatureDirection::maximum;
+  std::optional<float> curvature_anchor;  ///< of the smooth field; "curvature" has one anyway
+  float feature_anchor = 0;               ///< of the smooth field
+  float feature_angle_deg = 40;
+  std::optional<Length> feature_radius;
+  std::string strokes;  ///< file of strokes that the smooth field follows; empty: none
+  std::vector<FieldStroke> drawn_strokes;  ///< further ones, that were drawn and not read
+  bool cross = false;                      ///< the field is a cross field
+  bool along = false;                      ///< stripes run along the field, not across it
+  float rotate_deg = 0;
+  std::optional<float> stripes;    ///< along the diagonal of the bounding box
+  std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
+  std::optional<float> stripes_v;  ///< the same of the crossing stripes
+  std::optional<float> frequency_v;
+  float frequency_factor = 1;  ///< multiplies all frequencies, whoever says them
+  ArrayOptions arrays;
+};
+
+/// Whether the field is `smooth_direction_field`, drawn to curvature with this weight or not.
+bool is_smooth(const WaveOptions& options);
+float curvature_anchor(const WaveOptions& options);
+
+/// How many directions of the smooth field are alike: 2 of lines, 4 of crosses.
+int symmetry_of(const WaveOptions& options);
+
+/// Degrees that waves are turned by against their field: --rotate and --along.
+float turn_deg(const WaveOptions& options);
+
+/// Whether the field comes from a file of its own.
+bool is_field_file(const WaveOptions& options);
+
+/// What a message calls the field: "the field 'wind.csv'".
+std::string source_of(const WaveOptions& options);
+
+/// --direction alone.
+CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
+
+/// --along alone.
+CLI::Option* add_along_option(CLI::App& app, WaveOptions& options);
+
+/// Whether arrays of the mesh's own file are asked for.
+bool needs_own_arrays(const WaveOptions& options);
+
+/// --cross.
+CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options);
+
+/// --stripes-v and --frequency-v, for textures.
+void add_crossing_frequency_options(CLI::App& app, WaveOptions& options);
+
+/// All options but those of crossing stripes.
+void add_wave_options(CLI::App& app, WaveOptions& options);
+
+/// Throws CLI::ValidationError for options that the chosen field takes no notice of, and for a
+/// field that is neither known nor a file.
+void check_field_options(const CLI::App& command, const WaveOptions& options);
+
+/// Throws CLI::ValidationError for options that were given and need triangles: points have none.
+void refuse_triangle_options(const CLI::App& command);
+
+/// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
+float constant_frequency(const Mesh& mesh, const WaveOptions& options);
+
+/// The same for a surface whose bounding box has this diagonal.
+float constant_frequency(float diagonal, const WaveOptions& options);
+
+}  // namespace brindle::tool

@@ -1,0 +1,129 @@
+#include "jobs/curves_arguments.h"
+
+#include <string_view>
+
+#include "brindle/error.h"
+#include "cli/command_line.h"
+#include "outputs/outputs.h"
+
+namespace brindle::tool {
+namespace {
+
+std::optional<TracedWaves> parse_traced(std::string_view name) {
+  if (name == "u") return TracedWaves::u;
+  if (name == "v") return TracedWaves::v;
+  if (name == "both") return TracedWaves::both;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_lines_option(CLI::App& command, TracedWaves& traced) {
+  add_named_option(command, "--lines", traced, parse_traced);
+}
+
+void add_min_length_option(CLI::App& command, Length& min_length) {
+  add_parsed_option(command, "--min-length", min_length, parse_length);
+}
+
+void add_join_option(CLI::App& command, bool& join) { command.add_flag("--join", join); }
+
+void add_line_width_option(CLI::App& command, std::optional<Length>& line_width) {
+  add_parsed_option(command, "--line-width", line_width, parse_positive_length);
+}
+
+void add_offset_option(CLI::App& command, float& offset) {
+  add_parsed_option(command, "--offset", offset, parse_number);
+}
+
+void add_line_shape_options(CLI::App& command, LineShape& shape) {
+  add_parsed_option(command, "--simplify", shape.simplify, parse_length);
+  add_parsed_option(command, "--resample", shape.resample, parse_positive_length);
+}
+
+void add_tube_options(CLI::App& command, LineShape& shape) {
+  add_parsed_option(command, "--tube-radius", shape.tube_radius, parse_positive_length);
+  command.add_option("--tube-sides", shape.tube_sides);
+}
+
+namespace {
+
+void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
+  add_lines_option(command, arguments.traced);
+  add_offset_option(command, arguments.offset);
+  add_join_option(command, arguments.join);
+  add_min_length_option(command, arguments.min_length);
+  add_line_shape_options(command, arguments);
+  add_line_width_option(command, arguments.line_width);
+  add_tube_options(command, arguments);
+}
+
+}  // namespace
+
+namespace {
+
+WantedWinding parse_wales(const std::string& option, const std::string& text) {
+  WantedWinding wales = parse_winding(option, text);
+  if (wales.periods < 1) wrong_usage(option, "a number from 1 to 1000000", text);
+  return wales;
+}
+
+}  // namespace
+
+void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_second_wave_options(command, arguments.second);
+  add_curve_options(command, arguments);
+  add_making_options(command, arguments.making);
+  add_parsed_option(command, "--wales", arguments.second.wales, parse_wales);
+  add_solver_option(command, arguments.solving);
+  add_solving_options(command, arguments.solving);
+  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  arguments.picture = add_camera_options(command);
+}
+
+void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
+                          const PlannedFiles<CurveOutput>& files) {
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
+  check_making_options(arguments.making, arguments.solving.stripes.solver.solver);
+  if (arguments.traced == TracedWaves::v) {
+    refuse_given(command, {"--winding", "--anchor-boundary"}, "U is not traced; leave out --lines");
+  }
+  if (arguments.second.wales.periods > 0) {
+    refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v"},
+                 "--wales says how many stripes of V there are, and where they run");
+  }
+  if (arguments.traced == TracedWaves::u) {
+    refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v", "--wales"},
+                 "V is not traced; add --lines v or --lines both");
+  }
+  const bool picture = has(files, CurveOutput::picture);
+  if (!picture && !has(files, CurveOutput::drawing)) {
+    refuse_picture_options(command, arguments.waves,
+                           "nothing is drawn; add --output FILE.svg or FILE.png");
+  }
+  if (!picture && has(files, CurveOutput::drawing)) {
+    refuse_given(command, {"--quality"}, "a drawing of lines has but one; add --output FILE.png");
+  }
+  if (!picture && !has(files, CurveOutput::tubes)) {
+    refuse_given(command, {"--tube-radius", "--tube-sides"},
+                 "no tubes are written; add --output with a mesh file or FILE.png");
+  }
+}
+
+void check_curves_points(const CurvesArguments& arguments) {
+  if (!is_points(arguments.surface)) return;
+  throw Error("curves need triangles, and '" + arguments.surface.mesh +
+              "' has points alone; 'brindle stripe' and 'brindle sample' take points");
+}
+
+std::vector<UsedFile> curves_inputs(const CurvesArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
+  add_slack_files(arguments.solving.slack, inputs);
+  return inputs;
+}
+
+}  // namespace brindle::tool

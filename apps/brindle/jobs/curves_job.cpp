@@ -1,0 +1,204 @@
+#include "jobs/curves_job.h"
+
+#include <numeric>
+#include <utility>
+
+#include "brindle/base/memory.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/points/point_tree.h"
+#include "brindle/polylines.h"
+#include "brindle/recipe/curve_notes.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kEdges = "edges";
+
+std::string stripes_of(const char* family) { return std::string("stripes of ") + family; }
+
+// What to ask for instead of more curves than there is room for.
+std::string fewer_stripes(const WaveOptions& waves, double share) {
+  const auto fewer = [&](const char* option, float asked) {
+    return std::string("; ") + option + ' ' + rounded_down(static_cast<double>(asked) * share) +
+           " would do";
+  };
+  if (waves.stripes) return fewer("--stripes", *waves.stripes);
+  return waves.frequency ? fewer("--frequency", *waves.frequency) : "";
+}
+
+StripeCurves traced_curves(const LiftedWaves& waves, const CurvesArguments& arguments,
+                           const Progress& progress) {
+  try {
+    return stripe_curves(waves, {.join = arguments.join}, progress);
+  } catch (const TooLarge& error) {
+    throw Error(error.what() + fewer_stripes(arguments.waves, error.share()));
+  }
+}
+
+// Throws away short curves after all ends were counted.
+void drop_short(CurveFamily& family, float min_length) {
+  if (min_length <= 0) return;
+  const StripeCurves all = std::move(family.curves);
+  family.curves = longer_than(all, min_length);
+  family.short_curves = all.lines.count() - family.curves.lines.count();
+}
+
+void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily& family,
+                 JobListener& listener) {
+  const float diagonal = bounding_box(mesh).diagonal();
+  drop_short(family, arguments.min_length.on(diagonal));
+  if (family.curves.lines.count() == 0)
+    listener.note(why_no_curves(family.name, family.short_curves));
+  Polylines& lines = family.curves.lines;
+  family.lengths = curve_lengths(lines);
+  if (arguments.line_width) {
+    listener.stage("coverage");
+    const CurveCoverage coverage =
+        measure_coverage(mesh, lines, arguments.line_width->on(diagonal), listener.progress());
+    family.coverage = coverage.once;
+    family.covered_twice = coverage.twice;
+  }
+  listener.stage("points");
+  reshape(lines, arguments, diagonal, listener.progress());
+}
+
+// Solved, noted and traced.
+CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, const char* name,
+                      WaveSet waves, const MakingOptions& wanted, JobListener& listener) {
+  const Surface& surface = job.prepared.surface;
+  MakingFigures making;
+  listener.stage(stripes_of(name));
+  StripePattern pattern =
+      make_pattern(surface, std::move(waves), job.options, wanted, listener.progress(), making);
+  measure_windings(surface, pattern, making);
+  listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
+                               surface.mesh.triangle_count()));
+  CurveFamily family = traced_family(arguments, surface, job.edges, name, std::move(pattern),
+                                     CurveFigures::all, listener);
+  family.making = std::move(making);
+  return family;
+}
+
+}  // namespace
+
+CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
+                          const MeshEdges& edges, std::string name, StripePattern traced,
+                          CurveFigures figures, JobListener& listener) {
+  CurveFamily family;
+  family.name = std::move(name);
+  family.pattern = std::move(traced);
+  StripePattern& pattern = family.pattern;
+  family.jogs =
+      move_peaks(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
+  listener.stage("curves");
+  Stopwatch watch;
+  const WavePattern wave_pattern{surface.mesh,       edges,
+                                 surface.normals,    pattern.waves,
+                                 pattern.solution.z, arguments.solving.stripes.phase_shift};
+  const Progress tracing = listener.progress();
+  const LiftedWaves lifted(wave_pattern, tracing.part(0, 0.2));
+  family.curves = traced_curves(lifted, arguments, tracing.part(0.2, 1));
+  family.extract_milliseconds = watch.lap();
+  family.ends = family.curves.end_counts();
+  if (figures == CurveFigures::all && PointTree::available()) {
+    listener.stage("spacing");
+    const CurveSpacing spacing =
+        measure_curve_spacing(wave_pattern, family.curves, kMostSpacingPoints,
+                              pattern.frequencies_wanted, listener.progress());
+    if (spacing.measured > 0) family.spacing = spacing;
+  }
+  shape_lines(arguments, surface.mesh, family, listener);
+  return family;
+}
+
+MakingOptions making_of_v(const CurvesArguments& arguments) {
+  MakingOptions making;
+  making.merge_branches = arguments.making.merge_branches;
+  if (arguments.second.wales.periods > 0) making.windings = {arguments.second.wales};
+  return making;
+}
+
+std::vector<JobStage> curves_stages(const CurvesArguments& arguments) {
+  std::vector<JobStage> stages = preparation_stages(arguments.surface);
+  stages.push_back({kEdges, 1});
+  const auto add = [&](const char* name) {
+    stages.insert(stages.end(), {{stripes_of(name), 4}, {"curves", 4}, {"spacing", 3}});
+    if (arguments.line_width) stages.push_back({"coverage", 2});
+    stages.push_back({"points", 1});
+  };
+  if (arguments.traced != TracedWaves::v) add("u");
+  if (arguments.traced != TracedWaves::u) add("v");
+  return stages;
+}
+
+CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listener) {
+  CurvesJob job;
+  Preparation& prepared = job.prepared;
+  prepared =
+      prepare(arguments.surface, arguments.waves, listener, viewpoint_of(*arguments.picture));
+  job.options = stripe_options(arguments.solving, prepared);
+  Stopwatch watch;
+  listener.stage(kEdges);
+  job.edges =
+      mesh_edges(prepared.surface.mesh, *prepared.surface.neighborhood, listener.progress());
+  job.edges_milliseconds = watch.lap();
+  WaveSet v;
+  if (arguments.traced != TracedWaves::u) {
+    v = make_second_waves(first_waves(prepared), arguments.second, listener);
+  }
+  const auto add = [&](const char* name, WaveSet& waves, const MakingOptions& making) {
+    job.families.push_back(family_of(arguments, job, name, std::move(waves), making, listener));
+  };
+  if (arguments.traced != TracedWaves::v) add("u", prepared.waves, arguments.making);
+  if (arguments.traced != TracedWaves::u) add("v", v, making_of_v(arguments));
+  return job;
+}
+
+double total_length(const Polylines& lines) {
+  double length = 0;
+  for (std::size_t line = 0; line < lines.count(); ++line) length += length_of(lines, line);
+  return length;
+}
+
+std::size_t closed_count(const Polylines& lines) {
+  return std::accumulate(lines.closed.begin(), lines.closed.end(), std::size_t{0});
+}
+
+void reshape(Polylines& lines, const LineShape& shape, float diagonal, const Progress& progress) {
+  if (shape.resample) {
+    try {
+      lines = resampled(lines, shape.resample->on(diagonal), progress.part(0, 0.7));
+    } catch (const TooLarge& error) {
+      throw Error(std::string("--resample: ") + error.what());
+    }
+  }
+  if (shape.simplify) {
+    lines = simplified(lines, shape.simplify->on(diagonal), progress.part(0.7, 1));
+  }
+}
+
+namespace {
+
+// A default that leaves most of the surface to see: a sixth of the spacing, across both sides.
+float tube_radius_of(const CurvesArguments& arguments, const Mesh& mesh,
+                     const FrequencyField& frequencies) {
+  if (arguments.tube_radius) return arguments.tube_radius->on(bounding_box(mesh).diagonal());
+  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+  return static_cast<float>(static_cast<double>(frequencies.size()) / (12 * sum));
+}
+
+}  // namespace
+
+std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Mesh& mesh,
+                               std::span<const CurveFamily> families) {
+  const TubeOptions options{
+      tube_radius_of(arguments, mesh, families.front().pattern.waves.frequencies),
+      arguments.tube_sides};
+  std::vector<Ornament> ornaments;
+  for (const CurveFamily& family : families) {
+    ornaments.push_back({tubes(family.curves.lines, options), family.name == "v"});
+  }
+  return ornaments;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,107 @@
+#include "jobs/curves_output.h"
+
+#include <utility>
+#include <vector>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/geometry/append_mesh.h"
+#include "outputs/carried_arrays.h"
+#include "outputs/outputs.h"
+
+namespace brindle::tool {
+
+CurveOutput planned_curves(const std::string& path, bool tubes) {
+  const std::string kind = lower_extension(path);
+  check_output_path(path);
+  if (kind == ".json") return CurveOutput::report;
+  if (kind == ".svg" || kind == ".png") {
+    check_pictures_available();
+    return kind == ".svg" ? CurveOutput::drawing : CurveOutput::picture;
+  }
+  const bool mesh = kind == ".gltf" || kind == ".glb";
+  if (mesh && !tubes) {
+    refuse_output(path, "brindle writes no lines into " + kind +
+                            "; use .obj, .ply, .vtp or .csv, or ask for tubes with --tube-radius");
+  }
+  if (tubes && kind == ".csv") {
+    refuse_output(path,
+                  ".csv holds no tubes; use .obj, .ply, .vtp, .gltf or .glb, or leave out "
+                  "--tube-radius");
+  }
+  if (mesh || is_polyline_format(path)) return tubes ? CurveOutput::tubes : CurveOutput::lines;
+  refuse_output(path, "unknown extension '" + kind +
+                          "'; use .obj, .ply, .vtp or .csv for lines, .gltf or .glb for tubes, "
+                          ".svg for a drawing, .png for a picture, .json for a report");
+}
+
+void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments) {
+  Mesh all;
+  for (const Ornament& ornament : ornaments) append(ornament.mesh, all);
+  if (all.triangles.empty()) throw Error("cannot write '" + shown(path) + "': there are no curves");
+  write_mesh(path, all);
+}
+
+namespace {
+
+// Columns and arrays of all formats, which those of the input's file do not replace.
+const std::vector<std::string> kCurveColumns = {"kind",   "curve",    "closed",      "length",
+                                                "normal", "triangle", "barycentric", "frequency"};
+
+// Where each point is on the mesh, and what is there.
+std::vector<DataArray> arrays_of(const CurveFamily& family, const Mesh& mesh, DataArrays input) {
+  const std::vector<TrianglePoint>& places = family.curves.lines.places;
+  std::vector<Index> triangles;
+  std::vector<float> barycentric;
+  for (const TrianglePoint& place : places) {
+    triangles.push_back(place.triangle);
+    for (const double share : place.barycentric) barycentric.push_back(static_cast<float>(share));
+  }
+  std::vector<DataArray> arrays = {make_data_array("triangle", 1, triangles),
+                                   make_data_array("barycentric", 3, barycentric)};
+  input.points.insert(input.points.begin(),
+                      make_data_array("frequency", 1, family.pattern.waves.frequencies));
+  for (DataArray& array : arrays_at(places, mesh.triangles, input)) {
+    arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
+void write_lines(const std::string& path, const TracedSurface& traced, JobListener& listener) {
+  const DataArrays input = held_beside(kCurveColumns, path, traced.arrays, listener);
+  std::vector<NamedLines> lines;
+  for (const CurveFamily& family : traced.families) {
+    lines.push_back(
+        {family.name, family.curves.lines, arrays_of(family, traced.surface.mesh, input)});
+  }
+  write_polylines(path, lines, listener.progress());
+}
+
+}  // namespace
+
+void write_curves(CurveOutput kind, const std::string& path, const TracedSurface& traced,
+                  JobListener& listener) {
+  const auto& [arguments, surface, arrays, families] = traced;
+  std::vector<PenLines> pens;
+  for (const CurveFamily& family : families) {
+    pens.push_back({family.name, family.curves.lines, family.name == "v"});
+  }
+  switch (kind) {
+    case CurveOutput::lines:
+      return write_lines(path, traced, listener);
+    case CurveOutput::tubes:
+      return write_tube_mesh(path, tubes_of(arguments, surface.mesh, families));
+    case CurveOutput::drawing:
+      return write_line_drawing(path, surface, pens, *arguments.picture);
+    case CurveOutput::picture:
+      return write_ornaments(path, surface, tubes_of(arguments, surface.mesh, families),
+                             *arguments.picture);
+    case CurveOutput::report:
+      throw Error(shown(path) + ": a report holds no curves");
+  }
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,39 @@
+/// What `brindle curves` says of its curves.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "jobs/curves_job.h"
+
+namespace brindle::tool {
+
+/// Why curves end, for the key "ends", and as a line for people.
+using CurveEnds = std::array<std::size_t, kCurveEndKinds>;
+nlohmann::ordered_json ends_to_json(const CurveEnds& ends);
+std::string line_of_ends(const CurveEnds& ends);
+
+/// Lines for people about curves of which ends were joined, which were left out, and which jog,
+/// each behind `indent`; empty if there is nothing to say.
+struct CurveRemarks {
+  std::size_t joined_ends = 0, ends_at_neighbors = 0, short_curves = 0, jogs = 0;
+};
+std::string lines_of(const CurveRemarks& remarks, const std::string& indent);
+
+/// For the key "lengths".
+nlohmann::ordered_json to_json(const CurveLengths& lengths);
+
+/// The keys "spacing" and "gaps"; with slack (`yields`) also against other frequencies.
+void add_spacing(const CurveSpacing& spacing, bool yields, nlohmann::ordered_json& json);
+
+nlohmann::ordered_json to_json(const CurveFamily& family);
+nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& picture);
+
+/// The same for people.
+void print(std::ostream& out, const CurvesJob& job);
+
+}  // namespace brindle::tool

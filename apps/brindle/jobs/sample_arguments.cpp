@@ -1,0 +1,82 @@
+#include "jobs/sample_arguments.h"
+
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/files.h"
+#include "brindle/points/point_tree.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+#include "outputs/outputs.h"
+
+namespace brindle::tool {
+
+void add_min_distance_option(CLI::App& command, float& min_distance) {
+  add_parsed_option(command, "--min-distance", min_distance, parse_not_negative_number);
+}
+
+void add_sample_options(CLI::App& command, SampleArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_point_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_second_wave_options(command, arguments.second);
+  add_min_distance_option(command, arguments.min_distance);
+  add_solver_option(command, arguments.solving);
+  add_solving_options(command, arguments.solving);
+  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  arguments.picture = add_camera_options(command);
+  add_glyph_options(command, arguments.glyphs);
+}
+
+SampleOutput planned_sample(const std::string& path) {
+  check_output_path(path);
+  const std::string kind = lower_extension(path);
+  if (kind == ".json") return SampleOutput::report;
+  if (kind == ".png") {
+    check_pictures_available();
+    return SampleOutput::picture;
+  }
+  if (is_sample_format(path)) return SampleOutput::samples;
+  refuse_output(path, "'" + kind +
+                          "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, "
+                          ".json for a report");
+}
+
+void check_sample_options(const CLI::App& command, const SampleArguments& arguments,
+                          const PlannedFiles<SampleOutput>& files) {
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
+  check_glyph_options(command, arguments.glyphs);
+  if (!has(files, SampleOutput::picture)) {
+    refuse_glyph_options(command, "no picture is written; add --output FILE.png");
+    refuse_picture_options(command, arguments.waves,
+                           "no picture is written; add --output FILE.png");
+  }
+  if (!PointTree::available()) {
+    refuse_given(command, {"--min-distance"},
+                 "this build has no nanoflann; configure with -DBRINDLE_NANOFLANN=ON");
+  }
+}
+
+void check_sample_points(const CLI::App& command, const SampleArguments& arguments,
+                         const PlannedFiles<SampleOutput>& files) {
+  if (!is_points(arguments.surface)) return;
+  refuse_triangle_options(command);
+  for (const auto& [kind, path] : files) {
+    if (kind == SampleOutput::picture) {
+      refuse_output(path, "samples are drawn on meshes alone; write .csv, .ply or .vtp");
+    }
+  }
+  refuse_usage([&] { check_min_distance_on_points(arguments.min_distance); });
+}
+
+std::vector<UsedFile> sample_inputs(const SampleArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
+  for (UsedFile& file : glyph_files(arguments.glyphs)) inputs.push_back(std::move(file));
+  add_slack_files(arguments.solving.slack, inputs);
+  return inputs;
+}
+
+}  // namespace brindle::tool

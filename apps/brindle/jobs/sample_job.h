@@ -1,0 +1,54 @@
+/// What `brindle sample` does, stage by stage, for whoever has its arguments.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brindle/samples.h"
+#include "cli/job_listener.h"
+#include "jobs/sample_arguments.h"
+
+namespace brindle::tool {
+
+inline constexpr const char* kNoSamples =
+    "no samples: nowhere do stripes of both patterns cross; ask for more stripes\n";
+
+/// Where two patterns cross.
+struct TakenSamples {
+  std::vector<Sample> samples;
+  std::size_t doubles = 0;  ///< left out
+  std::optional<SampleSpacing> spacing;
+  double edges_milliseconds = 0;
+  double extract_milliseconds = 0;
+};
+
+struct SampleJob {
+  Preparation prepared;
+  StripePattern u, v;
+  TakenSamples taken;
+  std::optional<double> draw_milliseconds;
+  GlyphInput glyphs;
+};
+
+/// Samples of patterns that are there, on a mesh or on points.
+TakenSamples taken_samples(const SampleArguments& arguments, const Surface& surface,
+                           const StripePattern& u, const StripePattern& v, JobListener& listener);
+
+/// Its stages, in their order, as `JobListener::stage` hears of them.
+std::vector<JobStage> sample_stages(const SampleArguments& arguments);
+
+SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listener);
+
+/// Discs at samples, as pictures without glyphs show them. Coordinates are relative to `origin`.
+Ornament discs_of(std::span<const Sample> samples, const Eigen::Vector3d& origin);
+
+/// `frequency_u` and `frequency_v`, which samples have as spacings.
+std::vector<DataArray> frequency_arrays(std::span<const Sample> samples);
+
+/// With the input's arrays there. Throws Error if the file cannot be written.
+void write_all_samples(const std::string& path, const Mesh& mesh, const DataArrays& input,
+                       std::span<const Sample> samples, JobListener& listener);
+
+}  // namespace brindle::tool

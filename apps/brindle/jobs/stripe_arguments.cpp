@@ -1,0 +1,185 @@
+#include "jobs/stripe_arguments.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/formatted.h"
+#include "brindle/base/printable.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+
+namespace brindle::tool {
+namespace {
+
+// What cannot be laid over points or shown of crosses: better said before a long job.
+void check_points(const CLI::App& command, const StripeArguments& arguments,
+                  const std::vector<Output>& outputs) {
+  const auto refuse = [](const std::string& option, const std::string& what) {
+    throw CLI::ValidationError(option, "points have no triangles: " + what);
+  };
+  if (arguments.waves.cross) {
+    refuse("--cross", "a cross field is drawn on meshes alone; leave out --cross");
+  }
+  if (!arguments.texture.tile.empty()) {
+    refuse("--texture", "a texture is drawn on meshes alone; leave out --texture");
+  }
+  refuse_usage([&] { check_view_of_points(shows_stripes(*arguments.picture)); });
+  for (const Output& output : outputs) {
+    if (output.kind == OutputKind::mesh && !holds_points(output.path)) {
+      refuse("--output",
+             "'" + shown(output.path.native()) + "' cannot hold them; write .ply or .vtp");
+    }
+  }
+  refuse_given(command, {"--uv"}, "points have no triangles, and so no texture coordinates");
+  refuse_usage(command, check_making_on_points);
+  refuse_style_options(command, "points are drawn as they are");
+  refuse_triangle_options(command);
+}
+
+void check_cross(const StripeArguments& arguments, const std::vector<Output>& outputs) {
+  refuse_usage([&] { check_view_of_crosses(shows_stripes(*arguments.picture)); });
+  // The tile goes along with every mesh.
+  for (const Output& output : outputs) {
+    if (output.kind == OutputKind::mesh) check_pictures_available();
+  }
+}
+
+bool is_drawing(const Output& output) {
+  return output.kind == OutputKind::picture && lower_extension(output.path) == ".svg";
+}
+
+bool has(const std::vector<Output>& outputs, OutputKind kind) {
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [kind](const Output& output) { return output.kind == kind; });
+}
+
+void check_previous(const CLI::App& command, const StripeArguments& arguments, bool texture) {
+  if (texture) {
+    refuse_given(command, {"--previous"}, "it is for stripes, not for textures and cross fields");
+  }
+  refuse_usage(command, [&](const IsGiven& given) {
+    check_following(given, !arguments.previous.empty(), arguments.solving.stripes.solver.solver);
+  });
+}
+
+// What drawings cannot show.
+void check_drawings(const CLI::App& command, const StripeArguments& arguments,
+                    const std::vector<Output>& outputs, bool texture) {
+  const auto drawing = std::ranges::find_if(outputs, is_drawing);
+  if (drawing == outputs.end()) return;
+  const auto refuse = [&](const char* why) { refuse_output(drawing->path, why); };
+  if (texture) refuse("a drawing shows outlines of stripes, not of tiles; write .png");
+  if (is_points(arguments.surface)) refuse("points have no outlines; write .png");
+  if (!shows_stripes(*arguments.picture)) refuse("--view has colours; write .png");
+  const bool alone = std::ranges::all_of(outputs, [](const Output& output) {
+    return output.kind != OutputKind::picture || is_drawing(output);
+  });
+  if (alone) refuse_for_outlines(command);
+}
+
+// Options that would change nothing.
+void check_options(const CLI::App& command, const StripeArguments& arguments,
+                   const std::vector<Output>& outputs, bool texture) {
+  check_field_options(command, arguments.waves);
+  check_solving_options(command, arguments.solving);
+  check_previous(command, arguments, texture);
+  check_making_options(arguments.making, arguments.solving.stripes.solver.solver);
+  if (texture) {
+    refuse_given(command, {"--winding", "--anchor-boundary", "--merge-branches"},
+                 "it is for stripes, not for textures and cross fields");
+  }
+  check_style_options(command, arguments.style, texture);
+  check_drawings(command, arguments, outputs, texture);
+  const std::string no_picture = "no picture is written; add --output FILE.png";
+  if (!has(outputs, OutputKind::picture)) {
+    refuse_style_options(command, no_picture);
+    refuse_given(command, {"--quality", "--view", "--stripe-width"}, no_picture);
+    refuse_camera_options(command, arguments.waves, no_picture);
+    // Meshes carry the tile in these colours.
+    if (!texture || !has(outputs, OutputKind::mesh)) {
+      refuse_given(command, {"--colors"}, no_picture);
+    }
+  }
+  if (!shows_stripes(*arguments.picture)) {
+    refuse_style_options(command, "--view has colours of its own");
+  }
+  if (texture) {
+    if (arguments.waves.cross) refuse_style_options(command, "crosses are drawn as they are");
+    refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
+    refuse_given(command, {"--uv"}, "meshes with a texture have coordinates anyway");
+  }
+  if (!has(outputs, OutputKind::mesh)) {
+    refuse_given(command, {"--uv"},
+                 "no mesh is written; add --output FILE.vtp, .ply, .glb or .obj");
+  }
+}
+
+}  // namespace
+
+std::vector<UsedFile> stripe_inputs(const StripeArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  if (!arguments.texture.tile.empty()) inputs.push_back({"--texture", arguments.texture.tile});
+  if (!arguments.previous.empty()) inputs.push_back({"--previous", arguments.previous});
+  for (UsedFile& file : style_files(arguments.style)) inputs.push_back(std::move(file));
+  add_slack_files(arguments.solving.slack, inputs);
+  return inputs;
+}
+
+bool has_tiles(const StripeArguments& arguments) {
+  return !arguments.texture.tile.empty() || arguments.waves.cross;
+}
+
+bool has_style(const CLI::App& command, const std::vector<Output>& outputs) {
+  return is_styled(command) || std::ranges::any_of(outputs, is_drawing);
+}
+
+void check_stripe_options(const CLI::App& command, const StripeArguments& arguments,
+                          const std::vector<Output>& outputs) {
+  check_options(command, arguments, outputs, has_tiles(arguments));
+  if (arguments.waves.cross) check_cross(arguments, outputs);
+}
+
+void check_stripe_points(const CLI::App& command, const StripeArguments& arguments,
+                         const std::vector<Output>& outputs) {
+  if (is_points(arguments.surface)) check_points(command, arguments, outputs);
+}
+
+std::vector<Output> checked_outputs(const CLI::App& command, const StripeArguments& arguments) {
+  const bool texture = has_tiles(arguments);
+  std::vector<Output> outputs = plan_outputs(arguments.outputs, arguments.report, texture);
+  check_files(stripe_inputs(arguments), files_of(outputs, texture));
+  check_stripe_options(command, arguments, outputs);
+  check_stripe_points(command, arguments, outputs);
+  return outputs;
+}
+
+namespace {
+
+void add_previous_options(CLI::App& command, StripeArguments& arguments) {
+  StripeOptions& stripes = arguments.solving.stripes;
+  command.add_option("--previous", arguments.previous);
+  add_parsed_option(command, "--lambda", stripes.lambda, parse_weight);
+  add_match_option(command, arguments.match);
+}
+
+}  // namespace
+
+void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
+  add_surface_options(command, arguments.surface);
+  add_point_options(command, arguments.surface);
+  add_wave_options(command, arguments.waves);
+  add_cross_option(command, arguments.waves);
+  add_solver_option(command, arguments.solving);
+  add_solving_options(command, arguments.solving);
+  add_device_option(command, arguments.device);
+  add_previous_options(command, arguments);
+  add_making_options(command, arguments.making);
+  add_texture_options(command, arguments.texture, arguments.waves);
+  command.add_flag("--uv", arguments.uv);
+  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  arguments.picture = add_picture_options(command);
+  add_style_options(command, arguments.style);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,32 @@
+/// Arrays of the input's file at places on the mesh, for curves and samples.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/mesh.h"
+#include "brindle/polylines.h"
+#include "cli/job_listener.h"
+
+namespace brindle::tool {
+
+/// Arrays without those that have one of the names.
+std::vector<DataArray> without(std::span<const DataArray> arrays,
+                               std::span<const std::string> names);
+
+/// A command's own arrays, then those of the input's file that have other names.
+DataArrays joined(DataArrays own, const DataArrays& input);
+
+/// What a file of lines or samples has place for beside its `own` columns: of arrays of points and
+/// of triangles with one name, those of points. Notes what it cannot hold.
+DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
+                       const DataArrays& arrays, JobListener& listener);
+
+/// A row per place: means of points (`blended`), then the rows of triangles.
+std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,
+                                 std::span<const Triangle> triangles, const DataArrays& arrays);
+
+}  // namespace brindle::tool

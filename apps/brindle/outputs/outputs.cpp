@@ -1,0 +1,124 @@
+#include "outputs/outputs.h"
+
+#include <algorithm>
+#include <ostream>
+#include <utility>
+
+#include "brindle/base/file_extension.h"
+#include "brindle/base/output_file.h"
+#include "brindle/base/printable.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/recipe/json_text.h"
+#include "cli/command_line.h"
+#include "input/vertex_values.h"
+
+namespace brindle::tool {
+namespace {
+
+Output plan_output(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".png" || extension == ".svg") {
+    check_pictures_available();
+    return {path, OutputKind::picture};
+  }
+  if (extension == ".json") return {path, OutputKind::report};
+  for (const char* mesh : {".obj", ".ply", ".vtp", ".gltf", ".glb"}) {
+    if (extension == mesh) return {path, OutputKind::mesh};
+  }
+  if (extension == ".stl" || extension == ".off") {
+    refuse_output(path, "'" + extension +
+                            "' has no place for phases or texture coordinates; use .ply, .vtp or "
+                            ".glb");
+  }
+  refuse_output(path, "unknown extension '" + extension +
+                          "'; use .png for a picture, .svg for a drawing, .obj, .ply, .vtp, .gltf "
+                          "or .glb for a mesh, "
+                          ".json for a report");
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
+                        bool& quiet) {
+  app.add_option("-o,--output", outputs)
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);  // what follows is MESH
+  app.add_option("--report", report);
+  app.add_flag("-q,--quiet", quiet);
+}
+
+std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& report,
+                                 bool texture) {
+  std::vector<Output> outputs;
+  for (const std::string& path : paths) outputs.push_back(plan_output(path));
+  for (const UsedFile& file : files_of(outputs, texture)) check_output_path(file.path);
+  check_report("--report", report);
+  if (!report.empty()) outputs.push_back({report, OutputKind::report, "--report"});
+  std::stable_partition(outputs.begin(), outputs.end(),
+                        [](const Output& output) { return output.kind != OutputKind::report; });
+  return outputs;
+}
+
+std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture) {
+  std::vector<UsedFile> files;
+  for (const Output& output : outputs) {
+    if (texture && output.kind == OutputKind::mesh) {
+      for (const std::filesystem::path& path : textured_mesh_files(output.path)) {
+        files.push_back({output.option, path, lower_extension(path) == ".png"});
+      }
+    } else {
+      files.push_back({output.option, output.path});
+    }
+  }
+  return files;
+}
+
+void refuse_camera_options(const CLI::App& command, const WaveOptions& waves,
+                           std::string_view why) {
+  if (depends_on_camera(waves.arrays.frequency_by)) return;
+  refuse_given(command, {"--camera", "--size"}, why);
+  if (!depends_on_up(waves.arrays.frequency_by)) refuse_given(command, {"--up"}, why);
+}
+
+void refuse_picture_options(const CLI::App& command, const WaveOptions& waves,
+                            std::string_view why) {
+  refuse_camera_options(command, waves, why);
+  refuse_given(command, {"--quality", "--colors", "--view", "--stripe-width"}, why);
+}
+
+bool holds_points(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".ply" || extension == ".vtp";
+}
+
+void write_output(const Output& output, const MadeMesh& made, const Report& report,
+                  const PictureOptions& picture, JobListener& listener) {
+  switch (output.kind) {
+    case OutputKind::picture:
+      return write_picture(output.path, made.surface, made.result, picture);
+    case OutputKind::mesh:
+      return write_made_mesh(output.path, made, picture, listener);
+    case OutputKind::report:
+      return write_json(output.path, to_json(report));
+  }
+}
+
+void refuse_output(const std::filesystem::path& path, const std::string& why) {
+  throw CLI::ValidationError("--output", "cannot write '" + shown(path.native()) + "': " + why);
+}
+
+void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
+                  const nlohmann::ordered_json& report) {
+  nlohmann::ordered_json json = invocation_of(command);
+  json["kind"] = kind_of(mesh);
+  json.update(report);
+  write_json(path, json);
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
+  write_file(path, [&](std::ostream& out) { out << json_text(json, 2) << '\n'; });
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,68 @@
+/// Glyphs that `brindle sample` draws at samples. A build without OpenGL offers none of the
+/// options.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/glyphs.h"
+#include "brindle/image.h"
+#include "input/preparation.h"
+#include "pictures/picture.h"
+#include "pictures/style_options.h"
+#include "pictures/style_values.h"
+
+namespace brindle::tool {
+
+/// What stands at samples: a shape, or a picture on quads.
+struct GlyphChoice {
+  GlyphShape shape = GlyphShape::disc;
+  std::string picture;  ///< of quads: a PNG file
+};
+
+struct GlyphOptions {
+  GlyphChoice glyph;
+  float size = 0.8f;  ///< share of the spacing
+  std::string size_by;
+  std::optional<ValueRange> size_range;  ///< shares of `size` at the smallest and largest value
+  StyleOptions style;                    ///< its colours
+};
+
+void add_glyph_options(CLI::App& app, GlyphOptions& options);
+
+/// Whether any of them was given.
+bool has_glyphs(const CLI::App& command);
+
+/// Throws CLI::ValidationError for those that were given: `why` they have no effect.
+void refuse_glyph_options(const CLI::App& command, std::string_view why);
+
+/// Throws CLI::ValidationError for options that leave each other without effect.
+void check_glyph_options(const CLI::App& command, const GlyphOptions& options);
+
+/// Files that values are read from.
+std::vector<UsedFile> glyph_files(const GlyphOptions& options);
+
+/// What glyphs follow, one number per vertex of the surface, and what lies on quads.
+struct GlyphInput {
+  std::optional<VertexValues> size, color;
+  std::optional<Image> picture;  ///< of quads
+};
+
+/// The picture of quads; none of other shapes. Throws what read_png throws.
+std::optional<Image> read_glyph_picture(const GlyphOptions& options);
+
+GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prepared,
+                            const SurfaceOptions& surface, const WaveOptions& waves,
+                            const PictureOptions& picture);
+
+/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+void write_glyphs(const std::filesystem::path& path, const Surface& surface,
+                  std::span<const Sample> samples, const GlyphOptions& options,
+                  const GlyphInput& input, const PictureOptions& picture);
+
+}  // namespace brindle::tool

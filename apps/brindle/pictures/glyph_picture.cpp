@@ -1,0 +1,98 @@
+#include "pictures/glyph_picture.h"
+
+#include <algorithm>
+
+#include "pictures/picture_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr Color kGlyphColor{0.78f, 0.26f, 0.17f};
+
+// A sample's number from those of its triangle's corners.
+float value_at(const Sample& sample, const Mesh& mesh, std::span<const float> values) {
+  float value = 0;
+  for (int m = 0; m < 3; ++m) {
+    value += sample.barycentric[m] * values[mesh.triangles[sample.triangle][m]];
+  }
+  return value;
+}
+
+std::vector<float> values_at(std::span<const Sample> samples, const Mesh& mesh,
+                             std::span<const float> values) {
+  std::vector<float> result;
+  for (const Sample& sample : samples) result.push_back(value_at(sample, mesh, values));
+  return result;
+}
+
+std::vector<float> size_factors(std::span<const Sample> samples, const Mesh& mesh,
+                                const GlyphOptions& options, const GlyphInput& input) {
+  if (!input.size) return {};
+  const Eigen::Vector2f range = input.size->range("--size-by");
+  const ValueRange shares = options.size_range.value_or(ValueRange{0.25f, 1});
+  return rescaled(values_at(samples, mesh, input.size->values), range[0], range[1], shares.lowest,
+                  shares.highest);
+}
+
+/// Makes one of the two sizes smaller.
+void keep_proportions(const Image& tile, std::vector<GlyphSize>& sizes) {
+  const float wide = static_cast<float>(tile.width), high = static_cast<float>(tile.height);
+  for (GlyphSize& size : sizes) {
+    const float pixel = std::min(size.along / wide, size.across / high);
+    size = {pixel * wide, pixel * high};
+  }
+}
+
+}  // namespace
+
+GlyphPicture::GlyphPicture(const Surface& surface, std::span<const Sample> samples,
+                           const GlyphOptions& options, const GlyphInput& input,
+                           const PictureOptions& picture) {
+  const Mesh& mesh = surface.mesh;
+  std::vector<GlyphSize> sizes =
+      glyph_sizes(samples, options.size, size_factors(samples, mesh, options, input));
+  if (input.picture) keep_proportions(*input.picture, sizes);
+  glyphs_ = glyphs_at(samples, options.glyph.shape, sizes);
+  glyphs_.mesh.origin = mesh.origin;
+  styled.render = render_options(picture);
+  add_colors(samples, mesh, options, input);
+  const RenderOptions& render = styled.render;
+  styled.right_margin = legend_width(legends, render.width, render.height);
+  surfaces.push_back({.mesh = mesh, .normals = surface.normals, .color = render.base_color});
+  if (!glyphs_.mesh.triangles.empty()) surfaces.push_back(figures(options, input));
+}
+
+void GlyphPicture::add_colors(std::span<const Sample> samples, const Mesh& mesh,
+                              const GlyphOptions& options, const GlyphInput& input) {
+  if (!input.color) return;
+  const ColorPlaces colors = color_places(options.style, *input.color);
+  styled.scale = colors.scale;
+  const std::vector<float> of_samples = values_at(samples, mesh, colors.places);
+  for (const Index sample : glyphs_.sample_of_vertex) places_.push_back(of_samples[sample]);
+  if (!options.style.no_legend) legends.push_back(colors.legend);
+}
+
+StyledSurface GlyphPicture::figures(const GlyphOptions& options, const GlyphInput& input) const {
+  const bool brush = options.glyph.shape == GlyphShape::stroke;
+  StyledSurface figures{.mesh = glyphs_.mesh,
+                        .normals = glyphs_.normals,
+                        .color = brush ? styled.render.stripe_color : kGlyphColor,
+                        .color_places = places_,
+                        .shading = !brush};
+  if (input.picture) {
+    figures.texture = RegionTexture{.waves = &glyphs_.waves, .tiles = {{.tile = *input.picture}}};
+    figures.between = BetweenStrokes::discarded;
+  }
+  return figures;
+}
+
+void write_glyphs(const std::filesystem::path& path, const Surface& surface,
+                  std::span<const Sample> samples, const GlyphOptions& options,
+                  const GlyphInput& input, const PictureOptions& picture) {
+  const GlyphPicture drawn(surface, samples, options, input, picture);
+  Image image = render_styled(drawn.surfaces, drawn.styled);
+  draw_legends(image, drawn.legends);
+  write_png(path, image);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,26 @@
+/// Surfaces with tubes along curves or discs at samples, for builds with OpenGL.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brindle/renderer.h"
+#include "pictures/picture.h"
+
+namespace brindle::tool {
+
+/// One mesh of all, with normals and a colour for every triangle.
+struct OrnamentedSurface {
+  Mesh mesh;
+  std::vector<Vec3> normals;
+  std::vector<TriangleColor> colors;
+
+  /// Refers to all of it.
+  SurfaceDrawing drawing() const;
+};
+
+/// In the colours of the options.
+OrnamentedSurface ornamented(const Surface& surface, std::span<const Ornament> ornaments,
+                             const RenderOptions& render);
+
+}  // namespace brindle::tool

@@ -1,0 +1,212 @@
+#include "pictures/picture.h"
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brindle/error.h"
+#include "cli/option_values.h"
+#include "pictures/picture_options.h"
+
+namespace brindle::tool {
+
+namespace {
+
+std::optional<View> parse_view(std::string_view name) {
+  if (name == "stripes") return View::stripes;
+  if (name == "branches") return View::branches;
+  if (name == "angle_error") return View::angle_error;
+  return std::nullopt;
+}
+
+std::optional<UpAxis> parse_up_axis(std::string_view name) {
+  if (name == "y") return UpAxis::y;
+  if (name == "z") return UpAxis::z;
+  return std::nullopt;
+}
+
+std::optional<PictureQuality> parse_quality(std::string_view name) {
+  if (name == "interactive") return PictureQuality::interactive;
+  if (name == "final") return PictureQuality::final;
+  return std::nullopt;
+}
+
+float parse_share(const std::string& option, const std::string& text) {
+  const float value = parse_number(option, text);
+  if (value < 0 || value > 1) wrong_usage(option, "a number from 0 to 1", text);
+  return value;
+}
+
+std::optional<int> whole_number(const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  return value;
+}
+
+void set_size(RenderOptions& render, const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, 'x');
+  const auto width = whole_number(parts.front());
+  const auto height = whole_number(parts.back());
+  if (parts.size() != 2 || !width || !height) wrong_usage(option, "WIDTHxHEIGHT in pixels", text);
+  try {
+    check_image_size(*width, *height);
+  } catch (const Error& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+  render.width = *width;
+  render.height = *height;
+}
+
+void set_camera(RenderOptions& render, const std::string& option, const std::string& text) {
+  const auto view = parse_camera_view(text, render.camera.up);
+  if (!view) {
+    wrong_usage(option, "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90",
+                text);
+  }
+  render.camera = *view;
+}
+
+void set_colors(RenderOptions& render, const std::string& option, const std::string& text) {
+  std::vector<Color> colors;
+  for (const std::string& part : split(text, ',')) {
+    const auto color = parse_color(part);
+    if (!color) wrong_usage(option, "colours like #1c325a or 1c325a", text);
+    colors.push_back(*color);
+  }
+  if (colors.size() < 2 || colors.size() > 3) {
+    wrong_usage(option, "STRIPE,SURFACE or STRIPE,SURFACE,BACKGROUND", text);
+  }
+  render.stripe_color = colors[0];
+  render.base_color = colors[1];
+  if (colors.size() == 3) render.background_center = render.background_edge = colors[2];
+}
+
+// An option whose text changes the rendering options.
+template <class Set>
+CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOptions& render,
+                               Set set) {
+  return app.add_option_function<std::string>(
+      name, [name, &render, set](const std::string& text) { set(render, name, text); });
+}
+
+}  // namespace
+
+namespace {
+
+void add_quality_option(CLI::App& app, RenderOptions& render) {
+  add_named_option(app, "--quality", render.quality, parse_quality);
+}
+
+}  // namespace
+
+std::shared_ptr<PictureOptions> add_size_options(CLI::App& app) {
+  auto options = std::make_shared<PictureOptions>();
+  add_render_option(app, "--size", options->render, set_size)
+      ->description("picture: pixels (default: the session's)")
+      ->type_name("WIDTHxHEIGHT");
+  add_quality_option(app, options->render);
+  return options;
+}
+
+std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
+  auto options = std::make_shared<PictureOptions>();
+  RenderOptions& render = options->render;
+  add_render_option(app, "--camera", render, set_camera);
+  add_named_option(app, "--up", options->up, parse_up_axis);
+  add_render_option(app, "--size", render, set_size);
+  add_quality_option(app, render);
+  add_render_option(app, "--colors", render, set_colors);
+  return options;
+}
+
+std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
+  auto options = add_camera_options(app);
+  RenderOptions& render = options->render;
+  add_named_option(app, "--view", options->view, parse_view);
+  add_parsed_option(app, "--stripe-width", render.stripe_width, parse_share);
+  return options;
+}
+
+void stand_on_z(PictureOptions& options) {
+  if (!options.up) options.up = UpAxis::z;
+}
+
+std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
+  const RenderOptions render = render_options(options);
+  // A file's pictures have y up only because nobody has said what is; its heights stay along z.
+  return Viewpoint{render.camera, render.width, render.height, std::nullopt,
+                   options.up.value_or(UpAxis::z)};
+}
+
+bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }
+
+std::string_view quality_name(const PictureOptions& options) {
+  return options.render.quality == PictureQuality::interactive ? "interactive" : "final";
+}
+
+void check_pictures_available() {}
+
+Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
+                   std::span<const CornerPhases> corners) {
+  constexpr float kLargestAngleErrorDeg = 30;  // darkest colour of the angle_error view
+  if (view == View::branches) return branch_overlay(mesh, corners);
+  if (view == View::angle_error) {
+    return error_overlay(angle_errors_deg(mesh, waves, corners), kLargestAngleErrorDeg);
+  }
+  return {};
+}
+
+RenderOptions render_options(const PictureOptions& options) {
+  RenderOptions render = options.render;
+  if (options.view != View::stripes) render = with_faint_stripes(render);
+  render.camera.up = options.up.value_or(render.camera.up);
+  return render;
+}
+
+SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
+                              std::span<const float> radii) {
+  return {.positions = surface.mesh.positions,
+          .normals = surface.normals,
+          .radii = radii,
+          .waves = &pattern.waves,
+          .z = pattern.solution.z};
+}
+
+SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
+                          const Overlay& overlay) {
+  const StripePattern& pattern = result.stripes();
+  SurfaceDrawing drawing{.mesh = surface.mesh,
+                         .normals = surface.normals,
+                         .waves = &pattern.waves,
+                         .z = pattern.solution.z,
+                         .triangle_colors = overlay.triangle_colors,
+                         .marks = overlay.marks};
+  if (const Texture* texture = result.texture()) {
+    drawing.texture_waves = &texture->pattern.waves;
+    drawing.texture_tile = &texture->tile;
+  }
+  return drawing;
+}
+
+void write_picture(const std::filesystem::path& path, const Surface& surface,
+                   const StripeResult& result, const PictureOptions& options) {
+  const StripePattern& pattern = result.stripes();
+  if (surface.mesh.triangles.empty()) {
+    const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
+    return write_png(
+        path, render_splats(splat_drawing_of(surface, pattern, radii), render_options(options)));
+  }
+  const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
+  write_png(path, render_picture(drawing_of(surface, result, overlay), render_options(options)));
+}
+
+std::string tile_png(const TextureTile& tile, const PictureOptions& options) {
+  constexpr int kSide = 512;
+  return png_of(tile_picture(tile, kSide, options.render.stripe_color, options.render.base_color));
+}
+
+}  // namespace brindle::tool

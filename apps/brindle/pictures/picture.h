@@ -1,0 +1,75 @@
+/// Pictures of a pattern. A build without OpenGL offers none of the options and draws nothing.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/polylines.h"
+#include "brindle/surface.h"
+#include "input/viewpoint.h"
+#include "pictures/stripe_result.h"
+
+namespace brindle::tool {
+
+struct PictureOptions;
+
+/// The options live as long as the pointer, which must outlive `app.parse`.
+std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
+
+/// The same without what only stripes have: --view and --stripe-width.
+std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app);
+
+/// --size and --quality alone.
+std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
+
+/// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
+void stand_on_z(PictureOptions& options);
+
+/// Where pictures are taken from; nothing in a build without OpenGL.
+std::optional<Viewpoint> viewpoint_of(const PictureOptions& options);
+
+/// Whether pictures show stripes and nothing on top of them.
+bool shows_stripes(const PictureOptions& options);
+
+/// "interactive" or "final".
+std::string_view quality_name(const PictureOptions& options);
+
+/// Throws Error in a build without OpenGL.
+void check_pictures_available();
+
+/// What is drawn on a surface in one colour: tubes along curves, discs at samples.
+struct Ornament {
+  Mesh mesh;
+  bool second = false;  ///< in the colour of the second pattern
+};
+
+/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+void write_ornaments(const std::filesystem::path& path, const Surface& surface,
+                     std::span<const Ornament> ornaments, const PictureOptions& options);
+
+/// Lines to draw with one pen.
+struct PenLines {
+  std::string name;
+  const Polylines& lines;
+  bool second = false;  ///< in the colour of the second pattern
+};
+
+/// Draws what is seen of lines from the picture's camera, and of the surface's outline, as SVG.
+/// Throws Error if the picture is too large or the file cannot be written.
+void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
+                        std::span<const PenLines> pens, const PictureOptions& options);
+
+/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+void write_picture(const std::filesystem::path& path, const Surface& surface,
+                   const StripeResult& result, const PictureOptions& options);
+
+/// The texture's tile as the content of a PNG file, in the picture's colours.
+std::string tile_png(const TextureTile& tile, const PictureOptions& options);
+
+}  // namespace brindle::tool

@@ -1,0 +1,35 @@
+/// What the picture options hold, for builds with OpenGL.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "brindle/quality.h"
+#include "brindle/renderer.h"
+#include "brindle/splats.h"
+#include "pictures/picture.h"
+
+namespace brindle::tool {
+
+enum class View { stripes, branches, angle_error };
+
+struct PictureOptions {
+  View view = View::stripes;
+  std::optional<UpAxis> up;  // the user's choice
+  RenderOptions render;
+};
+
+/// What the view shows on top of the stripes.
+Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
+                   std::span<const CornerPhases> corners);
+
+/// What a picture of the result shows. It refers to all of them.
+SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
+                          const Overlay& overlay);
+SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
+                              std::span<const float> radii);
+
+/// How the renderer draws what the user asked for.
+RenderOptions render_options(const PictureOptions& options);
+
+}  // namespace brindle::tool

@@ -1,0 +1,390 @@
+#include "pictures/style_options.h"
+
+#include <algorithm>
+#include <array>
+
+#include "brindle/error.h"
+#include "brindle/image.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+#include "input/vertex_values.h"
+
+namespace brindle::tool {
+namespace {
+
+const std::vector<std::string> kStyleOptions = {
+    "--width-by",        "--width-range",    "--color-by",
+    "--color-range",     "--opacity-by",     "--colormap",
+    "--threshold",       "--color-on",       "--pixel-width",
+    "--stroke-spacing",  "--tones",          "--cross-hatch",
+    "--between-stripes", "--with",           "--legend",
+    "--no-legend",       "--flat",           "--transparent",
+    "--depth-cue",       "--opacity-range",  "--outline",
+    "--creases",         "--hidden-lines",   "--line-width",
+    "--occlusion",       "--ground-shadow",  "--texture-by",
+    "--regions",         "--texture-shift",  "--texture-flow",
+    "--tile-size-by",    "--tile-size-range"};
+
+ValueRange parse_range(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 2) wrong_usage(option, "two numbers A,B", text);
+  return {parse_number(option, parts[0]), parse_number(option, parts[1])};
+}
+
+ValueRange parse_shares(const std::string& option, const std::string& text) {
+  const ValueRange range = parse_range(option, text);
+  if (std::min(range.lowest, range.highest) < 0 || std::max(range.lowest, range.highest) > 1) {
+    wrong_usage(option, "two numbers from 0 to 1", text);
+  }
+  return range;
+}
+
+ValueRange parse_tones(const std::string& option, const std::string& text) {
+  const ValueRange range = parse_shares(option, text);
+  if (range.lowest >= range.highest) {
+    wrong_usage(option, "two tones from 0 to 1, the darker one first", text);
+  }
+  return range;
+}
+
+float parse_tone(const std::string& option, const std::string& text) {
+  const float tone = parse_number(option, text);
+  if (!(tone > 0 && tone <= 1)) wrong_usage(option, "a tone above 0, up to 1", text);
+  return tone;
+}
+
+WidthRange parse_width_range(const std::string& option, const std::string& text) {
+  const char* expected = "two widths, from 0 to 1 or in pixels, such as 0.1,0.9 or 1px,5px";
+  std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 2) wrong_usage(option, expected, text);
+  const auto in_pixels =
+      std::ranges::count_if(parts, [](const std::string& part) { return part.ends_with("px"); });
+  if (in_pixels == 1) wrong_usage(option, expected, text);
+  for (std::string& part : parts) {
+    if (in_pixels > 0) part.resize(part.size() - 2);
+  }
+  const WidthRange range{parse_not_negative_number(option, parts[0]),
+                         parse_not_negative_number(option, parts[1]),
+                         in_pixels > 0 ? WidthUnit::pixels : WidthUnit::period};
+  if (std::max(range.first, range.last) > (in_pixels > 0 ? 10000.0f : 1.0f)) {
+    wrong_usage(option, expected, text);
+  }
+  return range;
+}
+
+float parse_pixels(const std::string& option, const std::string& text) {
+  const float pixels = parse_positive_number(option, text);
+  if (pixels > 10000) wrong_usage(option, "pixels, up to 10000", text);
+  return pixels;
+}
+
+std::optional<bool> parse_between(std::string_view name) {
+  if (name == "surface") return false;
+  if (name == "nothing") return true;
+  return std::nullopt;
+}
+
+std::optional<bool> parse_color_on(std::string_view name) {
+  if (name == "strokes") return false;
+  if (name == "surface") return true;
+  return std::nullopt;
+}
+
+std::optional<DepthCue> parse_depth_cue(std::string_view name) {
+  if (name == "none") return DepthCue::none;
+  if (name == "chroma") return DepthCue::chroma;
+  if (name == "haze") return DepthCue::haze;
+  return std::nullopt;
+}
+
+std::optional<OutlineStyle> parse_outline(std::string_view name) {
+  if (name == "none") return OutlineStyle::none;
+  if (name == "solid") return OutlineStyle::solid;
+  if (name == "dashed") return OutlineStyle::dashed;
+  return std::nullopt;
+}
+
+std::optional<bool> parse_hidden(std::string_view name) {
+  if (name == "none") return false;
+  if (name == "dashed") return true;
+  return std::nullopt;
+}
+
+float parse_angle(const std::string& option, const std::string& text) {
+  const float degrees = parse_number(option, text);
+  if (!(degrees > 0 && degrees < 180)) wrong_usage(option, "degrees, above 0 and below 180", text);
+  return degrees;
+}
+
+OtherSurfaceChoice parse_other(const std::string& option, const std::string& text) {
+  std::vector<std::string> parts = split(text, '@');
+  OtherSurfaceChoice choice;
+  choice.mesh = parts.front();
+  const char* expected = "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z]";
+  if (choice.mesh.empty()) wrong_usage(option, expected, text);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i] == "striped" || parts[i] == "discarded") {
+      choice.striped = true;
+      if (parts[i] == "discarded") choice.between = BetweenStrokes::discarded;
+    } else if (parts[i].find(',') != std::string::npos) {
+      choice.moved = parse_place(option, parts[i]);
+    } else if (parts[i] != "opaque") {
+      choice.color = parse_color(parts[i]);
+      if (!choice.color) wrong_usage(option, expected, text);
+    }
+  }
+  return choice;
+}
+
+RegionChoice parse_region(const std::string& option, const std::string& from,
+                          const std::string& name) {
+  const std::vector<std::string> parts = split(name, '@');
+  RegionChoice region;
+  region.from = parse_number(option, from);
+  const auto tile = parse_built_in_tile(parts.front());
+  if (!tile) wrong_usage(option, "tiles " + std::string(built_in_tile_names()), name);
+  region.tile = *tile;
+  if (parts.size() > 1) region.color = parse_color(parts[1]);
+  if (parts.size() > 2 || (parts.size() == 2 && !region.color)) {
+    wrong_usage(option, "TILE or TILE@#rrggbb", name);
+  }
+  return region;
+}
+
+std::vector<RegionChoice> parse_regions(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  const char* expected = "FROM,TILE[@#rrggbb] once or more, by rising values";
+  if (parts.size() % 2 != 0) wrong_usage(option, expected, text);
+  std::vector<RegionChoice> regions;
+  for (std::size_t i = 0; i < parts.size(); i += 2) {
+    regions.push_back(parse_region(option, parts[i], parts[i + 1]));
+    const bool rises = i == 0 || regions[i / 2].from > regions[i / 2 - 1].from;
+    if (!rises) wrong_usage(option, expected, text);
+  }
+  return regions;
+}
+
+Eigen::Vector2f parse_shift(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() > 2) wrong_usage(option, "U or U,V in tiles", text);
+  return {parse_number(option, parts[0]), parts.size() == 2 ? parse_number(option, parts[1]) : 0};
+}
+
+float parse_occlusion(const std::string& option, const std::string& text) {
+  const float share = parse_number(option, text);
+  if (share < 0 || share > 1) wrong_usage(option, "a number from 0 to 1", text);
+  return share;
+}
+
+std::string parse_value(const std::string& option, const std::string& text) {
+  check_value_name(option, text);
+  return text;
+}
+
+std::string parse_width_value(const std::string& option, const std::string& text) {
+  return text == "light" ? text : parse_value(option, text);
+}
+
+}  // namespace
+
+ValueRange parse_rising_range(const std::string& option, const std::string& text) {
+  const ValueRange range = parse_range(option, text);
+  if (!(range.lowest < range.highest)) {
+    wrong_usage(option, "two numbers A,B, the smaller one first", text);
+  }
+  return range;
+}
+
+void add_color_options(CLI::App& app, StyleOptions& options) {
+  add_parsed_option(app, "--color-by", options.color_by, parse_value);
+  add_parsed_option(app, "--color-range", options.color_range, parse_rising_range);
+  add_named_option(app, "--colormap", options.map, parse_color_map);
+  add_parsed_option(app, "--threshold", options.threshold, parse_number);
+  app.add_option("--legend", options.legend);
+  app.add_flag("--no-legend", options.no_legend);
+}
+
+namespace {
+
+void add_value_options(CLI::App& app, StyleOptions& options) {
+  add_parsed_option(app, "--width-by", options.width_by, parse_width_value);
+  add_parsed_option(app, "--width-range", options.width_range, parse_width_range);
+  add_color_options(app, options);
+  add_named_option(app, "--color-on", options.color_surface, parse_color_on);
+  add_parsed_option(app, "--opacity-by", options.opacity_by, parse_value);
+  add_parsed_option(app, "--opacity-range", options.opacity_range, parse_shares);
+}
+
+void add_stroke_options(CLI::App& app, StyleOptions& options) {
+  add_parsed_option(app, "--pixel-width", options.pixel_width, parse_pixels);
+  add_parsed_option(app, "--stroke-spacing", options.spacing, parse_pixels);
+  add_parsed_option(app, "--tones", options.tones, parse_tones);
+  add_parsed_option(app, "--cross-hatch", options.cross_hatch, parse_tone);
+}
+
+void add_region_options(CLI::App& app, StyleOptions& options) {
+  add_parsed_option(app, "--texture-by", options.texture_by, parse_value);
+  add_parsed_option(app, "--regions", options.regions, parse_regions);
+  add_parsed_option(app, "--tile-size-by", options.tile_size_by, parse_value);
+  add_parsed_option(app, "--tile-size-range", options.tile_size_range, parse_shares);
+  add_parsed_option(app, "--texture-shift", options.texture_shift, parse_shift);
+}
+
+void add_line_options(CLI::App& app, StyleOptions& options) {
+  add_named_option(app, "--outline", options.outline, parse_outline);
+  add_parsed_option(app, "--creases", options.crease_deg, parse_angle);
+  add_named_option(app, "--hidden-lines", options.hidden_dashed, parse_hidden);
+  add_parsed_option(app, "--line-width", options.line_width, parse_pixels);
+}
+
+}  // namespace
+
+void add_style_options(CLI::App& app, StyleOptions& options) {
+  add_value_options(app, options);
+  add_stroke_options(app, options);
+  // `animate` has frames between steps.
+  const bool is_free = app.get_option_no_throw("--between") == nullptr;
+  add_named_option(app, is_free ? "--between,--between-stripes" : "--between-stripes",
+                   options.discard, parse_between);
+  app.add_option_function<std::vector<std::string>>(
+         "--with",
+         [&options](const std::vector<std::string>& texts) {
+           options.others.clear();
+           for (const std::string& text : texts) {
+             options.others.push_back(parse_other("--with", text));
+           }
+         })
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_line_options(app, options);
+  add_region_options(app, options);
+  add_parsed_option(app, "--occlusion", options.occlusion, parse_occlusion);
+  app.add_flag("--ground-shadow", options.ground_shadow);
+  app.add_flag("--flat", options.flat);
+  app.add_flag("--transparent", options.transparent);
+  add_named_option(app, "--depth-cue", options.depth_cue, parse_depth_cue);
+}
+
+bool is_styled(const CLI::App& command) {
+  return std::ranges::any_of(kStyleOptions, [&](const std::string& option) {
+    return command.get_option_no_throw(option) != nullptr && is_given(command, option);
+  });
+}
+
+void add_flow_option(CLI::App& app, StyleOptions& options) {
+  add_parsed_option(app, "--texture-flow", options.texture_flow, parse_shift);
+}
+
+void refuse_style_options(const CLI::App& command, std::string_view why) {
+  refuse_given(command, kStyleOptions, why);
+}
+
+namespace {
+
+void check_widths(const CLI::App& command, const StyleOptions& options) {
+  if (options.width_by.empty()) {
+    refuse_given(command, {"--width-range"}, "widths follow no value; add --width-by VALUE");
+  } else {
+    refuse_given(command, {"--stripe-width", "--pixel-width"}, "--width-by says how wide they are");
+  }
+  if (options.pixel_width) {
+    refuse_given(command, {"--stripe-width"}, "--pixel-width says how wide they are");
+  }
+  if (!options.by_light()) {
+    refuse_given(command, {"--tones", "--cross-hatch"},
+                 "strokes do not follow the light; add --width-by light");
+  } else {
+    refuse_given(command, {"--flat"}, "strokes that follow the light are drawn without it anyway");
+  }
+}
+
+void check_colors(const CLI::App& command, const StyleOptions& options) {
+  if (options.color_by.empty()) {
+    refuse_given(command, {"--color-range", "--colormap", "--threshold", "--color-on"},
+                 "colours follow no value; add --color-by VALUE");
+  }
+  if (options.opacity_by.empty()) {
+    refuse_given(command, {"--opacity-range"}, "opacity follows no value; add --opacity-by VALUE");
+  }
+  const bool by_value =
+      !options.color_by.empty() || (!options.width_by.empty() && !options.by_light());
+  if (!by_value) {
+    refuse_given(command, {"--legend", "--no-legend"},
+                 "there is none; add --color-by or --width-by VALUE");
+  }
+  if (options.no_legend) refuse_given(command, {"--legend"}, "--no-legend leaves it out");
+  if (options.discard && options.color_surface) {
+    refuse_given(command, {"--color-on"}, "nothing is seen of the surface between stripes");
+  }
+}
+
+void check_tiles(const CLI::App& command, const StyleOptions& options, bool texture) {
+  if (texture) {
+    refuse_given(command,
+                 {"--width-by", "--width-range", "--opacity-by", "--opacity-range", "--pixel-width",
+                  "--stroke-spacing", "--tones", "--cross-hatch", "--color-on"},
+                 "it is for stripes, not for textures");
+    if (options.discard) {
+      refuse_given(command, {"--color-by"}, "nothing is seen of the surface beside tiles");
+    }
+  } else {
+    refuse_given(command,
+                 {"--texture-by", "--regions", "--texture-shift", "--texture-flow",
+                  "--tile-size-by", "--tile-size-range"},
+                 "stripes have no tiles; add --texture TILE");
+  }
+  if (options.tile_size_by.empty()) {
+    refuse_given(command, {"--tile-size-range"}, "sizes follow no value; add --tile-size-by VALUE");
+  }
+  if (options.texture_by.empty()) {
+    refuse_given(command, {"--regions"}, "tiles follow no value; add --texture-by VALUE");
+  } else if (options.regions.empty()) {
+    refuse_given(command, {"--texture-by"}, "there is one tile; add --regions FROM,TILE");
+  }
+}
+
+}  // namespace
+
+void check_style_options(const CLI::App& command, const StyleOptions& options, bool texture) {
+  check_tiles(command, options, texture);
+  check_widths(command, options);
+  check_colors(command, options);
+  if (!options.has_lines()) {
+    refuse_given(command, {"--hidden-lines", "--line-width"},
+                 "no lines are drawn; add --outline solid or --creases DEG");
+  }
+}
+
+void refuse_for_outlines(const CLI::App& command) {
+  refuse_given(command,
+               {"--color-by", "--opacity-by", "--legend", "--no-legend", "--flat", "--transparent",
+                "--depth-cue", "--occlusion", "--ground-shadow"},
+               "outlines in .svg have one colour each and no background; write .png");
+}
+
+bool StyleOptions::follows_camera() const {
+  // Strokes that follow the light find it where they are drawn.
+  const std::string width = by_light() ? "" : width_by;
+  return std::ranges::any_of(std::array{width, color_by, opacity_by, texture_by, tile_size_by},
+                             depends_on_camera);
+}
+
+std::vector<UsedFile> style_files(const StyleOptions& options) {
+  std::vector<UsedFile> files;
+  const auto add = [&](const char* option, const std::string& value) {
+    const std::string path = value_file(value);
+    if (!path.empty()) files.push_back({option, path});
+  };
+  add("--width-by", options.width_by);
+  add("--color-by", options.color_by);
+  add("--opacity-by", options.opacity_by);
+  add("--texture-by", options.texture_by);
+  add("--tile-size-by", options.tile_size_by);
+  for (const OtherSurfaceChoice& other : options.others) {
+    if (!is_shape(SurfaceOptions{.mesh = other.mesh})) files.push_back({"--with", other.mesh});
+  }
+  return files;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,115 @@
+/// How strokes and surfaces of a picture look. A build without OpenGL offers none of the options.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/styled_picture.h"
+#include "input/used_files.h"
+
+namespace brindle::tool {
+
+/// Another surface of the picture: "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z]".
+struct OtherSurfaceChoice {
+  std::string mesh;
+  bool striped = false;
+  BetweenStrokes between = BetweenStrokes::surface;
+  std::optional<Color> color;
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+};
+
+/// Widths at the smallest value and at the largest.
+struct WidthRange {
+  float first = 0.1f;
+  float last = 0.9f;
+  WidthUnit unit = WidthUnit::period;
+};
+
+struct ValueRange {
+  float lowest = 0;
+  float highest = 1;
+};
+
+/// Silhouettes: none, whole, or with dashes where the pattern has strokes.
+enum class OutlineStyle { none, solid, dashed };
+
+/// A tile from a value on.
+struct RegionChoice {
+  float from = 0;
+  BuiltInTile tile = BuiltInTile::dots;
+  std::optional<Color> color;
+};
+
+struct StyleOptions {
+  std::string width_by;  ///< a value, or "light"
+  std::optional<WidthRange> width_range;
+  std::string color_by;
+  std::optional<ValueRange> color_range;
+  std::string opacity_by;
+  std::optional<ValueRange> opacity_range;
+  ColorMap map = ColorMap::viridis;
+  std::optional<float> threshold;  ///< a value
+  bool color_surface = false;      ///< colours are those of the surface, not of the strokes
+  std::optional<float> pixel_width;
+  std::optional<float> spacing;      ///< pixels
+  std::optional<float> cross_hatch;  ///< a tone
+  std::optional<ValueRange> tones;   ///< lowest: full strokes; highest: none
+  bool discard = false;              ///< nothing between the strokes
+  std::vector<OtherSurfaceChoice> others;
+  std::string legend;  ///< title; empty: the value's name
+  bool no_legend = false;
+  bool flat = false;  ///< without light
+  bool transparent = false;
+  DepthCue depth_cue = DepthCue::none;
+  OutlineStyle outline = OutlineStyle::none;
+  std::optional<float> crease_deg;  ///< lines along sharper edges, and borders
+  bool hidden_dashed = false;       ///< else hidden lines are left out
+  std::optional<float> line_width;  ///< of outlines and creases, pixels
+
+  float occlusion = 0;
+  bool ground_shadow = false;
+  std::string texture_by;  ///< value that chooses the tile
+  std::vector<RegionChoice> regions;
+  std::string tile_size_by;                   ///< value that sizes of tiles follow
+  std::optional<ValueRange> tile_size_range;  ///< shares of their places
+  Eigen::Vector2f texture_shift{0, 0};        ///< in tiles
+  Eigen::Vector2f texture_flow{0, 0};         ///< in tiles a second, of moving pictures
+
+  bool has_lines() const { return outline != OutlineStyle::none || crease_deg.has_value(); }
+  bool by_light() const { return width_by == "light"; }
+
+  /// Whether a value is another one from another viewpoint.
+  bool follows_camera() const;
+};
+
+void add_style_options(CLI::App& app, StyleOptions& options);
+
+/// --texture-flow, of moving pictures.
+void add_flow_option(CLI::App& app, StyleOptions& options);
+
+/// Whether any option of a style was given.
+bool is_styled(const CLI::App& command);
+
+/// Throws CLI::ValidationError for options of styles that were given: `why` they have no effect.
+void refuse_style_options(const CLI::App& command, std::string_view why);
+
+/// Throws CLI::ValidationError for options that leave each other without effect. `texture`: tiles
+/// are drawn, not stripes.
+void check_style_options(const CLI::App& command, const StyleOptions& options, bool texture);
+
+/// The same for drawings of stripes' outlines, which have one colour each.
+void refuse_for_outlines(const CLI::App& command);
+
+/// --color-by, --color-range, --colormap, --threshold, --legend and --no-legend.
+void add_color_options(CLI::App& app, StyleOptions& options);
+
+/// "A,B", two finite numbers, the smaller one first.
+ValueRange parse_rising_range(const std::string& option, const std::string& text);
+
+/// Files that values and other surfaces are read from.
+std::vector<UsedFile> style_files(const StyleOptions& options);
+
+}  // namespace brindle::tool

@@ -1,0 +1,45 @@
+/// The values that a picture's style follows, and what they become.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brindle/legend.h"
+#include "input/vertex_values.h"
+#include "pictures/style_options.h"
+
+namespace brindle::tool {
+
+/// One number per vertex each.
+struct StyleValues {
+  std::optional<VertexValues> width, color, opacity, region, tile_size;
+};
+
+/// Reads one of them: `option` says --width-by VALUE, and so on.
+using ReadValues = std::function<VertexValues(const std::string& option, const std::string& value)>;
+
+/// Reads those that the style names. Throws what `read` does, and Error for values none of which is
+/// a number.
+StyleValues read_style_values(const StyleOptions& style, const ReadValues& read);
+
+/// Where values lie in the colour map, and the legend that says so.
+struct ColorPlaces {
+  ColorScale scale;
+  std::vector<float> places;  ///< one per vertex; NaN: none
+  Legend legend;
+};
+
+ColorPlaces color_places(const StyleOptions& style, const VertexValues& color);
+
+/// What strokes follow, kept as long as a picture is drawn.
+struct Followed {
+  std::vector<float> widths, opacities, places, regions, tile_sizes;
+  ColorScale scale;
+  std::vector<Legend> legends;
+};
+
+Followed follow(const StyleOptions& style, const StyleValues& values);
+
+}  // namespace brindle::tool

@@ -1,0 +1,300 @@
+#include "pictures/styled_scene.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "brindle/base/printable.h"
+#include "brindle/direction_field.h"
+#include "brindle/feature_lines.h"
+#include "brindle/geometry/append_mesh.h"
+#include "brindle/render/ink.h"
+#include "pictures/picture_options.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr Color kOtherColor{0.74f, 0.42f, 0.33f};
+constexpr ValueRange kTones{0.3f, 0.95f};
+constexpr WidthRange kLightWidths{0, 0.8f, WidthUnit::period};
+
+/// A surface that is drawn without stripes.
+Preparation prepare_plain(const SurfaceOptions& options, JobListener& listener) {
+  Preparation plain;
+  listener.stage("loading " + shown(options.mesh));
+  LoadedSurface loaded = load_mesh(options, listener.progress());
+  listener.note(describe(loaded));
+  plain.surface = make_surface(std::move(loaded.mesh));
+  return plain;
+}
+
+Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& waves,
+                          float frequency, const Viewpoint& viewpoint, JobListener& listener) {
+  const SurfaceOptions options{.mesh = choice.mesh, .moved = choice.moved.cast<float>()};
+  refuse_points(options, "stripe --with");
+  if (!choice.striped) return prepare_plain(options, listener);
+  WaveOptions own = waves;
+  own.stripes.reset();
+  own.frequency = frequency;  // as dense as those of MESH
+  return prepare(options, own, listener, viewpoint);
+}
+
+}  // namespace
+
+float mean_frequency(const WaveSet& waves) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < waves.directions.size(); ++v) {
+    if (waves.directions[v].isZero(0)) continue;
+    sum += static_cast<double>(waves.frequencies[v]);
+    ++count;
+  }
+  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+std::vector<Preparation> read_others(const StyleOptions& style, const WaveOptions& waves,
+                                     float frequency, const Viewpoint& viewpoint,
+                                     JobListener& listener) {
+  std::vector<Preparation> others;
+  for (const OtherSurfaceChoice& choice : style.others) {
+    others.push_back(prepare_other(choice, waves, frequency, viewpoint, listener));
+  }
+  return others;
+}
+
+std::vector<OtherSurface> solve_others(const StyleOptions& style, std::vector<Preparation> read,
+                                       const StripeOptions& options, const Progress& progress) {
+  std::vector<OtherSurface> others;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    OtherSurface other{std::move(read[i].surface), std::nullopt};
+    if (style.others[i].striped) {
+      other.pattern = stripe_pattern(other.surface, std::move(read[i].waves), options, progress);
+    }
+    others.push_back(std::move(other));
+  }
+  return others;
+}
+
+Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others) {
+  Mesh framed = mesh;
+  for (const Preparation& other : others) append(other.surface.mesh, framed);
+  return framed;
+}
+
+WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals) {
+  WaveSet across = waves;
+  across.directions = rotated(across.directions, normals, std::numbers::pi_v<float> / 2);
+  return across;
+}
+
+StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
+                             const Followed& followed) {
+  StyledOptions options;
+  options.render = render_options(picture);
+  options.render.transparent = style.transparent;
+  options.depth_cue = style.depth_cue;
+  options.occlusion = style.occlusion;
+  options.ground_shadow = style.ground_shadow;
+  options.scale = followed.scale;
+  options.right_margin =
+      legend_width(followed.legends, options.render.width, options.render.height);
+  return options;
+}
+
+namespace {
+
+Strokes strokes_of(const StripesView& pattern, const StyleOptions& style,
+                   const RenderOptions& render, const Followed& followed) {
+  Strokes strokes{.waves = &pattern.waves, .z = pattern.z, .color = render.stripe_color};
+  strokes.width = render.stripe_width;
+  strokes.spacing = style.spacing.value_or(0.0f);
+  strokes.opacities = followed.opacities;
+  if (!style.color_surface) strokes.color_places = followed.places;
+  if (style.pixel_width) {
+    strokes.width = *style.pixel_width;
+    strokes.unit = WidthUnit::pixels;
+  } else if (style.by_light()) {
+    const WidthRange widths = style.width_range.value_or(kLightWidths);
+    const ValueRange tones = style.tones.value_or(kTones);
+    const float widest = std::max(widths.last, 1e-6f);
+    strokes.width = widths.last;
+    strokes.unit = widths.unit;
+    strokes.tone = ToneRange{tones.highest, tones.lowest, std::min(widths.first / widest, 1.0f)};
+  } else if (!followed.widths.empty()) {
+    strokes.widths = followed.widths;
+    strokes.unit = style.width_range.value_or(WidthRange()).unit;
+  }
+  return strokes;
+}
+
+RegionTexture texture_of(const TextureView& texture, const StyleOptions& style,
+                         const RenderOptions& render, const Followed& followed) {
+  RegionTexture result{.waves = &texture.waves, .shift = texture.shift};
+  result.tiles.push_back({texture.tile, render.stripe_color});
+  for (const RegionChoice& region : style.regions) {
+    result.tiles.push_back({region.tile, region.color.value_or(render.stripe_color), region.from});
+  }
+  result.values = followed.regions;
+  result.sizes = followed.tile_sizes;
+  return result;
+}
+
+StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice& choice,
+                            const StyleOptions& style, const RenderOptions& render) {
+  StyledSurface surface{.mesh = other.surface.mesh,
+                        .normals = other.surface.normals,
+                        .color = choice.color.value_or(kOtherColor),
+                        .between = choice.between,
+                        .shading = !style.flat};
+  if (other.pattern) {
+    // The surface's own colour is that of its strokes where nothing else is left of it.
+    const bool alone = choice.between == BetweenStrokes::discarded && choice.color;
+    surface.strokes.push_back({.waves = &other.pattern->waves,
+                               .z = other.pattern->solution.z,
+                               .color = alone ? *choice.color : render.stripe_color,
+                               .width = render.stripe_width});
+  }
+  return surface;
+}
+
+}  // namespace
+
+StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
+                           const RenderOptions& render, const Followed& followed) {
+  StyledSurface surface{
+      .mesh = scene.surface.mesh, .normals = scene.surface.normals, .color = render.base_color};
+  if (scene.texture) {
+    surface.texture = texture_of(*scene.texture, style, render, followed);
+    surface.color_places = followed.places;
+    surface.shading = !style.flat;
+    if (style.discard) surface.between = BetweenStrokes::discarded;
+    return surface;
+  }
+  surface.strokes.push_back(strokes_of(scene.pattern, style, render, followed));
+  if (scene.crossing) {
+    Strokes crossing = strokes_of(*scene.crossing, style, render, followed);
+    const float lightest = *style.cross_hatch;
+    crossing.tone = ToneRange{lightest, std::min(crossing.tone->full, 0.5f * lightest), 0};
+    surface.strokes.push_back(crossing);
+  }
+  if (style.color_surface) surface.color_places = followed.places;
+  if (style.discard) surface.between = BetweenStrokes::discarded;
+  surface.shading = !style.flat && !style.by_light();
+  return surface;
+}
+
+std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOptions& style,
+                                       const RenderOptions& render, const Followed& followed) {
+  std::vector<StyledSurface> surfaces{main_surface(scene, style, render, followed)};
+  for (std::size_t i = 0; i < scene.others.size(); ++i) {
+    surfaces.push_back(other_surface(scene.others[i], style.others[i], style, render));
+  }
+  return surfaces;
+}
+
+namespace {
+
+/// All that hides lines: what is not discarded.
+Mesh hiding_mesh(std::span<const StyledSurface> surfaces) {
+  Mesh mesh;
+  for (const StyledSurface& surface : surfaces) {
+    if (surface.between == BetweenStrokes::surface) append(surface.mesh, mesh);
+  }
+  return mesh;
+}
+
+/// The outlines and creases of a picture's surfaces, on top of it.
+class LineInk {
+ public:
+  LineInk(std::span<const StyledSurface> surfaces, const StyleOptions& style,
+          const StyledOptions& options)
+      : style_(style),
+        camera_(styled_camera(surfaces, options)),
+        visibility_(hiding_mesh(surfaces), camera_, options.render.width, options.render.height),
+        width_(style.line_width.value_or(
+            std::max(1.2f, 0.0025f * static_cast<float>(options.render.height)))) {}
+
+  void add_outline(const StyledSurface& surface, const StripesView* pattern) {
+    const Polylines lines = silhouette_lines(surface.mesh, surface.normals, viewpoint_of(camera_));
+    if (style_.outline == OutlineStyle::dashed && pattern != nullptr) {
+      const bool shares = !surface.strokes.empty() && surface.strokes[0].width > 0 &&
+                          surface.strokes[0].unit == WidthUnit::period;
+      const float width = shares ? surface.strokes[0].width : 0.5f;
+      add(dashes_of(lines, surface.mesh, pattern->waves, pattern->z, width));
+    } else {
+      add(lines);
+    }
+  }
+  void add_creases(const StyledSurface& surface, const Adjacency& neighborhood) {
+    add(crease_lines(surface.mesh, surface.normals, neighborhood, *style_.crease_deg));
+  }
+
+  /// Pens whose strokes are `scale` times as long.
+  std::vector<Pen> pens(float scale) const {
+    const auto scaled = [&](std::vector<Stroke> strokes) {
+      for (Stroke& stroke : strokes) {
+        for (Eigen::Vector2f& point : stroke) point *= scale;
+      }
+      return strokes;
+    };
+    return {{"hidden", kLineColor, 0.6f * scale * width_, scaled(hidden_)},
+            {"lines", kLineColor, scale * width_, scaled(seen_)}};
+  }
+
+  void draw(Image& image) const {
+    ink(image, hidden_, 0.6f * width_, kLineColor, 0.75f);
+    ink(image, seen_, width_, kLineColor);
+  }
+
+ private:
+  void add(const Polylines& lines) {
+    // Silhouettes lie beside those that the depths have.
+    constexpr float kTolerance = 0.008f;
+    const auto append_to = [](std::vector<Stroke>& strokes, std::vector<Stroke> more) {
+      strokes.insert(strokes.end(), std::make_move_iterator(more.begin()),
+                     std::make_move_iterator(more.end()));
+    };
+    append_to(seen_, visibility_.strokes(lines, kTolerance));
+    if (!style_.hidden_dashed) return;
+    append_to(hidden_,
+              dashed(visibility_.strokes(lines, kTolerance, true), 3 * width_, 2.5f * width_));
+  }
+
+  static constexpr Color kLineColor{0.10f, 0.10f, 0.12f};
+
+  const StyleOptions& style_;
+  Camera camera_;
+  Visibility visibility_;
+  float width_;
+  std::vector<Stroke> seen_, hidden_;
+};
+
+LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfaces,
+                 const StyleOptions& style, const StyledOptions& options) {
+  LineInk lines(surfaces, style, options);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const bool main = i == 0;
+    const Surface& surface = main ? scene.surface : scene.others[i - 1].surface;
+    if (style.outline != OutlineStyle::none) {
+      lines.add_outline(surfaces[i], main ? &scene.pattern : nullptr);
+    }
+    if (style.crease_deg) lines.add_creases(surfaces[i], *surface.neighborhood);
+  }
+  return lines;
+}
+
+}  // namespace
+
+void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
+                const StyleOptions& style, const StyledOptions& options) {
+  if (style.has_lines()) lines_of(scene, surfaces, style, options).draw(image);
+}
+
+std::vector<Pen> pens_of_lines(const StyledScene& scene, std::span<const StyledSurface> surfaces,
+                               const StyleOptions& style, const StyledOptions& options,
+                               float scale) {
+  if (!style.has_lines()) return {};
+  return lines_of(scene, surfaces, style, options).pens(scale);
+}
+
+}  // namespace brindle::tool

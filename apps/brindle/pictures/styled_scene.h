@@ -1,0 +1,84 @@
+/// What a picture in a style shows: surfaces with their patterns, and lines on top of them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/legend.h"
+#include "brindle/line_drawing.h"
+#include "input/preparation.h"
+#include "pictures/picture.h"
+#include "pictures/style_values.h"
+
+namespace brindle::tool {
+
+/// Another surface of the picture, its stripes if it has any.
+struct OtherSurface {
+  Surface surface;
+  std::optional<StripePattern> pattern;
+};
+
+/// Reads the surfaces of --with; those with stripes have waves of this frequency. Throws Error for
+/// what cannot be read.
+std::vector<Preparation> read_others(const StyleOptions& style, const WaveOptions& waves,
+                                     float frequency, const Viewpoint& viewpoint,
+                                     JobListener& listener);
+
+/// Solves for their stripes.
+std::vector<OtherSurface> solve_others(const StyleOptions& style, std::vector<Preparation> read,
+                                       const StripeOptions& options, const Progress& progress);
+
+/// The mean over all vertices with a wave.
+float mean_frequency(const WaveSet& waves);
+
+/// This mesh and all others as one, for a camera to frame.
+Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others);
+
+/// The waves of `waves` turned by 90 degrees: those of strokes that cross.
+WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals);
+
+struct StripesView {
+  const WaveSet& waves;
+  std::span<const Complex> z;
+};
+
+struct TextureView {
+  const TextureWaves& waves;
+  const TextureTile& tile;
+  Eigen::Vector2f shift{0, 0};  ///< in tiles
+};
+
+/// What is drawn; all of it lives elsewhere.
+struct StyledScene {
+  const Surface& surface;
+  StripesView pattern;
+  std::optional<StripesView> crossing;  ///< of cross-hatching
+  std::span<const OtherSurface> others;
+  std::optional<TextureView> texture = std::nullopt;  ///< instead of the pattern's stripes
+};
+
+/// The options that do not depend on the surfaces.
+StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
+                             const Followed& followed);
+
+/// The surfaces of a picture, first that with the pattern. They refer to the scene and to
+/// `followed`.
+std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOptions& style,
+                                       const RenderOptions& render, const Followed& followed);
+
+/// The first of them alone.
+StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
+                           const RenderOptions& render, const Followed& followed);
+
+/// Outlines and creases on top of a picture of these surfaces.
+void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
+                const StyleOptions& style, const StyledOptions& options);
+
+/// The same as pens of a drawing, all coordinates times `scale`.
+std::vector<Pen> pens_of_lines(const StyledScene& scene, std::span<const StyledSurface> surfaces,
+                               const StyleOptions& style, const StyledOptions& options,
+                               float scale);
+
+}  // namespace brindle::tool

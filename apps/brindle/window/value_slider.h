@@ -1,0 +1,24 @@
+/// Sliders whose typed values count when they are whole.
+#pragma once
+
+#include <string>
+
+#include <imgui.h>
+
+#include "window/live_session.h"
+
+namespace brindle::tool {
+
+/// As the sliders of Dear ImGui, which apply what is typed with every key: here it counts once
+/// Enter is pressed or the field is left, and not at all after Escape.
+ValueChange value_slider(const char* label, float& value, float lowest, float highest,
+                         const char* format, ImGuiSliderFlags flags = 0);
+
+/// The same of a number without ends; `speed` is how much a unit of the mouse's way adds.
+ValueChange value_drag(const char* label, float& value, float speed, const char* format);
+
+/// A number as options take it: what was typed to its last digit, what was dragged to four, or
+/// rounded to a whole one.
+std::string text_of_value(float value, ValueChange change, bool whole);
+
+}  // namespace brindle::tool

@@ -1,0 +1,393 @@
+// How long each of the library's long jobs leaves its caller unheard: the longest time between two
+// reports of its progress, its begin and its end counted as reports. Time is that of the calling
+// thread on a processor, which takes part in all work, so that other programs do not count.
+// `longest_gaps [torus resolution] [words of jobs' names...]`.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include "brindle/branch_pairs.h"
+#include "brindle/camera.h"
+#include "brindle/carried_phases.h"
+#include "brindle/cross_animator.h"
+#include "brindle/cross_texture.h"
+#include "brindle/curvature.h"
+#include "brindle/feature_lines.h"
+#include "brindle/files.h"
+#include "brindle/glyphs.h"
+#include "brindle/image.h"
+#include "brindle/line_drawing.h"
+#include "brindle/points.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/strokes.h"
+#include "brindle/texture_animator.h"
+#include "brindle/texture_coordinates.h"
+#include "brindle/texture_pattern.h"
+#include "brindle/yielding_frequency.h"
+
+namespace {
+
+using namespace brindle;
+
+double milliseconds() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+constexpr float kFrequency = 12;
+std::string resolution = "1290";  // some 800,000 vertices
+
+/// The gaps between the reports of one job.
+class Gaps {
+ public:
+  Progress progress() {
+    last_ = milliseconds();
+    return Progress([this](const ProgressReport& report) {
+      hear(report.step, report.fraction);
+      return true;
+    });
+  }
+  void end() { hear("(end)", 1); }
+
+  void print(const std::string& name) const {
+    std::printf("%-34s %7.0f ms in %5zu reports, longest gap %6.0f ms: ", name.c_str(), total_,
+                reports_ - 1, longest_);
+    std::printf("%s %.3f -> %s %.3f\n", from_.c_str(), from_fraction_, to_.c_str(), to_fraction_);
+    std::fflush(stdout);
+  }
+
+ private:
+  void hear(std::string_view step, double fraction) {
+    const double gap = milliseconds() - last_;
+    ++reports_;
+    total_ += gap;
+    if (gap > longest_) {
+      longest_ = gap;
+      from_ = step_, from_fraction_ = fraction_;
+      to_ = step, to_fraction_ = fraction;
+    }
+    step_ = step;
+    fraction_ = fraction;
+    last_ = milliseconds();
+  }
+
+  double last_ = 0, longest_ = 0, total_ = 0;
+  std::size_t reports_ = 0;
+  std::string step_ = "(begin)", from_, to_;
+  double fraction_ = 0, from_fraction_ = 0, to_fraction_ = 0;
+};
+
+const Surface& torus() {
+  static const Surface surface = make_surface(make_shape("torus,resolution=" + resolution));
+  return surface;
+}
+
+const DirectionField& field() {
+  static const DirectionField directions = smooth_direction_field(torus());
+  return directions;
+}
+
+/// A field with singularities and curl, as those of real data.
+const DirectionField& rough_field() {
+  static const DirectionField directions =
+      projected_direction_field({1, 0.3f, 0.2f}, torus().normals);
+  return directions;
+}
+
+const StripePattern& pattern() {
+  static const StripePattern stripes = stripe_pattern(torus(), field(), kFrequency);
+  return stripes;
+}
+
+const StripePattern& rough_pattern() {
+  static const StripePattern stripes = stripe_pattern(torus(), rough_field(), kFrequency);
+  return stripes;
+}
+
+const StripeCurves& curves() {
+  static const StripeCurves traced = stripe_curves(torus(), pattern());
+  return traced;
+}
+
+std::vector<Sample> many_samples() {
+  std::vector<Sample> samples;
+  const Surface& s = torus();
+  for (Index v = 0; v < s.mesh.vertex_count() / 8; ++v) {
+    Sample sample;
+    sample.position = s.mesh.positions[v];
+    sample.normal = s.normals[v];
+    sample.direction_u = sample.direction_v = field()[v];
+    sample.spacing_u = sample.spacing_v = 0.01f;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+Image picture() {
+  Image image(6000, 4000);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto level = static_cast<std::uint8_t>((x * 7 + y * 13 + (x * y) / 91) % 251);
+      image.at(x, y) = {level, static_cast<std::uint8_t>(255 - level), 17, 255};
+    }
+  }
+  return image;
+}
+
+std::filesystem::path scratch(const char* name) {
+  return std::filesystem::temp_directory_path() /
+         ("longest_gaps_" + std::to_string(getpid()) + name);
+}
+
+StripeOptions with_slack() {
+  StripeOptions options;
+  options.slack = 0.2f;
+  return options;
+}
+
+StripeOptions solved_by(Solver solver) {
+  StripeOptions options;
+  options.solver.solver = solver;
+  options.solver.max_iterations = 40;
+  return options;
+}
+
+struct Job {
+  std::string name;
+  std::function<void()> prepare;
+  std::function<void(const Progress&)> run;
+};
+
+void use(const void* /*data*/) {}
+
+std::vector<Job> shape_jobs() {
+  std::vector<Job> jobs;
+  const auto add = [&](const std::string& spec) {
+    jobs.push_back(
+        {"make_shape " + spec, [] {}, [spec](const Progress& p) { make_shape(spec, p); }});
+  };
+  add("torus,resolution=" + resolution);
+  add("plane,resolution=900");
+  add("sphere,resolution=280");
+  add("torus,noise=0.5,resolution=" + resolution);
+  add("vessels,resolution=500");
+  add("molecule,resolution=265");
+  add("box,resolution=250");
+  return jobs;
+}
+
+std::vector<Job> field_jobs() {
+  return {
+      {"make_surface", [] { torus(); }, [](const Progress& p) { make_surface(torus().mesh, p); }},
+      {"feature_strokes", [] { torus(); },
+       [](const Progress& p) { feature_strokes(torus(), 0.05f, 0.1, 1, p); }},
+      {"smooth_direction_field", [] { torus(); },
+       [](const Progress& p) { smooth_direction_field(torus(), {}, p); }},
+      {"smooth field with feature strokes", [] { torus(); },
+       [](const Progress& p) {
+         SmoothFieldOptions options;
+         options.feature_anchor = 1;
+         options.feature_radius = 0.05f;
+         options.feature_angle_deg = 30;
+         smooth_direction_field(torus(), options, p);
+       }},
+      {"make_point_cloud", [] { torus(); },
+       [](const Progress& p) { make_point_cloud(torus().mesh.positions, {}, p); }},
+      {"make_point_surface", [] { torus(); },
+       [](const Progress& p) {
+         static const PointCloud cloud = make_point_cloud(torus().mesh.positions).cloud;
+         make_point_surface(cloud, 8, p);
+       }},
+      {"YieldingFrequency()", [] { torus(); },
+       [](const Progress& p) { YieldingFrequency(torus(), 0.2f, p); }},
+      {"YieldingFrequency::solve", [] { rough_field(); },
+       [](const Progress& p) {
+         YieldingFrequency yielding(torus(), 0.2f);
+         const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
+         yielding.solve(torus().mesh.positions, rough_field(), wanted, p);
+       }},
+  };
+}
+
+std::vector<Job> pattern_jobs() {
+  std::vector<Job> jobs;
+  for (const Solver solver : {Solver::multilevel, Solver::relaxation, Solver::averaged}) {
+    jobs.push_back({"stripe_pattern " + std::string(name_of(solver)), [] { rough_field(); },
+                    [solver](const Progress& p) {
+                      stripe_pattern(torus(), rough_field(), kFrequency, solved_by(solver), p);
+                    }});
+  }
+  const auto add = [&](const char* name, std::function<void()> prepare,
+                       std::function<void(const Progress&)> run) {
+    jobs.push_back({name, std::move(prepare), std::move(run)});
+  };
+  add(
+      "stripe_pattern slack", [] { rough_field(); },
+      [](const Progress& p) {
+        stripe_pattern(torus(), rough_field(), kFrequency, with_slack(), p);
+      });
+  add(
+      "stripe_pattern cotangent", [] { rough_field(); },
+      [](const Progress& p) {
+        StripeOptions options;
+        options.weights = EdgeWeights::cotangent;
+        stripe_pattern(torus(), rough_field(), kFrequency, options, p);
+      });
+  add(
+      "stripe_pattern points", [] { rough_field(); },
+      [](const Progress& p) {
+        static const Surface points =
+            make_point_surface(make_point_cloud(torus().mesh.positions).cloud, 8);
+        static const DirectionField along =
+            projected_direction_field({1, 0.3f, 0.2f}, points.normals);
+        stripe_pattern(points, along, kFrequency, {}, p);
+      });
+  add(
+      "stripe_pattern points slack", [] { rough_field(); },
+      [](const Progress& p) {
+        static const Surface points =
+            make_point_surface(make_point_cloud(torus().mesh.positions).cloud, 8);
+        static const DirectionField along =
+            projected_direction_field({1, 0.3f, 0.2f}, points.normals);
+        stripe_pattern(points, along, kFrequency, with_slack(), p);
+      });
+  add(
+      "StripeAnimator first frame", [] { rough_field(); },
+      [](const Progress& p) {
+        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
+        StripeAnimator animator(torus());
+        animator.frame({torus().mesh.positions, rough_field(), wanted}, p);
+      });
+  add(
+      "StripeAnimator slack first frame", [] { rough_field(); },
+      [](const Progress& p) {
+        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
+        AnimatorOptions options;
+        options.slack = 0.2f;
+        StripeAnimator animator(torus(), options);
+        animator.frame({torus().mesh.positions, rough_field(), wanted}, p);
+      });
+  add(
+      "merge_branches", [] { rough_pattern(); },
+      [](const Progress& p) {
+        StripePattern merged = rough_pattern();
+        merge_branches(torus(), merged, 0.1, {}, p);
+      });
+  add(
+      "cross_pattern", [] { rough_field(); },
+      [](const Progress& p) {
+        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
+        cross_pattern(torus(), {torus().mesh.positions, rough_field(), wanted}, {}, p);
+      });
+  add(
+      "cross_pattern slack", [] { rough_field(); },
+      [](const Progress& p) {
+        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
+        cross_pattern(torus(), {torus().mesh.positions, rough_field(), wanted}, with_slack(), p);
+      });
+  add(
+      "CrossAnimator first frame", [] { rough_field(); },
+      [](const Progress& p) {
+        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
+        CrossAnimator animator(torus());
+        animator.frame({{torus().mesh.positions, rough_field(), wanted}}, p);
+      });
+  add(
+      "texture_pattern", [] { rough_field(); },
+      [](const Progress& p) { texture_pattern(torus(), rough_field(), kFrequency, {}, p); });
+  add(
+      "stripe_curves", [] { pattern(); },
+      [](const Progress& p) { stripe_curves(torus(), pattern(), {.join = true}, p); });
+  return jobs;
+}
+
+std::vector<Job> picture_jobs() {
+  return {
+      {"glyphs_at", [] { field(); },
+       [](const Progress& p) {
+         static const std::vector<Sample> samples = many_samples();
+         glyphs_at(samples, GlyphShape::disc, glyph_sizes(samples, 0.5f), p);
+       }},
+      {"write_png", [] {},
+       [](const Progress& p) {
+         static const Image image = picture();
+         const auto path = scratch(".png");
+         write_png(path, image, p);
+         std::filesystem::remove(path);
+       }},
+      {"Visibility", [] { torus(); },
+       [](const Progress& p) {
+         const Visibility seen(torus().mesh, CameraView{}, 4000, 3000, p);
+         use(&seen);
+       }},
+      {"Visibility::strokes", [] { curves(); },
+       [](const Progress& p) {
+         static const Visibility seen(torus().mesh, CameraView{}, 4000, 3000);
+         seen.strokes(curves().lines, 1e-4f, false, p);
+       }},
+      {"outline", [] { torus(); },
+       [](const Progress& p) {
+         outline(torus().mesh, torus().normals, CameraView{}, 4000, 3000, p);
+       }},
+      {"silhouette_lines", [] { torus(); },
+       [](const Progress& p) {
+         static_cast<void>(p);  // short: it says nothing
+         silhouette_lines(torus().mesh, torus().normals, {3, 2, 1});
+       }},
+      {"crease_lines", [] { torus(); },
+       [](const Progress& p) {
+         crease_lines(torus().mesh, torus().normals, *torus().neighborhood, 10.0f, p);
+       }},
+      {"write_svg", [] { curves(); },
+       [](const Progress& p) {
+         static const Visibility seen(torus().mesh, CameraView{}, 4000, 3000);
+         static const std::vector<Pen> pens(8, Pen{"p", {}, 1, seen.strokes(curves().lines)});
+         const auto path = scratch(".svg");
+         write_svg(path, 4000, 3000, pens, p);
+         std::filesystem::remove(path);
+       }},
+  };
+}
+
+bool is_asked_for(const std::string& name, int count, char** words) {
+  if (count == 0) return true;
+  return std::any_of(words, words + count,
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+void measure(const Job& job) {
+  try {
+    job.prepare();
+    if (!job.name.starts_with("make_shape")) job.run({});  // for what is made once
+    Gaps gaps;
+    job.run(gaps.progress());
+    gaps.end();
+    gaps.print(job.name);
+  } catch (const std::exception& error) {
+    std::printf("%-34s %s\n", job.name.c_str(), error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 1) resolution = argv[1];
+  std::printf("torus of %zu vertices\n", torus().mesh.vertex_count());
+  for (const auto& jobs : {shape_jobs(), field_jobs(), pattern_jobs(), picture_jobs()}) {
+    for (const Job& job : jobs) {
+      if (is_asked_for(job.name, argc - 2, argv + 2)) measure(job);
+    }
+  }
+}

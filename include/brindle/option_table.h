@@ -1,0 +1,105 @@
+/// What a pattern can be asked for, option by option: the one place that says how an option is
+/// called and written, what it means and which values it takes. Command lines, windows, other
+/// languages and the documentation read it. Experimental: rows and fields may still change.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "brindle/export.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// How an option's value is written.
+enum class OptionKind : std::uint8_t {
+  flag,     ///< given or not: no value
+  choice,   ///< one of the words of `form`
+  whole,    ///< a whole number
+  number,   ///< a number
+  numbers,  ///< two numbers, "A,B"
+  length,   ///< a length in the mesh's units, or "P%" of the diagonal of its bounding box
+  text      ///< what `form` says: a file, a name, a vector
+};
+
+/// Jobs that options are for, as a set of bits.
+enum class PatternJob : std::uint8_t {
+  stripe = 1,
+  curves = 2,
+  sample = 4,
+  animate = 8,
+  compare = 16
+};
+
+/// What has to be made anew when an option changes, as a set of bits: that, and all that follows
+/// from it.
+enum class OptionStage : std::uint8_t {
+  none = 0,     ///< where results are written and on which threads they are computed
+  surface = 1,  ///< the mesh
+  field = 2,    ///< the direction field, which takes long
+  waves = 4,    ///< turns and frequencies of the field
+  second = 8,   ///< the waves of V beside those of U
+  phases = 16,  ///< how they are solved for
+  values = 32,  ///< the values that a picture reads
+  margin = 64,  ///< the room that a picture's legends take
+  style = 128   ///< what is drawn of the pattern
+};
+
+constexpr OptionStage operator|(OptionStage a, OptionStage b) {
+  return static_cast<OptionStage>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool has(OptionStage stages, OptionStage stage) {
+  return (static_cast<unsigned>(stages) & static_cast<unsigned>(stage)) != 0;
+}
+
+/// The numbers that an option takes.
+struct NumberRange {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool above_least = false;  ///< without `least` itself
+  bool below_most = false;   ///< without `most` itself
+
+  /// Whether it takes `value`; what is not finite never is in range.
+  bool contains(double value) const;
+};
+
+/// The numbers that are of use most often: how far a slider reaches.
+struct SliderRange {
+  double lowest = 0;
+  double highest = 1;
+  bool logarithmic = false;
+};
+
+/// A row of the table. Texts live as long as the program.
+struct OptionInfo {
+  std::string_view name = {};   ///< long, without dashes: "stripe-width"
+  std::string_view group = {};  ///< where a list of options shows it: "Stripes"
+  OptionKind kind = OptionKind::text;
+  std::string_view form = {};  ///< how a value is written: "N", "FILE|array:NAME"; of flags: empty
+  std::string_view unit = {};  ///< of numbers and lengths; empty: none
+  std::string_view standard =
+      {};                       ///< what counts where the option is not given; empty: nothing does
+  NumberRange range = {};       ///< of whole numbers, numbers and lengths
+  SliderRange slider = {};      ///< the same
+  bool several = false;         ///< it may be given more than once
+  bool file = false;            ///< the value may be the name of a file
+  bool by_camera = false;       ///< the value may follow a picture's camera or light
+  std::string_view needs = {};  ///< options, separated by spaces, that must be given with it
+  std::string_view excludes = {};  ///< options, separated by spaces, that must not
+  bool own = false;                ///< of curves and samples: kept apart from what stripes have
+  OptionStage stale = OptionStage::none;  ///< what a change of it makes stale
+  unsigned jobs = 0;                      ///< bits of PatternJob
+  std::string_view help = {};             ///< a sentence or two; no full stop at the end
+
+  bool is_for(PatternJob job) const { return (jobs & static_cast<unsigned>(job)) != 0; }
+};
+
+/// All options, group by group, in the order in which lists show them. A name has one row for each
+/// job at most.
+std::span<const OptionInfo> option_table();
+
+/// The row of `name`, without dashes, for a job; null if the job has no such option.
+const OptionInfo* find_option(std::string_view name, PatternJob job);
+
+}  // namespace brindle

@@ -1,0 +1,77 @@
+/// Arrays of what was made, a row per vertex and per triangle, for mesh files.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/export.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/texture_coordinates.h"
+
+namespace BRINDLE_EXPORT brindle {
+
+/// One wave per vertex of a mesh.
+struct WrittenWaves {
+  const WaveSet& waves;
+  std::span<const float> frequencies_wanted;  ///< empty: those of `waves`
+  std::span<const Complex> z;
+  std::string suffix;  ///< of the arrays' names: sets two sets of waves apart
+
+  bool has_wave(std::size_t v) const {
+    return !waves.directions[v].isZero(0) && z[v] != Complex(0);
+  }
+  std::string named(const char* name) const { return name + suffix; }
+};
+
+/// Adds phase, direction, frequency, branch, sin_phase and valid. `missing` stands where there is
+/// no wave. Points have no `branches`.
+void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing,
+               const std::vector<float>& branches);
+
+/// The same of a pattern, carried to the vertices of a mesh with texture coordinates.
+void add_carried_waves(std::vector<DataArray>& arrays, const TexturedMesh& textured,
+                       const Mesh& mesh, const StripePattern& pattern, const std::string& suffix,
+                       float missing);
+
+/// A pattern, and what sets the names of its arrays apart from those of another.
+struct NamedPattern {
+  const StripePattern& pattern;
+  std::string suffix;
+};
+
+/// Arrays of a mesh with texture coordinates: normal, uv and those of the patterns, which are on
+/// `surface`; of triangles branch.
+DataArrays textured_arrays(const TexturedMesh& textured, const Surface& surface,
+                           std::span<const NamedPattern> patterns, float missing);
+
+/// The array of points that says by how many degrees waves are turned from the field that they were
+/// made of (--rotate, and 90 with --along): the same number in all rows. Where they run along it,
+/// there is none.
+inline constexpr const char* kTurnArray = "turn_deg";
+
+/// Adds it.
+void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows);
+
+/// What it says; 0 if there is none. Throws Error if it is not the same finite number in all rows.
+float turn_said_by(std::span<const DataArray> arrays);
+
+/// Without what the input says of how other waves are turned (`kTurnArray`), for files that say it
+/// of theirs.
+DataArrays without_turn(const DataArrays& input);
+
+/// The array original_id of such a mesh: -1 of vertices that are new.
+DataArray carried_ids(const TexturedMesh& textured, std::span<const std::int64_t> ids);
+
+/// 1 at the corners of triangles where a stripe begins or ends.
+std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const CornerPhases> corners);
+
+/// 1 in triangles where a stripe begins or ends.
+DataArray branches_in_triangles(const StripePattern& pattern, const std::string& name);
+
+/// Lifted phases at the corners of triangles, oriented alike; NaN in triangles that have none.
+DataArray corner_phases_of(const StripePattern& pattern, const std::string& name);
+
+}  // namespace brindle

@@ -1,0 +1,30 @@
+/// How dense a filter's waves are on their surface, and what is probably not meant by them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <brindle/phase_graph.h>
+#include <brindle/wave_figures.h>
+
+#include "pattern_series.h"
+
+namespace brindle::paraview {
+
+/// Collective over ranks: the figures of the whole surface's waves, on every rank.
+WaveFigures wave_figures(const PatternSurface& surface, const WaveSet& waves);
+
+/// What is known of a run's waves and patterns, the same on all ranks.
+struct RunFigures {
+  WaveFigures waves;
+  std::optional<WaveFigures> crossing;  ///< of waves across these, if there are others
+  std::size_t branches = 0;             ///< of the pattern that has most
+};
+
+/// The library's warnings in the words of ParaView's panels, a sentence each; of waves that are
+/// nowhere, one that says so.
+std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSurface& surface);
+
+}  // namespace brindle::paraview

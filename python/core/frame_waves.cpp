@@ -1,0 +1,37 @@
+#include "frame_waves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brindle/array_field.h"
+#include "brindle/error.h"
+#include "brindle/recipe/refusals.h"
+#include "words.h"
+
+namespace brindle::python {
+
+void check_numbers(float lambda, int sweeps, int cycles) {
+  saying_in_pythons_words([&] {
+    brindle::check_weight("--lambda", lambda);
+    brindle::check_whole_number("--sweeps", sweeps, 0, brindle::kMostSweeps);
+    brindle::check_whole_number("--cycles", cycles, 0, brindle::kMostSweeps);
+  });
+}
+
+FrameWaves::FrameWaves(std::span<const Vec3> directions, std::span<const float> frequencies)
+    : directions_(directions), frequencies_(frequencies) {
+  if (directions.size() != frequencies.size() ||
+      std::ranges::none_of(frequencies, [](float f) { return std::isnan(f); })) {
+    return;
+  }
+  if (std::ranges::all_of(frequencies, [](float f) { return std::isnan(f); })) {
+    throw Error("frequencies: all are nan; give stripes per unit length where there is a wave");
+  }
+  own_directions_.assign(directions.begin(), directions.end());
+  own_frequencies_.assign(frequencies.begin(), frequencies.end());
+  drop_waves_without_frequency(own_directions_, own_frequencies_);
+  directions_ = own_directions_;
+  frequencies_ = own_frequencies_;
+}
+
+}  // namespace brindle::python

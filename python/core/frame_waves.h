@@ -1,0 +1,31 @@
+/// What a frame is told of its waves.
+#pragma once
+
+#include <span>
+
+#include "brindle/phase_graph.h"
+
+namespace brindle::python {
+
+/// Throws Error for what no frame is to take: the tool's bounds.
+void check_numbers(float lambda, int sweeps, int cycles);
+
+/// Where an array of frequencies is not a number, there is no wave, as in patterns.
+class FrameWaves {
+ public:
+  /// The arrays must stay; `frequencies` is empty if there is no array of them.
+  FrameWaves(std::span<const Vec3> directions, std::span<const float> frequencies);
+  FrameWaves(const FrameWaves&) = delete;
+  FrameWaves& operator=(const FrameWaves&) = delete;
+
+  std::span<const Vec3> directions() const { return directions_; }
+  std::span<const float> frequencies() const { return frequencies_; }
+
+ private:
+  DirectionField own_directions_;
+  FrequencyField own_frequencies_;
+  std::span<const Vec3> directions_;
+  std::span<const float> frequencies_;
+};
+
+}  // namespace brindle::python

@@ -1,0 +1,27 @@
+/// What the tool and Python call by different names.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "brindle/error.h"
+#include "brindle/recipe/refusals.h"
+
+namespace brindle::python {
+
+/// The tool's messages name options; here they are arguments: --frequency-by is frequency_by.
+std::string in_pythons_words(const std::string& text);
+
+/// Calls `work`, whose errors are of the tool's sources.
+template <class Work>
+auto saying_in_pythons_words(const Work& work) {
+  try {
+    return work();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(in_pythons_words(error.what()));
+  }
+}
+
+}  // namespace brindle::python

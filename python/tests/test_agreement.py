@@ -1,0 +1,277 @@
+"""Requests that the tool and Python are asked alike: the same figures, bit for bit, or refusals in the
+same words. What a row of the tables asks of Python is a function of the surface; what it asks of the
+tool are words after the mesh."""
+
+import json
+import subprocess
+import warnings
+
+import numpy as np
+import pytest
+
+import brindle
+from brindle import _core
+from conftest import TOOL, run_tool
+
+# What the two were asked, where from, and how long it took.
+OWN_KEYS = {"command", "input", "options", "milliseconds"}
+
+TORUS = "shape:torus,resolution=40"
+TREFOIL = "shape:trefoil,resolution=24"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Meshes, points and fields that both read."""
+    folder = tmp_path_factory.mktemp("agreement")
+    surface = brindle.shape("torus", resolution=40)
+    x = np.array(surface.vertices, float)
+    velocity = np.stack([-x[:, 1], x[:, 0], 0.3 + x[:, 2]], axis=1) * 5
+    velocity[3] = np.nan
+    stress = np.zeros((len(x), 6))
+    stress[:, 0], stress[:, 1], stress[:, 3] = 1 + x[:, 0], 2, 0.4
+    speed = 1 + x[:, 0] ** 2
+    surface.write(folder / "field.vtp",
+                  point_data={"velocity": velocity, "stress": stress, "speed": speed,
+                              "stress9": np.stack([stress[:, [0, 3, 5]], stress[:, [3, 1, 4]],
+                                                   stress[:, [5, 4, 2]]], axis=1)},
+                  cell_data={"flow": velocity[surface.triangles[:, 0]]})
+    np.savetxt(folder / "points.csv", np.concatenate([x, surface.normals], axis=1), delimiter=",",
+               fmt="%.9g")
+    np.savetxt(folder / "calm.csv", (x[:, 0] > 0).astype(float), fmt="%g")
+    write_sleeve(folder / "sleeve.ply")
+    run_tool("stripe", folder / "sleeve.ply", "--direction", "0,0,1", "--stripes", "9", "--quiet",
+             "--output", folder / "last.vtp")
+    return folder
+
+
+def write_sleeve(path):
+    """An open cylinder."""
+    angles, heights = np.meshgrid(np.linspace(0, 2 * np.pi, 40, endpoint=False), np.linspace(0, 2, 21))
+    vertices = np.stack([np.cos(angles), np.sin(angles), heights], axis=-1).reshape(-1, 3)
+    i = np.arange(20 * 40)
+    right = i - i % 40 + (i + 1) % 40
+    triangles = np.concatenate([np.stack([i, right, right + 40], axis=1),
+                                np.stack([i, right + 40, i + 40], axis=1)])
+    brindle.Surface(vertices, triangles).write(path)
+
+
+def opened(name, folder):
+    if name.startswith("shape:"):
+        return name, brindle.shape(name.removeprefix("shape:"))
+    return folder / name, brindle.read(folder / name)
+
+
+def up(s):
+    return s.projected_field((0, 0, 1))
+
+
+def calm(s):
+    return (np.array(s.vertices)[:, 0] > 0).astype(float)
+
+
+def stripes(**options):
+    return lambda s: brindle.stripes(s, **options)
+
+
+def with_field(field, **options):
+    return lambda s: brindle.stripes(s, field(s), **options)
+
+
+# The command, the mesh, words after it, and what Python is asked for.
+REQUESTS = [
+    # fields
+    ("stripe", TORUS, "", stripes()),
+    ("stripe", TREFOIL, "--direction 0.31,0.9,0.27", with_field(lambda s: s.projected_field((0.31, 0.9, 0.27)))),
+    ("stripe", TREFOIL, "--field curvature", with_field(lambda s: s.curvature_field())),
+    ("stripe", TREFOIL, "--field curvature --curvature-direction min",
+     with_field(lambda s: s.curvature_field("min"))),
+    ("stripe", TREFOIL, "--field curvature --curvature-anchor 0.5",
+     with_field(lambda s: s.curvature_field(anchor=0.5))),
+    ("stripe", TREFOIL, "--curvature-anchor 0.3 --curvature-direction min",
+     with_field(lambda s: s.smooth_field(curvature_anchor=0.3, curvature="min"))),
+    ("stripe", TREFOIL, "--field raw-curvature", with_field(lambda s: s.curvature_field(raw=True))),
+    ("stripe", "shape:box", "--feature-anchor 2 --feature-angle 30",
+     with_field(lambda s: s.smooth_field(feature_anchor=2, feature_angle=30))),
+    ("stripe", "shape:box", "--feature-anchor 1 --feature-radius 0.2",
+     with_field(lambda s: s.smooth_field(feature_anchor=1, feature_radius=0.2))),
+    ("stripe", TORUS, "--rotate 35", with_field(lambda s: s.turned_field(s.smooth_field(), 35))),
+    ("stripe", TORUS, "--along", stripes(along=True)),
+    ("stripe", "field.vtp", "--field array:velocity", stripes(directions="velocity")),
+    ("stripe", "field.vtp", "--field array:cells/flow", stripes(directions="cells/flow")),
+    ("stripe", "field.vtp", "--field array:stress", stripes(directions="stress")),
+    ("stripe", "field.vtp", "--field array:stress9", stripes(directions="stress9")),
+    # frequencies
+    ("stripe", TORUS, "--stripes 12.5", stripes(stripes=12.5)),
+    ("stripe", TORUS, "--frequency 3", stripes(frequency=3)),
+    ("stripe", "field.vtp", "--frequency array:speed", stripes(frequency="speed")),
+    ("stripe", "field.vtp", "--frequency-by array:speed",
+     lambda s: brindle.stripes(s, frequency=s.frequencies_by("speed"))),
+    ("stripe", "field.vtp", "--frequency-by array:velocity --stripes 15 --frequency-range 0.5,1.5,inverse",
+     lambda s: brindle.stripes(s, frequency=s.frequencies_by("velocity", stripes=15, range=(0.5, 1.5),
+                                                             inverse=True))),
+    # solvers
+    ("stripe", TORUS, "--solver relaxation --seed 3 --epsilon 0.1 --momentum 0.3",
+     stripes(solver="relaxation", seed=3, epsilon=0.1, momentum=0.3)),
+    ("stripe", TORUS, "--solver averaged", stripes(solver="averaged")),
+    ("stripe", TORUS, "--solver relaxation --cycles 2 --sweeps 3",
+     stripes(solver="relaxation", cycles=2, sweeps=3)),
+    ("stripe", TORUS, "--cycles 3", stripes(cycles=3)),
+    ("stripe", TORUS, "--sweeps 7", stripes(sweeps=7)),
+    ("stripe", TORUS, "--phase-shift trapezoid", stripes(phase_shift="trapezoid")),
+    ("stripe", TORUS, "--phase-shift common_source", stripes(phase_shift="common_source")),
+    ("stripe", TORUS, "--weights cotangent", stripes(weights="cotangent")),
+    ("stripe", TORUS, "--threads 1", stripes(threads=1)),
+    # slack
+    ("stripe", TREFOIL, "--slack 0.25", stripes(slack=0.25)),
+    ("stripe", TORUS, "--slack 0.25 --weights cotangent --stripes 20",
+     stripes(slack=0.25, weights="cotangent", stripes=20)),
+    ("stripe", TORUS, "--slack 0.2 --calm {folder}/calm.csv", lambda s: brindle.stripes(s, slack=0.2, calm=calm(s))),
+    ("stripe", TORUS, "--slack 0", stripes(slack=0)),
+    # what a maker asks for
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding 1", with_field(up, stripes=9, winding=1)),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding boundary-1:-2",
+     with_field(up, stripes=9, winding={"boundary-1": -2})),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --anchor-boundary 0.5",
+     with_field(up, stripes=9, anchor_boundary=0.5)),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --anchor-boundary 0 --winding 0",
+     with_field(up, stripes=9, anchor_boundary=0, winding=0)),
+    ("stripe", TREFOIL, "--direction 0.31,0.9,0.27 --merge-branches 0.05",
+     with_field(lambda s: s.projected_field((0.31, 0.9, 0.27)), merge_branches=0.05)),
+    ("stripe", TREFOIL, "--slack 0.1 --merge-branches 0", stripes(slack=0.1, merge_branches=0)),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding 2 --merge-branches 0.1 --slack 0.1",
+     with_field(up, stripes=9, winding=2, merge_branches=0.1, slack=0.1)),
+    # textures
+    ("stripe", TORUS, "--texture dots --stripes 12", lambda s: brindle.texture(s, stripes=12)),
+    ("stripe", TORUS, "--texture arrows --oriented --direction 0,0,1 --stripes 12",
+     lambda s: brindle.texture(s, up(s), oriented=True, stripes=12)),
+    ("stripe", TORUS, "--texture dots --stripes 12 --stripes-v 20",
+     lambda s: brindle.texture(s, stripes=12, stripes_v=20)),
+    ("stripe", TORUS, "--texture dots --frequency 3 --frequency-v 2 --along",
+     lambda s: brindle.texture(s, frequency=3, frequency_v=2, along=True)),
+    ("stripe", TORUS, "--texture dots --stripes 12 --slack 0.2 --weights cotangent",
+     lambda s: brindle.texture(s, stripes=12, slack=0.2, weights="cotangent")),
+    ("stripe", TORUS, "--texture dots --stripes 12 --solver averaged",
+     lambda s: brindle.texture(s, stripes=12, solver="averaged")),
+    # crosses
+    ("stripe", "shape:box", "--cross --stripes 20", lambda s: brindle.crosses(s, stripes=20)),
+    ("stripe", TORUS, "--cross --frequency 3 --slack 0.2",
+     lambda s: brindle.crosses(s, frequency=3, slack=0.2)),
+    ("stripe", TORUS, "--cross --direction 0,0,1 --stripes 12",
+     lambda s: brindle.crosses(s, up(s), stripes=12)),
+    # points
+    ("stripe", "points.csv", "", stripes()),
+    ("stripe", "points.csv", "--direction 0,0,1 --stripes 9", with_field(up, stripes=9)),
+    ("stripe", "points.csv", "--solver averaged --stripes 9", stripes(solver="averaged", stripes=9)),
+    # curves
+    ("curves", TREFOIL, "--stripes 20", lambda s: brindle.stripes(s, stripes=20).curves()),
+    ("curves", TREFOIL, "--stripes 20 --join", lambda s: brindle.stripes(s, stripes=20).curves(join=True)),
+    ("curves", TREFOIL, "--stripes 20 --offset 0.5 --min-length 0.3",
+     lambda s: brindle.stripes(s, stripes=20).curves(offset=0.5, min_length=0.3)),
+    ("curves", TREFOIL, "--stripes 20 --resample 0.05 --simplify 0.001 --output {folder}/lines.obj",
+     lambda s: brindle.stripes(s, stripes=20).curves(resample=0.05, simplify=0.001)),
+    ("curves", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding 1 --slack 0.1",
+     lambda s: brindle.stripes(s, up(s), stripes=9, winding=1, slack=0.1).curves()),
+    # samples
+    ("sample", TORUS, "--stripes 12", lambda s: brindle.samples(s, stripes=12)),
+    ("sample", TORUS, "--stripes 12 --stripes-v 20 --min-distance 0.5",
+     lambda s: brindle.samples(s, stripes=12, stripes_v=20, min_distance=0.5)),
+    ("sample", "points.csv", "--stripes 9", lambda s: brindle.samples(s, stripes=9)),
+]
+
+
+def asked(words, folder):
+    return words.format(folder=folder).split()
+
+
+def named(rows):
+    return [f"{row[0]} {row[1]} {row[2]}" for row in rows]
+
+
+def check_same(got, expected):
+    """All that Python says the tool says alike."""
+    for key in got.keys() - OWN_KEYS:
+        assert got[key] == expected[key], key
+
+
+def said_of_lines(text):
+    """What the tool says of a surface and its waves, without what it says of files."""
+    lines = (line.removeprefix("brindle: ").removeprefix("warning: ") for line in text.splitlines())
+    return {_core.in_pythons_words(line) for line in lines}
+
+
+@pytest.mark.parametrize("command, mesh, words, ask", REQUESTS, ids=named(REQUESTS))
+def test_requests(command, mesh, words, ask, folder, tmp_path):
+    path, surface = opened(mesh, folder)
+    if not TOOL.exists():
+        pytest.skip("the tool is not built; BRINDLE_TOOL names it")
+    done = subprocess.run([TOOL, command, path, *asked(words, folder), "--report", tmp_path / "report.json"],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    expected = json.loads((tmp_path / "report.json").read_text())
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        report = ask(surface).report
+    if command == "stripe":
+        assert list(report) == list(expected)
+        assert report["milliseconds"].keys() == expected["milliseconds"].keys()
+        assert report["milliseconds"]["field"] > 0
+    check_same(report, expected["u"] if command == "curves" else expected)
+    # Whatever Python warns of, the tool says in the same words.
+    assert {str(warning.message) for warning in heard} <= said_of_lines(done.stderr)
+    assert all(warning.category is brindle.PatternWarning for warning in heard)
+    # Whatever the tool warns of, Python warns of.
+    warned = {line for line in done.stderr.splitlines() if "warning: " in line}
+    assert said_of_lines("\n".join(warned)) <= {str(warning.message) for warning in heard}
+
+
+# Refused in the same words.
+REFUSALS = [
+    ("stripe", TORUS, "--solver relaxation --sweeps 3", stripes(solver="relaxation", sweeps=3)),
+    ("stripe", TORUS, "--epsilon 0.1", stripes(epsilon=0.1)),
+    ("stripe", TORUS, "--momentum 0.1", stripes(momentum=0.1)),
+    ("stripe", TORUS, "--seed 1 --solver global", stripes(seed=1, solver="global")),
+    ("stripe", TORUS, "--global-iterations 3", stripes(global_iterations=3)),
+    ("stripe", TORUS, "--calm {folder}/calm.csv", lambda s: brindle.stripes(s, calm=calm(s))),
+    ("stripe", TORUS, "--calm {folder}/calm.csv --slack 0", lambda s: brindle.stripes(s, calm=calm(s), slack=0)),
+    ("stripe", TORUS, "--texture dots --calm {folder}/calm.csv", lambda s: brindle.texture(s, calm=calm(s))),
+    ("stripe", TORUS, "--cross --calm {folder}/calm.csv", lambda s: brindle.crosses(s, calm=calm(s))),
+    ("stripe", TORUS, "--lambda 0.1", stripes(lambda_=0.1)),
+    ("stripe", TORUS, "--match number", stripes(match="number")),
+    ("stripe", "sleeve.ply", "--previous {folder}/last.vtp --solver averaged",
+     lambda s: brindle.stripes(s, previous=brindle.stripes(s), solver="averaged")),
+    ("stripe", "sleeve.ply", "--anchor-boundary 0 --winding 5", stripes(anchor_boundary=0, winding=5)),
+    ("stripe", "sleeve.ply", "--anchor-boundary 0 --winding boundary-2:1",
+     stripes(anchor_boundary=0, winding={"boundary-2": 1})),
+    ("stripe", "sleeve.ply", "--anchor-boundary 0 --solver averaged", stripes(anchor_boundary=0, solver="averaged")),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --along --anchor-boundary 0 --stripes 9",
+     with_field(up, along=True, anchor_boundary=0, stripes=9)),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --winding loop-9:1", with_field(up, winding={"loop-9": 1})),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --winding 400 --stripes 9", with_field(up, winding=400, stripes=9)),
+    ("stripe", "shape:sphere,resolution=20", "--winding 1", stripes(winding=1)),
+    ("stripe", TORUS, "--curvature-direction min", lambda s: s.smooth_field(curvature="min")),
+    ("stripe", TORUS, "--feature-angle 20", lambda s: s.smooth_field(feature_angle=20)),
+    ("stripe", TORUS, "--feature-radius 2", lambda s: s.smooth_field(feature_radius=2)),
+    ("stripe", "points.csv", "--feature-anchor 1", lambda s: s.smooth_field(feature_anchor=1)),
+    ("stripe", "points.csv", "--weights cotangent", stripes(weights="cotangent")),
+    ("sample", "points.csv", "--weights cotangent", lambda s: brindle.samples(s, weights="cotangent")),
+    ("sample", "points.csv", "--min-distance 0.1", lambda s: brindle.samples(s, min_distance=0.1)),
+    ("stripe", "points.csv", "--winding 1", stripes(winding=1)),
+    ("stripe", "points.csv", "--anchor-boundary 0", stripes(anchor_boundary=0)),
+    ("stripe", "points.csv", "--merge-branches 0", stripes(merge_branches=0)),
+    ("stripe", TORUS, "--frequency 1e9", stripes(frequency=1e9)),
+    ("stripe", "field.vtp", "--field array:nothing", stripes(directions="nothing")),
+]
+
+
+@pytest.mark.parametrize("command, mesh, words, ask", REFUSALS, ids=named(REFUSALS))
+def test_refusals(command, mesh, words, ask, folder):
+    path, surface = opened(mesh, folder)
+    if not TOOL.exists():
+        pytest.skip("the tool is not built; BRINDLE_TOOL names it")
+    done = subprocess.run([TOOL, command, path, *asked(words, folder), "--quiet"], capture_output=True, text=True)
+    assert done.returncode in (1, 2), done.stderr
+    with pytest.raises(brindle.Error) as refused:
+        ask(surface)
+    expected = done.stderr.strip().splitlines()[-1].removeprefix("brindle: ")
+    assert str(refused.value) == _core.in_pythons_words(expected)

@@ -1,0 +1,11 @@
+#include "brindle/pimpl.h"
+
+#include "brindle/error.h"
+
+namespace brindle {
+
+void refuse_moved_from() {
+  throw Error("an object is used that was moved from; assign another one to it first");
+}
+
+}  // namespace brindle

@@ -1,0 +1,49 @@
+/// The surface of VTK's volume cells.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "brindle/types.h"
+
+namespace brindle {
+
+/// The type of linear or quadratic cell that a Lagrange or Bezier cell of so many points is; any
+/// other type as it is. (Bezier cells of order 2 have points beside their surface.)
+std::uint8_t vtk_plain_type(std::uint8_t type, std::size_t points);
+
+/// Volume cells whose faces are known: tetrahedra, voxels, hexahedra, wedges, pyramids, prisms, and
+/// those of them with points amid their edges.
+class VtkVolumes {
+ public:
+  /// How many points a cell of that type has at least; 0 if its faces are not known.
+  static std::size_t points_of(std::uint8_t type);
+
+  /// A cell of a known type with at least so many points; `cell` is its row.
+  void add(std::uint8_t type, std::span<const Index> points, Index cell);
+
+  std::size_t count() const { return types_.size(); }
+
+  /// Calls `use` with the corners of every face that belongs to one cell only, and the cell's row,
+  /// in the order of cells. Points amid edges stand between the corners. Faces are wound so that
+  /// they are seen from outside, whichever way the cell's points run.
+  void for_each_boundary_face(
+      std::span<const Eigen::Vector3d> positions,
+      const std::function<void(std::span<const Index> corners, Index cell)>& use) const;
+
+ private:
+  template <class Use>
+  void for_each_face(const Use& use) const;
+  std::vector<char> on_boundary() const;
+
+  std::vector<std::uint8_t> types_;  ///< of each cell
+  std::vector<Index> cells_;         ///< the row of each
+  std::vector<Index> points_;        ///< of all, `points_of` each
+};
+
+}  // namespace brindle

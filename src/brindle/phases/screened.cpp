@@ -1,0 +1,116 @@
+#include "brindle/phases/screened.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+double dot(const Complex& a, const Complex& b) {
+  return static_cast<double>(a.real()) * static_cast<double>(b.real()) +
+         static_cast<double>(a.imag()) * static_cast<double>(b.imag());
+}
+
+class ScreenedSystem {
+ public:
+  ScreenedSystem(const PhaseGraph& graph, std::span<const float> screening,
+                 const ScreenedOptions& options)
+      : graph_(graph),
+        options_(options),
+        own_(std::min(options.own, graph.node_count())),
+        diagonal_(own_) {
+    parallel_for(own_, [&](std::size_t begin, std::size_t end) {
+      for (Index i = static_cast<Index>(begin); i < end; ++i) {
+        diagonal_[i] = screening[i];
+        for (Index e = offsets()[i]; e < offsets()[i + 1]; ++e) {
+          diagonal_[i] += std::abs(graph_.coupling[e]);
+        }
+      }
+    });
+  }
+
+  std::size_t own() const { return own_; }
+
+  void exchange(std::vector<Complex>& values) const {
+    if (options_.exchange) options_.exchange(values);
+  }
+
+  /// What neighbours and the diagonal make of a node's value; those of other ranks must be there.
+  Complex row(Index i, std::span<const Complex> u) const {
+    Complex sum = diagonal_[i] * u[i];
+    for (Index e = offsets()[i]; e < offsets()[i + 1]; ++e) {
+      const Complex& other = u[graph_.adjacency->neighbors[e]];
+      sum -= graph_.coupling[e] * (graph_.reflecting[e] ? std::conj(other) : other);
+    }
+    return sum;
+  }
+
+  Complex preconditioned(Index i, const Complex& residual) const {
+    return diagonal_[i] > 0 ? residual / diagonal_[i] : Complex(0);
+  }
+
+  /// The sum of `of(i)` over the own nodes of all ranks.
+  template <class Of>
+  double sum(const Of& of) const {
+    const double here = parallel_sum<double>(own_, [&](std::size_t begin, std::size_t end) {
+      double part = 0;
+      for (Index i = static_cast<Index>(begin); i < end; ++i) part += of(i);
+      return part;
+    });
+    return options_.total ? options_.total(here) : here;
+  }
+
+ private:
+  std::span<const Index> offsets() const { return graph_.adjacency->offsets; }
+
+  const PhaseGraph& graph_;
+  const ScreenedOptions& options_;
+  std::size_t own_;
+  std::vector<float> diagonal_;
+};
+
+template <class Change>
+void for_own(const ScreenedSystem& system, const Change& change) {
+  parallel_for(system.own(), [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) change(i);
+  });
+}
+
+}  // namespace
+
+std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const float> screening,
+                                     std::vector<Complex> start, const ScreenedOptions& options) {
+  const ScreenedSystem system(graph, screening, options);
+  std::vector<Complex> u = std::move(start);
+  std::vector<Complex> residual(system.own()), step(u.size()), image(system.own());
+  system.exchange(u);
+  for_own(system, [&](Index i) {
+    residual[i] = (graph.anchor.empty() ? Complex(0) : graph.anchor[i]) - system.row(i, u);
+    step[i] = system.preconditioned(i, residual[i]);
+  });
+  double error = system.sum([&](Index i) { return dot(residual[i], step[i]); });
+  const double enough = error * static_cast<double>(options.tolerance * options.tolerance);
+  for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
+    system.exchange(step);
+    for_own(system, [&](Index i) { image[i] = system.row(i, step); });
+    const double curvature = system.sum([&](Index i) { return dot(step[i], image[i]); });
+    if (!(curvature > 0)) break;
+    const auto length = static_cast<float>(error / curvature);
+    for_own(system, [&](Index i) {
+      u[i] += length * step[i];
+      residual[i] -= length * image[i];
+    });
+    const double next = system.sum(
+        [&](Index i) { return dot(residual[i], system.preconditioned(i, residual[i])); });
+    const auto keep = static_cast<float>(next / error);
+    for_own(system,
+            [&](Index i) { step[i] = system.preconditioned(i, residual[i]) + keep * step[i]; });
+    error = next;
+  }
+  system.exchange(u);
+  return u;
+}
+
+}  // namespace brindle

@@ -1,0 +1,133 @@
+#include "brindle/phases/several_starts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/phases/one_at_a_time.h"
+#include "brindle/waves/least_curl.h"
+
+namespace brindle {
+namespace {
+
+constexpr std::uint32_t kStarts = 32;
+
+/// Fewer nodes hardly differ from one; of many, chance makes singularities that no sweep undoes.
+constexpr std::size_t kFewestNodes = 20;
+
+/// The coarsest level with so many nodes, if it is not finer than `finest`.
+std::size_t coarsest_with(const std::vector<Level>& levels, std::size_t nodes, std::size_t finest) {
+  std::size_t level = levels.size() - 1;
+  while (level > finest && levels[level].layout().slot_of.size() < nodes) --level;
+  return level;
+}
+
+/// The finest level that costs next to nothing.
+std::size_t finest_small(const std::vector<Level>& levels) {
+  std::size_t level = 0;
+  while (level + 1 < levels.size() && levels[level].layout().slot_count() > kSmallLevel) ++level;
+  return level;
+}
+
+void set_by_chance(Level& level, std::uint32_t start) {
+  const Index slots = level.layout().slot_count();
+  for (Index slot = 0; slot < slots; ++slot) {
+    const std::uint32_t draw = one_at_a_time(slot * kStarts + start);
+    level.z[slot] = draw % 2 == 0 ? kPeak : -kPeak;
+  }
+}
+
+/// Sweeps over a level and the finer ones, down to `finest`.
+void descend_levels(std::vector<Level>& levels, std::size_t from, std::size_t finest, int sweeps) {
+  sweep_level(levels[from], sweeps);
+  for (std::size_t l = from; l-- > finest;) {
+    prolong(levels[l + 1], levels[l]);
+    sweep_level(levels[l], sweeps);
+  }
+}
+
+}  // namespace
+
+EnergySums lowered_sums(const Level& level, std::span<const Complex> z) {
+  EnergySums sums = energy_sums(level.layout(), level.couplings, z);
+  const std::vector<Complex>& anchor = level.couplings.anchor;
+  sums.energy += parallel_sum<double>(anchor.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const std::complex<double> target = anchor[slot];
+      sum +=
+          std::sqrt(std::norm(target)) - (std::conj(std::complex<double>(z[slot])) * target).real();
+    }
+    return sum;
+  });
+  return sums;
+}
+
+bool is_much_lower(const EnergySums& found, const EnergySums& plain) {
+  // Lengths of phases are rounded to 6e-8.
+  constexpr double kRounding = 2e-7;
+  return found.energy < 0.9 * plain.energy - kRounding * plain.weight;
+}
+
+void descend_from_lowest(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
+  std::vector<Level>& levels = hierarchy.levels;
+  const std::size_t judged = finest_small(levels);
+  const std::size_t coarse = coarsest_with(levels, kFewestNodes, judged);
+  std::vector<Complex> lowest;
+  double lowest_energy = 0;
+  for (std::uint32_t start = 0; start < kStarts; ++start) {
+    progress.report(0.5 * start / kStarts);
+    // Half of them one level finer, since levels differ in what starts they let through.
+    const std::size_t from = start % 2 == 1 && coarse > judged ? coarse - 1 : coarse;
+    set_by_chance(levels[from], start);
+    descend_levels(levels, from, judged, sweeps);
+    const double energy = lowered_sums(levels[judged], levels[judged].z).energy;
+    if (!lowest.empty() && !(energy < lowest_energy)) continue;
+    lowest = levels[judged].z;
+    lowest_energy = energy;
+  }
+  levels[judged].z = std::move(lowest);
+  progress.report(0.5);
+  for (std::size_t l = judged; l-- > 0;) {
+    prolong(levels[l + 1], levels[l]);
+    sweep_level(levels[l], sweeps);
+  }
+}
+
+bool descend_from_several(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
+  Level& finest = hierarchy.levels[0];
+  descend(hierarchy, sweeps, progress.part(0, 0.4));
+  const EnergySums plain_sums = lowered_sums(finest, finest.z);
+  std::vector<Complex> plain = finest.z;
+  descend_from_lowest(hierarchy, sweeps, progress.part(0.4, 1));
+  const bool is_lower = is_much_lower(lowered_sums(finest, finest.z), plain_sums);
+  if (!is_lower) finest.z = std::move(plain);
+  return is_lower;
+}
+
+Starts starts_of_field(const PhaseGraph& graph, bool has_triangles) {
+  return has_triangles && is_one_sided(graph) ? Starts::several : Starts::one;
+}
+
+LowestPhases solve_from(Starts starts, const PhaseGraph& graph, int sweeps, int cycles,
+                        const Progress& progress) {
+  JobStages stages(progress, {{"hierarchy", 7}, {"descent", 2}, {"cycles", 3}});
+  Hierarchy hierarchy = build_hierarchy(graph, stages.begin("hierarchy"));
+  LowestPhases phases;
+  const Progress descent = stages.begin("descent");
+  if (starts == Starts::several) {
+    phases.is_lower = descend_from_several(hierarchy, sweeps, descent);
+  } else {
+    descend(hierarchy, sweeps, descent);
+  }
+  run_cycles(hierarchy, sweeps, cycles, stages.begin("cycles"));
+  stages.finish();
+  const Level& finest = hierarchy.levels[0];
+  phases.z = to_nodes(finest.layout(), finest.z);
+  return phases;
+}
+
+}  // namespace brindle

@@ -1,0 +1,39 @@
+/// JSON as text, whatever bytes its names have.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "brindle/base/printable.h"
+
+namespace brindle {
+
+/// `json` with `utf8_text` instead of every text and key.
+template <class Json>
+Json utf8_json(const Json& json) {
+  if (json.is_string()) return utf8_text(json.template get_ref<const std::string&>());
+  if (json.is_array()) {
+    Json list = Json::array();
+    for (const Json& value : json) list.push_back(utf8_json(value));
+    return list;
+  }
+  if (!json.is_object()) return json;
+  Json object = Json::object();
+  for (const auto& [key, value] : json.items()) object[utf8_text(key)] = utf8_json(value);
+  return object;
+}
+
+/// What is no UTF-8, as names of files may be, stands there as \xe9: JSON has no other letters, and
+/// a job that is done is not to fail because of them.
+template <class Json>
+std::string json_text(const Json& json, int indent = -1) {
+  try {
+    return json.dump(indent);
+  } catch (const typename Json::type_error&) {
+    return utf8_json(json).dump(indent);
+  }
+}
+
+}  // namespace brindle

@@ -1,0 +1,170 @@
+#include "brindle/recipe/making.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "brindle/base/formatted.h"
+#include "brindle/boundary_phases.h"
+#include "brindle/error.h"
+#include "brindle/pipeline/stripes_again.h"
+
+namespace brindle {
+namespace {
+
+constexpr std::size_t kMostLines = 12;  // of windings, for people
+
+// What was asked of boundaries, which a wave that was turned no longer is asked.
+StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, StripeOptions stripes,
+                            const MakingOptions& options, MakingFigures& figures) {
+  if (!options.anchor_boundary) return stripes;
+  stripes.fixed_phases = boundary_phases(surface, waves, *options.anchor_boundary);
+  figures.fixed_vertices = static_cast<std::size_t>(std::ranges::count_if(
+      stripes.fixed_phases, [](const Complex& z) { return z != Complex(0); }));
+  if (figures.fixed_vertices == 0) {
+    throw Error(
+        "--anchor-boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "
+        "field by --along or --rotate, or leave out the option");
+  }
+  return stripes;
+}
+
+std::string text_of(const Winding& winding) { return winding ? std::to_string(*winding) : "none"; }
+
+std::string names_of(const MakingFigures& figures, const std::vector<std::size_t>& boundaries) {
+  std::string names;
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    const char* const before = k == 0 ? "" : k + 1 < boundaries.size() ? ", " : " and ";
+    names += before + figures.loops[boundaries[k]].name;
+  }
+  return names;
+}
+
+// Where what winds in at a piece's boundaries does not wind out at others, and why.
+std::string differences(const MakingFigures& figures) {
+  std::string text;
+  for (const WindingSum& sum : figures.sums) {
+    const std::size_t first = sum.boundaries[0], second = sum.boundaries[1];
+    const bool pair = sum.boundaries.size() == 2;
+    if (pair ? figures.windings[first] == figures.windings[second] : sum.periods == 0) continue;
+    const std::string names = names_of(figures, sum.boundaries);
+    const std::string how =
+        pair ? " differ" : formatted(" do not add up, by %d", std::abs(sum.periods));
+    text += "   " + names + how +
+            formatted(": of %zu branches and singularities, some lie between\n",
+                      figures.branches[first]);
+  }
+  return text;
+}
+
+// With the phases of `stripes` fixed where a boundary asks for them.
+StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& stripes,
+                            const MakingOptions& options, const Progress& progress,
+                            MakingFigures& figures) {
+  if (options.windings.empty()) {
+    stripes = with_boundary(surface, waves, stripes, options, figures);
+    return stripe_pattern(surface, std::move(waves), stripes, progress);
+  }
+  WoundPattern wound = wind(surface, stripe_pattern(surface, std::move(waves), stripes, progress),
+                            options.windings, stripes, progress);
+  figures.windings_before = wound.before;
+  figures.energy_before = wound.energy_before;
+  figures.largest_turn_deg = wound.largest_turn_deg;
+  figures.mean_turn_deg = wound.mean_turn_deg;
+  figures.largest_frequency_change = wound.largest_frequency_change;
+  if (!options.anchor_boundary) return std::move(wound.pattern);
+  stripes = with_boundary(surface, wound.pattern.waves, stripes, options, figures);
+  WaveSet turned = wound.pattern.waves;
+  return stripes_again(surface, std::move(turned), wound.pattern, stripes, progress);
+}
+
+}  // namespace
+
+StripePattern make_pattern(const Surface& surface, WaveSet waves, StripeOptions stripes,
+                           const MakingOptions& options, const Progress& progress,
+                           MakingFigures& figures) {
+  StripePattern pattern =
+      wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
+  if (options.merge_branches) {
+    figures.merged = merge_branches(surface, pattern, static_cast<double>(*options.merge_branches),
+                                    stripes, progress);
+  }
+  return pattern;
+}
+
+void measure_windings(const Surface& surface, const StripePattern& pattern,
+                      MakingFigures& figures) {
+  figures.loops = surface_loops(surface);
+  figures.windings = windings(surface, figures.loops, pattern);
+  for (const SurfaceLoop& loop : figures.loops) {
+    figures.branches.push_back(branches_of_piece(surface, loop, pattern));
+    figures.centers.push_back(loop.center + surface.mesh.origin);
+  }
+  figures.sums = winding_sums(surface, figures.loops, pattern);
+}
+
+void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json) {
+  auto loops = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < figures.loops.size(); ++i) {
+    const auto number = [](const Winding& winding) {
+      return winding ? nlohmann::ordered_json(*winding) : nlohmann::ordered_json(nullptr);
+    };
+    const Eigen::Vector3d& center = figures.centers[i];
+    nlohmann::ordered_json loop = {{"name", figures.loops[i].name},
+                                   {"length", figures.loops[i].length},
+                                   {"center", {center.x(), center.y(), center.z()}},
+                                   {"winding", number(figures.windings[i])},
+                                   {"branches_of_its_piece", figures.branches[i]}};
+    if (!figures.windings_before.empty()) {
+      loop["winding_before"] = number(figures.windings_before[i]);
+    }
+    loops.push_back(std::move(loop));
+  }
+  if (!loops.empty()) json["loops"] = std::move(loops);
+  if (!figures.windings_before.empty()) {
+    json["turned"] = {{"energy_before", figures.energy_before},
+                      {"largest_deg", figures.largest_turn_deg},
+                      {"mean_deg", figures.mean_turn_deg},
+                      {"largest_frequency_change", figures.largest_frequency_change}};
+  }
+  if (figures.merged) {
+    const MergedBranches& merged = *figures.merged;
+    json["merged"] = {{"pairs", merged.pairs},
+                      {"branches_before", merged.branches_before},
+                      {"energy_before", merged.energy_before}};
+  }
+  if (figures.fixed_vertices > 0) json["boundary_vertices_fixed"] = figures.fixed_vertices;
+}
+
+std::string lines_of(const MakingFigures& figures) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostLines, figures.loops.size()); ++i) {
+    const std::string before =
+        figures.windings_before.empty() ? "" : ", before " + text_of(figures.windings_before[i]);
+    text += formatted("%s%s %s%s", i == 0 ? "   windings: " : "; ", figures.loops[i].name.c_str(),
+                      text_of(figures.windings[i]).c_str(), before.c_str());
+  }
+  if (figures.loops.size() > kMostLines) {
+    text += formatted("; and %zu more in the report", figures.loops.size() - kMostLines);
+  }
+  if (!text.empty()) text += '\n';
+  text += differences(figures);
+  if (!figures.windings_before.empty()) {
+    text += formatted(
+        "   the field is turned by up to %.2f degrees, %.2f on average, frequencies by up to %.1f "
+        "%%; energy %.6f before\n",
+        figures.largest_turn_deg, figures.mean_turn_deg, 100 * figures.largest_frequency_change,
+        figures.energy_before);
+  }
+  if (figures.merged) {
+    const MergedBranches& merged = *figures.merged;
+    text += formatted(
+        "   %zu pairs of branches merged: %zu branches before, %zu after; energy "
+        "%.6f before, %.6f after\n",
+        merged.pairs, merged.branches_before, merged.branches_after, merged.energy_before,
+        merged.energy_after);
+  }
+  return text;
+}
+
+}  // namespace brindle

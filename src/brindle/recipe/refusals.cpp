@@ -1,0 +1,121 @@
+#include "brindle/recipe/refusals.h"
+
+#include <algorithm>
+#include <array>
+
+#include "brindle/base/formatted.h"
+#include "brindle/samples.h"
+
+namespace brindle {
+
+void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
+                  std::string_view why) {
+  for (const std::string& option : options) {
+    if (given(option)) throw RefusedOption(option, "has no effect here: " + std::string(why));
+  }
+}
+
+void check_whole_number(const std::string& option, int value, int least, int most) {
+  if (value >= least && value <= most) return;
+  throw RefusedOption(option,
+                      formatted("expected a number from %d to %d, got %d", least, most, value));
+}
+
+void check_weight(const std::string& option, float value) {
+  if (value >= 0 && value <= kMostWeight) return;
+  throw RefusedOption(option, formatted("expected a number from 0 to %.0f, got '%g'", kMostWeight,
+                                        static_cast<double>(value)));
+}
+
+void check_solver_options(const IsGiven& given, Solver solver, int cycles) {
+  const std::string name(name_of(solver));
+  if (solver != Solver::relaxation && solver != Solver::averaged) {
+    refuse_given(given, {"--epsilon", "--momentum", "--seed"},
+                 "it is for --solver relaxation and averaged, not for " + name);
+  }
+  if (solver != Solver::global) {
+    refuse_given(given, {"--global-iterations"}, "it is for --solver global, not for " + name);
+  }
+  if (solver != Solver::multilevel && cycles == 0) {
+    refuse_given(given, {"--sweeps"},
+                 "it is for --solver multilevel and for --cycles, not for " + name + " alone");
+  }
+}
+
+void check_calm(const IsGiven& given, bool yields) {
+  if (!yields) refuse_given(given, {"--calm"}, "no frequency yields; add --slack");
+}
+
+void check_following(const IsGiven& given, bool follows, Solver solver) {
+  if (!follows) {
+    refuse_given(given, {"--lambda", "--match"}, "no pattern is followed; add --previous");
+  } else if (solver != Solver::multilevel) {
+    refuse_given(given, {"--previous"}, "it is for --solver multilevel");
+  }
+}
+
+void check_making(const MakingOptions& options, Solver solver) {
+  if (!options.anchor_boundary) return;
+  if (solver != Solver::multilevel) {
+    throw RefusedOption("--anchor-boundary", "has no effect here: it is for --solver multilevel");
+  }
+  const bool spiral = std::ranges::any_of(options.windings, [](const WantedWinding& w) {
+    return w.periods != 0 && !w.loop.starts_with("loop");
+  });
+  if (!spiral) return;
+  throw RefusedOption("--winding",
+                      "with --anchor-boundary, stripes at the boundary are rings: take "
+                      "--winding 0, or leave one of both out");
+}
+
+void check_smooth_field(const IsGiven& given, float curvature_anchor, float feature_anchor) {
+  if (curvature_anchor == 0) {
+    refuse_given(given, {"--curvature-direction"},
+                 "the field does not follow curvature; take --field curvature or add "
+                 "--curvature-anchor");
+  }
+  if (feature_anchor == 0) {
+    refuse_given(given, {"--feature-angle", "--feature-radius"},
+                 "nothing draws the field to sharp edges; add --feature-anchor");
+  }
+}
+
+void check_triangle_options(const IsGiven& given) {
+  refuse_given(given, {"--feature-anchor", "--weights"}, "points have no triangles");
+}
+
+void check_making_on_points(const IsGiven& given) {
+  refuse_given(given, {"--winding", "--anchor-boundary", "--merge-branches"},
+               "points have no triangles");
+}
+
+void check_min_distance_on_points(float min_distance) {
+  if (min_distance >= kDoubleShare) return;
+  throw RefusedOption("--min-distance",
+                      "has no effect on points below 0.25: so near to each other, what two points "
+                      "find of one crossing is merged");
+}
+
+void check_view_of_points(bool shows_stripes) {
+  if (shows_stripes) return;
+  throw RefusedOption("--view",
+                      "points have no triangles: branches and angle errors are not drawn; take "
+                      "--view stripes");
+}
+
+void check_view_of_crosses(bool shows_stripes) {
+  if (shows_stripes) return;
+  throw RefusedOption("--view",
+                      "of a cross field, branches and angle errors are not drawn; take --view "
+                      "stripes");
+}
+
+void check_tile_of_crosses(const std::string& name) {
+  constexpr std::array<std::string_view, 3> kTurned = {"checker", "dots", "plus"};
+  if (std::ranges::find(kTurned, std::string_view(name)) != kTurned.end()) return;
+  throw RefusedOption("--texture", "'" + name +
+                                       "' does not look the same turned by 90 degrees; with "
+                                       "--cross take checker, dots, plus or a picture that does");
+}
+
+}  // namespace brindle

@@ -1,0 +1,70 @@
+/// Options that would change nothing or contradict each other: said once, for command lines and for
+/// Python. Options have the names of the tool's.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brindle/error.h"
+#include "brindle/recipe/making.h"
+
+namespace brindle {
+
+/// An option that is refused; what() is "--name: why".
+class RefusedOption : public Error {
+ public:
+  RefusedOption(const std::string& option, const std::string& why)
+      : Error(option + ": " + why), option_(option), why_(why) {}
+  const std::string& option() const { return option_; }
+  const std::string& why() const { return why_; }
+
+ private:
+  std::string option_, why_;
+};
+
+/// Whether an option was given: "--epsilon".
+using IsGiven = std::function<bool(const std::string& option)>;
+
+/// Throws RefusedOption for the first of `options` that was given: it has no effect, and `why` says
+/// why. So do all functions below.
+void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
+                  std::string_view why);
+
+// What numbers options take.
+inline constexpr int kMostSweeps = 10000;  // and cycles, and iterations
+inline constexpr int kMostThreads = 1024;
+inline constexpr float kMostWeight = 1e6f;  // lambda, anchors
+inline constexpr int kFewestNeighbors = 3, kMostNeighbors = 100;
+void check_whole_number(const std::string& option, int value, int least, int most);
+void check_weight(const std::string& option, float value);
+
+/// Of solvers other than the chosen one.
+void check_solver_options(const IsGiven& given, Solver solver, int cycles);
+
+/// --calm where no frequency yields.
+void check_calm(const IsGiven& given, bool yields);
+
+/// Of a pattern that follows another one, or does not.
+void check_following(const IsGiven& given, bool follows, Solver solver);
+
+/// What contradicts each other, or the solver.
+void check_making(const MakingOptions& options, Solver solver);
+
+/// What draws a smooth field, by these weights.
+void check_smooth_field(const IsGiven& given, float curvature_anchor, float feature_anchor);
+
+/// What needs triangles, of points: of fields and waves, and of stripes.
+void check_triangle_options(const IsGiven& given);
+void check_making_on_points(const IsGiven& given);
+void check_min_distance_on_points(float min_distance);
+
+/// A view that points and crosses do not have: branches and angle errors.
+void check_view_of_points(bool shows_stripes);
+void check_view_of_crosses(bool shows_stripes);
+
+/// A built-in tile that does not look the same turned by 90 degrees.
+void check_tile_of_crosses(const std::string& name);
+
+}  // namespace brindle

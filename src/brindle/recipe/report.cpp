@@ -1,0 +1,275 @@
+#include "brindle/recipe/report.h"
+
+#include <ostream>
+#include <string>
+
+#include "brindle/base/formatted.h"
+#include "brindle/threads.h"
+
+namespace brindle {
+namespace {
+
+nlohmann::ordered_json to_json(const TextureReport& texture) {
+  return {{"energy_v", texture.energy_v},
+          {"branches_v", texture.branches_v},
+          {"turned_edges", texture.seams.turned},
+          {"mirrored_edges", texture.seams.mirrored},
+          {"unoriented_triangles", texture.seams.unoriented_triangles}};
+}
+
+nlohmann::ordered_json to_json(const TextureQuality& quality) {
+  return {{"angle_distortion_mean_deg", quality.angle_mean_deg},
+          {"angle_distortion_95th_deg", quality.angle_95th_deg},
+          {"area_distortion_mean", quality.area_mean},
+          {"area_distortion_95th", quality.area_95th}};
+}
+
+nlohmann::ordered_json to_json(const MissingWaves& missing) {
+  auto json = nlohmann::ordered_json::object();
+  if (missing.tensor) {
+    json["tensor_vertices_near_normal"] = missing.tensor->near_normal;
+    json["tensor_vertices_isotropic"] = missing.tensor->isotropic;
+  }
+  if (missing.without_frequency) json["vertices_without_frequency"] = *missing.without_frequency;
+  if (missing.too_far) json["vertices_too_far"] = *missing.too_far;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const FollowedReport& followed) {
+  nlohmann::ordered_json json = {
+      {"previous", followed.previous},
+      {"lambda", std::stod(formatted("%g", followed.lambda))},  // 0.02, not 0.01999999955
+      {"matched_by", followed.matched_by},
+      {"vertices_unmatched", followed.vertices_unmatched},
+      {"phase_step", followed.phase_step}};
+  if (followed.field_turned_deg) json["field_turned_deg"] = *followed.field_turned_deg;
+  return json;
+}
+
+void print_followed(std::ostream& out, const FollowedReport& followed) {
+  out << formatted("follows   %s, matched by %s, %zu vertices unmatched, phase step %.4f",
+                   followed.previous.c_str(), followed.matched_by.data(),
+                   followed.vertices_unmatched, followed.phase_step);
+  if (followed.field_turned_deg) {
+    out << formatted(", field turned by %.2f degrees", *followed.field_turned_deg);
+  }
+  out << '\n';
+}
+
+void print_texture(std::ostream& out, const TextureReport& texture) {
+  out << formatted(
+      "texture   %zu branches across the field; turned round at %zu edges, mirrored at "
+      "%zu, %zu triangles without orientation\n",
+      texture.branches_v, texture.seams.turned, texture.seams.mirrored,
+      texture.seams.unoriented_triangles);
+}
+
+void print_tiles(std::ostream& out, const TextureQuality& quality) {
+  out << formatted(
+      "tiles     angle off by %.2f degrees on average, 95 %% below %.2f; "
+      "area by %.1f %%, 95 %% below %.1f %%\n",
+      quality.angle_mean_deg, quality.angle_95th_deg, 100 * quality.area_mean,
+      100 * quality.area_95th);
+}
+
+// As written, not with the last bits of a float: 0.02, not 0.01999999955.
+double rounded(double value) { return std::stod(formatted("%.6g", value)); }
+
+void print_branches(std::ostream& out, const Report& report) {
+  const PatternQuality& quality = report.quality;
+  if (report.triangles == 0) return;
+  out << (report.cross
+              ? formatted("branches  %zu of both waves; the cross field has %zu singularities\n",
+                          quality.branches, quality.field_singularities)
+              : formatted("branches  %zu, of these %zu where the field has a singularity\n",
+                          quality.branches, quality.field_singularities));
+}
+
+}  // namespace
+
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const StripePattern& pattern, Solver solver) {
+  Report report;
+  report.vertices = surface.mesh.vertex_count();
+  report.triangles = surface.mesh.triangle_count();
+  report.edges = surface.neighborhood->edge_count();
+  report.vertices_joined = prepared.vertices_joined;
+  report.solver = solver;
+  report.threads = ThreadLimit::current();
+  report.iterations = pattern.solution.iterations;
+  report.energy = pattern.solution.energy;
+  report.quality = pattern.quality;
+  report.milliseconds = pattern.milliseconds;
+  report.milliseconds.load += prepared.load_milliseconds;
+  report.field_milliseconds = prepared.field_milliseconds;
+  report.milliseconds.topology += prepared.topology_milliseconds;
+  report.waves = prepared.figures;
+  report.frequency = frequency_report(pattern.frequency_change, pattern.quality);
+  report.field_rows_nonfinite = prepared.field_rows_nonfinite;
+  return report;
+}
+
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const TexturePattern& texture, Solver solver) {
+  Report report = make_report(surface, prepared, texture.u, solver);
+  const StripeMilliseconds& more = texture.v.milliseconds;
+  report.milliseconds.topology += more.topology;
+  report.milliseconds.frequency += more.frequency;
+  report.milliseconds.couple += more.couple;
+  report.milliseconds.solve += more.solve;
+  report.milliseconds.pattern += more.pattern + texture.orientation_milliseconds;
+  report.frequency_v = frequency_report(texture.v.frequency_change, texture.v.quality);
+  report.texture = TextureReport{texture.v.solution.energy, texture.v.quality.branches,
+                                 texture.seams, texture.quality};
+  return report;
+}
+
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const CrossTexture& texture, Solver solver) {
+  Report report = make_report(surface, prepared, texture.pattern.u, solver);
+  report.milliseconds.pattern += texture.pattern.orientation_milliseconds;
+  report.cross = texture.pattern.quality;
+  return report;
+}
+
+std::string_view kind_of(const Mesh& mesh) { return mesh.triangles.empty() ? "points" : "mesh"; }
+
+nlohmann::ordered_json to_json(const WaveReport& waves,
+                               const std::optional<std::size_t>& field_rows_nonfinite) {
+  nlohmann::ordered_json json = {
+      {"frequency_min", rounded(waves.frequency_min)},
+      {"frequency_max", rounded(waves.frequency_max)},
+      {"stripes", rounded(waves.stripes)},
+      {"edges_per_period_min", rounded(waves.edges_per_period_min)},
+      {"edges_per_period_median", rounded(waves.edges_per_period_median)},
+      {"vertices_without_wave", waves.without_wave}};
+  if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
+  json.update(to_json(waves.missing));
+  return json;
+}
+
+std::string device_line(const nlohmann::ordered_json& description) {
+  if (description.value("kind", "cpu") == "cpu") return "";
+  return "device    " + description.value("renderer", "?") + ", OpenGL " +
+         description.value("version", "?") + "\n";
+}
+
+void print_waves(std::ostream& out, const WaveReport& waves) {
+  out << formatted("waves     frequency %.4g", waves.frequency_min);
+  if (waves.frequency_max > waves.frequency_min) out << formatted(" to %.4g", waves.frequency_max);
+  out << formatted(", %.4g stripes along the diagonal, %.3g edges a period, %.3g at the fewest\n",
+                   waves.stripes, waves.edges_per_period_median, waves.edges_per_period_min);
+  if (waves.without_wave > 0) {
+    out << formatted("no wave   at %zu of %zu vertices\n", waves.without_wave, waves.used);
+  }
+}
+
+nlohmann::ordered_json to_json(const Report& report) {
+  const StripeMilliseconds& time = report.milliseconds;
+  nlohmann::ordered_json json = report.invocation;
+  json.update(nlohmann::ordered_json{
+      {"kind", report.triangles == 0 ? "points" : "mesh"},
+      {"vertices", report.vertices},
+      {"triangles", report.triangles},
+      {"edges", report.edges},
+      {"vertices_joined", report.vertices_joined},
+      {"solver", name_of(report.solver)},
+      {"threads", report.threads},
+      {"iterations", report.iterations},
+      {"energy", report.energy},
+      {"branches", report.quality.branches},
+      {"field_singularities", report.quality.field_singularities},
+      {"angle_error_mean_deg", report.quality.angle_error_mean_deg},
+      {"angle_error_share_over_5deg", report.quality.angle_error_share_over_5deg},
+      {"spacing_error_mean", report.quality.spacing_error_mean},
+      {"milliseconds",
+       {{"load", time.load},
+        {"field", report.field_milliseconds},
+        {"topology", time.topology},
+        {"couple", time.couple},
+        {"solve", time.solve},
+        {"pattern", time.pattern}}},
+      {"device", report.device}});
+  json.update(to_json(report.waves, report.field_rows_nonfinite));
+  if (report.draw_milliseconds) {
+    json["milliseconds"]["draw"] = *report.draw_milliseconds;
+    json["picture_quality"] = report.picture_quality;
+  }
+  if (report.frequency) {
+    json["milliseconds"]["frequency"] = time.frequency;
+    json["frequency_change"] = to_json(*report.frequency);
+  }
+  if (report.triangles == 0) {
+    json.erase("branches");
+    json.erase("field_singularities");
+  }
+  if (report.texture) {
+    json["texture"] = to_json(*report.texture);
+    json["texture"].update(to_json(report.texture->quality));
+    if (report.frequency_v) json["texture"]["frequency_change_v"] = to_json(*report.frequency_v);
+  }
+  if (report.cross) json["cross"] = to_json(*report.cross);
+  if (report.followed) json.update(to_json(*report.followed));
+  if (!report.making.is_null()) json.update(report.making);
+  return json;
+}
+
+void print_report(std::ostream& out, const Report& report) {
+  const PatternQuality& quality = report.quality;
+  const StripeMilliseconds& time = report.milliseconds;
+  out << formatted("surface   %zu vertices, %zu triangles, %zu edges\n", report.vertices,
+                   report.triangles, report.edges)
+      << formatted("solver    %s, %d iteration%s, %d thread%s\n", name_of(report.solver).data(),
+                   report.iterations, report.iterations == 1 ? "" : "s", report.threads,
+                   report.threads == 1 ? "" : "s")
+      << device_line(report.device);
+  print_waves(out, report.waves);
+  if (report.frequency) print_frequency(out, *report.frequency);
+  if (report.frequency_v) print_frequency(out, *report.frequency_v);
+  out << formatted("energy    %.6f\n", report.energy);
+  print_branches(out, report);
+  out << formatted(
+      "errors    angle %.2f degrees on average, above 5 degrees in %.1f %%, "
+      "spacing %.1f %%\n",
+      quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
+      100 * quality.spacing_error_mean);
+  if (report.texture) {
+    print_texture(out, *report.texture);
+    print_tiles(out, report.texture->quality);
+  }
+  if (report.cross) print_tiles(out, *report.cross);
+  if (report.followed) print_followed(out, *report.followed);
+  out << report.making_lines;
+  out << formatted(
+      "time      load %.1f, field %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
+      time.load, report.field_milliseconds, time.topology, time.couple, time.solve, time.pattern);
+  if (report.frequency) out << formatted(", frequency %.1f", time.frequency);
+  if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);
+  out << " ms\n";
+}
+
+void print_table(std::ostream& out, const std::vector<Report>& reports) {
+  out << "            topology   couple     solve  pattern  itera-                     angle error "
+         " "
+         "spacing\n"
+         "solver            ms       ms        ms       ms   tions    energy  branches   mean  "
+         ">5 deg    error\n";
+  for (const Report& report : reports) {
+    const PatternQuality& quality = report.quality;
+    const StripeMilliseconds& time = report.milliseconds;
+    out << formatted("%-11s %8.1f %8.1f %9.1f %8.1f %7d %9.6f %9zu %6.2f %6.1f%% %7.1f%%\n",
+                     name_of(report.solver).data(), time.topology, time.couple, time.solve,
+                     time.pattern, report.iterations, report.energy, quality.branches,
+                     quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
+                     100 * quality.spacing_error_mean);
+  }
+}
+
+nlohmann::ordered_json to_json(const SampleSpacing& spacing) {
+  return {{"measured", spacing.samples},
+          {"mean", spacing.mean},
+          {"deviation", spacing.deviation},
+          {"isolated_double_share", spacing.double_share}};
+}
+
+}  // namespace brindle

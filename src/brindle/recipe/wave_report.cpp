@@ -1,0 +1,61 @@
+#include "brindle/recipe/wave_report.h"
+
+#include <vector>
+
+#include "brindle/base/formatted.h"
+
+namespace brindle {
+namespace {
+
+std::vector<std::string> reasons(const MissingWaves& missing) {
+  std::vector<std::string> lines;
+  const auto add = [&](std::size_t count, const char* why) {
+    if (count > 0) lines.push_back(formatted("%zu vertices have no wave: %s", count, why));
+  };
+  add(missing.too_far.value_or(0), "they are farther than --max-distance from the field's mesh");
+  if (missing.tensor) {
+    add(missing.tensor->near_normal, "the tensor's axis is within 15 degrees of the normal");
+    add(missing.tensor->isotropic, "the tensor has the same eigenvalue along other axes");
+  }
+  add(missing.without_frequency.value_or(0), "the array of their frequencies is not finite");
+  return lines;
+}
+
+std::string warning_lines(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += "warning: " + sentence + "\n";
+  return text;
+}
+
+}  // namespace
+
+WarningWords words_of_options(const std::string& source) {
+  WarningWords words;
+  words.fewer =
+      "take fewer --stripes, or a lower --frequency, which counts stripes per unit of the mesh's "
+      "own length";
+  words.subdivide = "--subdivide";
+  words.field = "--field";
+  words.source = source;
+  return words;
+}
+
+void check_wave_report(const WaveReport& figures, const std::string& source) {
+  std::string why;
+  for (const std::string& reason : reasons(figures.missing)) why += "; " + reason;
+  check_figures(figures, words_of_options(source), why);
+}
+
+std::string warnings(const WaveReport& figures, const std::string& source) {
+  std::string text;
+  for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
+  WaveFigures unexplained = figures;
+  unexplained.without_wave -= figures.missing.total();
+  return text + warning_lines(wave_warnings(unexplained, words_of_options(source)));
+}
+
+std::string branch_warning(const WaveReport& figures, std::size_t branches, std::size_t triangles) {
+  return warning_lines(branch_warnings(figures, branches, triangles, words_of_options("")));
+}
+
+}  // namespace brindle

@@ -1,0 +1,50 @@
+/// How dense waves are on their surface, and where there are none, in the words of options.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "brindle/wave_figures.h"
+
+namespace brindle {
+
+/// Vertices without a wave, by what a tensor's axis is to them.
+struct MissingTensorWaves {
+  std::size_t near_normal = 0;  ///< too near to the normal
+  std::size_t isotropic = 0;    ///< not the only one with its eigenvalue
+};
+
+/// Vertices without a wave, by reasons that are known; each counts once.
+struct MissingWaves {
+  std::optional<MissingTensorWaves> tensor;      ///< of a field that is a tensor
+  std::optional<std::size_t> without_frequency;  ///< of frequencies that are an array
+  std::optional<std::size_t> too_far;            ///< of a field on another mesh
+
+  std::size_t total() const {
+    return (tensor ? tensor->near_normal + tensor->isotropic : 0) + without_frequency.value_or(0) +
+           too_far.value_or(0);
+  }
+};
+
+/// The library's figures, and why waves are missing.
+struct WaveReport : WaveFigures {
+  MissingWaves missing;
+};
+
+/// What options are called, for waves that come from `source`: "the field 'wind.csv'".
+WarningWords words_of_options(const std::string& source);
+
+/// Throws Error if there is no wave at all, or waves are too fine for any number; `source` says
+/// where the waves come from: "the field 'wind.csv'".
+void check_wave_report(const WaveReport& figures, const std::string& source);
+
+/// Lines for people: where waves are missing for a reason that is known; and what is probably not
+/// meant: waves missing for another reason at more than a vertex in a hundred, stripes too fine for
+/// the mesh. Empty if there is nothing to say.
+std::string warnings(const WaveReport& figures, const std::string& source);
+
+/// The same of more branches than a triangle in ten, unless stripes are too fine anyway.
+std::string branch_warning(const WaveReport& figures, std::size_t branches, std::size_t triangles);
+
+}  // namespace brindle

@@ -1,0 +1,50 @@
+/// By how much a field that may turn as a whole turns, so that stripes along it branch least.
+#pragma once
+
+#include <span>
+
+#include "brindle/direction_field.h"
+#include "brindle/mesh.h"
+#include "brindle/phase_graph.h"
+
+namespace brindle {
+
+/// Integrals over triangles: of the squared curl of a field of unit directions, meant up to sign,
+/// of its squared divergence, which is the curl of the field turned by 90 degrees, and of their
+/// product.
+struct CurlSums {
+  double curl = 0, divergence = 0, mixed = 0;
+
+  CurlSums operator+(const CurlSums& other) const {
+    return {curl + other.curl, divergence + other.divergence, mixed + other.mixed};
+  }
+};
+
+/// `directions` and `normals` have an entry for every corner. Triangles whose corners cannot be
+/// oriented alike count nothing.
+CurlSums curl_sums(const Mesh& mesh, std::span<const Vec3> directions,
+                   std::span<const Vec3> normals);
+
+/// Whether all normals of a direction graph point to one side, so that all directions can turn the
+/// same way.
+bool is_one_sided(const PhaseGraph& graph);
+
+/// Whether an N-direction field with this graph may turn as a whole and be as smooth, and curl
+/// differs then: it is one-sided, nothing pulls it, and N is 1 or 2.
+bool turns_freely(const PhaseGraph& graph, int symmetry);
+
+/// The angle, from -pi/2 to pi/2, by which all directions are to be turned counter-clockwise
+/// about their normals so that the squared curl is least: with d' = cos b d + sin b (n x d) it is
+/// curl cos^2 b + divergence sin^2 b + 2 mixed cos b sin b.
+float least_curl_angle(const CurlSums& sums);
+
+/// Whether turning by that angle more than halves a curl that stripes would show. What gains less
+/// stays as it is, so that surfaces that hardly differ have the same field.
+bool is_much_curled(const CurlSums& sums);
+
+/// Turns a smooth field with these sums to the least curl: one that is `new_found`, by another
+/// start than that of a plain descent, or much curled.
+void turn_to_least_curl(const CurlSums& sums, bool new_found, std::span<const Vec3> normals,
+                        DirectionField& directions);
+
+}  // namespace brindle

@@ -1,0 +1,127 @@
+#include "brindle/wave_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "brindle/error.h"
+#include "brindle/waves/fineness.h"
+
+namespace brindle {
+namespace {
+
+constexpr double kFewestEdges = 2;         // a period
+constexpr double kMostWithoutWave = 0.01;  // share of the vertices
+constexpr double kMostBranches = 0.1;      // share of the triangles
+constexpr int kMostSubdivisions = 3;       // that are worth proposing
+
+bool is_too_fine(const WaveFigures& figures) {
+  const double edges = figures.edges_per_period_median;
+  return edges > 0 && edges < kFewestEdges;
+}
+
+std::string rounded_text(double number, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  text << number;
+  return text.str();
+}
+
+std::string of_all(std::size_t count, std::size_t all) {
+  return std::to_string(count) + " of " + std::to_string(all);
+}
+
+std::string subdivisions_proposed(double edges_per_period, const WarningWords& words) {
+  const int times = static_cast<int>(std::ceil(std::log2(kFewestEdges / edges_per_period)));
+  if (times > kMostSubdivisions) return "";
+  return "; or " + words.subdivide + " " + std::to_string(times);
+}
+
+}  // namespace
+
+WaveTally tally_waves(const Surface& surface, const WaveSet& waves) {
+  WaveTally tally;
+  tally.edges_per_period.reserve(waves.directions.size());
+  for (Index v = 0; v < waves.directions.size(); ++v) {
+    const std::span<const Index> neighbors = surface.neighborhood->of(v);
+    if (neighbors.empty()) continue;
+    ++tally.used;
+    if (waves.directions[v].isZero(0)) {
+      ++tally.without_wave;
+      continue;
+    }
+    const double frequency = waves.frequencies[v];
+    tally.frequency_sum += frequency;
+    tally.frequency_min = std::min(tally.frequency_min, frequency);
+    tally.frequency_max = std::max(tally.frequency_max, frequency);
+    const double length =
+        mean_length_along(surface.mesh.positions, v, neighbors, waves.directions[v]);
+    if (length > 0) tally.edges_per_period.push_back(1 / (frequency * length));
+  }
+  return tally;
+}
+
+WaveFigures figures_of(const WaveTally& tally, double diagonal) {
+  WaveFigures figures;
+  figures.used = tally.used;
+  figures.without_wave = tally.without_wave;
+  const std::size_t with_wave = tally.used - tally.without_wave;
+  if (with_wave == 0) return figures;
+  figures.frequency_min = tally.frequency_min;
+  figures.frequency_max = tally.frequency_max;
+  figures.stripes = tally.frequency_sum / static_cast<double>(with_wave) * diagonal;
+  return figures;
+}
+
+WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
+  WaveTally tally = tally_waves(surface, waves);
+  std::vector<double>& edges_per_period = tally.edges_per_period;
+  WaveFigures figures =
+      figures_of(tally, static_cast<double>(bounding_box(surface.mesh).diagonal()));
+  if (edges_per_period.empty()) {
+    figures.stripes = 0;
+    return figures;
+  }
+  const auto median =
+      edges_per_period.begin() + static_cast<std::ptrdiff_t>(edges_per_period.size() / 2);
+  std::nth_element(edges_per_period.begin(), median, edges_per_period.end());
+  figures.edges_per_period_median = *median;
+  figures.edges_per_period_min = *std::min_element(edges_per_period.begin(), median + 1);
+  return figures;
+}
+
+void check_figures(const WaveFigures& figures, const WarningWords& words, const std::string& why) {
+  if (figures.used > 0 && figures.without_wave == figures.used) {
+    throw Error(
+        "no vertex has a wave: " + words.source + " is zero, not finite or normal to the surface " +
+        (why.empty() ? "at all of them" : "at all others" + why) + "; choose other directions");
+  }
+  const double edges = figures.edges_per_period_median;
+  if (edges != 0 && edges <= kFewestEdgesAtHalf) refuse_noise(edges, "", words.fewer);
+}
+
+std::vector<std::string> wave_warnings(const WaveFigures& figures, const WarningWords& words) {
+  std::vector<std::string> result;
+  const std::size_t without = figures.without_wave;
+  if (static_cast<double>(without) > kMostWithoutWave * static_cast<double>(figures.used)) {
+    result.push_back(of_all(without, figures.used) + " vertices have no wave: " + words.source +
+                     " is zero, not finite or normal to the surface there");
+  }
+  if (is_too_fine(figures)) {
+    const double edges = figures.edges_per_period_median;
+    result.push_back("at half of the vertices a wave passes " + rounded_text(edges, 3) +
+                     " edges a period or fewer; below two, stripes may come out as noise; " +
+                     words.fewer + subdivisions_proposed(edges, words));
+  }
+  return result;
+}
+
+std::vector<std::string> branch_warnings(const WaveFigures& figures, std::size_t branches,
+                                         std::size_t triangles, const WarningWords& words) {
+  if (is_too_fine(figures)) return {};
+  if (static_cast<double>(branches) <= kMostBranches * static_cast<double>(triangles)) return {};
+  return {"stripes begin or end in " + of_all(branches, triangles) + " triangles; " + words.fewer +
+          "; or a smoother " + words.field};
+}
+
+}  // namespace brindle

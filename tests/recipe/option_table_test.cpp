@@ -1,0 +1,132 @@
+#include "brindle/option_table.h"
+
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace brindle {
+namespace {
+
+constexpr PatternJob kJobs[] = {PatternJob::stripe, PatternJob::curves, PatternJob::sample,
+                                PatternJob::animate, PatternJob::compare};
+
+std::set<std::string> words(std::string_view text, char separator = ' ') {
+  std::istringstream stream{std::string(text)};
+  std::set<std::string> result;
+  for (std::string word; std::getline(stream, word, separator);) result.insert(word);
+  return result;
+}
+
+bool is_numeric(const OptionInfo& info) {
+  return info.kind == OptionKind::whole || info.kind == OptionKind::number ||
+         info.kind == OptionKind::length;
+}
+
+double number_of(std::string_view text) {
+  double value = std::nan("");
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+TEST(OptionTable, HasOneRowForANameAndAJob) {
+  for (const PatternJob job : kJobs) {
+    std::set<std::string_view> names;
+    for (const OptionInfo& info : option_table()) {
+      if (info.is_for(job)) {
+        EXPECT_TRUE(names.insert(info.name).second) << info.name;
+      }
+    }
+    EXPECT_GT(names.size(), 30U);
+  }
+}
+
+TEST(OptionTable, SaysOfEveryOptionWhatItIs) {
+  for (const OptionInfo& info : option_table()) {
+    SCOPED_TRACE(info.name);
+    EXPECT_NE(info.jobs, 0U);
+    EXPECT_FALSE(info.group.empty());
+    EXPECT_FALSE(info.help.empty());
+    EXPECT_FALSE(info.help.ends_with('.'));
+    EXPECT_EQ(info.form.empty(), info.kind == OptionKind::flag);
+    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), info.name.npos);
+  }
+}
+
+TEST(OptionTable, FindsRowsByNameAndJob) {
+  for (const OptionInfo& info : option_table()) {
+    for (const PatternJob job : kJobs) {
+      if (info.is_for(job)) {
+        EXPECT_EQ(find_option(info.name, job), &info) << info.name;
+      }
+    }
+  }
+  EXPECT_EQ(find_option("wales", PatternJob::stripe), nullptr);
+  EXPECT_EQ(find_option("", PatternJob::stripe), nullptr);
+  EXPECT_NE(find_option("line-width", PatternJob::stripe),
+            find_option("line-width", PatternJob::curves));
+}
+
+TEST(OptionTable, LinksOptionsThatThereAre) {
+  for (const OptionInfo& info : option_table()) {
+    for (const PatternJob job : kJobs) {
+      if (!info.is_for(job)) continue;
+      for (const std::string& name : words(info.needs)) {
+        EXPECT_NE(find_option(name, job), nullptr) << info.name << " needs " << name;
+      }
+      // Who excludes another is excluded by it.
+      for (const std::string& name : words(info.excludes)) {
+        const OptionInfo* other = find_option(name, job);
+        if (other != nullptr) {
+          EXPECT_TRUE(words(other->excludes).contains(std::string(info.name)));
+        }
+      }
+    }
+  }
+}
+
+TEST(OptionTable, StandardsAreValuesThatTheOptionTakes) {
+  for (const OptionInfo& info : option_table()) {
+    if (info.standard.empty()) continue;
+    SCOPED_TRACE(info.name);
+    if (info.kind == OptionKind::choice) {
+      EXPECT_TRUE(words(info.form, '|').contains(std::string(info.standard)));
+    }
+    if (is_numeric(info)) {
+      EXPECT_TRUE(info.range.contains(number_of(info.standard)));
+    }
+  }
+}
+
+TEST(OptionTable, SlidersStayInRange) {
+  for (const OptionInfo& info : option_table()) {
+    if (!is_numeric(info)) continue;
+    SCOPED_TRACE(info.name);
+    const SliderRange& slider = info.slider;
+    EXPECT_LT(slider.lowest, slider.highest);
+    if (slider.logarithmic) {
+      EXPECT_GT(slider.lowest, 0);
+    }
+    // The ends of a range that leaves its ends out are only approached.
+    const auto within = [&](double value) {
+      return info.range.contains(value) || value == info.range.least || value == info.range.most;
+    };
+    EXPECT_TRUE(within(slider.lowest) && within(slider.highest));
+  }
+}
+
+TEST(NumberRange, LeavesOutTheEndsThatItSays) {
+  const NumberRange open{.least = 0, .most = 1, .above_least = true, .below_most = true};
+  const NumberRange closed{.least = 0, .most = 1};
+  EXPECT_FALSE(open.contains(0) || open.contains(1));
+  EXPECT_TRUE(closed.contains(0) && closed.contains(1));
+  EXPECT_TRUE(open.contains(0.5));
+  EXPECT_FALSE(closed.contains(-1e-9) || closed.contains(1 + 1e-9));
+  EXPECT_FALSE(NumberRange().contains(INFINITY) || NumberRange().contains(NAN));
+}
+
+}  // namespace
+}  // namespace brindle

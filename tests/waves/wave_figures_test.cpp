@@ -1,0 +1,129 @@
+#include "brindle/wave_figures.h"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/frequency_field.h"
+#include "brindle/shapes.h"
+#include "brindle/waves/fineness.h"
+
+namespace brindle {
+namespace {
+
+WaveSet waves_along_x(const Surface& surface, float frequency) {
+  return {surface.mesh.positions, projected_direction_field(Vec3(1, 0, 0), surface.normals),
+          constant_frequency_field(frequency, surface.mesh.vertex_count())};
+}
+
+void check(const Surface& surface, const WaveSet& waves) {
+  check_fineness(*surface.neighborhood, waves.positions, waves.directions, waves.frequencies);
+}
+
+template <class Run>
+std::string message_of(const Run& run) {
+  try {
+    run();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(WaveFigures, CountsEdgesAPeriod) {
+  // Edges of a grid run along x by their length, by 0, or by that of the diagonal's shadow: inside,
+  // four of six neighbours are an edge away along x.
+  const Surface plane = make_surface(make_shape("plane,resolution=20"));
+  const double edge = (plane.mesh.positions[1] - plane.mesh.positions[0]).norm();
+  const WaveFigures figures = measure_waves(plane, waves_along_x(plane, 3));
+  EXPECT_NEAR(figures.edges_per_period_median, 1 / (3 * edge * 4 / 6), 1e-4);
+  EXPECT_NEAR(figures.stripes, 3 * bounding_box(plane.mesh).diagonal(), 1e-4);
+  EXPECT_EQ(figures.used, plane.mesh.vertex_count());
+  EXPECT_EQ(figures.without_wave, 0u);
+}
+
+TEST(WaveFigures, WarningsBeginBelowTwoEdgesAPeriod) {
+  const Surface plane = make_surface(make_shape("plane,resolution=20"));
+  const double at_one = measure_waves(plane, waves_along_x(plane, 1)).edges_per_period_median;
+  const auto warned = [&](double edges) {
+    return wave_warnings(
+        measure_waves(plane, waves_along_x(plane, static_cast<float>(at_one / edges))));
+  };
+  EXPECT_TRUE(warned(2.1).empty());
+  const std::vector<std::string> found = warned(1.5);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(has(found[0], "a wave passes 1.5 edges a period or fewer")) << found[0];
+  EXPECT_TRUE(has(found[0], "subdivide the mesh, times: 1")) << found[0];
+  EXPECT_FALSE(has(warned(0.1)[0], "subdivide")) << "too many times";
+  WarningWords words;
+  words.fewer = "ask for less";
+  EXPECT_TRUE(has(wave_warnings(measure_waves(plane, waves_along_x(plane, 300)), words)[0],
+                  "ask for less"));
+}
+
+TEST(WaveFigures, WarningsTellOfMissingWavesAndManyBranches) {
+  const Surface plane = make_surface(make_shape("plane,resolution=20"));
+  WaveSet waves = waves_along_x(plane, 1);
+  for (std::size_t v = 0; v < 10; ++v) waves.directions[v].setZero();
+  const WaveFigures figures = measure_waves(plane, waves);
+  const std::vector<std::string> found = wave_warnings(figures);
+  ASSERT_EQ(found.size(), 1u);
+  const std::string count = std::to_string(plane.mesh.vertex_count());
+  EXPECT_TRUE(has(found[0], "10 of " + count + " vertices have no wave: the field is zero"))
+      << found[0];
+  EXPECT_TRUE(branch_warnings(figures, 72, 722).empty());
+  EXPECT_EQ(branch_warnings(figures, 73, 722).size(), 1u);
+  WaveFigures fine = figures;
+  fine.edges_per_period_median = 1;
+  EXPECT_TRUE(branch_warnings(fine, 700, 722).empty());  // there is a warning of that already
+}
+
+TEST(WaveFigures, NoWaveAtAllIsRefused) {
+  const Surface plane = make_surface(make_shape("plane,resolution=5"));
+  WaveSet waves = waves_along_x(plane, 1);
+  for (Vec3& d : waves.directions) d.setZero();
+  EXPECT_TRUE(has(message_of([&] { check_figures(measure_waves(plane, waves)); }),
+                  "no vertex has a wave: the field is zero"));
+}
+
+TEST(Fineness, WavesWhosePhasesAreRoundingErrorsAreRefusedByName) {
+  const Surface plane = make_surface(make_shape("plane,resolution=20"));
+  for (const float fine : {1e7f, 1e30f, 3e38f}) {
+    const WaveSet waves = waves_along_x(plane, fine);
+    const std::string message = message_of([&] { check(plane, waves); });
+    EXPECT_TRUE(has(message, "nothing can be told of such stripes")) << message;
+    EXPECT_TRUE(has(message, "whose frequency is")) << message;
+    EXPECT_TRUE(has(message, "take fewer stripes")) << message;
+    EXPECT_NE(message_of([&] { check_figures(measure_waves(plane, waves)); }), "");
+  }
+  for (const float taken : {1e-30f, 1.0f, 1e4f}) {
+    EXPECT_NO_THROW(check(plane, waves_along_x(plane, taken)));
+  }
+  // One alone may be a thousand times too fine, but not a million times.
+  WaveSet waves = waves_along_x(plane, 1);
+  waves.frequencies[123] = 1e6f;
+  EXPECT_NO_THROW(check(plane, waves));
+  waves.frequencies[123] = 1e30f;
+  const std::string message = message_of([&] { check(plane, waves); });
+  EXPECT_TRUE(has(message, "at vertex 123, whose frequency is 1e+30")) << message;
+}
+
+TEST(Fineness, DoesNotDependOnUnitsOrPlace) {
+  for (const float scale : {1e-6f, 1.0f, 1e6f}) {
+    Mesh mesh = make_shape("plane,resolution=20");
+    for (Vec3& p : mesh.positions) p = scale * (p + Vec3(50, 0, 0));
+    const Surface plane = make_surface(std::move(mesh));
+    EXPECT_NO_THROW(check(plane, waves_along_x(plane, 1e3f / scale))) << scale;
+    EXPECT_THROW(check(plane, waves_along_x(plane, 1e7f / scale)), Error) << scale;
+  }
+}
+
+}  // namespace
+}  // namespace brindle
