@@ -79,6 +79,20 @@ struct Pen {
   bool filled = false;  ///< strokes are closed and bound an area; those within are its holes
 };
 
+/// Lines to draw with one pen.
+struct PenLines {
+  std::string name;  ///< letters, digits and underscores
+  Color color;
+  const Polylines& lines;
+};
+
+/// A pen for each of `drawn`, with what is seen of its lines on the surface from `view`, and one
+/// named "outline", wider and grey, with the surface's outline. Throws what Visibility does, and
+/// Cancelled if `progress` asks for it.
+std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
+                              std::span<const PenLines> drawn, const CameraView& view, int width,
+                              int height, const Progress& progress = {});
+
 /// Writes a path per stroke, or one of all that are filled, in a group per pen; no background.
 /// Throws what write_file does, and Cancelled if `progress` asks for it.
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,

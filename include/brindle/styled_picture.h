@@ -154,6 +154,7 @@ class StyledRenderer {
 
 /// Draws one picture in a headless context of its own. Throws what HeadlessContext and
 /// StyledRenderer do.
-Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options = {});
+Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options = {},
+                    const Progress& progress = {});
 
 }  // namespace brindle

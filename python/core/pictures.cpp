@@ -11,10 +11,6 @@
 namespace brindle::python {
 namespace {
 
-// As in the drawings of the tool.
-constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
-constexpr float kOutlineTolerance = 0.01f;
-
 UpAxis up_axis(const std::string& name) {
   if (name == "y") return UpAxis::y;
   if (name == "z") return UpAxis::z;
@@ -66,15 +62,15 @@ void set_stripe_width(Picture& picture, float width) {
 }
 
 // A drawing with hidden lines removed, in a pen per list of lines, given by points and offsets.
-struct PenLines {
+struct HeldLines {
   Polylines lines;
   std::string name;
   Color color;
 };
 
-PenLines pen_lines(const std::string& name, const std::string& color, py::handle points,
-                   py::handle offsets, py::handle closed) {
-  PenLines pen{{}, name, color_of(color)};
+HeldLines pen_lines(const std::string& name, const std::string& color, py::handle points,
+                    py::handle offsets, py::handle closed) {
+  HeldLines pen{{}, name, color_of(color)};
   pen.lines.points = vectors_of(table_of(points, "points").view, "points");
   const std::vector<float> marks = numbers_of(table_of(closed, "closed").view, "closed");
   const py::array_t<Index, py::array::c_style | py::array::forcecast> rows(
@@ -88,21 +84,17 @@ PenLines pen_lines(const std::string& name, const std::string& color, py::handle
   return pen;
 }
 
-void draw_lines(const std::string& path, const SurfaceData& data, const std::vector<PenLines>& pens,
-                const Picture& picture) {
+void draw_lines(const std::string& path, const SurfaceData& data,
+                const std::vector<HeldLines>& pens, const Picture& picture) {
   const RenderOptions& options = picture.options;
   const Surface& surface = data.surface;
-  without_lock([&] {
-    const Visibility visibility(surface.mesh, options.camera, options.width, options.height);
-    std::vector<Pen> drawn;
-    for (const PenLines& pen : pens) {
-      drawn.push_back({pen.name, pen.color, 1.0f, visibility.strokes(pen.lines)});
-    }
-    const Polylines bounds =
-        outline(surface.mesh, surface.normals, options.camera, options.width, options.height);
-    drawn.push_back(
-        {"outline", kOutlineColor, 1.4f, visibility.strokes(bounds, kOutlineTolerance)});
-    write_svg(path, options.width, options.height, drawn);
+  std::vector<PenLines> lines;
+  for (const HeldLines& pen : pens) lines.push_back({pen.name, pen.color, pen.lines});
+  until_interrupted([&](const Progress& progress) {
+    const std::vector<Pen> drawn =
+        line_drawing(surface.mesh, surface.normals, lines, options.camera, options.width,
+                     options.height, progress.part(0, 0.8));
+    write_svg(path, options.width, options.height, drawn, progress.part(0.8, 1));
   });
 }
 
@@ -130,7 +122,7 @@ void bind_pictures(py::module_& module) {
       .def_property(
           "shading", [](const Picture& picture) { return picture.options.shading; },
           [](Picture& picture, bool value) { picture.options.shading = value; });
-  py::class_<PenLines>(module, "PenLines")
+  py::class_<HeldLines>(module, "PenLines")
       .def(py::init(&pen_lines), py::arg("name"), py::arg("color"), py::arg("points"),
            py::arg("offsets"), py::arg("closed"));
   py::class_<Ornament>(module, "Ornament")

@@ -161,7 +161,10 @@ void bind_renderer(py::module_& module) {
              py::arg("picture"));
   module.def(
       "write_png",
-      [](const std::string& path, py::handle image) { write_png(path, image_of(image)); },
+      [](const std::string& path, py::handle pixels) {
+        const Image image = image_of(pixels);
+        until_interrupted([&](const Progress& progress) { write_png(path, image, progress); });
+      },
       py::arg("path"), py::arg("image"));
   module.def(
       "read_png", [](const std::string& path) { return array_of(read_png(path)); },

@@ -37,7 +37,8 @@ void check_pictures_available() {
 }
 
 void write_picture(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
-                   const StripeResult& /*result*/, const PictureOptions& /*options*/) {
+                   const StripeResult& /*result*/, const PictureOptions& /*options*/,
+                   const Progress& /*progress*/) {
   check_pictures_available();
 }
 
@@ -53,12 +54,14 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/, bool /*c
 }
 
 void write_ornaments(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
-                     std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/) {
+                     std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/,
+                     const Progress& /*progress*/) {
   check_pictures_available();
 }
 
 void write_line_drawing(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
-                        std::span<const PenLines> /*pens*/, const PictureOptions& /*options*/) {
+                        std::span<const FamilyLines> /*families*/,
+                        const PictureOptions& /*options*/, const Progress& /*progress*/) {
   check_pictures_available();
 }
 
@@ -93,7 +96,7 @@ StylePatterns make_style_patterns(const Surface& /*surface*/, const StripeResult
 void write_styled_picture(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
                           const StripeResult& /*result*/, const StylePatterns& /*patterns*/,
                           const StyleOptions& /*style*/, const StyleInput& /*input*/,
-                          const PictureOptions& /*picture*/) {
+                          const PictureOptions& /*picture*/, const Progress& /*progress*/) {
   check_pictures_available();
 }
 
@@ -117,7 +120,8 @@ GlyphInput read_glyph_input(const GlyphOptions& /*options*/, const Preparation& 
 
 void write_glyphs(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
                   std::span<const Sample> /*samples*/, const GlyphOptions& /*options*/,
-                  const GlyphInput& /*input*/, const PictureOptions& /*picture*/) {
+                  const GlyphInput& /*input*/, const PictureOptions& /*picture*/,
+                  const Progress& /*progress*/) {
   check_pictures_available();
 }
 

@@ -97,10 +97,11 @@ void write(SampleOutput kind, const std::string& path, const CLI::App& command,
     case SampleOutput::picture: {
       if (has_glyphs(command)) {
         return write_glyphs(path, prepared.surface, samples, arguments.glyphs, job.glyphs,
-                            *arguments.picture);
+                            *arguments.picture, display.progress());
       }
       const Ornament discs = discs_of(samples, mesh.origin);
-      return write_ornaments(path, prepared.surface, std::span(&discs, 1), *arguments.picture);
+      return write_ornaments(path, prepared.surface, std::span(&discs, 1), *arguments.picture,
+                             display.progress());
     }
     case SampleOutput::report:
       return write_report(path, command, mesh, to_json(job, *arguments.picture));

@@ -76,7 +76,7 @@ void write_outputs(const CLI::App& command, const std::vector<Output>& outputs, 
     Stopwatch watch;
     if (output.kind == OutputKind::picture && has_style(command, {output})) {
       write_styled_picture(output.path, *job.surface, job.result, styled->patterns, arguments.style,
-                           styled->input, *arguments.picture);
+                           styled->input, *arguments.picture, display.progress());
     } else {
       write_output(output, made, job.report, *arguments.picture, display);
     }

@@ -85,9 +85,9 @@ void write_lines(const std::string& path, const TracedSurface& traced, JobListen
 void write_curves(CurveOutput kind, const std::string& path, const TracedSurface& traced,
                   JobListener& listener) {
   const auto& [arguments, surface, arrays, families] = traced;
-  std::vector<PenLines> pens;
+  std::vector<FamilyLines> lines;
   for (const CurveFamily& family : families) {
-    pens.push_back({family.name, family.curves.lines, family.name == "v"});
+    lines.push_back({family.name, family.curves.lines, family.name == "v"});
   }
   switch (kind) {
     case CurveOutput::lines:
@@ -95,10 +95,10 @@ void write_curves(CurveOutput kind, const std::string& path, const TracedSurface
     case CurveOutput::tubes:
       return write_tube_mesh(path, tubes_of(arguments, surface.mesh, families));
     case CurveOutput::drawing:
-      return write_line_drawing(path, surface, pens, *arguments.picture);
+      return write_line_drawing(path, surface, lines, *arguments.picture, listener.progress());
     case CurveOutput::picture:
       return write_ornaments(path, surface, tubes_of(arguments, surface.mesh, families),
-                             *arguments.picture);
+                             *arguments.picture, listener.progress());
     case CurveOutput::report:
       throw Error(shown(path) + ": a report holds no curves");
   }

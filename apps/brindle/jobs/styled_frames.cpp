@@ -238,7 +238,7 @@ Image StyledFrames::paint(const SolvedFrame& frame) {
       surfaces_of(scene, style_.style, options.render, followed);
   show(surfaces, frame.scene.points);
   Image image = renderer_.draw(options);
-  draw_lines(image, scene, surfaces, style_.style, options);
+  draw_lines(image, scene, surfaces, style_.style, options, {});
   draw_legends(image, followed.legends);
   ++count_;
   return image;

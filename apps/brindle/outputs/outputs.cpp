@@ -97,7 +97,7 @@ void write_output(const Output& output, const MadeMesh& made, const Report& repo
                   const PictureOptions& picture, JobListener& listener) {
   switch (output.kind) {
     case OutputKind::picture:
-      return write_picture(output.path, made.surface, made.result, picture);
+      return write_picture(output.path, made.surface, made.result, picture, listener.progress());
     case OutputKind::mesh:
       return write_made_mesh(output.path, made, picture, listener);
     case OutputKind::report:

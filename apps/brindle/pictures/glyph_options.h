@@ -63,6 +63,6 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
 /// Throws Error if no OpenGL context is to be had or the file cannot be written.
 void write_glyphs(const std::filesystem::path& path, const Surface& surface,
                   std::span<const Sample> samples, const GlyphOptions& options,
-                  const GlyphInput& input, const PictureOptions& picture);
+                  const GlyphInput& input, const PictureOptions& picture, const Progress& progress);
 
 }  // namespace brindle::tool

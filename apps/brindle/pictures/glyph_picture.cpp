@@ -47,12 +47,12 @@ void keep_proportions(const Image& tile, std::vector<GlyphSize>& sizes) {
 
 GlyphPicture::GlyphPicture(const Surface& surface, std::span<const Sample> samples,
                            const GlyphOptions& options, const GlyphInput& input,
-                           const PictureOptions& picture) {
+                           const PictureOptions& picture, const Progress& progress) {
   const Mesh& mesh = surface.mesh;
   std::vector<GlyphSize> sizes =
       glyph_sizes(samples, options.size, size_factors(samples, mesh, options, input));
   if (input.picture) keep_proportions(*input.picture, sizes);
-  glyphs_ = glyphs_at(samples, options.glyph.shape, sizes);
+  glyphs_ = glyphs_at(samples, options.glyph.shape, sizes, progress);
   glyphs_.mesh.origin = mesh.origin;
   styled.render = render_options(picture);
   add_colors(samples, mesh, options, input);
@@ -88,11 +88,13 @@ StyledSurface GlyphPicture::figures(const GlyphOptions& options, const GlyphInpu
 
 void write_glyphs(const std::filesystem::path& path, const Surface& surface,
                   std::span<const Sample> samples, const GlyphOptions& options,
-                  const GlyphInput& input, const PictureOptions& picture) {
-  const GlyphPicture drawn(surface, samples, options, input, picture);
-  Image image = render_styled(drawn.surfaces, drawn.styled);
+                  const GlyphInput& input, const PictureOptions& picture,
+                  const Progress& progress) {
+  constexpr double kPlaced = 0.2;
+  const GlyphPicture drawn(surface, samples, options, input, picture, progress.part(0, kPlaced));
+  Image image = render_styled(drawn.surfaces, drawn.styled, progress.part(kPlaced, kDrawn));
   draw_legends(image, drawn.legends);
-  write_png(path, image);
+  write_png(path, image, progress.part(kDrawn, 1));
 }
 
 }  // namespace brindle::tool

@@ -15,7 +15,7 @@ namespace brindle::tool {
 class GlyphPicture {
  public:
   GlyphPicture(const Surface& surface, std::span<const Sample> samples, const GlyphOptions& options,
-               const GlyphInput& input, const PictureOptions& picture);
+               const GlyphInput& input, const PictureOptions& picture, const Progress& progress);
   GlyphPicture(const GlyphPicture&) = delete;
   GlyphPicture& operator=(const GlyphPicture&) = delete;
 

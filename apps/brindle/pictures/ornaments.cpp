@@ -11,9 +11,6 @@ namespace brindle::tool {
 namespace {
 
 constexpr Color kSecondColor{0.78f, 0.26f, 0.17f};
-// The outline runs along edges, beside the smooth outline that the depths have.
-constexpr float kOutlineTolerance = 0.01f;
-constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
 
 Color color_of(bool second, const RenderOptions& render) {
   return second ? kSecondColor : render.stripe_color;
@@ -43,24 +40,26 @@ OrnamentedSurface ornamented(const Surface& surface, std::span<const Ornament> o
 }
 
 void write_ornaments(const std::filesystem::path& path, const Surface& surface,
-                     std::span<const Ornament> ornaments, const PictureOptions& options) {
+                     std::span<const Ornament> ornaments, const PictureOptions& options,
+                     const Progress& progress) {
   const RenderOptions render = render_options(options);
   const OrnamentedSurface all = ornamented(surface, ornaments, render);
-  write_png(path, render_picture(all.drawing(), render));
+  const Image image = render_picture(all.drawing(), render, progress.part(0, kDrawn));
+  write_png(path, image, progress.part(kDrawn, 1));
 }
 
 void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
-                        std::span<const PenLines> pens, const PictureOptions& options) {
+                        std::span<const FamilyLines> families, const PictureOptions& options,
+                        const Progress& progress) {
   const RenderOptions render = render_options(options);
-  const Visibility visibility(surface.mesh, render.camera, render.width, render.height);
-  std::vector<Pen> drawn;
-  for (const PenLines& pen : pens) {
-    drawn.push_back({pen.name, color_of(pen.second, render), 1.0f, visibility.strokes(pen.lines)});
+  std::vector<PenLines> lines;
+  for (const FamilyLines& family : families) {
+    lines.push_back({family.name, color_of(family.second, render), family.lines});
   }
-  const Polylines bounds =
-      outline(surface.mesh, surface.normals, render.camera, render.width, render.height);
-  drawn.push_back({"outline", kOutlineColor, 1.4f, visibility.strokes(bounds, kOutlineTolerance)});
-  write_svg(path, render.width, render.height, drawn);
+  const int width = render.width, height = render.height;
+  const std::vector<Pen> pens = line_drawing(surface.mesh, surface.normals, lines, render.camera,
+                                             width, height, progress.part(0, 0.8));
+  write_svg(path, width, height, pens, progress.part(0.8, 1));
 }
 
 }  // namespace brindle::tool

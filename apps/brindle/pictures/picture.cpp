@@ -193,15 +193,19 @@ SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
 }
 
 void write_picture(const std::filesystem::path& path, const Surface& surface,
-                   const StripeResult& result, const PictureOptions& options) {
+                   const StripeResult& result, const PictureOptions& options,
+                   const Progress& progress) {
+  const Progress drawing = progress.part(0, kDrawn), writing = progress.part(kDrawn, 1);
   const StripePattern& pattern = result.stripes();
+  const RenderOptions render = render_options(options);
   if (surface.mesh.triangles.empty()) {
     const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
-    return write_png(
-        path, render_splats(splat_drawing_of(surface, pattern, radii), render_options(options)));
+    const SplatDrawing splats = splat_drawing_of(surface, pattern, radii);
+    return write_png(path, render_splats(splats, render, drawing), writing);
   }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
-  write_png(path, render_picture(drawing_of(surface, result, overlay), render_options(options)));
+  const SurfaceDrawing drawn = drawing_of(surface, result, overlay);
+  write_png(path, render_picture(drawn, render, drawing), writing);
 }
 
 std::string tile_png(const TextureTile& tile, const PictureOptions& options) {

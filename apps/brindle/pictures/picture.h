@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/polylines.h"
+#include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "input/viewpoint.h"
 #include "pictures/stripe_result.h"
@@ -18,6 +19,9 @@
 namespace brindle::tool {
 
 struct PictureOptions;
+
+/// The share of drawing in a picture that is drawn and written.
+inline constexpr double kDrawn = 0.7;
 
 /// The options live as long as the pointer, which must outlive `app.parse`.
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
@@ -49,25 +53,31 @@ struct Ornament {
   bool second = false;  ///< in the colour of the second pattern
 };
 
-/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+/// Throws Error if no OpenGL context is to be had or the file cannot be written; Cancelled if
+/// `progress` asks for it.
 void write_ornaments(const std::filesystem::path& path, const Surface& surface,
-                     std::span<const Ornament> ornaments, const PictureOptions& options);
+                     std::span<const Ornament> ornaments, const PictureOptions& options,
+                     const Progress& progress);
 
-/// Lines to draw with one pen.
-struct PenLines {
+/// The lines of one pattern.
+struct FamilyLines {
   std::string name;
   const Polylines& lines;
   bool second = false;  ///< in the colour of the second pattern
 };
 
 /// Draws what is seen of lines from the picture's camera, and of the surface's outline, as SVG.
-/// Throws Error if the picture is too large or the file cannot be written.
+/// Throws Error if the picture is too large or the file cannot be written; Cancelled if `progress`
+/// asks for it.
 void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
-                        std::span<const PenLines> pens, const PictureOptions& options);
+                        std::span<const FamilyLines> families, const PictureOptions& options,
+                        const Progress& progress);
 
-/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+/// Throws Error if no OpenGL context is to be had or the file cannot be written; Cancelled if
+/// `progress` asks for it.
 void write_picture(const std::filesystem::path& path, const Surface& surface,
-                   const StripeResult& result, const PictureOptions& options);
+                   const StripeResult& result, const PictureOptions& options,
+                   const Progress& progress);
 
 /// The texture's tile as the content of a PNG file, in the picture's colours.
 std::string tile_png(const TextureTile& tile, const PictureOptions& options);

@@ -43,7 +43,7 @@ std::vector<StyledSurface> black_and_white(std::span<const StyledSurface> surfac
 
 void write_outlines(const std::filesystem::path& path, const StyledScene& scene,
                     std::vector<StyledSurface> surfaces, const StyleOptions& style,
-                    StyledOptions options) {
+                    StyledOptions options, const Progress& progress) {
   const int width = options.render.width, height = options.render.height;
   options.render.width *= static_cast<int>(kOutlineScale);
   options.render.height *= static_cast<int>(kOutlineScale);
@@ -51,8 +51,11 @@ void write_outlines(const std::filesystem::path& path, const StyledScene& scene,
   options.depth_cue = DepthCue::none;
   options.occlusion = 0;
   options.ground_shadow = false;
+  constexpr double kTraced = 0.7, kLined = 0.9;
   std::vector<Pen> pens;
   for (std::size_t i = surfaces.size(); i-- > 0;) {
+    const auto done = static_cast<double>(surfaces.size() - 1 - i);
+    progress.report(kTraced * done / static_cast<double>(surfaces.size()));
     const StyledSurface& surface = surfaces[i];
     const std::string number = i == 0 ? "" : "_" + std::to_string(i);
     if (surface.between == BetweenStrokes::surface) {
@@ -63,10 +66,11 @@ void write_outlines(const std::filesystem::path& path, const StyledScene& scene,
     pens.push_back(traced("stripes" + number, surface.strokes[0].color,
                           black_and_white(surfaces, i, true), options));
   }
-  for (Pen& pen : pens_of_lines(scene, surfaces, style, options, 1 / kOutlineScale)) {
+  for (Pen& pen : pens_of_lines(scene, surfaces, style, options, 1 / kOutlineScale,
+                                progress.part(kTraced, kLined))) {
     if (!pen.strokes.empty()) pens.push_back(std::move(pen));
   }
-  write_svg(path, width, height, pens);
+  write_svg(path, width, height, pens, progress.part(kLined, 1));
 }
 
 StyledScene scene_of(const Surface& surface, const StripeResult& result, const StyleOptions& style,
@@ -151,22 +155,25 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
   return styled;
 }
 
-void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style) {
-  draw_lines(image, picture.scene, picture.surfaces, style, picture.options);
+void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style,
+                 const Progress& progress) {
+  draw_lines(image, picture.scene, picture.surfaces, style, picture.options, progress);
   draw_legends(image, picture.followed.legends);
 }
 
 void write_styled_picture(const std::filesystem::path& path, const Surface& surface,
                           const StripeResult& result, const StylePatterns& patterns,
                           const StyleOptions& style, const StyleInput& input,
-                          const PictureOptions& picture) {
+                          const PictureOptions& picture, const Progress& progress) {
   StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
   if (lower_extension(path) == ".svg") {
-    return write_outlines(path, styled.scene, std::move(styled.surfaces), style, styled.options);
+    return write_outlines(path, styled.scene, std::move(styled.surfaces), style, styled.options,
+                          progress);
   }
-  Image image = render_styled(styled.surfaces, styled.options);
-  draw_on_top(image, styled, style);
-  write_png(path, image);
+  constexpr double kPainted = 0.5;
+  Image image = render_styled(styled.surfaces, styled.options, progress.part(0, kPainted));
+  draw_on_top(image, styled, style, progress.part(kPainted, kDrawn));
+  write_png(path, image, progress.part(kDrawn, 1));
 }
 
 }  // namespace brindle::tool

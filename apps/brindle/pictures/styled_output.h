@@ -73,13 +73,14 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
                              const StyleInput& input, const PictureOptions& picture);
 
 /// Outlines, creases and legends on the picture that the renderer has drawn.
-void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style);
+void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style,
+                 const Progress& progress);
 
 /// A .png picture, or an .svg drawing of stripes' outlines. Throws Error if no OpenGL context is to
-/// be had or the file cannot be written.
+/// be had or the file cannot be written; Cancelled if `progress` asks for it.
 void write_styled_picture(const std::filesystem::path& path, const Surface& surface,
                           const StripeResult& result, const StylePatterns& patterns,
                           const StyleOptions& style, const StyleInput& input,
-                          const PictureOptions& picture);
+                          const PictureOptions& picture, const Progress& progress);
 
 }  // namespace brindle::tool

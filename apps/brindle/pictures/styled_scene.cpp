@@ -207,26 +207,31 @@ Mesh hiding_mesh(std::span<const StyledSurface> surfaces) {
 class LineInk {
  public:
   LineInk(std::span<const StyledSurface> surfaces, const StyleOptions& style,
-          const StyledOptions& options)
+          const StyledOptions& options, const Progress& progress)
       : style_(style),
         camera_(styled_camera(surfaces, options)),
-        visibility_(hiding_mesh(surfaces), camera_, options.render.width, options.render.height),
+        visibility_(hiding_mesh(surfaces), camera_, options.render.width, options.render.height,
+                    progress),
         width_(style.line_width.value_or(
             std::max(1.2f, 0.0025f * static_cast<float>(options.render.height)))) {}
 
-  void add_outline(const StyledSurface& surface, const StripesView* pattern) {
+  void add_outline(const StyledSurface& surface, const StripesView* pattern,
+                   const Progress& progress) {
     const Polylines lines = silhouette_lines(surface.mesh, surface.normals, viewpoint_of(camera_));
     if (style_.outline == OutlineStyle::dashed && pattern != nullptr) {
       const bool shares = !surface.strokes.empty() && surface.strokes[0].width > 0 &&
                           surface.strokes[0].unit == WidthUnit::period;
       const float width = shares ? surface.strokes[0].width : 0.5f;
-      add(dashes_of(lines, surface.mesh, pattern->waves, pattern->z, width));
+      add(dashes_of(lines, surface.mesh, pattern->waves, pattern->z, width), progress);
     } else {
-      add(lines);
+      add(lines, progress);
     }
   }
-  void add_creases(const StyledSurface& surface, const Adjacency& neighborhood) {
-    add(crease_lines(surface.mesh, surface.normals, neighborhood, *style_.crease_deg));
+  void add_creases(const StyledSurface& surface, const Adjacency& neighborhood,
+                   const Progress& progress) {
+    add(crease_lines(surface.mesh, surface.normals, neighborhood, *style_.crease_deg,
+                     progress.part(0, 0.5)),
+        progress.part(0.5, 1));
   }
 
   /// Pens whose strokes are `scale` times as long.
@@ -247,17 +252,17 @@ class LineInk {
   }
 
  private:
-  void add(const Polylines& lines) {
+  void add(const Polylines& lines, const Progress& progress) {
     // Silhouettes lie beside those that the depths have.
     constexpr float kTolerance = 0.008f;
     const auto append_to = [](std::vector<Stroke>& strokes, std::vector<Stroke> more) {
       strokes.insert(strokes.end(), std::make_move_iterator(more.begin()),
                      std::make_move_iterator(more.end()));
     };
-    append_to(seen_, visibility_.strokes(lines, kTolerance));
+    append_to(seen_, visibility_.strokes(lines, kTolerance, false, progress.part(0, 0.5)));
     if (!style_.hidden_dashed) return;
-    append_to(hidden_,
-              dashed(visibility_.strokes(lines, kTolerance, true), 3 * width_, 2.5f * width_));
+    append_to(hidden_, dashed(visibility_.strokes(lines, kTolerance, true, progress.part(0.5, 1)),
+                              3 * width_, 2.5f * width_));
   }
 
   static constexpr Color kLineColor{0.10f, 0.10f, 0.12f};
@@ -270,15 +275,21 @@ class LineInk {
 };
 
 LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfaces,
-                 const StyleOptions& style, const StyledOptions& options) {
-  LineInk lines(surfaces, style, options);
+                 const StyleOptions& style, const StyledOptions& options,
+                 const Progress& progress) {
+  constexpr double kSeen = 0.3;
+  LineInk lines(surfaces, style, options, progress.part(0, kSeen));
+  const double share = (1 - kSeen) / static_cast<double>(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const bool main = i == 0;
+    const double begin = kSeen + static_cast<double>(i) * share, middle = begin + 0.5 * share;
     const Surface& surface = main ? scene.surface : scene.others[i - 1].surface;
     if (style.outline != OutlineStyle::none) {
-      lines.add_outline(surfaces[i], main ? &scene.pattern : nullptr);
+      lines.add_outline(surfaces[i], main ? &scene.pattern : nullptr, progress.part(begin, middle));
     }
-    if (style.crease_deg) lines.add_creases(surfaces[i], *surface.neighborhood);
+    if (style.crease_deg) {
+      lines.add_creases(surfaces[i], *surface.neighborhood, progress.part(middle, begin + share));
+    }
   }
   return lines;
 }
@@ -286,15 +297,15 @@ LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfac
 }  // namespace
 
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
-                const StyleOptions& style, const StyledOptions& options) {
-  if (style.has_lines()) lines_of(scene, surfaces, style, options).draw(image);
+                const StyleOptions& style, const StyledOptions& options, const Progress& progress) {
+  if (style.has_lines()) lines_of(scene, surfaces, style, options, progress).draw(image);
 }
 
 std::vector<Pen> pens_of_lines(const StyledScene& scene, std::span<const StyledSurface> surfaces,
-                               const StyleOptions& style, const StyledOptions& options,
-                               float scale) {
+                               const StyleOptions& style, const StyledOptions& options, float scale,
+                               const Progress& progress) {
   if (!style.has_lines()) return {};
-  return lines_of(scene, surfaces, style, options).pens(scale);
+  return lines_of(scene, surfaces, style, options, progress).pens(scale);
 }
 
 }  // namespace brindle::tool

@@ -74,11 +74,11 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
 
 /// Outlines and creases on top of a picture of these surfaces.
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
-                const StyleOptions& style, const StyledOptions& options);
+                const StyleOptions& style, const StyledOptions& options, const Progress& progress);
 
 /// The same as pens of a drawing, all coordinates times `scale`.
 std::vector<Pen> pens_of_lines(const StyledScene& scene, std::span<const StyledSurface> surfaces,
-                               const StyleOptions& style, const StyledOptions& options,
-                               float scale);
+                               const StyleOptions& style, const StyledOptions& options, float scale,
+                               const Progress& progress);
 
 }  // namespace brindle::tool

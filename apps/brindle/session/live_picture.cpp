@@ -200,7 +200,7 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, const Care& care
   if (care.draft) smaller.occlusion = 0;
   if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
   Image image = in_full_size(styled->draw(smaller, care.progress), options.render);
-  draw_on_top(image, *styled_picture, style);
+  draw_on_top(image, *styled_picture, style, care.progress);
   return image;
 }
 

@@ -26,7 +26,7 @@ namespace {
 
 ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arguments,
                              const std::shared_ptr<const Preparation>& prepared,
-                             std::span<const Sample> samples) {
+                             std::span<const Sample> samples, JobListener& listener) {
   ShownOrnaments drawn;
   const Surface& surface = prepared->surface;
   if (!has_glyphs(command)) {
@@ -39,7 +39,7 @@ ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arg
   input.picture = read_glyph_picture(arguments.glyphs);
   drawn.surface = {prepared, &surface};
   drawn.glyphs = std::make_unique<const GlyphPicture>(surface, samples, arguments.glyphs, input,
-                                                      *arguments.picture);
+                                                      *arguments.picture, listener.progress());
   return drawn;
 }
 
@@ -50,7 +50,7 @@ ShownSamples shown_samples(const CLI::App& command, const SampleArguments& argum
                            const CrossingPatterns& patterns, JobListener& listener) {
   ShownSamples shown;
   shown.taken = taken_samples(arguments, prepared->surface, patterns.u, *patterns.v, listener);
-  shown.drawn = drawn_samples(command, arguments, prepared, shown.taken.samples);
+  shown.drawn = drawn_samples(command, arguments, prepared, shown.taken.samples, listener);
   return shown;
 }
 

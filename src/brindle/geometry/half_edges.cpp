@@ -21,14 +21,16 @@ using Point = Eigen::Vector3d;
 bool fans_are_single(const Mesh& mesh, const HalfEdges& edges, const Progress& progress) {
   std::vector<Index> valence(mesh.vertex_count(), 0);
   std::vector<Index> start(mesh.vertex_count(), 0);
-  for (Index h = 0; h < edges.twins.size(); ++h) {
+  reported_for(edges.twins.size(), progress.part(0, 0.3), [&](std::size_t i) {
+    const auto h = static_cast<Index>(i);
     const Index v = HalfEdges::origin(mesh, h);
     ++valence[v];
     start[v] = h;
-  }
+  });
+  const Progress walking = progress.part(0.3, 1);
   for (std::size_t v = 0; v < valence.size(); ++v) {
     if (v % kReportSlice == 0) {
-      progress.report(static_cast<double>(v) / static_cast<double>(valence.size()));
+      walking.report(static_cast<double>(v) / static_cast<double>(valence.size()));
     }
     if (valence[v] == 0) continue;
     Index walked = 0;

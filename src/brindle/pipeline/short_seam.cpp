@@ -126,11 +126,15 @@ struct Near {
 };
 
 /// Of every end its kNearest nearest fellows, in ascending order of their numbers.
-std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, const Ways& at_node) {
+std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, const Ways& at_node,
+                                            const Progress& progress) {
   std::vector<Index> number(at_node.offsets.size() - 1, kNone);
   for (Index i = 0; i < ends.size(); ++i) number[ends[i]] = i;
   std::vector<std::vector<Near>> near(ends.size());
-  constexpr std::size_t kEndsPerTask = 16;
+  // Where there are few ends, each is far from the next: the search goes over all nodes.
+  constexpr std::size_t kFew = 2 * kNearest;
+  const bool few = ends.size() < kFew;
+  const std::size_t ends_per_task = few ? 1 : 16, ends_per_report = few ? 2 : 256;
   const auto search_from = [&](std::size_t begin, std::size_t end) {
     Search search(at_node);
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
@@ -141,15 +145,15 @@ std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, cons
       std::ranges::sort(near[i], {}, &Near::end);
     }
   };
-  parallel_for(ends.size(), search_from, kEndsPerTask);
+  parallel_for(ends.size(), progress, search_from, ends_per_task, ends_per_report);
   return near;
 }
 
 /// Pairs of ends with small sums of distances.
 class Matching {
  public:
-  Matching(const std::vector<Index>& ends, const Ways& at_node)
-      : ends_(ends), partner_(ends.size(), kNone), near_(nearest_ends(ends, at_node)) {
+  Matching(const std::vector<Index>& ends, const Ways& at_node, const Progress& progress)
+      : ends_(ends), partner_(ends.size(), kNone), near_(nearest_ends(ends, at_node, progress)) {
     pair_near_ones_first();
     while (swap_partners()) {
     }
@@ -219,16 +223,22 @@ class Matching {
 };
 
 /// 1 for edges that are in the old seam or on the new paths, but not on both.
-std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges,
-                                              const Ways& at_node) {
+std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges, const Ways& at_node,
+                                              const Progress& progress) {
   std::vector<std::uint8_t> difference(edges.size());
   std::ranges::transform(edges, difference.begin(),
                          [](const SeamEdge& edge) { return edge.in_seam ? 1 : 0; });
   const std::vector<Index> ends = ends_of(edges, at_node.offsets.size() - 1);
   Search search(at_node);
-  for (const auto& [from, to] : Matching(ends, at_node).pairs()) {
-    for (const Index e : search.path(from, to)) difference[e] ^= 1;
-  }
+  const auto pairs = Matching(ends, at_node, progress.part(0, 0.7)).pairs();
+  const Progress joining = progress.part(0.7, 1);
+  constexpr std::size_t kPathsPerReport = 1;  // each may be as long as the surface is
+  reported_for(
+      pairs.size(), joining,
+      [&](std::size_t i) {
+        for (const Index e : search.path(pairs[i].first, pairs[i].second)) difference[e] ^= 1;
+      },
+      kPathsPerReport);
   return difference;
 }
 
@@ -306,18 +316,21 @@ void turn_inside(std::size_t edge_count, const Ways& at_triangle, Parts parts,
 }  // namespace
 
 std::vector<std::uint8_t> shortening_turns(std::span<const SeamEdge> edges, std::size_t node_count,
-                                           std::size_t triangle_count) {
+                                           std::size_t triangle_count, const Progress& progress) {
   std::vector<std::uint8_t> turned(triangle_count);
   if (std::ranges::none_of(edges, &SeamEdge::in_seam)) return turned;
   const Ways at_node = ways_between(edges, node_count, nodes_of);
   std::vector<std::vector<Index>> parts =
-      connected_parts(edges, at_node, difference_to_paths(edges, at_node));
+      connected_parts(edges, at_node, difference_to_paths(edges, at_node, progress.part(0.2, 0.7)));
+  progress.report(0.8);
   std::erase_if(parts, [&](const std::vector<Index>& part) {
     const auto in_seam = std::ranges::count_if(part, [&](Index e) { return edges[e].in_seam; });
     return 2 * static_cast<std::size_t>(in_seam) <= part.size();
   });
   if (!parts.empty()) {
-    turn_inside(edges.size(), ways_between(edges, triangle_count, triangles_of), parts, turned);
+    const Ways at_triangle = ways_between(edges, triangle_count, triangles_of);
+    progress.report(0.9);
+    turn_inside(edges.size(), at_triangle, parts, turned);
   }
   return turned;
 }

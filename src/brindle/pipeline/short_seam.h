@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -24,7 +25,9 @@ struct SeamEdge {
 /// them are joined by shortest paths, near ones first, and pairs swap ends while that helps. Paths
 /// are taken over where they differ from the seam by the border of a set of triangles: on a sphere
 /// or a disc that is everywhere, on other surfaces it depends on how a path runs around handles.
+/// Throws Cancelled if `progress` asks for it.
 std::vector<std::uint8_t> shortening_turns(std::span<const SeamEdge> edges, std::size_t node_count,
-                                           std::size_t triangle_count);
+                                           std::size_t triangle_count,
+                                           const Progress& progress = {});
 
 }  // namespace brindle

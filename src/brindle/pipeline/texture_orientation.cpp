@@ -216,10 +216,14 @@ TextureSeams texture_seams(const TextureWaves& waves, std::span<const SharedEdge
 std::vector<std::uint8_t> shortening_turns(std::span<const Triangle> triangles,
                                            std::span<const std::uint8_t> oriented,
                                            std::span<const SharedEdge> edges,
-                                           std::span<const EdgeAgreement> agreement) {
+                                           std::span<const EdgeAgreement> agreement,
+                                           const Progress& progress) {
+  progress.report(0);
   const std::vector<Index> nodes = seam_nodes(triangles, oriented, edges);
-  return shortening_turns(seam_edges(triangles, edges, agreement, nodes), nodes.size(),
-                          triangles.size());
+  progress.report(0.3);
+  const std::vector<SeamEdge> between = seam_edges(triangles, edges, agreement, nodes);
+  progress.report(0.4);
+  return shortening_turns(between, nodes.size(), triangles.size(), progress.part(0.4, 1));
 }
 
 std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
@@ -232,7 +236,9 @@ std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
   options.cycles = 4;
   JobStages stages(progress, {{"orientation", 4}, {"seams", 2}});
   const Progress orienting = stages.begin("orientation");
-  const PhaseGraph graph = triangle_graph(links_of(triangles.size(), edges, agreement));
+  Links links = links_of(triangles.size(), edges, agreement);
+  orienting.report(0.05);
+  const PhaseGraph graph = triangle_graph(std::move(links));
   const PhaseSolution solution = solve_phases(graph, options, orienting.part(0.1, 1));
   std::vector<std::uint8_t> turned(triangles.size());
   for (std::size_t t = 0; t < turned.size(); ++t) turned[t] = solution.z[t].imag() < 0;
@@ -240,7 +246,7 @@ std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
   std::vector<EdgeAgreement> after(agreement.begin(), agreement.end());
   turn_agreements(turned, edges, after);
   shortening.report(0.1);
-  const auto shorter = shortening_turns(triangles, oriented, edges, after);
+  const auto shorter = shortening_turns(triangles, oriented, edges, after, shortening.part(0.1, 1));
   for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= shorter[t];
   return turned;
 }

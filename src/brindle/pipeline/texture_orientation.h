@@ -47,7 +47,8 @@ std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
 std::vector<std::uint8_t> shortening_turns(std::span<const Triangle> triangles,
                                            std::span<const std::uint8_t> oriented,
                                            std::span<const SharedEdge> edges,
-                                           std::span<const EdgeAgreement> agreement);
+                                           std::span<const EdgeAgreement> agreement,
+                                           const Progress& progress = {});
 
 /// 1 for triangles with an orientation.
 std::vector<std::uint8_t> oriented_triangles(std::span<const CornerSigns> signs);

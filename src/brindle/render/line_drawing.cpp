@@ -360,6 +360,31 @@ Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraV
   return lines;
 }
 
+std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
+                              std::span<const PenLines> drawn, const CameraView& view, int width,
+                              int height, const Progress& progress) {
+  // The outline runs along edges, beside the smooth outline that the depths have.
+  constexpr float kOutlineTolerance = 0.01f;
+  constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
+  constexpr double kSeen = 0.3, kDrawn = 0.7, kOutlined = 0.95;
+  const Visibility visibility(mesh, view, width, height, progress.part(0, kSeen));
+  std::vector<Pen> pens;
+  for (const PenLines& lines : drawn) {
+    const auto done = static_cast<double>(pens.size()) / static_cast<double>(drawn.size());
+    const double share = (kDrawn - kSeen) / static_cast<double>(drawn.size());
+    const double begin = kSeen + done * (kDrawn - kSeen);
+    pens.push_back(
+        {lines.name, lines.color, 1.0f,
+         visibility.strokes(lines.lines, 1e-4f, false, progress.part(begin, begin + share))});
+  }
+  const Polylines bounds =
+      outline(mesh, normals, view, width, height, progress.part(kDrawn, kOutlined));
+  pens.push_back(
+      {"outline", kOutlineColor, 1.4f,
+       visibility.strokes(bounds, kOutlineTolerance, false, progress.part(kOutlined, 1))});
+  return pens;
+}
+
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
                const Progress& progress) {
   const auto write = [&](std::ostream& out) {

@@ -470,12 +470,13 @@ Image StyledRenderer::draw(const StyledOptions& options, const Progress& progres
   return s.picture.draw(render, draw_light, progress);
 }
 
-Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options) {
+Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options,
+                    const Progress& progress) {
   check_styled_options(options);
   const HeadlessContext context;
   StyledRenderer renderer;
   renderer.upload(surfaces);
-  Image image = renderer.draw(options);
+  Image image = renderer.draw(options, progress);
   context.check_errors("drawing the picture");
   return image;
 }

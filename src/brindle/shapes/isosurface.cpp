@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -12,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/index_map.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/reported_sort.h"
@@ -44,7 +47,7 @@ class Lattice {
     origin_ -= Point::Constant(1.5 * cell);
     const Cell cells = (extent / cell).array().ceil().cast<int>() + 3;
     descend(Cell::Zero(), cells, 0, 1);
-    points_.clear();
+    points_ = {};
   }
 
   std::vector<Point> positions;
@@ -105,12 +108,12 @@ class Lattice {
     const std::uint64_t key = static_cast<std::uint64_t>(halves[0]) << 42 |
                               static_cast<std::uint64_t>(halves[1]) << 21 |
                               static_cast<std::uint64_t>(halves[2]);
-    const auto [found, added] = points_.try_emplace(key, static_cast<Index>(positions.size()));
+    const auto [number, added] = points_.try_emplace(key, static_cast<Index>(positions.size()));
     if (added) {
       positions.push_back(place(halves));
       values.push_back(value(positions.back()));
     }
-    return found->second;
+    return number;
   }
 
   const ImplicitFunction& function_;
@@ -119,7 +122,7 @@ class Lattice {
   double done_ = 0;
   Point origin_;
   double cell_;
-  std::unordered_map<std::uint64_t, Index> points_;
+  IndexMap points_;
 };
 
 Point crossing(const Lattice& lattice, Index a, Index b) {
@@ -127,11 +130,28 @@ Point crossing(const Lattice& lattice, Index a, Index b) {
   return lattice.positions[a] + fa / (fa - fb) * (lattice.positions[b] - lattice.positions[a]);
 }
 
-std::vector<std::vector<Index>> tetrahedra_around(const Lattice& lattice,
-                                                  const Progress& progress) {
-  std::vector<std::vector<Index>> around(lattice.positions.size());
-  reported_for(lattice.tetrahedra.size(), progress, [&](std::size_t t) {
-    for (const Index point : lattice.tetrahedra[t]) around[point].push_back(static_cast<Index>(t));
+/// The tetrahedra at each lattice point, in one list.
+struct TetrahedraAround {
+  std::vector<std::size_t> begin;  ///< one a point, and the end of the last
+  std::vector<Index> tetrahedra;
+
+  std::span<const Index> of(Index point) const {
+    return {tetrahedra.data() + begin[point], begin[point + 1] - begin[point]};
+  }
+};
+
+TetrahedraAround tetrahedra_around(const Lattice& lattice, const Progress& progress) {
+  const auto& all = lattice.tetrahedra;
+  TetrahedraAround around;
+  around.begin.assign(lattice.positions.size() + 1, 0);
+  reported_for(all.size(), progress.part(0, 0.4), [&](std::size_t t) {
+    for (const Index point : all[t]) ++around.begin[point + 1];
+  });
+  std::partial_sum(around.begin.begin(), around.begin.end(), around.begin.begin());
+  around.tetrahedra.resize(4 * all.size());
+  std::vector<std::size_t> next(around.begin.begin(), around.begin.end() - 1);
+  reported_for(all.size(), progress.part(0.4, 1), [&](std::size_t t) {
+    for (const Index point : all[t]) around.tetrahedra[next[point]++] = static_cast<Index>(t);
   });
   return around;
 }
@@ -163,8 +183,7 @@ std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell,
                   return std::tie(x.distance, x.point, x.other) <
                          std::tie(y.distance, y.point, y.other);
                 });
-  const std::vector<std::vector<Index>> around =
-      tetrahedra_around(lattice, progress.part(0.6, 0.8));
+  const TetrahedraAround around = tetrahedra_around(lattice, progress.part(0.6, 0.8));
   std::vector<int> snapped_corners(lattice.tetrahedra.size(), 0);
   std::vector<std::optional<Point>> snapped(lattice.positions.size());
   reported_for(candidates.size(), progress.part(0.8, 1), [&](std::size_t number) {
@@ -172,9 +191,10 @@ std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell,
     if (snapped[point] || snapped[other]) return;
     // A tetrahedron that lies in the surface with all its corners is neither inside nor outside.
     const auto flat = [&](Index t) { return snapped_corners[t] == 3; };
-    if (std::any_of(around[point].begin(), around[point].end(), flat)) return;
+    const std::span<const Index> at = around.of(point);
+    if (std::any_of(at.begin(), at.end(), flat)) return;
     snapped[point] = crossing(lattice, point, other);
-    for (const Index t : around[point]) ++snapped_corners[t];
+    for (const Index t : at) ++snapped_corners[t];
   });
   return snapped;
 }
@@ -185,11 +205,11 @@ class Polygonizer {
   Polygonizer(const Lattice& lattice, std::vector<std::optional<Point>> snapped,
               const Progress& progress)
       : lattice_(lattice), snapped_(std::move(snapped)), vertex_of_point_(snapped_.size(), kNone) {
-    reported_for(lattice.tetrahedra.size(), progress,
+    reported_for(lattice.tetrahedra.size(), progress.part(0, 0.9),
                  [&](std::size_t t) { add(lattice.tetrahedra[t]); });
-    for (const auto& [t, keep] : triangles_) {
-      if (keep) mesh.triangles.push_back(t);
-    }
+    reported_for(triangles_.size(), progress.part(0.9, 1), [&](std::size_t t) {
+      if (triangles_[t].second) mesh.triangles.push_back(triangles_[t].first);
+    });
   }
 
   Mesh mesh;
@@ -223,7 +243,7 @@ class Polygonizer {
     const bool known_outside = !outside.empty();
     const Point side = lattice_.positions[known_outside ? outside[0] : inside[0]];
     if (nodes.size() == 3) {
-      add_triangle(nodes[0], nodes[1], nodes[2], side, known_outside);
+      add_triangle(nodes[0], nodes[1], nodes[2], side, known_outside, on.size() == 3);
     } else if (nodes.size() == 4) {
       add_quad(nodes, side);
     }
@@ -242,15 +262,21 @@ class Polygonizer {
     }
   }
 
-  /// Winds the triangle so that `side` is on its outer side, or on its inner one.
-  void add_triangle(const Node& a, const Node& b, const Node& c, const Point& side, bool outer) {
+  /// Winds the triangle so that `side` is on its outer side, or on its inner one. A face of the
+  /// lattice is one whose corners all were snapped.
+  void add_triangle(const Node& a, const Node& b, const Node& c, const Point& side, bool outer,
+                    bool is_face = false) {
     Triangle t = {a.vertex, b.vertex, c.vertex};
     const Point normal = (b.regular - a.regular).cross(c.regular - a.regular);
     if ((normal.dot(side - a.regular) > 0) != outer) std::swap(t[1], t[2]);
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    if (!is_face) {
+      triangles_.emplace_back(t, true);
+      return;
+    }
     const Triangle reversed = {t[0], t[2], t[1]};
-    // A face of the lattice whose corners all were snapped is met from both sides: it stays once if
-    // one side is in and the other out, and not at all otherwise.
+    // It is met from both sides: it stays once if one side is in and the other out, and not at all
+    // otherwise.
     if (const auto found = faces_.find(reversed); found != faces_.end()) {
       triangles_[found->second].second = false;
       return;
@@ -266,9 +292,10 @@ class Polygonizer {
 
   Node node_between(Index a, Index b) {
     const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
-    const auto [found, added] = vertex_of_edge_.try_emplace(key, kNone);
-    if (added) found->second = add_vertex(crossing(lattice_, a, b));
-    return {found->second, 0.5 * (lattice_.positions[a] + lattice_.positions[b])};
+    const auto [vertex, added] =
+        vertex_of_edge_.try_emplace(key, static_cast<Index>(mesh.positions.size()));
+    if (added) add_vertex(crossing(lattice_, a, b));
+    return {vertex, 0.5 * (lattice_.positions[a] + lattice_.positions[b])};
   }
 
   Index add_vertex(const Point& position) {
@@ -285,24 +312,24 @@ class Polygonizer {
   const Lattice& lattice_;
   std::vector<std::optional<Point>> snapped_;
   std::vector<Index> vertex_of_point_;
-  std::unordered_map<std::uint64_t, Index> vertex_of_edge_;
+  IndexMap vertex_of_edge_;
   std::unordered_map<Triangle, std::size_t, TriangleHash> faces_;
   std::vector<std::pair<Triangle, bool>> triangles_;
 };
 
 /// Vertices that lost all their triangles are left out.
-void drop_unused_vertices(Mesh& mesh) {
+void drop_unused_vertices(Mesh& mesh, const Progress& progress) {
   std::vector<Index> number(mesh.vertex_count(), ~Index{0});
   std::vector<Vec3> positions;
-  for (Triangle& t : mesh.triangles) {
-    for (Index& v : t) {
+  reported_for(mesh.triangle_count(), progress, [&](std::size_t t) {
+    for (Index& v : mesh.triangles[t]) {
       if (number[v] == ~Index{0}) {
         number[v] = static_cast<Index>(positions.size());
         positions.push_back(mesh.positions[v]);
       }
       v = number[v];
     }
-  }
+  });
   mesh.positions = std::move(positions);
 }
 
@@ -360,8 +387,8 @@ void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int
 
 Mesh polygonize(const Lattice& lattice, std::vector<std::optional<Point>> snapped,
                 const Progress& progress) {
-  Mesh mesh = std::move(Polygonizer(lattice, std::move(snapped), progress).mesh);
-  drop_unused_vertices(mesh);
+  Mesh mesh = std::move(Polygonizer(lattice, std::move(snapped), progress.part(0, 0.9)).mesh);
+  drop_unused_vertices(mesh, progress.part(0.9, 1));
   return mesh;
 }
 
