@@ -64,11 +64,12 @@ struct NumberRange {
   bool contains(double value) const;
 };
 
-/// The numbers that are of use most often: how far a slider reaches.
+/// The numbers that are of use most often: how far a slider reaches. Of lengths: in hundredths of
+/// the diagonal.
 struct SliderRange {
   double lowest = 0;
   double highest = 1;
-  bool logarithmic = false;
+  bool logarithmic = false;  ///< in even ratios, which may begin at 0
 };
 
 /// A row of the table. Texts live as long as the program.

@@ -108,7 +108,7 @@ TEST(OptionTable, SlidersStayInRange) {
     const SliderRange& slider = info.slider;
     EXPECT_LT(slider.lowest, slider.highest);
     if (slider.logarithmic) {
-      EXPECT_GT(slider.lowest, 0);
+      EXPECT_GE(slider.lowest, 0);
     }
     // The ends of a range that leaves its ends out are only approached.
     const auto within = [&](double value) {

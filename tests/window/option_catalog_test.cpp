@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "session/session_options.h"
+
 namespace brindle::tool {
 namespace {
 
 std::map<std::string, CatalogOption> all_entries(Shown shown = Shown::stripes) {
   std::map<std::string, CatalogOption> entries;
-  for (const OptionGroup& group : option_catalog(session_options(shown))) {
+  for (const OptionGroup& group : option_catalog(shown)) {
     EXPECT_FALSE(group.options.empty()) << group.title;
     for (const CatalogOption& option : group.options) {
       EXPECT_TRUE(entries.emplace(option.name, option).second) << option.name << " is there twice";
@@ -24,18 +26,19 @@ TEST(OptionCatalogTest, HasEveryOptionOfSessionsOnce) {
   for (const Shown shown : kAllShown) {
     const auto entries = all_entries(shown);
     EXPECT_EQ(entries.size(), session_options(shown).size());
-    for (const SessionOption& option : session_options(shown)) {
-      ASSERT_TRUE(entries.contains(option.name)) << option.name;
-      EXPECT_EQ(entries.at(option.name).help, option.help);
+    for (const OptionInfo* option : session_options(shown)) {
+      const std::string name(option->name);
+      ASSERT_TRUE(entries.contains(name)) << name;
+      EXPECT_EQ(entries.at(name).help, option->help);
     }
   }
 }
 
 TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
   for (const Shown shown : {Shown::curves, Shown::samples}) {
-    const auto groups = option_catalog(session_options(shown));
+    const auto groups = option_catalog(shown);
     std::size_t own = 0;
-    for (const SessionOption& option : session_options(shown)) own += option.own ? 1 : 0;
+    for (const OptionInfo* option : session_options(shown)) own += is_own(*option, shown);
     EXPECT_EQ(groups.front().options.size(), own);
     EXPECT_EQ(groups.front().title, shown == Shown::curves ? "Curves" : "Samples");
   }
@@ -43,16 +46,21 @@ TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
   EXPECT_EQ(all_entries().at("line-width").kind, WidgetKind::number) << "of outlines, in pixels";
 }
 
-TEST(OptionCatalogTest, OptionsThatNoGroupNamesAreShown) {
-  std::vector<SessionOption> options(2);
-  options[0].name = "stripes";
-  options[1].name = "brand-new";
-  options[1].help = "something else";
-  const auto groups = option_catalog(options);
-  ASSERT_EQ(groups.size(), 2);
-  EXPECT_EQ(groups[0].options.front().kind, WidgetKind::number);
-  EXPECT_EQ(groups[1].options.front().name, "brand-new");
-  EXPECT_EQ(groups[1].options.front().kind, WidgetKind::text);
+TEST(OptionCatalogTest, OptionsOfOneGroupStandTogether) {
+  for (const Shown shown : kAllShown) {
+    std::set<std::string> titles;
+    for (const OptionGroup& group : option_catalog(shown)) {
+      EXPECT_TRUE(titles.insert(group.title).second) << group.title << " is there twice";
+    }
+  }
+  EXPECT_EQ(option_catalog(Shown::samples).front().options.front().name, "glyph");
+  EXPECT_EQ(option_catalog(Shown::curves).front().options.front().name, "lines");
+}
+
+TEST(OptionCatalogTest, WhatExcludesAnotherSaysSo) {
+  const auto entries = all_entries();
+  EXPECT_EQ(entries.at("stripes").excludes, std::vector<std::string>{"frequency"});
+  EXPECT_EQ(entries.at("direction").excludes, std::vector<std::string>{"field"});
 }
 
 TEST(OptionCatalogTest, KnowsTheValuesThatCountWithoutAnOption) {
@@ -76,11 +84,13 @@ TEST(OptionCatalogTest, ChoicesHaveNamesAndStandardsAreAmongThem) {
 
 // Sliders of what is off, or follows from something else, unless it is given.
 const std::set<std::string> kWithoutStandard = {
-    "anchor-boundary", "creases",        "cross-hatch",       "cycles",     "feature-radius",
-    "frequency",       "frequency-v",    "global-iterations", "line-width", "merge-branches",
-    "min-length",      "pixel-width",    "resample",          "seed",       "simplify",
-    "stripes-v",       "stroke-spacing", "subdivide",         "sweeps",     "threshold",
-    "tube-radius",     "wales"};
+    "anchor-boundary", "creases",           "cross-hatch",
+    "cycles",          "feature-radius",    "frequency",
+    "frequency-v",     "global-iterations", "line-width",
+    "merge-branches",  "min-length",        "pixel-width",
+    "resample",        "simplify",          "stripes-v",
+    "stroke-spacing",  "subdivide",         "sweeps",
+    "threshold",       "tube-radius",       "wales"};
 
 TEST(OptionCatalogTest, SlidersReachTheirStandards) {
   std::set<std::string> without;
@@ -110,7 +120,7 @@ TEST(OptionCatalogTest, SlidersReachTheirStandards) {
 
 TEST(OptionCatalogTest, PairsOfNumbersHaveTheirTwoNumbersAtFirst) {
   std::size_t pairs = 0;
-  for (const OptionGroup& group : option_catalog(session_options())) {
+  for (const OptionGroup& group : option_catalog()) {
     for (const CatalogOption& option : group.options) {
       if (option.kind != WidgetKind::numbers) continue;
       ++pairs;

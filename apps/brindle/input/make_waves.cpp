@@ -179,10 +179,6 @@ void drop_waves(const ArrayOptions& options, Field& field) {
 
 }  // namespace
 
-const std::vector<std::string> kOptionsAfterField = {
-    "along",           "rotate",    "stripes",     "frequency", "frequency-by",
-    "frequency-range", "stripes-v", "frequency-v", "texture",   "oriented"};
-
 BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
                           const LastDirections& last, const Progress& progress) {
   auto arrays =

@@ -64,9 +64,6 @@ struct LastDirections {
   std::string notes = {};     ///< lines about them
 };
 
-/// Options that a base field takes no notice of, by their long names without dashes.
-extern const std::vector<std::string> kOptionsAfterField;
-
 /// The first half of `make_waves`, with what that throws. A smooth field goes on from `last`.
 BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
                           const LastDirections& last = {}, const Progress& progress = {});

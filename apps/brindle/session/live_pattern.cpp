@@ -198,7 +198,7 @@ AnimatorOptions animator_options(const StripeArguments& arguments, const Prepara
 std::string follower_key(const SessionDocument& document, const SolvingOptions& solving) {
   SessionDocument without = document;
   without.options.erase("slack");
-  return options_key(without, SessionStage::phases) + (solving.slack.slack > 0 ? "slack" : "");
+  return options_key(without, OptionStage::phases) + (solving.slack.slack > 0 ? "slack" : "");
 }
 
 double no_less(double value) { return std::max(value, 0.0); }
@@ -412,7 +412,7 @@ class StageUpdate {
   }
 
   std::string key_of_pattern() const {
-    return stages_.waves.key + options_key(document_, SessionStage::phases);
+    return stages_.waves.key + options_key(document_, OptionStage::phases);
   }
 
   SolvedPattern solved() {
@@ -439,7 +439,7 @@ class StageUpdate {
   StripeAnimator& animator(std::shared_ptr<Follower>& follower) {
     const Preparation& prepared = *stages_.surface.made;
     const std::string key = stages_.surface.key + follower_key(document_, arguments().solving);
-    const std::string options = options_key(document_, SessionStage::phases);
+    const std::string options = options_key(document_, OptionStage::phases);
     if (!follower || follower->key != key) {
       follower = std::make_shared<Follower>(Follower{
           key, options, StripeAnimator(prepared.surface, animator_options(arguments(), prepared))});
@@ -478,7 +478,7 @@ class StageUpdate {
   // Drafts alone: no document could keep their phases. The first one is solved for afresh.
   SolvedPattern next_tiles() {
     const std::string key =
-        stages_.surface.key + options_key(document_, SessionStage::phases) + tiles_key(arguments());
+        stages_.surface.key + options_key(document_, OptionStage::phases) + tiles_key(arguments());
     if (stages_.tiles.key != key) {
       stages_.tiles = {key, std::make_shared<TileFollower>(arguments(), stages_.surface.made)};
     }
@@ -513,7 +513,7 @@ class StageUpdate {
 
   void make_style() {
     const std::string looks =
-        std::string(name_of(document_.shown)) + '\n' + options_key(document_, SessionStage::style);
+        std::string(name_of(document_.shown)) + '\n' + options_key(document_, OptionStage::style);
     if (stages_.looks != looks) ++stages_.changes;
     stages_.looks = looks;
     if (document_.shown != Shown::stripes || !is_styled(parsed_->command())) {
@@ -536,7 +536,7 @@ class StageUpdate {
   bool make_others() {
     StyleStages& style = stages_.style;
     const std::string key = stages_.surface.key + others_key(document_, stages_.waves.key);
-    const std::string solving = key + options_key(document_, SessionStage::phases);
+    const std::string solving = key + options_key(document_, OptionStage::phases);
     const Preparation& prepared = *stages_.surface.made;
     if (!style.read.holds(key)) {
       style.read = {key,
@@ -632,7 +632,7 @@ class StageUpdate {
   const StripePattern& second() {
     Stage<StripePattern>& stage = stages_.shown.second;
     const std::string key = std::string(name_of(document_.shown)) + stages_.waves.key +
-                            options_key(document_, SessionStage::phases) + second_key(document_);
+                            options_key(document_, OptionStage::phases) + second_key(document_);
     if (holds_crossing(stage, key)) return *stage.made;
     const bool goes_on = can_go_on(stage) && second_options().wales.periods == 0;
     WaveSet waves = make_second_waves(first_waves(), second_options(), listener_);
@@ -656,7 +656,7 @@ class StageUpdate {
   // All that curves and samples follow from, once V is there.
   std::string shown_key() const {
     return std::to_string(stages_.patterns) + '\n' + stages_.shown.second.key +
-           options_key(document_, SessionStage::style) + camera_key(document_, SessionStage::style);
+           options_key(document_, OptionStage::style) + camera_key(document_, OptionStage::style);
   }
 
   bool make_curves() {

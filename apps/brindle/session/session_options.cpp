@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <utility>
 
 #include "brindle/base/suggestion.h"
@@ -30,87 +29,6 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kElsewhere = {{
     {"help", "a session does not ask"},
 }};
 
-/// Of all commands.
-struct AllArguments {
-  StripeArguments stripes;
-  CurvesArguments curves;
-  SampleArguments samples;
-};
-
-/// A group of a command's options.
-struct OptionGroup {
-  const char* name;
-  SessionStage stage;
-  std::function<void(CLI::App&, AllArguments&)> add;
-  bool own = false;
-};
-
-void add_waves(CLI::App& app, AllArguments& all) { add_wave_options(app, all.stripes.waves); }
-
-void add_phases(CLI::App& app, AllArguments& all) {
-  add_solver_option(app, all.stripes.solving);
-  add_solving_options(app, all.stripes.solving);
-}
-
-void add_making(CLI::App& app, AllArguments& all) { add_making_options(app, all.stripes.making); }
-
-void add_surface(CLI::App& app, AllArguments& all) {
-  add_surface_options(app, all.stripes.surface);
-}
-
-void add_surface_or_points(CLI::App& app, AllArguments& all) {
-  add_surface(app, all);
-  add_point_options(app, all.stripes.surface);
-}
-
-void add_camera(CLI::App& app, AllArguments& all) { all.stripes.picture = add_camera_options(app); }
-
-/// In which each option of the command is looked for, the first that has it counts.
-std::vector<OptionGroup> stripe_groups() {
-  return {
-      {"Surface", SessionStage::surface, add_surface_or_points},
-      {"Field", SessionStage::waves,
-       [](CLI::App& app, AllArguments& all) {
-         add_waves(app, all);
-         add_cross_option(app, all.stripes.waves);
-       }},
-      {"Solving", SessionStage::phases, add_phases},
-      {"Making", SessionStage::phases, add_making},
-      {"Texture", SessionStage::waves,
-       [](CLI::App& app, AllArguments& all) {
-         add_texture_options(app, all.stripes.texture, all.stripes.waves);
-       }},
-      {"Picture", SessionStage::style,
-       [](CLI::App& app, AllArguments& all) { all.stripes.picture = add_picture_options(app); }},
-      {"Style", SessionStage::style,
-       [](CLI::App& app, AllArguments& all) { add_style_options(app, all.stripes.style); }},
-      // What is left: how the solver is run.
-      {"Solving", SessionStage::phases,
-       [](CLI::App& app, AllArguments& all) { add_stripe_options(app, all.stripes); }}};
-}
-
-/// Those that are shared with stripes, then all others.
-std::vector<OptionGroup> option_groups(Shown shown) {
-  if (shown == Shown::stripes) return stripe_groups();
-  const bool curves = shown == Shown::curves;
-  std::vector<OptionGroup> groups = {
-      {"Surface", SessionStage::surface, curves ? add_surface : add_surface_or_points},
-      {"Field", SessionStage::waves, add_waves},
-      {"Solving", SessionStage::phases, add_phases},
-      {"Picture", SessionStage::style, add_camera}};
-  if (curves) {
-    groups.push_back({"Making", SessionStage::phases, add_making});
-    groups.push_back({"Curves", SessionStage::style,
-                      [](CLI::App& app, AllArguments& all) { add_curves_options(app, all.curves); },
-                      true});
-  } else {
-    groups.push_back(
-        {"Samples", SessionStage::style,
-         [](CLI::App& app, AllArguments& all) { add_sample_options(app, all.samples); }, true});
-  }
-  return groups;
-}
-
 const char* elsewhere(const std::string& name) {
   for (const auto& [option, why] : kElsewhere) {
     if (name == option) return why;
@@ -118,37 +36,13 @@ const char* elsewhere(const std::string& name) {
   return nullptr;
 }
 
-bool takes_several(const CLI::Option& option) {
-  return option.get_expected_max() > 1 ||
-         option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
-}
+PatternJob job_of_shown(Shown shown) { return job_of(std::string(command_of(shown))); }
 
-/// "a|b|c" if all of it are small words: not "FILE|array:NAME".
-std::vector<std::string> choices_of(const std::string& type_name) {
-  if (type_name.find('|') == std::string::npos) return {};
-  const bool words = std::ranges::all_of(
-      type_name, [](char c) { return (c >= 'a' && c <= 'z') || c == '|' || c == '_' || c == '-'; });
-  return words ? split(type_name, '|') : std::vector<std::string>();
-}
-
-std::vector<SessionOption> make_session_options(Shown shown) {
-  std::vector<SessionOption> options;
-  for (const OptionGroup& group : option_groups(shown)) {
-    CLI::App app;
-    AllArguments arguments;
-    group.add(app, arguments);
-    describe_options(app, job_of(std::string(command_of(shown))));
-    for (const CLI::Option* option : app.get_options()) {
-      if (option->get_positional()) continue;
-      const std::string name = option->get_lnames().front();
-      const bool known = std::ranges::find(options, name, &SessionOption::name) != options.end();
-      if (known || elsewhere(name) != nullptr) continue;
-      const bool flag = option->get_expected_max() == 0;
-      const std::string type_name = flag ? "" : option->get_type_name();
-      options.push_back({name, group.name, option->get_description(), type_name,
-                         choices_of(type_name), flag, takes_several(*option), group.own,
-                         group.stage});
-    }
+std::vector<const OptionInfo*> make_session_options(Shown shown) {
+  std::vector<const OptionInfo*> options;
+  for (const OptionInfo& info : option_table()) {
+    if (info.is_for(job_of_shown(shown)) && info.stale != OptionStage::none)
+      options.push_back(&info);
   }
   return options;
 }
@@ -158,7 +52,7 @@ std::vector<SessionOption> make_session_options(Shown shown) {
     throw CLI::ValidationError("--" + name, std::string("is no option of sessions: ") + why);
   }
   std::vector<std::string> known;
-  for (const SessionOption& option : session_options(shown)) known.push_back(option.name);
+  for (const OptionInfo* option : session_options(shown)) known.emplace_back(option->name);
   const std::string refusal = "is no option of 'brindle " + std::string(command_of(shown)) + "'";
   for (const Shown other : kAllShown) {
     if (find_session_option(name, other) == nullptr) continue;
@@ -171,21 +65,21 @@ std::vector<SessionOption> make_session_options(Shown shown) {
 }
 
 void check_values(const std::string& name, const std::vector<std::string>& values, Shown shown) {
-  const SessionOption* option = find_session_option(name, shown);
+  const OptionInfo* option = find_session_option(name, shown);
   if (option == nullptr) refuse_unknown(name, shown);
   const std::string dashed_name = "--" + name;
-  if (option->flag) {
+  if (option->kind == OptionKind::flag) {
     if (values.empty()) return;
     throw CLI::ValidationError(dashed_name, "takes no value; give none, or leave the option out");
   }
   if (values.empty())
-    throw CLI::ValidationError(dashed_name, "lacks its value " + option->type_name);
-  if (values.size() > 1 && !option->repeatable) {
+    throw CLI::ValidationError(dashed_name, "lacks its value " + std::string(option->form));
+  if (values.size() > 1 && !option->several) {
     throw CLI::ValidationError(dashed_name,
                                "takes one value, not " + std::to_string(values.size()));
   }
   for (const std::string& value : values) {
-    if (value.empty()) wrong_usage(dashed_name, option->type_name, value);
+    if (value.empty()) wrong_usage(dashed_name, std::string(option->form), value);
   }
 }
 
@@ -292,7 +186,7 @@ void check_hidden(const SessionDocument& document) {
        {std::pair(&document.curves, Shown::curves), std::pair(&document.samples, Shown::samples)}) {
     for (const auto& [name, values] : *kept) {
       check_values(name, values, shown);
-      if (find_session_option(name, shown)->own) continue;
+      if (is_own(*find_session_option(name, shown), shown)) continue;
       throw CLI::ValidationError("--" + name,
                                  "is shared by all that is shown; it belongs to "
                                  "'options', not to '" +
@@ -303,17 +197,17 @@ void check_hidden(const SessionDocument& document) {
 
 }  // namespace
 
-const std::vector<SessionOption>& session_options(Shown shown) {
-  static const std::array<std::vector<SessionOption>, kAllShown.size()> options = {
+const std::vector<const OptionInfo*>& session_options(Shown shown) {
+  static const std::array<std::vector<const OptionInfo*>, kAllShown.size()> options = {
       make_session_options(Shown::stripes), make_session_options(Shown::curves),
       make_session_options(Shown::samples)};
   return options[static_cast<std::size_t>(shown)];
 }
 
 OptionValues& options_with(const std::string& name, SessionDocument& document) {
-  const SessionOption* option = find_session_option(name, document.shown);
+  const OptionInfo* option = find_session_option(name, document.shown);
   if (option == nullptr) refuse_unknown(name, document.shown);
-  if (!option->own) return document.options;
+  if (!is_own(*option, document.shown)) return document.options;
   return document.shown == Shown::curves ? document.curves : document.samples;
 }
 
@@ -321,8 +215,8 @@ OptionValues shown_options(const SessionDocument& document) {
   if (document.shown == Shown::stripes) return document.options;
   OptionValues options = document.shown == Shown::curves ? document.curves : document.samples;
   for (const auto& [name, values] : document.options) {
-    const SessionOption* option = find_session_option(name, document.shown);
-    if (option != nullptr && !option->own) options[name] = values;
+    const OptionInfo* option = find_session_option(name, document.shown);
+    if (option != nullptr && !is_own(*option, document.shown)) options[name] = values;
   }
   return options;
 }
@@ -354,17 +248,23 @@ bool can_follow_tiles(const StripeArguments& arguments) {
   return can_have_frames(arguments) && has_tiles(arguments) && arguments.solving.slack.slack == 0;
 }
 
-const SessionOption* find_session_option(const std::string& name, Shown shown) {
-  const std::vector<SessionOption>& options = session_options(shown);
-  const auto found = std::ranges::find(options, name, &SessionOption::name);
-  return found == options.end() ? nullptr : &*found;
+const OptionInfo* find_session_option(const std::string& name, Shown shown) {
+  const OptionInfo* option = find_option(name, job_of_shown(shown));
+  return option == nullptr || option->stale == OptionStage::none ? nullptr : option;
+}
+
+bool is_own(const OptionInfo& option, Shown shown) { return option.own && shown != Shown::stripes; }
+
+std::vector<std::string> choices_of(const OptionInfo& option) {
+  if (option.kind != OptionKind::choice) return {};
+  return split(std::string(option.form), '|');
 }
 
 ParsedSession::ParsedSession(const SessionDocument& document)
     : app_(std::make_unique<CLI::App>()), arguments_(std::make_unique<StripeArguments>()) {
   command_ = app_->add_subcommand(std::string(command_of(document.shown)));
   add_options(document.shown);
-  describe_options(*command_, job_of(std::string(command_of(document.shown))));
+  describe_options(*command_, job_of_shown(document.shown));
   if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
   app_->parse(words_of(document));
   take_shared();

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/option_table.h"
 #include "jobs/curves_arguments.h"
 #include "jobs/sample_arguments.h"
 #include "jobs/stripe_arguments.h"
@@ -15,34 +16,20 @@
 
 namespace brindle::tool {
 
-/// Which part of a picture an option changes: that, and all that comes after.
-enum class SessionStage {
-  surface,  ///< the mesh itself
-  waves,    ///< directions and frequencies
-  phases,   ///< how they are solved for
-  style,    ///< what is drawn of the pattern
-};
-
-/// An option that documents may have.
-struct SessionOption {
-  std::string name;   ///< long, without dashes
-  std::string group;  ///< "Surface", "Field", "Solving", "Making", "Texture", "Picture", "Style",
-                      ///< "Curves", "Samples"
-  std::string help;
-  std::string type_name;             ///< "N", "FILE", "a|b|c"; empty for flags
-  std::vector<std::string> choices;  ///< of `a|b|c` where nothing else is allowed, else empty
-  bool flag = false;
-  bool repeatable = false;
-  bool own = false;  ///< of curves or samples alone, and kept apart
-  SessionStage stage = SessionStage::style;
-};
-
-/// In the order of the command's --help. Without those that a session has another way (--camera,
-/// --size, --quality), that concern the machine (--threads) and that write files.
-const std::vector<SessionOption>& session_options(Shown shown = Shown::stripes);
+/// Rows of the table, in its order: those that make a pattern or its picture. Not those that a
+/// session has another way (--camera, --size, --quality), that concern the machine (--threads) or
+/// that write files.
+const std::vector<const OptionInfo*>& session_options(Shown shown = Shown::stripes);
 
 /// Null if there is no such option.
-const SessionOption* find_session_option(const std::string& name, Shown shown = Shown::stripes);
+const OptionInfo* find_session_option(const std::string& name, Shown shown = Shown::stripes);
+
+/// Whether curves or samples, which are shown, have the option to themselves: documents keep it
+/// apart from those of stripes.
+bool is_own(const OptionInfo& option, Shown shown);
+
+/// All values of a choice; empty of other options.
+std::vector<std::string> choices_of(const OptionInfo& option);
 
 /// Where the document keeps this option of what it shows. Throws CLI::ValidationError, with what
 /// there is instead, if there is no such option.

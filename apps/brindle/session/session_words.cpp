@@ -34,8 +34,8 @@ SessionDocument document_of_words(const std::vector<std::string>& words) {
       continue;
     }
     const std::string name = words[i].substr(2);
-    const SessionOption* option = find_session_option(name, document.shown);
-    if (option != nullptr && option->flag) {
+    const OptionInfo* option = find_session_option(name, document.shown);
+    if (option != nullptr && option->kind == OptionKind::flag) {
       options_with(name, document)[name] = {};
       continue;
     }

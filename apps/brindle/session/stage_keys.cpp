@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 #include "brindle/recipe/json_text.h"
 #include "input/make_waves.h"
@@ -28,20 +29,29 @@ std::string key_of(const OptionValues& options) {
   return key + '\n';
 }
 
-/// Those of the document's options that are named.
-OptionValues named_options(const SessionDocument& document, std::span<const char* const> names) {
-  const OptionValues all = shown_options(document);
+/// Those of the document's options that `counts` takes, by name and row.
+template <class Counts>
+OptionValues chosen_options(const SessionDocument& document, const Counts& counts) {
   OptionValues options;
-  for (const char* name : names) {
-    const auto found = all.find(name);
-    if (found != all.end()) options.insert(*found);
+  for (const auto& [name, values] : shown_options(document)) {
+    const OptionInfo* info = find_session_option(name, document.shown);
+    if (info != nullptr && counts(*info)) options[name] = values;
   }
   return options;
 }
 
+OptionValues named_options(const SessionDocument& document,
+                           std::span<const std::string_view> names) {
+  return chosen_options(document, [&](const OptionInfo& info) {
+    return std::ranges::find(names, info.name) != names.end();
+  });
+}
+
+constexpr OptionStage kWaveStages = OptionStage::field | OptionStage::waves;
+
 /// Which axis points up, by --up alone: of which the mesh is a shape or a file, its own key says.
 std::string up_key(const SessionDocument& document) {
-  constexpr std::array kUp = {"up"};
+  constexpr std::array kUp = {std::string_view("up")};
   return key_of(named_options(document, kUp));
 }
 
@@ -50,42 +60,37 @@ std::string view_key(const SessionDocument& document) {
          std::to_string(document.size.height) + up_key(document);
 }
 
-bool has_values(const SessionDocument& document, SessionStage stage,
+bool has_values(const SessionDocument& document, OptionStage stages,
                 bool (*depend)(const std::string&)) {
-  return std::ranges::any_of(shown_options(document), [&](const auto& entry) {
-    const SessionOption* option = find_session_option(entry.first, document.shown);
-    return option != nullptr && option->stage == stage && std::ranges::any_of(entry.second, depend);
-  });
+  const OptionValues options =
+      chosen_options(document, [&](const OptionInfo& info) { return has(stages, info.stale); });
+  return std::ranges::any_of(
+      options, [&](const auto& entry) { return std::ranges::any_of(entry.second, depend); });
 }
 
 }  // namespace
 
-std::string options_key(const SessionDocument& document, SessionStage stage) {
-  OptionValues options;
-  for (const auto& [name, values] : shown_options(document)) {
-    const SessionOption* option = find_session_option(name, document.shown);
-    if (option != nullptr && option->stage == stage) options[name] = values;
-  }
-  return key_of(options);
+std::string options_key(const SessionDocument& document, OptionStage stages) {
+  return key_of(
+      chosen_options(document, [&](const OptionInfo& info) { return has(stages, info.stale); }));
 }
 
 std::string surface_key(const SessionDocument& document) {
   return document.mesh + '|' + stamp_of(document.mesh) + '\n' +
-         options_key(document, SessionStage::surface);
+         options_key(document, OptionStage::surface);
 }
 
-std::string camera_key(const SessionDocument& document, SessionStage stage) {
-  if (has_values(document, stage, depends_on_camera)) return view_key(document);
-  return has_values(document, stage, depends_on_up) ? up_key(document) : "";
+std::string camera_key(const SessionDocument& document, OptionStage stages) {
+  if (has_values(document, stages, depends_on_camera)) return view_key(document);
+  return has_values(document, stages, depends_on_up) ? up_key(document) : "";
 }
 
 std::string field_key(const SessionDocument& document) {
-  SessionDocument without = document;
-  for (const std::string& name : kOptionsAfterField) without.options.erase(name);
-  std::string key = options_key(without, SessionStage::waves);
+  std::string key = options_key(document, OptionStage::field);
   // A smooth field goes on from that of the previous pattern. How both are turned is noted.
   if (document.options.contains("previous")) {
-    constexpr std::array kLast = {"previous", "lambda", "match", "along", "rotate"};
+    constexpr std::array<std::string_view, 5> kLast = {"previous", "lambda", "match", "along",
+                                                       "rotate"};
     key += key_of(named_options(document, kLast));
   }
   for (const FieldStroke& stroke : document.strokes) key += stroke_to_json(stroke).dump();
@@ -93,14 +98,13 @@ std::string field_key(const SessionDocument& document) {
 }
 
 std::string waves_key(const SessionDocument& document) {
-  return options_key(document, SessionStage::waves) +
-         nlohmann::json(frequency_factor(document)).dump() +
-         camera_key(document, SessionStage::waves) + '\n';
+  return options_key(document, kWaveStages) + nlohmann::json(frequency_factor(document)).dump() +
+         camera_key(document, kWaveStages) + '\n';
 }
 
 std::string pattern_key(const SessionDocument& document) {
   return surface_key(document) + field_key(document) + waves_key(document) +
-         options_key(document, SessionStage::phases);
+         options_key(document, OptionStage::phases);
 }
 
 std::string others_key(const SessionDocument& document, const std::string& waves) {
@@ -115,17 +119,13 @@ std::string others_key(const SessionDocument& document, const std::string& waves
 
 std::string values_key(const SessionDocument& document, const StyleOptions& style,
                        const std::string& others) {
-  constexpr std::array kReading = {"width-by",     "color-by",   "opacity-by",  "texture-by",
-                                   "tile-size-by", "field-mesh", "max-distance"};
-  constexpr std::array kMargin = {"legend", "no-legend", "color-range", "width-range"};
-  std::string key = key_of(named_options(document, kReading)) + up_key(document);
+  std::string key = options_key(document, OptionStage::values) + up_key(document);
   if (!style.follows_camera()) return key;
-  return key + key_of(named_options(document, kMargin)) + others + view_key(document);
+  return key + options_key(document, OptionStage::margin) + others + view_key(document);
 }
 
 std::string second_key(const SessionDocument& document) {
-  constexpr std::array kSecond = {"field-v", "stripes-v", "frequency-v", "wales"};
-  return key_of(named_options(document, kSecond));
+  return options_key(document, OptionStage::second);
 }
 
 }  // namespace brindle::tool

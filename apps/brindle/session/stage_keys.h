@@ -8,8 +8,8 @@
 
 namespace brindle::tool {
 
-/// The document's options of a stage, and of which files they speak.
-std::string options_key(const SessionDocument& document, SessionStage stage);
+/// The document's options that make one of these stages stale, and of which files they speak.
+std::string options_key(const SessionDocument& document, OptionStage stages);
 
 std::string surface_key(const SessionDocument& document);
 std::string field_key(const SessionDocument& document);
@@ -24,7 +24,7 @@ std::string second_key(const SessionDocument& document);
 
 /// Values that follow the camera are other ones when it moves, and heights when another axis points
 /// up: both, where there are any such values.
-std::string camera_key(const SessionDocument& document, SessionStage stage);
+std::string camera_key(const SessionDocument& document, OptionStage stages);
 
 /// What other surfaces of a picture are read by. Those with stripes of their own have them by the
 /// document's waves.

@@ -4,31 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "session/session_options.h"
+#include "brindle/option_table.h"
+#include "session/session_document.h"
 
 namespace brindle::tool {
 
 /// `percent`: a length as a share of the diagonal, "0.4%", or in the mesh's units.
 enum class WidgetKind { flag, choice, number, numbers, percent, text };
 
-/// How far a slider reaches; what is typed may go beyond.
-struct SliderRange {
-  float lowest = 0;
-  float highest = 1;
-  bool logarithmic = false;  ///< from zero, too
-  bool whole = false;
-};
-
 struct CatalogOption {
   std::string name;  ///< "stripes"
   std::string help;
   std::string form;  ///< how values are written: "AZIMUTH,ELEVATION"
   WidgetKind kind = WidgetKind::text;
-  std::vector<std::string> names;  ///< values that are names: all of a choice, some of a text
-  bool file = false;               ///< the value may be a file
-  bool repeatable = false;         ///< a value a line
-  SliderRange range;               ///< of numbers and percents
-  std::string standard;            ///< the value when it is not given, if help names it
+  std::vector<std::string> names;     ///< values that are names: all of a choice, some of a text
+  bool file = false;                  ///< the value may be a file
+  bool repeatable = false;            ///< a value a line
+  bool whole = false;                 ///< numbers have no fraction
+  SliderRange range;                  ///< of numbers and percents; what is typed may go beyond
+  std::string standard;               ///< what counts where it is not given; empty: nothing does
+  std::vector<std::string> excludes;  ///< options that are left out when this one is given
 };
 
 struct OptionGroup {
@@ -36,8 +31,7 @@ struct OptionGroup {
   std::vector<CatalogOption> options;
 };
 
-/// All of `options`, each in one group: first those of curves or samples alone, last those that no
-/// group names.
-std::vector<OptionGroup> option_catalog(const std::vector<SessionOption>& options);
+/// All options of what is shown, each in one group: first those of curves or samples alone.
+std::vector<OptionGroup> option_catalog(Shown shown = Shown::stripes);
 
 }  // namespace brindle::tool

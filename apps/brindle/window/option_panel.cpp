@@ -60,21 +60,8 @@ void show_tooltip(const std::string& title, const std::string& text) {
 OptionPanel::OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log)
     : live_(live), browser_(browser), log_(log) {
   for (const Shown shown : kAllShown) {
-    catalogs_[static_cast<std::size_t>(shown)] = catalog_of(shown);
+    catalogs_[static_cast<std::size_t>(shown)] = option_catalog(shown);
   }
-}
-
-OptionPanel::Catalog OptionPanel::catalog_of(Shown shown) {
-  Catalog catalog{option_catalog(session_options(shown)), {}};
-  SessionDocument document;
-  document.shown = shown;
-  const ParsedSession parsed(document);
-  for (const CLI::Option* option : parsed.command().get_options()) {
-    for (const CLI::Option* other : option->get_excludes()) {
-      catalog.excluded[option->get_single_name()].push_back(other->get_single_name());
-    }
-  }
-  return catalog;
 }
 
 void OptionPanel::note_session() {
@@ -103,7 +90,7 @@ void OptionPanel::draw() {
   draw_shown();
   // What is shown may have become another one.
   note_session();
-  for (const OptionGroup& group : catalog().groups) draw_group(group);
+  for (const OptionGroup& group : catalog()) draw_group(group);
 }
 
 void OptionPanel::draw_shown() {
@@ -121,7 +108,7 @@ void OptionPanel::draw_shown() {
 
 void OptionPanel::draw_option(const std::string& name) {
   note_session();
-  for (const OptionGroup& group : catalog().groups) {
+  for (const OptionGroup& group : catalog()) {
     const auto option = std::ranges::find(group.options, name, &CatalogOption::name);
     if (option == group.options.end()) continue;
     ImGui::PushID(name.c_str());
@@ -131,7 +118,7 @@ void OptionPanel::draw_option(const std::string& name) {
 }
 
 void OptionPanel::draw_group(const OptionGroup& group) {
-  const bool first = &group == &catalog().groups.front();
+  const bool first = &group == &catalog().front();
   const bool open =
       ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   log_.note_widget("group " + group.title);
@@ -198,7 +185,8 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
       const auto value = number_in(text);
       // Where a slider cannot show it, such as array:NAME.
       if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
-      return draw_number(option, value.value_or(range_of(option).lowest), value.has_value());
+      const auto lowest = static_cast<float>(range_of(option).lowest);
+      return draw_number(option, value.value_or(lowest), value.has_value());
     }
     case WidgetKind::numbers:
       return draw_numbers(option);
@@ -226,8 +214,8 @@ std::string OptionPanel::text_of(const CatalogOption& option) const {
 SliderRange OptionPanel::range_of(const CatalogOption& option) const {
   SliderRange range = option.range;
   if (option.name.starts_with("frequency") && diagonal_ > 0) {
-    range.lowest = static_cast<float>(2 / diagonal_);
-    range.highest = static_cast<float>(400 / diagonal_);
+    range.lowest = 2 / diagonal_;
+    range.highest = 400 / diagonal_;
   }
   const auto& options = given_;
   if (const auto colors = options.find("color-range");
@@ -241,11 +229,8 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
 void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values,
                       ValueChange change_by) {
   commands::SetOptions change{{{option.name, std::move(values)}}, {}};
-  const auto& excluded = catalog().excluded;
-  if (const auto others = excluded.find(option.name); others != excluded.end()) {
-    for (const std::string& other : others->second) {
-      if (given_.contains(other)) change.clear.push_back(other);
-    }
+  for (const std::string& other : option.excludes) {
+    if (given_.contains(other)) change.clear.push_back(other);
   }
   SessionCommand command = change;
   if (change.clear.empty()) {
@@ -287,10 +272,10 @@ void OptionPanel::draw_number(const CatalogOption& option, float value, bool kno
   if (!given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
-  const ValueChange change =
-      value_slider("##number", value, range.lowest, range.highest, shown.c_str(), flags);
+  const ValueChange change = value_slider("##number", value, static_cast<float>(range.lowest),
+                                          static_cast<float>(range.highest), shown.c_str(), flags);
   if (!given) ImGui::PopStyleColor();
-  const std::string text = text_of_value(value, change, range.whole);
+  const std::string text = text_of_value(value, change, option.whole);
   if (change != ValueChange::none && text != before) set(option, {text}, change);
 }
 
@@ -328,17 +313,18 @@ void OptionPanel::draw_percent(const CatalogOption& option) {
   const auto share =
       text.ends_with('%') ? number_in(text.substr(0, text.size() - 1)) : std::nullopt;
   if (!share && !text.empty()) return draw_text(option, 0, -FLT_MIN);
-  float value = share.value_or(option.range.lowest);
+  const auto lowest = static_cast<float>(option.range.lowest);
+  const auto highest = static_cast<float>(option.range.highest);
+  float value = share.value_or(lowest);
   const std::string before = share ? text : "off";
   if (!share) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
   ImGui::SetNextItemWidth(-FLT_MIN);
   // A per cent sign is doubled for Dear ImGui.
-  const ValueChange change =
-      value_slider("##percent", value, option.range.lowest, option.range.highest,
-                   share ? (before + "%").c_str() : before.c_str(),
-                   option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const ValueChange change = value_slider(
+      "##percent", value, lowest, highest, share ? (before + "%").c_str() : before.c_str(),
+      option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (!share) ImGui::PopStyleColor();
   const std::string after = text_of_value(value, change, false) + "%";
   if (change != ValueChange::none && after != before) set(option, {after}, change);

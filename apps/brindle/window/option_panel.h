@@ -56,19 +56,13 @@ class OptionPanel {
   LiveSession& live_;
   FileBrowser& browser_;
   WindowLog& log_;
-  // What there is of one thing to show.
-  struct Catalog {
-    std::vector<OptionGroup> groups;
-    std::map<std::string, std::vector<std::string>> excluded;  // by an option that is given
-  };
-  static Catalog catalog_of(Shown shown);
-  const Catalog& catalog() const {
+  const std::vector<OptionGroup>& catalog() const {
     return catalogs_[static_cast<std::size_t>(live_.document().shown)];
   }
 
-  std::array<Catalog, kAllShown.size()> catalogs_;
-  OptionValues given_;                // of what is shown
-  std::uint64_t noted_revision_ = 0;  // of the session
+  std::array<std::vector<OptionGroup>, kAllShown.size()> catalogs_;  // of what can be shown
+  OptionValues given_;                                               // of what is shown
+  std::uint64_t noted_revision_ = 0;                                 // of the session
   bool is_held_ = false;
   std::string edited_;  // option and value that are being typed, such as "field 0"
   std::string edit_;    // what has been typed

@@ -40,8 +40,7 @@ SliderRange useful_range(const ShapeParameter& parameter) {
   float most = std::max(4 * std::abs(standard), parameter.whole ? 20.0f : 2.0f);
   if (parameter.highest - parameter.lowest < 10) most = parameter.highest;
   return {.lowest = std::max(parameter.lowest, standard > 0 ? standard / 20 : 0),
-          .highest = std::min(parameter.highest, most),
-          .whole = parameter.whole};
+          .highest = std::min(parameter.highest, most)};
 }
 
 }  // namespace
@@ -113,11 +112,12 @@ void ShapeDialog::draw_parameter(const ShapeEntry& shape, const ShapeParameter& 
   const SliderRange range = useful_range(parameter);
   float value = std::strtof(text.c_str(), nullptr);
   ImGui::SetNextItemWidth(0.55f * ImGui::GetWindowWidth());
-  const ValueChange change = value_slider(parameter.name.c_str(), value, range.lowest,
-                                          range.highest, range.whole ? "%.0f" : "%.4g");
+  const ValueChange change =
+      value_slider(parameter.name.c_str(), value, static_cast<float>(range.lowest),
+                   static_cast<float>(range.highest), parameter.whole ? "%.0f" : "%.4g");
   log_.note_widget("shape " + parameter.name);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.help.c_str());
-  const std::string after = text_of_value(value, change, range.whole);
+  const std::string after = text_of_value(value, change, parameter.whole);
   if (change == ValueChange::none || after == text) return;
   values[parameter.name] = after;
   live_.apply_value(change, commands::Open{shape_text(shape, values)});

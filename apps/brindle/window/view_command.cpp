@@ -43,19 +43,18 @@ struct ViewArguments {
 
 // What the session's own check reads.
 void add_session_options(CLI::App& command, OptionValues& options) {
-  for (const SessionOption& option : session_options()) {
-    const std::string name = option.name;
-    if (option.flag) {
+  for (const OptionInfo* option : session_options()) {
+    const std::string name(option->name), help(option->help);
+    if (option->kind == OptionKind::flag) {
       command.add_flag_callback(
-          "--" + name, [&options, name] { options[name] = {}; }, option.help);
+          "--" + name, [&options, name] { options[name] = {}; }, help);
       continue;
     }
     CLI::Option* added = command.add_option_function<std::vector<std::string>>(
         "--" + name,
-        [&options, name](const std::vector<std::string>& values) { options[name] = values; },
-        option.help);
-    added->type_name(option.type_name)->expected(1);
-    if (option.repeatable) added->take_all();
+        [&options, name](const std::vector<std::string>& values) { options[name] = values; }, help);
+    added->type_name(std::string(option->form))->expected(1);
+    if (option->several) added->take_all();
   }
 }
 
