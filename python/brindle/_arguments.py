@@ -77,6 +77,21 @@ def word(value: Any, what: str) -> str:
     return value
 
 
+def check_ranges(given: Mapping[str, Any]) -> None:
+    """Raises Error for numbers and words that the tool's options of these names do not take, in its
+    words. Arrays, and what is of a wrong type, are for others."""
+    for name, value in given.items():
+        option = name.strip("_").replace("_", "-")
+        if name in _CHOICES and isinstance(value, str):
+            _core.check_choice(option, value)
+        elif name in _RANGES and isinstance(value, (int, float)) and not isinstance(value, bool):
+            _core.check_number(option, value, str(value))
+
+
+_CHOICES = ("solver", "phase_shift", "weights")
+_RANGES = ("stripes", "frequency", "stripes_v", "frequency_v", "slack", "epsilon", "momentum", "seed",
+           "sweeps", "cycles", "global_iterations", "merge_branches", "lambda_", "threads")
+
 _NUMBERS = ("epsilon", "momentum", "anchor_boundary", "merge_branches", "lambda_")
 _WHOLE_NUMBERS = ("seed", "sweeps", "cycles", "global_iterations")
 
@@ -117,6 +132,7 @@ def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
     """How to solve what is asked for, on a mesh or points. Options that are None have their
     defaults; those that would change nothing are refused."""
     options = {name: value for name, value in given.items() if value is not None}
+    check_ranges(options)
     made = _core.Solving()
     for name in ("solver", "phase_shift", "weights"):
         if name in options:

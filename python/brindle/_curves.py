@@ -218,7 +218,11 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             frequency: Any = None, directions_v: "Optional[ArrayLike]" = None,
             stripes_v: Any = None, frequency_v: Any = None, min_distance: float = 0.25,
             slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", threads: int = 0, progress: Optional[Progress] = None) -> Samples:
+            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            momentum: Optional[float] = None, seed: Optional[int] = None,
+            sweeps: Optional[int] = None, cycles: Optional[int] = None,
+            global_iterations: Optional[int] = None, threads: int = 0,
+            progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: where stripes across ``directions`` (U) cross those along them
     (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
 

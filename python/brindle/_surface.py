@@ -272,19 +272,26 @@ class Surface:
             raise Error("axis: expected three numbers") from error
         return _core.projected_field(self._core, x, y, z)
 
-    def curvature_field(self, which: str = "max", *, anchor: float = 0.1,
-                        raw: bool = False) -> "NDArray[np.float32]":
+    def curvature_field(self, which: str = "max", *, anchor: float = 0.1, raw: bool = False,
+                        symmetry: int = 2, feature_anchor: float = 0, feature_angle: float = 40,
+                        feature_radius: float = 0) -> "NDArray[np.float32]":
         """(n, 3): along the principal direction of larger ("max") or smaller ("min") absolute
         curvature.
 
         It is the smooth field drawn to curvature by ``anchor``, as ``--field curvature`` of the
-        tool. ``raw=True`` gives the directions as they are measured, noise and all.
+        tool; ``symmetry`` and what ``feature_anchor`` does are those of ``smooth_field``.
+        ``raw=True`` gives the directions as they are measured, noise and all.
         """
         if flag(raw, "raw"):
+            if (symmetry, feature_anchor, feature_angle, feature_radius) != (2, 0, 40, 0):
+                raise Error("raw: directions as they are measured are drawn to nothing, and are lines; "
+                            "leave symmetry and what draws to features out")
             return _core.raw_curvature_field(self._core, word(which, "which"))
         if not number(anchor, "anchor") > 0:
             raise Error("anchor: 0 leaves nothing of curvature; take smooth_field")
-        return self.smooth_field(curvature_anchor=anchor, curvature=which)
+        return self.smooth_field(symmetry=symmetry, curvature_anchor=anchor, curvature=which,
+                                 feature_anchor=feature_anchor, feature_angle=feature_angle,
+                                 feature_radius=feature_radius)
 
     def array_field(self, vectors: "Union[str, ArrayLike]") -> "NDArray[np.float32]":
         """(n, 3): vectors of any length projected into the tangent planes.

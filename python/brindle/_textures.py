@@ -167,7 +167,10 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             frequency: Any = None, stripes_v: Any = None, frequency_v: Any = None,
             oriented: bool = False, along: bool = False, slack: Any = None,
             calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", threads: int = 0,
+            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            momentum: Optional[float] = None, seed: Optional[int] = None,
+            sweeps: Optional[int] = None, cycles: Optional[int] = None,
+            global_iterations: Optional[int] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
 
@@ -195,9 +198,13 @@ _DEFAULTS = defaults_of(texture)
 def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, slack: Any = None, calm: "Optional[ArrayLike]" = None,
             solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
-            threads: int = 0, progress: Optional[Progress] = None) -> Texture:
+            epsilon: Optional[float] = None, momentum: Optional[float] = None,
+            seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
+            global_iterations: Optional[int] = None, threads: int = 0,
+            progress: Optional[Progress] = None) -> Texture:
     """Square tiles along a cross field: directions and their quarter turns, which are not told
     apart. ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``.
+    All else as for ``brindle.stripes``.
     """
     given = dict(locals())
     surface = as_surface(given.pop("surface"))

@@ -31,6 +31,19 @@ PYBIND11_MODULE(_core, module) {
              "How many arrays were converted to be read where none had to be; for tests.");
   module.def("unmasked", unmasked, py::arg("array"));
   module.def("in_pythons_words", in_pythons_words, py::arg("text"));
+  module.def(
+      "check_number",
+      [](const std::string& name, double value, const std::string& written) {
+        saying_in_pythons_words([&] { check_number("--" + name, value, written); });
+      },
+      py::arg("name"), py::arg("value"), py::arg("written"),
+      "Raises Error for a number that the tool's option does not take.");
+  module.def(
+      "check_choice",
+      [](const std::string& name, const std::string& word) {
+        saying_in_pythons_words([&] { check_choice("--" + name, word); });
+      },
+      py::arg("name"), py::arg("word"), "Raises Error for none of the words of the tool's option.");
   bind_process(module);
   bind_surfaces(module);
   bind_fields(module);

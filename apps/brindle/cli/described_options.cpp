@@ -3,6 +3,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "brindle/recipe/refusals.h"
+
 namespace brindle::tool {
 namespace {
 
@@ -20,8 +22,13 @@ void describe_option(CLI::Option& option, const OptionInfo& info) {
   option.type_name(std::string(info.form));
   const NumberRange& range = info.range;
   if (info.kind == OptionKind::whole && range.contains(range.most)) {
-    option.check(
-        CLI::Range(static_cast<std::int64_t>(range.least), static_cast<std::int64_t>(range.most)));
+    CLI::Range in_range(static_cast<std::int64_t>(range.least),
+                        static_cast<std::int64_t>(range.most));
+    // In the words that other numbers are refused in.
+    const auto refuse = [in_range, &info](std::string& text) {
+      return in_range(text).empty() ? "" : "expected " + taken_by(info) + ", got " + text;
+    };
+    option.check(CLI::Validator(refuse, in_range.get_description()));
   }
 }
 

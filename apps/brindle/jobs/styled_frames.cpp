@@ -194,14 +194,15 @@ StyledScene StyledFrames::scene_of(const SolvedFrame& frame, const Surface& surf
   const WaveSet& waves = frame.scene.waves;
   StyledScene scene{surface, {waves, frame.z}, std::nullopt, others_, std::nullopt};
   if (texture_) {
-    scene.texture.emplace(texture_->frame(surface, waves), *style_.tile, texture_->shift(count_));
+    scene.texture.emplace(
+        TextureView{texture_->frame(surface, waves), *style_.tile, texture_->shift(count_)});
   } else if (style_.style.cross_hatch) {
     across_ = waves_across(waves, surface.normals);
     const std::span<const DataArray> arrays =
         frame.data.share == 1 ? std::span(frame.data.arrays.points) : std::span<const DataArray>();
     const auto crossing = crossing_.frame({surface.mesh, surface.normals, across_, {}},
                                           surface.neighborhood, arrays, frame.data.file);
-    scene.crossing.emplace(across_, crossing.frame.z);
+    scene.crossing.emplace(StripesView{across_, crossing.frame.z});
   }
   return scene;
 }

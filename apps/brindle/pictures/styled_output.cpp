@@ -79,10 +79,10 @@ StyledScene scene_of(const Surface& surface, const StripeResult& result, const S
   StyledScene scene{
       surface, {pattern.waves, pattern.solution.z}, std::nullopt, *patterns.others, std::nullopt};
   if (patterns.crossing) {
-    scene.crossing.emplace(patterns.crossing->waves, patterns.crossing->solution.z);
+    scene.crossing.emplace(StripesView{patterns.crossing->waves, patterns.crossing->solution.z});
   }
   if (const Texture* texture = result.texture()) {
-    scene.texture.emplace(texture->pattern.waves, texture->tile, style.texture_shift);
+    scene.texture.emplace(TextureView{texture->pattern.waves, texture->tile, style.texture_shift});
   }
   return scene;
 }

@@ -4,6 +4,7 @@
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "cli/command_line.h"
 #include "jobs/curves_output.h"
 #include "pictures/styled_scene.h"
 
@@ -34,7 +35,9 @@ void export_pattern(const LiveState& state, const std::filesystem::path& path,
   check_files(stripe_inputs(arguments), files_of(outputs, state.job->result.texture() != nullptr));
   const MadeMesh made{*state.job->surface, state.job->result, state.job->data,
                       arguments.solving.stripes.phase_shift, false};
-  write_output(outputs.front(), made, state.job->report, *arguments.picture, listener);
+  Report report = state.job->report;
+  report.invocation = invocation_of(state.parsed->command());
+  write_output(outputs.front(), made, report, *arguments.picture, listener);
 }
 
 void export_curves(const LiveState& state, const std::filesystem::path& path,

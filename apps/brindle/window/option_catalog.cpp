@@ -87,7 +87,8 @@ std::vector<OptionGroup> option_catalog(Shown shown) {
   add(true);
   if (!groups.empty()) {
     // What is called after the group comes first, then what it shares with others: colours.
-    std::ranges::stable_partition(groups.front().options, [&](const CatalogOption& option) {
+    std::vector<CatalogOption>& own = groups.front().options;
+    std::stable_partition(own.begin(), own.end(), [&](const CatalogOption& option) {
       return find_session_option(option.name, shown)->group == own_title(shown);
     });
   }

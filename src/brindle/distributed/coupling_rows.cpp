@@ -50,7 +50,9 @@ void load_part(std::span<const std::byte> bytes, const RowPlaces& places,
 /// Direct couplings and anchors; reflecting ones are only collected.
 void copy_local(const LocalRows& local, const SlicedLayout& layout, SlicedCouplings& couplings,
                 std::vector<ReflectingCoupling>& reflecting) {
-  const auto& [level, rows, places] = local;
+  const auto& level = local.level;
+  const auto& rows = local.rows;
+  const auto& places = local.places;
   const std::vector<Complex>& anchor = level.couplings.anchor;
   if (!anchor.empty() && couplings.anchor.empty()) couplings.anchor.resize(layout.slot_count());
   const auto copy_row = [&](std::size_t row) {

@@ -118,7 +118,7 @@ CurveSpacing measure_joined_spacing(const PiecePattern& pattern, const StripeCur
   const auto [least, most] = range_of(ranks, own.at.chosen);
   const auto [least_wanted, most_wanted] = range_of(ranks, own.at.wanted);
   std::optional<CurveMarks> marks;
-  ranks.together([&] {
+  ranks.together([&, most = most] {
     if (ranks.rank() == 0 && most > 0) marks = curve_marks(curves, most);
   });
   const std::size_t count = marks ? marks->lines.points.size() : 0;

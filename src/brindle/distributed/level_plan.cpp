@@ -277,7 +277,7 @@ std::vector<NodeOfRank> ghosts_of(const LevelPlan& plan, Index rank) {
     }
   }
   std::ranges::sort(ghosts);
-  ghosts.erase(std::ranges::unique(ghosts).begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   return ghosts;
 }
 

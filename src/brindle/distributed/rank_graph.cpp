@@ -70,7 +70,7 @@ class BorderColorer {
 std::vector<Index> distinct_groups(std::span<const Index> group_of_node) {
   std::vector<Index> result(group_of_node.begin(), group_of_node.end());
   std::ranges::sort(result);
-  result.erase(std::ranges::unique(result).begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   if (!result.empty() && result.back() == kNone) result.pop_back();
   return result;
 }

@@ -150,13 +150,13 @@ void InputFile::fail_whole(const std::string& message) const {
 }
 
 std::string_view take_word(std::string_view& line) {
-  constexpr std::string_view kSpace = " \t\r\v\f";
-  const std::size_t begin = line.find_first_not_of(kSpace);
+  constexpr std::string_view kBetween = " \t\r\v\f";
+  const std::size_t begin = line.find_first_not_of(kBetween);
   if (begin == std::string_view::npos) {
     line = {};
     return {};
   }
-  const std::size_t end = std::min(line.find_first_of(kSpace, begin), line.size());
+  const std::size_t end = std::min(line.find_first_of(kBetween, begin), line.size());
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;

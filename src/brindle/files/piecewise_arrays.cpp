@@ -36,8 +36,7 @@ void PiecewiseArrays::add(std::vector<DataArray> piece) {
 
 std::vector<DataArray> PiecewiseArrays::take(const std::string& of, std::string& left_out) {
   std::ranges::sort(incomplete_);
-  const auto repeated = std::ranges::unique(incomplete_);
-  incomplete_.erase(repeated.begin(), repeated.end());
+  incomplete_.erase(std::unique(incomplete_.begin(), incomplete_.end()), incomplete_.end());
   for (const std::string& name : incomplete_) {
     left_out += "array " + in_quotes(name) + " of " + of +
                 ": left out, because pieces of the file lack it or have it of another type\n";

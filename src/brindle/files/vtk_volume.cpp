@@ -229,7 +229,7 @@ void VtkVolumes::for_each_boundary_face(
         const bool begins_at_corner = std::ranges::find(points.first(solid.corners), polygon[0]) !=
                                       points.first(solid.corners).end();
         if (polygon.size() > face.size() && begins_at_corner) {
-          std::ranges::rotate(polygon, polygon.begin() + 1);
+          std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
         }
         use(polygon, cells_[c]);
       });

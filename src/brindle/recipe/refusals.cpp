@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "brindle/base/formatted.h"
 #include "brindle/samples.h"
@@ -13,6 +14,45 @@ void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
   for (const std::string& option : options) {
     if (given(option)) throw RefusedOption(option, "has no effect here: " + std::string(why));
   }
+}
+
+namespace {
+
+/// The row of "--name". Throws Error if there is none.
+const OptionInfo& row_of(const std::string& option) {
+  const OptionInfo* info = find_option(option.substr(2), PatternJob::stripe);
+  if (info == nullptr) throw Error(option + " is no option of stripes");
+  return *info;
+}
+
+std::string quoted(const std::string& text) { return '\'' + text + '\''; }
+
+}  // namespace
+
+std::string taken_by(const OptionInfo& info) {
+  const NumberRange& range = info.range;
+  if (info.kind == OptionKind::choice) return "one of " + std::string(info.form);
+  if (std::isfinite(range.least) && std::isfinite(range.most)) {
+    return formatted("a number from %.10g to %.10g", range.least, range.most);
+  }
+  if (range.least == 0) {
+    return range.above_least ? "a finite number above zero" : "a finite number, zero or more";
+  }
+  return "a finite number";
+}
+
+void check_number(const std::string& option, double value, const std::string& written) {
+  const OptionInfo& info = row_of(option);
+  if (info.range.contains(value)) return;
+  throw RefusedOption(option, "expected " + taken_by(info) + ", got " +
+                                  (info.kind == OptionKind::whole ? written : quoted(written)));
+}
+
+void check_choice(const std::string& option, const std::string& word) {
+  const OptionInfo& info = row_of(option);
+  const std::string all = '|' + std::string(info.form) + '|';
+  if (!word.empty() && all.find('|' + word + '|') != all.npos) return;
+  throw RefusedOption(option, "expected " + taken_by(info) + ", got " + quoted(word));
 }
 
 void check_whole_number(const std::string& option, int value, int least, int most) {

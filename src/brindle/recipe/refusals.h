@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brindle/error.h"
+#include "brindle/option_table.h"
 #include "brindle/recipe/making.h"
 
 namespace brindle {
@@ -31,6 +32,16 @@ using IsGiven = std::function<bool(const std::string& option)>;
 /// why. So do all functions below.
 void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
                   std::string_view why);
+
+/// What a number or a choice of the table takes: "a finite number above zero".
+std::string taken_by(const OptionInfo& info);
+
+/// Of an option of `brindle stripe`: throws RefusedOption for a number that is not in its range.
+/// `written` is how it was given.
+void check_number(const std::string& option, double value, const std::string& written);
+
+/// The same for a word that is none of its choices.
+void check_choice(const std::string& option, const std::string& word);
 
 // What numbers options take.
 inline constexpr int kMostSweeps = 10000;  // and cycles, and iterations
