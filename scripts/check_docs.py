@@ -40,6 +40,8 @@ import sys
 import tempfile
 import textwrap
 
+from public_names import functions_and_types
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
 LARGEST_PICTURE = 300_000  # bytes
@@ -254,6 +256,18 @@ def check_citations():
     return failures
 
 
+def check_public_names():
+    """Every function and type of the public headers is named in a page or an example."""
+    pages = [*ROOT.glob("docs/**/*.md"), *ROOT.glob("docs/examples/*.cpp"), ROOT / "README.md"]
+    known = set(re.findall(r"\w+", "\n".join(page.read_text() for page in pages)))
+    failures = []
+    for header in sorted(ROOT.glob("include/brindle/*.h")):
+        functions, types = functions_and_types(header.read_text())
+        failures += [f"{name} of {header.relative_to(ROOT)} is in no page; docs/headers.md lists all"
+                     for name in functions + types if name not in known]
+    return failures
+
+
 def check_examples(page):
     """C++ in a page that names an example program is part of that program."""
     names = re.findall(r"docs/examples/(\w+\.cpp)", page.prose)
@@ -323,7 +337,7 @@ def check(arguments, folder):
         failures = [failure for job in jobs for failure in job.result().failures]
     failures += [f"{path} is no page" for path in sorted(unknown)]
     if not wanted:
-        failures += check_picture_files(every_page) + check_citations()
+        failures += check_picture_files(every_page) + check_citations() + check_public_names()
     for failure in failures:
         print(failure)
     commands = sum(1 for page in pages for command in page.commands() if command.mark != "no-run")
