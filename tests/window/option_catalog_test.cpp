@@ -53,6 +53,8 @@ TEST(OptionCatalogTest, OptionsOfOneGroupStandTogether) {
       EXPECT_TRUE(titles.insert(group.title).second) << group.title << " is there twice";
     }
   }
+  EXPECT_EQ(option_catalog().front().title, "Stripes");
+  EXPECT_EQ(option_catalog().front().options.front().name, "stripes");
   EXPECT_EQ(option_catalog(Shown::samples).front().options.front().name, "glyph");
   EXPECT_EQ(option_catalog(Shown::curves).front().options.front().name, "lines");
 }

@@ -1,6 +1,8 @@
 #include "window/option_catalog.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "brindle/renderer.h"
@@ -64,6 +66,15 @@ CatalogOption entry_of(const OptionInfo& info) {
   return entry;
 }
 
+/// Groups in the order in which they are reached for; others follow as the table has them.
+constexpr std::array<std::string_view, 8> kTitles = {
+    "Stripes",  "Field",   "Look",  "Colours by value", "Outlines and depth",
+    "Textures", "Surface", "Solver"};
+
+std::size_t rank_of(const OptionGroup& group) {
+  return static_cast<std::size_t>(std::ranges::find(kTitles, group.title) - kTitles.begin());
+}
+
 /// What is shown by options of its own, as the table calls their group.
 std::string_view own_title(Shown shown) { return shown == Shown::curves ? "Curves" : "Samples"; }
 
@@ -92,7 +103,11 @@ std::vector<OptionGroup> option_catalog(Shown shown) {
       return find_session_option(option.name, shown)->group == own_title(shown);
     });
   }
+  const auto shared = static_cast<std::ptrdiff_t>(groups.size());
   add(false);
+  std::stable_sort(
+      groups.begin() + shared, groups.end(),
+      [](const OptionGroup& a, const OptionGroup& b) { return rank_of(a) < rank_of(b); });
   return groups;
 }
 
