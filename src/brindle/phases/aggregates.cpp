@@ -303,19 +303,21 @@ void collect_row(const SlicedLayout& layout, const Aggregates& aggregates, Index
 
 }  // namespace
 
-Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings) {
+Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                           const Progress& progress) {
   const Ground ground{layout, couplings, inverse_root_degrees(layout, couplings)};
   std::vector<Index> aggregate(layout.slot_count(), kNone);
   std::vector<BlockGrower> growers;
   for (Index block = 0; block < layout.block_count(); ++block) {
     growers.emplace_back(ground, layout.block(block), aggregate);
   }
+  constexpr std::size_t kBlocksPerReport = 32;
   parallel_for(
-      growers.size(),
+      growers.size(), progress,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t block = begin; block < end; ++block) growers[block].grow();
       },
-      1);
+      1, kBlocksPerReport);
   Aggregates aggregates = put_together(layout, growers, std::move(aggregate));
   join_stranded(ground, growers, aggregates);
   return aggregates;

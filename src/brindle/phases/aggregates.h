@@ -5,6 +5,7 @@
 
 #include "brindle/adjacency.h"
 #include "brindle/phases/sliced_graph.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -27,8 +28,9 @@ struct Aggregates {
 /// `kAggregateSize` members. Only nodes of one block grow together, so that a block's gauges and
 /// sums stay in the cache, and blocks grow at the same time. Nodes left alone join the neighbour's
 /// aggregate that they are most strongly coupled to, in their block if there is one; nodes without
-/// any coupling stay outside.
-Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings);
+/// any coupling stay outside. Throws Cancelled if `progress` asks for it.
+Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                           const Progress& progress = {});
 
 /// Aggregates are neighbours if some of their members are.
 Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggregates);

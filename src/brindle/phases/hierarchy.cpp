@@ -260,11 +260,11 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
     Level& fine = hierarchy.levels.back();
     const double left =
         static_cast<double>(fine.z.size()) / static_cast<double>(hierarchy.levels[0].z.size());
-    const auto report = [&](double of_level) {
-      progress.report("hierarchy", 1 - left + 0.7 * of_level * left);
-    };
+    const Progress level = progress.step("hierarchy").part(1 - left, 1 - 0.3 * left);
+    const auto report = [&](double of_level) { level.report(of_level); };
     report(0);
-    const Aggregates aggregates = grow_aggregates(fine.layout(), fine.couplings);
+    const Aggregates aggregates =
+        grow_aggregates(fine.layout(), fine.couplings, level.part(0, 0.4));
     if (aggregates.count() == 0) break;
     report(0.4);
     const Adjacency adjacency = coarse_adjacency(fine.layout(), aggregates);
