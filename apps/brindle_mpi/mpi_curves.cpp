@@ -15,7 +15,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/curve_measures.h"
 #include "brindle/distributed/joined_measures.h"
-#include "brindle/distributed/moved_peaks.h"
+#include "brindle/distributed/shifted_phases.h"
 #include "brindle/files.h"
 #include "brindle/files/vtp_rows.h"
 #include "brindle/points/point_tree.h"
@@ -274,9 +274,10 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
   std::vector<CutFamily> families;
   for (const auto& [name, solved] : {std::pair("u", &patterns.u), std::pair("v", &patterns.v)}) {
     if (!*solved) continue;
-    const std::size_t jogs = arguments.offset == 0 ? 0
-                                                   : move_peaks(*patterns.surface, arguments.offset,
-                                                                (*solved)->waves, (*solved)->z);
+    const std::size_t jogs =
+        arguments.offset == 0
+            ? 0
+            : shift_phases(*patterns.surface, arguments.offset, (*solved)->waves, (*solved)->z);
     families.push_back(
         {name, piece_curves(patterns.piece(**solved, arguments), {.join = arguments.join})});
     if (writes_pieces(arguments)) {

@@ -113,15 +113,16 @@ void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
     places[0].push_back(i);
     rows.push_back(found->second);
   }
-  const auto told = ranks.swap_lists(places);
+  const auto received = ranks.swap_lists(places);
   for (DataArray& array : arrays) {
     std::vector<std::vector<std::byte>> parts(size);
     parts[0] = rows_of(array, rows).bytes;
     const auto bytes = ranks.swap_lists(parts);
     const std::size_t row_size = size_of(array.type) * static_cast<std::size_t>(array.components);
     for (std::size_t r = 0; r < size && !joined.empty(); ++r) {
-      for (std::size_t i = 0; i < told[r].size(); ++i) {
-        std::memcpy(&array.bytes[joined[told[r][i]] * row_size], &bytes[r][i * row_size], row_size);
+      for (std::size_t i = 0; i < received[r].size(); ++i) {
+        std::memcpy(&array.bytes[joined[received[r][i]] * row_size], &bytes[r][i * row_size],
+                    row_size);
       }
     }
   }

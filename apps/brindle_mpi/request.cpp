@@ -62,8 +62,8 @@ std::string name_of(const std::vector<int>& ranks) {
 
 /// Rank 0's text, on all ranks.
 std::string text_of_first(Communicator& ranks, const std::string& text) {
-  const std::vector<char> told = ranks.of_first(std::vector<char>(text.begin(), text.end()));
-  return {told.begin(), told.end()};
+  const std::vector<char> of_first = ranks.of_first(std::vector<char>(text.begin(), text.end()));
+  return {of_first.begin(), of_first.end()};
 }
 
 std::span<const std::byte> bytes_of(const std::string& text) {

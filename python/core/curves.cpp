@@ -77,7 +77,7 @@ CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
         mesh_edges(surface.mesh, *surface.neighborhood, progress.part(0, kEdges));
     WaveSet waves = stripes.pattern.waves;
     std::vector<Complex> z = stripes.pattern.solution.z;
-    made->jogs = move_peaks(*surface.neighborhood, wishes.offset, waves, z);
+    made->jogs = shift_phases(*surface.neighborhood, wishes.offset, waves, z);
     const WavePattern pattern{surface.mesh, edges, surface.normals,
                               waves,        z,     stripes.pattern.phase_shift};
     made->curves = stripe_curves(LiftedWaves(pattern, progress.part(kEdges, kLifted)),

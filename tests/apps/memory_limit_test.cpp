@@ -31,15 +31,15 @@ TEST_F(MemoryLimit, OfAnySizeLetsCommandsEnd) {
     for (const int kilobytes :
          {150'000, 200'000, 250'000, 300'000, 500'000, 1'000'000, 2'000'000}) {
       const ToolResult result = run_within(kilobytes, arguments);
-      const std::string told = std::string(arguments) + " within " + std::to_string(kilobytes) +
+      const std::string said = std::string(arguments) + " within " + std::to_string(kilobytes) +
                                " kB ended with " + std::to_string(result.exit_code) + ": " +
                                result.err;
-      EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << told;
+      EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << said;
       if (result.exit_code == 1) {
-        EXPECT_NE(result.err.find("memory"), std::string::npos) << told;
+        EXPECT_NE(result.err.find("memory"), std::string::npos) << said;
       }
       if (kilobytes >= 1'000'000) {
-        EXPECT_EQ(result.exit_code, 0) << told;
+        EXPECT_EQ(result.exit_code, 0) << said;
       }
     }
   }
@@ -49,11 +49,11 @@ TEST_F(MemoryLimit, OfAnySizeLetsCommandsEnd) {
 TEST_F(MemoryLimit, LetsTheGlobalSolverEnd) {
   for (const int kilobytes : {250'000, 300'000, 320'000, 350'000, 400'000, 430'000, 500'000}) {
     const ToolResult result = run_within(kilobytes, "stripe shape:torus --solver global");
-    const std::string told = std::to_string(kilobytes) + " kB ended with " +
+    const std::string said = std::to_string(kilobytes) + " kB ended with " +
                              std::to_string(result.exit_code) + ": " + result.err;
-    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << told;
+    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << said;
     if (result.exit_code == 1) {
-      EXPECT_NE(result.err.find("memory"), std::string::npos) << told;
+      EXPECT_NE(result.err.find("memory"), std::string::npos) << said;
     }
   }
 }

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "brindle/distributed/joined_measures.h"
-#include "brindle/distributed/moved_peaks.h"
 #include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/shifted_phases.h"
 #include "brindle/error.h"
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/pattern/sampling.h"
@@ -236,14 +236,14 @@ constexpr std::array<CurveOptions, 2> kCurveOptions = {{{false}, {true}}};
 
 TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
   std::array<std::size_t, kCurveEndKinds> ends{};
-  std::size_t run_on = 0;
+  std::size_t joined_ends = 0;
   for (const Solved& solved : solved_surfaces()) {
     for (const CurveOptions& options : kCurveOptions) {
       const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
       ASSERT_GT(expected.lines.count(), 0u);
       for (std::size_t kind = 0; kind < ends.size(); ++kind)
         ends[kind] += expected.end_counts()[kind];
-      run_on += expected.ends_at_neighbors;
+      joined_ends += expected.ends_at_neighbors;
       for (const Cut& cut : kCuts) {
         SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices" +
                      (options.join ? ", joined" : ""));
@@ -262,7 +262,7 @@ TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
   }
   // All sorts of ends have been there.
   EXPECT_EQ(std::ranges::count(std::span(ends).subspan(1), 0u), 0);
-  EXPECT_GT(run_on, 100u);
+  EXPECT_GT(joined_ends, 100u);
 }
 
 TEST(DistributedCurves, OfOneRankHaveTheBitsOfTheLibrary) {
@@ -318,11 +318,11 @@ TEST(DistributedCurves, MoveAsThoseOfTheWhole) {
   for (const float periods : {0.25f, -1.6f, 0.5f}) {
     WaveSet waves = solved.whole.waves;
     std::vector<Complex> z = solved.z;
-    EXPECT_EQ(move_peaks(*solved.whole.neighborhood, periods, waves, z), 0u);
+    EXPECT_EQ(shift_phases(*solved.whole.neighborhood, periods, waves, z), 0u);
     for (const Cut& cut : kCuts) {
       SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(periods));
       SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
-      EXPECT_EQ(move_peaks(piece.surface, periods, piece.waves, piece.z), 0u);
+      EXPECT_EQ(shift_phases(piece.surface, periods, piece.waves, piece.z), 0u);
       EXPECT_EQ(piece.waves.directions, piece.parts.of_piece(waves.directions));
       EXPECT_EQ(piece.z, piece.parts.of_piece(z));
     }
@@ -336,10 +336,10 @@ TEST(DistributedCurves, SayWhereMovedOnesJog) {
   const Solved solved(box);
   WaveSet waves = solved.whole.waves;
   std::vector<Complex> z = solved.z;
-  const std::size_t expected = move_peaks(*solved.whole.neighborhood, 0.25f, waves, z);
+  const std::size_t expected = shift_phases(*solved.whole.neighborhood, 0.25f, waves, z);
   ASSERT_GT(expected, 0u);
   SolvedPiece piece(solved, partition_by_curve(box.mesh, rank_count()));
-  const std::size_t jogs = move_peaks(piece.surface, 0.25f, piece.waves, piece.z);
+  const std::size_t jogs = shift_phases(piece.surface, 0.25f, piece.waves, piece.z);
   EXPECT_GT(jogs, 0u);
   if (rank_count() == 1) {
     EXPECT_EQ(jogs, expected);

@@ -131,9 +131,9 @@ TEST(DistributedStrokes, AreRefusedWithTheWordsOfOneProcess) {
         FieldStroke{Points(1, {0.7, 0, 0.3}), 0.2, 1}, FieldStroke{good[0].points, -1, 1}}) {
     const std::vector<FieldStroke> strokes = {good[0], wrong};
     const std::string expected = message([&] { stroke_anchors(whole, strokes); });
-    const std::string told = message([&] { stroke_anchors(surface, strokes); });
+    const std::string refusal = message([&] { stroke_anchors(surface, strokes); });
     EXPECT_NE(expected, "accepted");
-    EXPECT_NE(told.find(expected), std::string::npos) << told;
+    EXPECT_NE(refusal.find(expected), std::string::npos) << refusal;
   }
   EXPECT_TRUE(stroke_anchors(surface, {}).empty());
   SmoothFieldOptions options;

@@ -105,7 +105,7 @@ struct MpiToolFields : MpiTool {
     return piece("tool.vtp");
   }
 
-  void run_on(int ranks, const std::string& input, const Words& options) const {
+  void run_ranks(int ranks, const std::string& input, const Words& options) const {
     Words mine = {input, "--output", "mpi.pvtp", "--report", "mpi.json", "--quiet"};
     mine.insert(mine.end(), options.begin(), options.end());
     const auto result = on(ranks, mine);
@@ -139,7 +139,7 @@ struct MpiToolFields : MpiTool {
     Words names = {"direction", "frequency"};
     names.insert(names.end(), arrays.begin(), arrays.end());
     for (const int ranks : {1, 2, 4}) {
-      run_on(ranks, input, options);
+      run_ranks(ranks, input, options);
       expect_same_rows(whole, ranks, names);
       const auto mpi = report("mpi.json"), tool = report("tool.json");
       for (const auto& [key, value] : tool.items()) {
@@ -202,9 +202,9 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfTheInput) {
                    {"--field", "array:flow", "--frequency", "array:cells/load", "--subdivide", "1"},
                    all);
   // Its signs are those of neighbours within a rank.
-  run_on(1, "in.vtp", {"--field", "array:stress"});
+  run_ranks(1, "in.vtp", {"--field", "array:stress"});
   expect_same_rows(run_alone("in.vtp", {"--field", "array:stress"}), 1, {"direction", "phase"});
-  run_on(4, "in.vtp", {"--field", "array:stress"});
+  run_ranks(4, "in.vtp", {"--field", "array:stress"});
   for (const char* key : {"vertices_without_wave", "field_rows_nonfinite"}) {
     EXPECT_EQ(report("mpi.json")[key], report("tool.json")[key]) << key;
   }
@@ -226,7 +226,7 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfPieces) {
   mesh = make_shape("sphere,resolution=10");  // of joined vertices pieces know nothing
   write_mesh_with_arrays();
   write_rows("rows.csv", "", mesh.vertex_count(), 4);
-  run_on(3, "in.vtp", {"--field", "array:flow"});
+  run_ranks(3, "in.vtp", {"--field", "array:flow"});
   for (const auto& entry : {"mpi.pvtp", "mpi_0.vtp", "mpi_1.vtp", "mpi_2.vtp"}) {
     std::string text = content(folder / entry);
     for (std::size_t at = 0; (at = text.find("Source=\"mpi_", at)) != std::string::npos;) {
@@ -238,7 +238,7 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfPieces) {
                                Words{"--direction", "1,2,3", "--frequency", "array:density"}}) {
     const LoadedMesh whole = run_alone("in.vtp", options);
     for (const int ranks : {1, 2, 3}) {
-      run_on(ranks, "cut.pvtp", options);
+      run_ranks(ranks, "cut.pvtp", options);
       expect_same_rows(whole, ranks, {"frequency", "density", "label"});
       std::size_t cells = 0;
       for (int r = 0; r < ranks; ++r) {
@@ -247,15 +247,15 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfPieces) {
       EXPECT_EQ(cells, whole.mesh.triangle_count());
     }
   }
-  run_on(5, "cut.pvtp", {"--field", "array:flow"});  // of ranks without a piece
+  run_ranks(5, "cut.pvtp", {"--field", "array:flow"});  // of ranks without a piece
   // Of cells the order of sums is that of the pieces, for any number of ranks.
-  run_on(1, "cut.pvtp", {"--field", "array:flow", "--frequency-by", "array:load"});
+  run_ranks(1, "cut.pvtp", {"--field", "array:flow", "--frequency-by", "array:load"});
   LoadedMesh one = piece("mpi_0.vtp");
   const DataArray ids = array_of(one.arrays.points, "global_id");
   std::vector<Index> row_of(ids.rows());
   for (Index v = 0; v < ids.rows(); ++v) row_of[test::value<std::uint64_t>(ids, v)] = v;
   one.arrays.points = rows_of(one.arrays.points, row_of);
-  run_on(3, "cut.pvtp", {"--field", "array:flow", "--frequency-by", "array:load"});
+  run_ranks(3, "cut.pvtp", {"--field", "array:flow", "--frequency-by", "array:load"});
   expect_same_rows(one, 3, {"direction", "frequency"});
 }
 
@@ -269,7 +269,7 @@ TEST_F(MpiToolFields, FollowsStrokes) {
   const std::vector<Vec3>& places = whole.mesh.positions;
   const DataArray& expected = array_of(whole.arrays.points, "direction");
   for (const int ranks : {1, 2, 4}) {
-    run_on(ranks, "shape:sphere,resolution=12", options);
+    run_ranks(ranks, "shape:sphere,resolution=12", options);
     if (ranks == 1) expect_same_rows(whole, 1, {"direction", "phase"});
     std::size_t near = 0;
     for (int r = 0; r < ranks; ++r) {

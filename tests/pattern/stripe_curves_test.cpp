@@ -564,10 +564,10 @@ TEST(StripeCurves, LongerThanLeavesOutShorterOnes) {
 TEST(MovePeaks, ByHalfAPeriodNeedsNoOrientation) {
   Solved solved(wavy_surface("mobius", Vec3(0, 0, 1), 20));
   const std::vector<Vec3> directions = solved.surface.waves.directions;
-  EXPECT_EQ(move_peaks(*solved.surface.neighborhood, 0.5f, solved.surface.waves, solved.z), 0u);
+  EXPECT_EQ(shift_phases(*solved.surface.neighborhood, 0.5f, solved.surface.waves, solved.z), 0u);
   EXPECT_EQ(solved.surface.waves.directions, directions);
   const StripeCurves gaps = solved.curves();
-  EXPECT_EQ(move_peaks(*solved.surface.neighborhood, -1.5f, solved.surface.waves, solved.z), 0u);
+  EXPECT_EQ(shift_phases(*solved.surface.neighborhood, -1.5f, solved.surface.waves, solved.z), 0u);
   EXPECT_NEAR(static_cast<double>(solved.curves().lines.count()),
               static_cast<double>(gaps.lines.count()), 6);
   expect_balance(solved);
@@ -580,7 +580,7 @@ TEST(MovePeaks, ByAnyShareMovesCurvesForward) {
     for (std::size_t i = 0; i < turned.size(); ++i) {
       if (turned[i]) solved.z[i] = -std::conj(solved.z[i]);
     }
-    EXPECT_EQ(move_peaks(*solved.surface.neighborhood, periods, solved.surface.waves, solved.z),
+    EXPECT_EQ(shift_phases(*solved.surface.neighborhood, periods, solved.surface.waves, solved.z),
               0u);
     const Vec3 d = solved.surface.waves.directions[0];
     const float f = solved.surface.waves.frequencies[0];
@@ -606,7 +606,7 @@ TEST(MovePeaks, SaysAcrossHowManyEdgesDirectionsDoNotAgree) {
         std::cos(around / 2) * t + std::sin(around / 2) * Vec3(n.cross(t)).normalized();
   }
   Solved solved(std::move(surface));
-  EXPECT_GT(move_peaks(*solved.surface.neighborhood, 0.25f, solved.surface.waves, solved.z), 0u);
+  EXPECT_GT(shift_phases(*solved.surface.neighborhood, 0.25f, solved.surface.waves, solved.z), 0u);
   expect_balance(solved);
 }
 

@@ -291,16 +291,16 @@ TEST(Shapes, AResolutionThatMemoryDoesNotHoldIsRefusedByName) {
       make_shape(spec);
       FAIL() << name;
     } catch (const TooLarge& error) {
-      const std::string told = error.what();
-      EXPECT_NE(told.find("shape '" + std::string(name) + "': resolution=400 is too fine"),
+      const std::string message = error.what();
+      EXPECT_NE(message.find("shape '" + std::string(name) + "': resolution=400 is too fine"),
                 std::string::npos)
-          << told;
+          << message;
       std::smatch found;
-      ASSERT_TRUE(std::regex_search(told, found, std::regex("as with resolution=([0-9]+)$")))
-          << told;
+      ASSERT_TRUE(std::regex_search(message, found, std::regex("as with resolution=([0-9]+)$")))
+          << message;
       const int lower = std::stoi(found[1].str());
-      EXPECT_LT(lower, 400) << told;
-      EXPECT_GT(lower, 4) << told;
+      EXPECT_LT(lower, 400) << message;
+      EXPECT_GT(lower, 4) << message;
     }
   }
 }

@@ -89,7 +89,7 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
   family.pattern = std::move(traced);
   StripePattern& pattern = family.pattern;
   family.jogs =
-      move_peaks(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
+      shift_phases(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
   listener.stage("curves");
   Stopwatch watch;
   const WavePattern wave_pattern{surface.mesh,       edges,

@@ -40,7 +40,7 @@ std::vector<Vec3> drawn_points(const Surface& surface) {
 namespace {
 
 /// How a picture is drawn.
-struct Care {
+struct DrawSettings {
   PictureQuality quality = PictureQuality::final;
   bool draft = false;
   const Progress& progress;
@@ -59,14 +59,15 @@ struct LivePicture::Drawing {
   std::vector<Vec3> framed;                     ///< by the camera
   DraftSize draft_size;
 
-  Image draw(const std::shared_ptr<const LiveState>& state, const Care& care);
+  Image draw(const std::shared_ptr<const LiveState>& state, const DrawSettings& settings);
   void upload(const LiveState& state);
   void upload_plain(const LiveState& state, const LiveState* last);
   void upload_styled(const LiveState& state, const LiveState* last);
   void upload_ornaments(const ShownOrnaments& shown);
-  Image draw_glyphs(const LiveState& state, const GlyphPicture& glyphs, const Care& care);
-  Image draw_plain(const LiveState& state, const Care& care);
-  Image draw_styled(const LiveState& state, const Care& care);
+  Image draw_glyphs(const LiveState& state, const GlyphPicture& glyphs,
+                    const DrawSettings& settings);
+  Image draw_plain(const LiveState& state, const DrawSettings& settings);
+  Image draw_styled(const LiveState& state, const DrawSettings& settings);
 };
 
 namespace {
@@ -188,19 +189,19 @@ void LivePicture::Drawing::upload(const LiveState& state) {
   uploaded = state.pattern;
 }
 
-Image LivePicture::Drawing::draw_styled(const LiveState& state, const Care& care) {
-  const float reduction = care.draft ? draft_size.reduction() : 1;
+Image LivePicture::Drawing::draw_styled(const LiveState& state, const DrawSettings& settings) {
+  const float reduction = settings.draft ? draft_size.reduction() : 1;
   const StyleOptions& style = state.parsed->arguments().style;
   StyledOptions& options = styled_picture->options;
   options = styled_options(style, picture_of(state), styled_picture->followed);
-  options.render.quality = care.quality;
+  options.render.quality = settings.quality;
   options.framed = framed;
   StyledOptions smaller = options;
   // What hollows look like is worth waiting for.
-  if (care.draft) smaller.occlusion = 0;
+  if (settings.draft) smaller.occlusion = 0;
   if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
-  Image image = in_full_size(styled->draw(smaller, care.progress), options.render);
-  draw_on_top(image, *styled_picture, style, care.progress);
+  Image image = in_full_size(styled->draw(smaller, settings.progress), options.render);
+  draw_on_top(image, *styled_picture, style, settings.progress);
   return image;
 }
 
@@ -217,39 +218,40 @@ StyledOptions glyph_options(const LiveState& state, const GlyphPicture& glyphs) 
 }  // namespace
 
 Image LivePicture::Drawing::draw_glyphs(const LiveState& state, const GlyphPicture& glyphs,
-                                        const Care& care) {
+                                        const DrawSettings& settings) {
   StyledOptions options = glyph_options(state, glyphs);
-  options.render.quality = care.quality;
+  options.render.quality = settings.quality;
   options.framed = framed;
-  const float reduction = care.draft ? draft_size.reduction() : 1;
+  const float reduction = settings.draft ? draft_size.reduction() : 1;
   Image image =
-      in_full_size(styled->draw(reduced(options, reduction), care.progress), options.render);
+      in_full_size(styled->draw(reduced(options, reduction), settings.progress), options.render);
   draw_legends(image, glyphs.legends);
   return image;
 }
 
-Image LivePicture::Drawing::draw_plain(const LiveState& state, const Care& care) {
-  const float reduction = care.draft ? draft_size.reduction() : 1;
+Image LivePicture::Drawing::draw_plain(const LiveState& state, const DrawSettings& settings) {
+  const float reduction = settings.draft ? draft_size.reduction() : 1;
   RenderOptions render = render_options(picture_of(state));
-  render.quality = care.quality;
+  render.quality = settings.quality;
   const RenderOptions smaller = reduced(render, reduction);
   return in_full_size(is_of_points(state) ? splats->draw(smaller) : plain->draw(smaller), render);
 }
 
-Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state, const Care& care) {
-  care.progress.report("drawing", 0);
+Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state,
+                                 const DrawSettings& settings) {
+  settings.progress.report("drawing", 0);
   context.make_current();
   upload(*state);
   kept = state;
-  care.progress.report("drawing", 0.2);
+  settings.progress.report("drawing", 0.2);
   Stopwatch watch;
   const ShownOrnaments* shown = ornaments_of(*state);
-  Image image = shown != nullptr && shown->glyphs ? draw_glyphs(*state, *shown->glyphs, care)
-                : state->style                    ? draw_styled(*state, care)
-                                                  : draw_plain(*state, care);
+  Image image = shown != nullptr && shown->glyphs ? draw_glyphs(*state, *shown->glyphs, settings)
+                : state->style                    ? draw_styled(*state, settings)
+                                                  : draw_plain(*state, settings);
   context.check_errors("drawing the picture");
-  if (care.draft) draft_size.note(watch.lap());
-  care.progress.report("drawing", 1);
+  if (settings.draft) draft_size.note(watch.lap());
+  settings.progress.report("drawing", 1);
   return image;
 }
 

@@ -84,8 +84,8 @@ std::string in_two_digits(double number, const Round& round) {
 }  // namespace
 
 double available_memory() {
-  const double told = assumed;
-  return told >= 0 ? told : std::min({memory_of_system(), memory_of_limit(), memory_of_group()});
+  const double given = assumed;
+  return given >= 0 ? given : std::min({memory_of_system(), memory_of_limit(), memory_of_group()});
 }
 
 double count_that_fits(double bytes_each) { return 0.5 * available_memory() / bytes_each; }

@@ -24,7 +24,7 @@ namespace brindle {
 namespace {
 
 /// A wave as owners tell others of it.
-struct ToldWave {
+struct SentWave {
   Vec3 position;
   Vec3 direction;
   float frequency = 1;
@@ -57,11 +57,11 @@ struct DistributedStripeAnimator::State {
 
   std::optional<DistributedHierarchy> hierarchy;  ///< empty before the first frame
   bool has_frame = false;
-  bool has_last = false;       ///< whether the next frame follows one; a rank may have no vertices
-  std::vector<ToldWave> told;  ///< by vertex; of own ones and ghosts
-  WaveSet input;               ///< the same as arrays
-  bool has_given = false;      ///< whether the next frame follows phases that were given
-  std::vector<Complex> given_z;                      ///< these, by own vertex and ghost
+  bool has_last = false;  ///< whether the next frame follows one; a rank may have no vertices
+  std::vector<SentWave> sent_waves;  ///< by vertex; of own ones and ghosts
+  WaveSet input;                     ///< the same as arrays
+  bool has_given = false;            ///< whether the next frame follows phases that were given
+  std::vector<Complex> given_z;      ///< these, by own vertex and ghost
   std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
   std::vector<float> weights;                        ///< by entry; empty: 1
   std::vector<float> degree;
@@ -113,21 +113,21 @@ void DistributedStripeAnimator::State::take_slack() {
 
 /// Own waves from the input, ghosts' from their owners.
 void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
-  told.resize(surface->vertex_count());
+  sent_waves.resize(surface->vertex_count());
   for (std::size_t p = 0; p < frame.positions.size(); ++p) {
     const Index v = surface->vertex_of_piece[p];
     if (v < surface->graph.own) {
-      told[v] = {frame.positions[p], frame.directions[p], frame.frequencies[p]};
+      sent_waves[v] = {frame.positions[p], frame.directions[p], frame.frequencies[p]};
     }
   }
-  exchange(ranks(), surface->graph.halo, std::span(told));
-  input.positions.resize(told.size());
-  input.directions.resize(told.size());
-  input.frequencies.resize(told.size());
-  for (std::size_t v = 0; v < told.size(); ++v) {
-    input.positions[v] = told[v].position;
-    input.directions[v] = told[v].direction;
-    input.frequencies[v] = told[v].frequency;
+  exchange(ranks(), surface->graph.halo, std::span(sent_waves));
+  input.positions.resize(sent_waves.size());
+  input.directions.resize(sent_waves.size());
+  input.frequencies.resize(sent_waves.size());
+  for (std::size_t v = 0; v < sent_waves.size(); ++v) {
+    input.positions[v] = sent_waves[v].position;
+    input.directions[v] = sent_waves[v].direction;
+    input.frequencies[v] = sent_waves[v].frequency;
   }
 }
 
@@ -396,7 +396,7 @@ double DistributedStripeAnimator::energy() const {
 /// The last frame's waves, by vertex.
 WaveSet DistributedStripeAnimator::State::last_waves() const {
   const SlicedLayout& layout = hierarchy->finest().layout();
-  std::vector<ToldWave> of_vertices(surface->vertex_count());
+  std::vector<SentWave> of_vertices(surface->vertex_count());
   for (Index node = 0; node < surface->graph.node_count(); ++node) {
     const SlicedWave& wave = waves[layout.slot_of[node]];
     of_vertices[node] = {Vec3(wave.position), Vec3(wave.direction),

@@ -191,7 +191,7 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
     lifted.emplace(wave_pattern(triangles, waves, pattern.phase_shift));
     cut = cut_stripe_curves(*lifted, beyond, options);
   });
-  if (options.join) let_run_on(surface, triangles, *lifted, beyond, cut);
+  if (options.join) continue_ends(surface, triangles, *lifted, beyond, cut);
   PieceCurves curves;
   surface.ranks->together([&] { curves = with_ids(cut, triangles, surface.triangle_of_piece); });
   return curves;

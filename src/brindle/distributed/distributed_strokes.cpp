@@ -194,7 +194,7 @@ std::vector<FieldStroke> strokes_of(std::vector<SentEdge> edges, const Eigen::Ve
 }
 
 /// Rank 0's points, stroke by stroke, on all ranks.
-std::vector<FieldStroke> told_by_first(Communicator& ranks, const std::vector<FieldStroke>& strokes,
+std::vector<FieldStroke> of_first_rank(Communicator& ranks, const std::vector<FieldStroke>& strokes,
                                        double radius, double strength) {
   std::vector<std::uint64_t> counts;
   std::vector<std::array<double, 3>> points;
@@ -203,16 +203,16 @@ std::vector<FieldStroke> told_by_first(Communicator& ranks, const std::vector<Fi
     for (const Eigen::Vector3d& p : stroke.points) points.push_back({p.x(), p.y(), p.z()});
   }
   points = ranks.of_first(points);
-  std::vector<FieldStroke> told;
+  std::vector<FieldStroke> strokes_of_all;
   std::size_t next = 0;
   for (const std::uint64_t count : ranks.of_first(counts)) {
-    FieldStroke& stroke = told.emplace_back(FieldStroke{{}, radius, strength});
+    FieldStroke& stroke = strokes_of_all.emplace_back(FieldStroke{{}, radius, strength});
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto& [x, y, z] = points[next++];
       stroke.points.emplace_back(x, y, z);
     }
   }
-  return told;
+  return strokes_of_all;
 }
 
 }  // namespace
@@ -229,7 +229,7 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, 
       strokes = strokes_of(std::move(all), surface.mesh.origin, radius, strength);
     }
   });
-  return told_by_first(ranks, strokes, radius, strength);
+  return of_first_rank(ranks, strokes, radius, strength);
 }
 
 std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,

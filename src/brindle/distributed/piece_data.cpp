@@ -16,7 +16,7 @@
 namespace brindle {
 namespace {
 
-struct ToldCell {
+struct SentCell {
   std::uint64_t number;  ///< of the triangle in the whole; 0 where triangles have none
   std::array<std::uint64_t, 3> ids;
   std::array<std::array<float, 3>, 3> positions;
@@ -48,7 +48,7 @@ class CellMeans {
 
  private:
   void hear() {
-    std::vector<std::vector<ToldCell>> cells(static_cast<std::size_t>(ranks_.size()));
+    std::vector<std::vector<SentCell>> cells(static_cast<std::size_t>(ranks_.size()));
     std::vector<std::vector<double>> rows(cells.size());
     for (std::size_t t = 0; t < piece_.mesh.triangle_count(); ++t) {
       std::array<int, 3> owners;
@@ -58,21 +58,21 @@ class CellMeans {
       for (auto o = owners.begin(); o != end; ++o) {
         if (*o == ranks_.rank()) continue;
         const auto to = static_cast<std::size_t>(*o);
-        cells[to].push_back(told(t));
+        cells[to].push_back(sent(t));
         const auto row = std::span(rows_).subspan(t * columns_, columns_);
         rows[to].insert(rows[to].end(), row.begin(), row.end());
       }
     }
     for (const auto& list : ranks_.swap_lists(cells)) {
-      for (const ToldCell& cell : list) append(cell);
+      for (const SentCell& cell : list) append(cell);
     }
     for (const auto& list : ranks_.swap_lists(rows)) {
       rows_.insert(rows_.end(), list.begin(), list.end());
     }
   }
 
-  ToldCell told(std::size_t t) const {
-    ToldCell cell;
+  SentCell sent(std::size_t t) const {
+    SentCell cell;
     cell.number = piece_.triangle_ids.empty() ? 0 : piece_.triangle_ids[t];
     for (std::size_t c = 0; c < 3; ++c) {
       const Index v = piece_.mesh.triangles[t][c];
@@ -83,7 +83,7 @@ class CellMeans {
     return cell;
   }
 
-  void append(const ToldCell& cell) {
+  void append(const SentCell& cell) {
     Triangle triangle;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto next = static_cast<Index>(around_.positions.size());
@@ -124,10 +124,10 @@ class CellMeans {
         answer.insert(answer.end(), row.begin(), row.end());
       }
     }
-    const auto told = ranks_.swap_lists(answers);
-    for (std::size_t r = 0; r < told.size(); ++r) {
+    const auto sent = ranks_.swap_lists(answers);
+    for (std::size_t r = 0; r < sent.size(); ++r) {
       for (std::size_t i = 0; i < vertices[r].size(); ++i) {
-        std::copy_n(&told[r][i * columns_], columns_, &numbers[vertices[r][i] * columns_]);
+        std::copy_n(&sent[r][i * columns_], columns_, &numbers[vertices[r][i] * columns_]);
       }
     }
   }

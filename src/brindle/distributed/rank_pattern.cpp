@@ -11,7 +11,7 @@ namespace brindle {
 namespace {
 
 /// A wave with its phase, as owners tell others of it.
-struct ToldPhase {
+struct SentPhase {
   Vec3 position;
   Vec3 direction;
   float frequency = 1;
@@ -97,15 +97,15 @@ RankTriangles rank_triangles(const RankSurface& surface) {
 RankWaves rank_waves(const PiecePattern& pattern, const RankTriangles& triangles) {
   const RankSurface& surface = pattern.surface.rank_surface();
   surface.ranks->together([&] { check_pattern(pattern, surface.vertex_of_piece.size()); });
-  std::vector<ToldPhase> told(surface.vertex_count());
+  std::vector<SentPhase> phases(surface.vertex_count());
   for (std::size_t p = 0; p < pattern.z.size(); ++p) {
-    told[surface.vertex_of_piece[p]] = {pattern.waves.positions[p], pattern.waves.directions[p],
-                                        pattern.waves.frequencies[p], pattern.z[p]};
+    phases[surface.vertex_of_piece[p]] = {pattern.waves.positions[p], pattern.waves.directions[p],
+                                          pattern.waves.frequencies[p], pattern.z[p]};
   }
-  surface.exchange_all(std::span(told));
+  surface.exchange_all(std::span(phases));
   RankWaves result;
   for (const Index p : triangles.of_piece) {
-    const ToldPhase& phase = told[surface.vertex_of_piece[p]];
+    const SentPhase& phase = phases[surface.vertex_of_piece[p]];
     result.waves.positions.push_back(phase.position);
     result.waves.directions.push_back(phase.direction);
     result.waves.frequencies.push_back(phase.frequency);

@@ -55,17 +55,17 @@ class BorderRanks {
   BorderRanks(Communicator& ranks, const RankTriangles& triangles,
               std::span<const EdgeBeyond> beyond)
       : ranks_(ranks) {
-    std::vector<std::vector<EdgeIds>> told(size());
+    std::vector<std::vector<EdgeIds>> outgoing(size());
     for (Index e = 0; e < beyond.size(); ++e) {
       if (beyond[e] != EdgeBeyond::triangle) continue;
       const auto [a, b] = triangles.edges.vertices[e];
       const EdgeIds edge = {triangles.ids[a], triangles.ids[b]};
       own_[edge] = e;
-      told[knows(edge)].push_back(edge);
+      outgoing[knows(edge)].push_back(edge);
     }
-    const auto heard = ranks_.swap_lists(told);
-    for (std::size_t r = 0; r < heard.size(); ++r) {
-      for (const EdgeIds& edge : heard[r]) holders_[edge].push_back(r);
+    const auto incoming = ranks_.swap_lists(outgoing);
+    for (std::size_t r = 0; r < incoming.size(); ++r) {
+      for (const EdgeIds& edge : incoming[r]) holders_[edge].push_back(r);
     }
   }
 
@@ -74,11 +74,11 @@ class BorderRanks {
 
   /// Collective: brings walks over their edges.
   std::vector<SentWalk> pass_on(const std::vector<SentWalk>& walks) {
-    std::vector<std::vector<SentWalk>> told(size()), forwarded(size());
-    for (const SentWalk& walk : walks) told[knows(walk.edge)].push_back(walk);
-    const auto heard = ranks_.swap_lists(told);
-    for (std::size_t r = 0; r < heard.size(); ++r) {
-      for (const SentWalk& walk : heard[r]) {
+    std::vector<std::vector<SentWalk>> outgoing(size()), forwarded(size());
+    for (const SentWalk& walk : walks) outgoing[knows(walk.edge)].push_back(walk);
+    const auto incoming = ranks_.swap_lists(outgoing);
+    for (std::size_t r = 0; r < incoming.size(); ++r) {
+      for (const SentWalk& walk : incoming[r]) {
         const std::vector<std::size_t>& both = holders_.at(walk.edge);
         forwarded[both[0] == r ? both.back() : both[0]].push_back(walk);
       }
@@ -108,7 +108,7 @@ class RankWalks {
         triangles_(triangles),
         waves_(waves),
         borders_(ranks, triangles, beyond),
-        run_on_(waves, beyond),
+        end_walks_(waves, beyond),
         curves_(curves) {}
 
   /// Collective.
@@ -186,7 +186,7 @@ class RankWalks {
     before.triangles = sent.triangles;
     before.between = sent.between;
     const Index edge = borders_.own(sent.edge);
-    const Walk walk = run_on_.go_on(before, edge);
+    const Walk walk = end_walks_.go_on(before, edge);
     Leg& leg = legs_.emplace_back(Leg{sent.origin, sent.walk, {}});
     leg.curve.ends = {sent.reason, sent.reason};
     leg.curve.cuts[0] = {edge, sent.crossing};
@@ -211,9 +211,9 @@ class RankWalks {
 
   /// Collective: walks that began here and ended elsewhere.
   void hear_of_ends() {
-    std::vector<std::vector<EndedWalk>> told(static_cast<std::size_t>(ranks_.size()));
-    for (const auto& [origin, walk] : ended_) told[origin].push_back(walk);
-    for (const auto& list : ranks_.swap_lists(told)) {
+    std::vector<std::vector<EndedWalk>> outgoing(static_cast<std::size_t>(ranks_.size()));
+    for (const auto& [origin, walk] : ended_) outgoing[origin].push_back(walk);
+    for (const auto& list : ranks_.swap_lists(outgoing)) {
       for (const EndedWalk& ended : list) {
         Walk& walk = walks(waiting_[ended.walk / 2])[ended.walk % 2];
         walk.state = ended.met ? Walk::State::met : Walk::State::lost;
@@ -242,9 +242,9 @@ class RankWalks {
     std::vector<std::vector<std::uint32_t>> asked(size);
     for (const Leg& leg : legs_) asked[leg.origin].push_back(leg.walk);
     std::vector<std::vector<std::uint8_t>> answers(size);
-    const auto heard = ranks_.swap_lists(asked);
+    const auto incoming = ranks_.swap_lists(asked);
     for (std::size_t r = 0; r < size; ++r) {
-      for (const std::uint32_t walk : heard[r]) {
+      for (const std::uint32_t walk : incoming[r]) {
         answers[r].push_back(waiting_[walk / 2].chosen == walk % 2 ? 1 : 0);
       }
     }
@@ -260,7 +260,7 @@ class RankWalks {
   const RankTriangles& triangles_;
   const LiftedWaves& waves_;
   BorderRanks borders_;
-  RunOn run_on_;
+  EndWalks end_walks_;
   CutCurves& curves_;
   std::vector<Waiting> waiting_;
   std::vector<SentWalk> leaving_;
@@ -271,8 +271,9 @@ class RankWalks {
 
 }  // namespace
 
-void let_run_on(const RankSurface& surface, const RankTriangles& triangles,
-                const LiftedWaves& waves, std::span<const EdgeBeyond> beyond, CutCurves& curves) {
+void continue_ends(const RankSurface& surface, const RankTriangles& triangles,
+                   const LiftedWaves& waves, std::span<const EdgeBeyond> beyond,
+                   CutCurves& curves) {
   RankWalks(*surface.ranks, triangles, waves, beyond, curves).go();
 }
 

@@ -12,7 +12,7 @@ namespace brindle {
 /// Must be called by all ranks. Lets the curves go whose walks are `beyond`: to the neighbour that
 /// they meet first. The parts of their ways on other ranks become curves there, which begin with
 /// the crossing at which the part before has ended.
-void let_run_on(const RankSurface& surface, const RankTriangles& triangles,
-                const LiftedWaves& waves, std::span<const EdgeBeyond> beyond, CutCurves& curves);
+void continue_ends(const RankSurface& surface, const RankTriangles& triangles,
+                   const LiftedWaves& waves, std::span<const EdgeBeyond> beyond, CutCurves& curves);
 
 }  // namespace brindle

@@ -48,7 +48,7 @@ std::vector<std::vector<std::uint8_t>> are_repeated(
 std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm communicator) {
   Communicator ranks(communicator);
   ranks.together([&] { check_piece(piece); });
-  std::vector<std::vector<CornerIds>> told(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<CornerIds>> outgoing(static_cast<std::size_t>(ranks.size()));
   std::vector<std::size_t> knows;  // of own triangles
   const auto is_own = [&](std::size_t t) {
     return piece.ghost_triangles.empty() || piece.ghost_triangles[t] == 0;
@@ -58,11 +58,11 @@ std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm
     CornerIds ids;
     for (std::size_t c = 0; c < 3; ++c) ids[c] = piece.vertex_ids[piece.mesh.triangles[t][c]];
     std::ranges::sort(ids);
-    knows.push_back(rank_that_knows(ids, told.size()));
-    told[knows.back()].push_back(ids);
+    knows.push_back(rank_that_knows(ids, outgoing.size()));
+    outgoing[knows.back()].push_back(ids);
   }
-  const auto answers = ranks.swap_lists(are_repeated(ranks.swap_lists(told)));
-  std::vector<std::size_t> next(told.size());
+  const auto answers = ranks.swap_lists(are_repeated(ranks.swap_lists(outgoing)));
+  std::vector<std::size_t> next(outgoing.size());
   std::vector<std::uint8_t> repeated(piece.mesh.triangle_count());
   for (std::size_t t = 0, own = 0; t < repeated.size(); ++t) {
     if (!is_own(t)) continue;

@@ -76,13 +76,13 @@ std::vector<std::uint64_t> numbers_by_place(Communicator& ranks, std::span<const
   const std::vector<std::size_t> counts = ranks.all(positions.size());
   std::uint64_t first = 0;
   for (int r = 0; r < ranks.rank(); ++r) first += counts[static_cast<std::size_t>(r)];
-  std::vector<std::vector<PlacedRow>> told(size);
+  std::vector<std::vector<PlacedRow>> outgoing(size);
   for (std::size_t row = 0; row < positions.size(); ++row) {
     if (!positions[row].allFinite()) continue;
     const Place place = place_of(positions[row]);
-    told[place_hash(place) % size].push_back({place, first + row});
+    outgoing[place_hash(place) % size].push_back({place, first + row});
   }
-  const auto answers = ranks.swap_lists(lowest_numbers(ranks.swap_lists(told)));
+  const auto answers = ranks.swap_lists(lowest_numbers(ranks.swap_lists(outgoing)));
   std::vector<std::size_t> next(size);
   std::vector<std::uint64_t> numbers;
   for (std::size_t row = 0; row < positions.size(); ++row) {
@@ -100,13 +100,13 @@ std::optional<TornVertex> find_torn_vertex(Communicator& ranks, std::span<const 
                                            std::span<const Vec3> positions,
                                            std::span<const std::uint32_t> labels, float distance) {
   const auto size = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<LabelledRow>> told(size);
+  std::vector<std::vector<LabelledRow>> outgoing(size);
   for (std::size_t row = 0; row < ids.size(); ++row) {
     if (!positions[row].allFinite()) continue;
-    told[ids[row] % size].push_back({ids[row], place_of(positions[row]), labels[row]});
+    outgoing[ids[row] % size].push_back({ids[row], place_of(positions[row]), labels[row]});
   }
   std::vector<LabelledRow> known;
-  for (const auto& rows : ranks.swap_lists(told))
+  for (const auto& rows : ranks.swap_lists(outgoing))
     known.insert(known.end(), rows.begin(), rows.end());
   std::ranges::stable_sort(known, {}, &LabelledRow::key);
   const std::vector<TornVertex> torn = ranks.all(first_torn(known, distance));

@@ -35,11 +35,11 @@ std::vector<int> find_owners(Communicator& ranks, std::span<const std::uint64_t>
       answers[r].push_back(std::get<2>(*first));
     }
   }
-  const auto told = ranks.swap_lists(answers);
+  const auto owners = ranks.swap_lists(answers);
 
   std::vector<std::size_t> next(size);
   std::vector<int> owner;
-  for (const std::uint64_t id : ids) owner.push_back(told[id % size][next[id % size]++]);
+  for (const std::uint64_t id : ids) owner.push_back(owners[id % size][next[id % size]++]);
   return owner;
 }
 

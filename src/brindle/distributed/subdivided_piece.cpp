@@ -14,7 +14,7 @@ namespace {
 using EdgeIds = std::pair<std::uint64_t, std::uint64_t>;
 
 /// As EdgeIds, for messages.
-struct ToldEdge {
+struct SentEdge {
   std::uint64_t low, high;
 
   EdgeIds ids() const { return {low, high}; }
@@ -22,7 +22,7 @@ struct ToldEdge {
 
 /// The edges of a piece in ascending order of their ends.
 struct PieceEdges {
-  std::vector<ToldEdge> edges;
+  std::vector<SentEdge> edges;
   std::vector<Index> of_corner;                ///< of corner 3 t + c the edge to the next corner
   std::vector<std::array<Index, 2>> vertices;  ///< of the piece, beside `edges`
 };
@@ -57,16 +57,16 @@ PieceEdges edges_of(const SurfacePiece& piece) {
 
 /// The numbers from 0 on that edges have among those of all ranks, in ascending order of their
 /// ends, whose numbers are below `end`.
-std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const ToldEdge> edges,
+std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const SentEdge> edges,
                                             std::uint64_t end) {
   const auto size = static_cast<std::size_t>(ranks.size());
   const std::uint64_t block = end / size + 1;
-  std::vector<std::vector<ToldEdge>> asked(size);
-  for (const ToldEdge& edge : edges) asked[edge.low / block].push_back(edge);
+  std::vector<std::vector<SentEdge>> asked(size);
+  for (const SentEdge& edge : edges) asked[edge.low / block].push_back(edge);
   const auto wanted = ranks.swap_lists(asked);
   std::vector<EdgeIds> known;
   for (const auto& list : wanted) {
-    for (const ToldEdge& edge : list) known.push_back(edge.ids());
+    for (const SentEdge& edge : list) known.push_back(edge.ids());
   }
   std::ranges::sort(known);
   known.erase(std::unique(known.begin(), known.end()), known.end());
@@ -77,7 +77,7 @@ std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const
   for (std::size_t r = 0; r < size; ++r) {
     // Lists are sorted, too.
     auto place = known.begin();
-    for (const ToldEdge& edge : wanted[r]) {
+    for (const SentEdge& edge : wanted[r]) {
       place = std::lower_bound(place, known.end(), edge.ids());
       answers[r].push_back(first + static_cast<std::uint64_t>(place - known.begin()));
     }

@@ -10,8 +10,8 @@
 #include "brindle/curves.h"
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/edge_beyond.h"
+#include "brindle/pattern/end_walks.h"
 #include "brindle/pattern/lifted_waves.h"
-#include "brindle/pattern/run_on.h"
 
 namespace brindle {
 

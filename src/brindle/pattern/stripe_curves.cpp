@@ -16,7 +16,7 @@
 #include "brindle/error.h"
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/cut_curves.h"
-#include "brindle/pattern/run_on.h"
+#include "brindle/pattern/end_walks.h"
 #include "brindle/waves/orientation.h"
 
 namespace brindle {
@@ -172,7 +172,7 @@ class Tracer {
 
  private:
   void trace_all() {
-    if (options_.join) run_on_.emplace(lifted_, beyond_);
+    if (options_.join) end_walks_.emplace(lifted_, beyond_);
     number_nodes(stages_.begin("crossings"));
     link_triangles(stages_.begin("pieces"));
     find_triangles_of_edges();
@@ -338,13 +338,13 @@ class Tracer {
   Link add_end(std::size_t t, const StripePiece& piece, std::span<const StripePiece> pieces,
                CurveEnd reason) {
     InnerEnd end{point_in(t, piece.ends[1].barycentric), reason};
-    if (run_on_) let_run_on(end, run_on_->walks(t, piece, pieces));
+    if (end_walks_) continue_end(end, end_walks_->walks(t, piece, pieces));
     inner_ends_.push_back(std::move(end));
     check_count(inner_ends_.size());
     return kFirstEnd + static_cast<Link>(inner_ends_.size() - 1);
   }
 
-  void let_run_on(InnerEnd& end, std::optional<std::array<Walk, 2>> walks) {
+  void continue_end(InnerEnd& end, std::optional<std::array<Walk, 2>> walks) {
     if (walks && std::ranges::count(*walks, Walk::State::beyond, &Walk::state) > 0) {
       end.walks = std::move(walks);
       return;
@@ -501,7 +501,7 @@ class Tracer {
   std::vector<InnerEnd> inner_ends_;
   std::vector<Index> first_triangle_;      // of every edge, in:
   std::vector<Index> triangles_of_edges_;  // ordered by edge, then rank
-  std::optional<RunOn> run_on_;            // for `join`
+  std::optional<EndWalks> end_walks_;      // for `join`
   std::vector<Vec3> directions_;           // one per vertex, running alike where that can be
   std::vector<std::uint8_t> visited_;      // one per node
   std::vector<CurvePoint> curve_;          // that is being walked
@@ -617,8 +617,8 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
   return longer;
 }
 
-std::size_t move_peaks(const Adjacency& neighborhood, float periods, WaveSet& waves,
-                       std::span<Complex> z) {
+std::size_t shift_phases(const Adjacency& neighborhood, float periods, WaveSet& waves,
+                         std::span<Complex> z) {
   const bool either_way = std::round(2 * periods) == 2 * periods;
   std::size_t reflecting = 0;
   if (!either_way) {

@@ -33,7 +33,7 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
 /// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and
 /// `z` are turned round with `orient_alike` first. Returns the number of edges across which they
 /// do not even so; there the moved curves jog sideways.
-std::size_t move_peaks(const Adjacency& neighborhood, float periods, WaveSet& waves,
-                       std::span<Complex> z);
+std::size_t shift_phases(const Adjacency& neighborhood, float periods, WaveSet& waves,
+                         std::span<Complex> z);
 
 }  // namespace brindle

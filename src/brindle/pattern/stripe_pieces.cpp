@@ -158,13 +158,13 @@ class Cell {
     std::size_t next = 0;
     for (; join_ && next + 1 < left.size(); next += 2) add(left[next], left[next + 1]);
     for (; next < left.size(); ++next) {
-      const Point p = join_ ? run_on(left[next], end, borders) : end;
+      const Point p = join_ ? continued(left[next], end, borders) : end;
       add(left[next], {PieceEnd::kInside, 0, {p[0], p[1], p[2]}});
     }
   }
 
   /// The middle of the nearest border, or `end` if there is none.
-  static Point run_on(const PieceEnd& from, const Point& end, const Borders& borders) {
+  static Point continued(const PieceEnd& from, const Point& end, const Borders& borders) {
     const Point start(from.barycentric[0], from.barycentric[1], from.barycentric[2]);
     Point nearest = end;
     double least = std::numeric_limits<double>::infinity();

@@ -95,7 +95,7 @@ inline Turns lifted_end(const EdgeLift& lift, Turns second_turns) {
 /// Pieces do not cross each other; in a branch, |branch_index| of them end inside. A singularity of
 /// the field is split at its barycentre. If that is on a peak, as `fragment_phase` has it, one
 /// piece ends there. With `join`, pieces that would end side by side are joined in pairs, and one
-/// that is left over runs on into its neighbour, if it has one in the triangle (`RunOn` for one
+/// that is left over runs on into its neighbour, if it has one in the triangle (`EndWalks` for one
 /// beyond it).
 void stripe_pieces(const LiftedTriangle& triangle, bool join, std::vector<StripePiece>& pieces);
 

@@ -20,7 +20,7 @@
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/phases/multilevel_waves.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/pipeline/stripes_again.h"
+#include "brindle/pipeline/yielded_stripes.h"
 #include "brindle/points/point_tree.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/fineness.h"
@@ -235,8 +235,8 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   return result;
 }
 
-StripePattern stripes_again(const Surface& surface, WaveSet waves, const StripePattern& before,
-                            const StripeOptions& options, const Progress& progress) {
+StripePattern stripes_of_yielded(const Surface& surface, WaveSet waves, const StripePattern& before,
+                                 const StripeOptions& options, const Progress& progress) {
   StripePattern result;
   result.phase_shift = options.phase_shift;
   check_anchors(options, surface.mesh.vertex_count());

@@ -10,7 +10,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/harmonic_change.h"
-#include "brindle/pipeline/stripes_again.h"
+#include "brindle/pipeline/yielded_stripes.h"
 
 namespace brindle {
 namespace {
@@ -345,7 +345,7 @@ WoundPattern wind(const Surface& surface, const StripePattern& pattern,
     const WaveSet& waves = result.pattern.waves;
     WaveSet turned = turned_waves(
         waves, harmonic_change(surface, edges, loops, walks, missing, waves.directions));
-    result.pattern = stripes_again(surface, std::move(turned), pattern, options, of_round);
+    result.pattern = stripes_of_yielded(surface, std::move(turned), pattern, options, of_round);
     walks = walks_of(surface, loops, result.pattern);
   }
   result.after = numbers_of(walks);

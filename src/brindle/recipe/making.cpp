@@ -7,7 +7,7 @@
 #include "brindle/base/formatted.h"
 #include "brindle/boundary_phases.h"
 #include "brindle/error.h"
-#include "brindle/pipeline/stripes_again.h"
+#include "brindle/pipeline/yielded_stripes.h"
 
 namespace brindle {
 namespace {
@@ -75,7 +75,7 @@ StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions
   if (!options.anchor_boundary) return std::move(wound.pattern);
   stripes = with_boundary(surface, wound.pattern.waves, stripes, options, figures);
   WaveSet turned = wound.pattern.waves;
-  return stripes_again(surface, std::move(turned), wound.pattern, stripes, progress);
+  return stripes_of_yielded(surface, std::move(turned), wound.pattern, stripes, progress);
 }
 
 }  // namespace

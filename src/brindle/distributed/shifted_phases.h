@@ -9,10 +9,10 @@
 
 namespace brindle {
 
-/// Collective. What `move_peaks` does with the whole, at the vertices of the piece. Where
+/// Collective. What `shift_phases` does with the whole, at the vertices of the piece. Where
 /// directions can run alike they do so over all ranks, and the bits are those of one process; where
 /// they cannot, moved curves may jog elsewhere.
-std::size_t move_peaks(const DistributedSurface& surface, float periods, WaveSet& waves,
-                       std::span<Complex> z);
+std::size_t shift_phases(const DistributedSurface& surface, float periods, WaveSet& waves,
+                         std::span<Complex> z);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-#include "brindle/pattern/run_on.h"
+#include "brindle/pattern/end_walks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ bool lies_on(const Point& p, const StripePiece& piece) {
 
 }  // namespace
 
-struct RunOn::Walker {
+struct EndWalks::Walker {
   std::size_t triangle;
   Point place;  // barycentric
   Walk walk;
@@ -78,16 +78,16 @@ struct RunOn::Walker {
 };
 
 /// Through one triangle.
-struct RunOn::Step {
+struct EndWalks::Step {
   double distance = std::numeric_limits<double>::infinity();
   Point end = Point::Zero();
   int edge = -1;  // that it leaves over; none if it meets a curve
 };
 
-RunOn::RunOn(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
+EndWalks::EndWalks(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
     : waves_(waves), beyond_(beyond), triangles_(triangles_of_edges(waves.pattern().edges)) {}
 
-RunOn::Step RunOn::next_step(const Walker& walker) const {
+EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   const std::array<Point, 3> corners = corners_of(waves_.pattern().mesh, walker.triangle);
   const Point change = barycentric_change(corners, walker.walk.direction);
   Step step;
@@ -112,8 +112,8 @@ RunOn::Step RunOn::next_step(const Walker& walker) const {
 }
 
 /// Into a triangle, over one of its edges.
-void RunOn::enter(Walker& walker, std::size_t next, Index edge,
-                  const std::array<double, 2>& between) const {
+void EndWalks::enter(Walker& walker, std::size_t next, Index edge,
+                     const std::array<double, 2>& between) const {
   const Mesh& mesh = waves_.pattern().mesh;
   const auto& sides = waves_.pattern().edges.of_triangle[next];
   const int entered = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
@@ -134,7 +134,7 @@ void RunOn::enter(Walker& walker, std::size_t next, Index edge,
 }
 
 /// Goes over to the other triangle; false if there is none here, or no wave on it.
-bool RunOn::cross_edge(Walker& walker, int edge) const {
+bool EndWalks::cross_edge(Walker& walker, int edge) const {
   const MeshEdges& edges = waves_.pattern().edges;
   const std::size_t t = walker.triangle;
   const Index crossed = edges.of_triangle[t][edge];
@@ -155,7 +155,7 @@ bool RunOn::cross_edge(Walker& walker, int edge) const {
 }
 
 /// As far as it goes here.
-void RunOn::walk(Walker& walker) const {
+void EndWalks::walk(Walker& walker) const {
   Walk& walk = walker.walk;
   for (; walk.triangles < kMostTriangles; ++walk.triangles) {
     const Step step = next_step(walker);
@@ -166,8 +166,8 @@ void RunOn::walk(Walker& walker) const {
   }
 }
 
-std::optional<std::array<Walk, 2>> RunOn::walks(std::size_t t, const StripePiece& piece,
-                                                std::span<const StripePiece> pieces) const {
+std::optional<std::array<Walk, 2>> EndWalks::walks(std::size_t t, const StripePiece& piece,
+                                                   std::span<const StripePiece> pieces) const {
   const Point end = point_of(piece.ends[1]);
   const bool met = std::any_of(pieces.begin(), pieces.end(), [&](const StripePiece& other) {
     return &other != &piece && other.ends[1].side != PieceEnd::kInside && lies_on(end, other);
@@ -195,7 +195,7 @@ std::optional<std::array<Walk, 2>> RunOn::walks(std::size_t t, const StripePiece
   return walks;
 }
 
-Walk RunOn::go_on(const Walk& from, Index edge) const {
+Walk EndWalks::go_on(const Walk& from, Index edge) const {
   Walker walker{0, Point::Zero(), from};
   walker.walk.state = Walk::State::lost;
   walker.walk.way.clear();

@@ -39,11 +39,11 @@ struct Walk {
 std::optional<std::size_t> shorter(const Walk& first, const Walk& second);
 
 /// Finds where curves that end alone in a branch or singularity run on to.
-class RunOn {
+class EndWalks {
  public:
   /// `waves` must outlive it, and so must `beyond`, which has an entry per edge if there is more of
   /// the surface.
-  explicit RunOn(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond = {});
+  explicit EndWalks(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond = {});
 
   /// From the inner end of `piece`, one of the joined `pieces` of triangle `t`, half forward and
   /// half to either side, as far as the curve beside it or two periods. Nothing if the end is on

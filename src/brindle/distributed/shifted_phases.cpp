@@ -1,4 +1,4 @@
-#include "brindle/distributed/moved_peaks.h"
+#include "brindle/distributed/shifted_phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,18 +142,18 @@ class RankOrientation {
     const std::vector<Agreement> own = agreements();
     auto all_groups = joined<Group>(ranks_.gather(std::as_bytes(std::span(groups_))));
     const auto all = joined<Agreement>(ranks_.gather(std::as_bytes(std::span(own))));
-    std::vector<std::vector<std::int64_t>> told(static_cast<std::size_t>(ranks_.size()));
+    std::vector<std::vector<std::int64_t>> outgoing(static_cast<std::size_t>(ranks_.size()));
     if (ranks_.rank() == 0) {
       std::uint64_t number = 0;
       const auto signs = signs_of(std::move(all_groups), all);
-      for (std::size_t r = 0; r < told.size(); ++r) {
-        for (std::size_t g = 0; g < counts_[r]; ++g) told[r].push_back(signs.at(number++));
+      for (std::size_t r = 0; r < outgoing.size(); ++r) {
+        for (std::size_t g = 0; g < counts_[r]; ++g) outgoing[r].push_back(signs.at(number++));
       }
     }
-    const auto heard = ranks_.swap_lists(told);
+    const auto incoming = ranks_.swap_lists(outgoing);
     for (Index v = 0; v < surface_.graph.own; ++v) {
       if (group_[v] == kNoGroup) continue;
-      if (heard[0][group_[v] - first_group_] < 0) directions_[v] = -directions_[v];
+      if (incoming[0][group_[v] - first_group_] < 0) directions_[v] = -directions_[v];
     }
     exchange(ranks_, surface_.graph.halo, std::span(directions_));
   }
@@ -170,12 +170,12 @@ class RankOrientation {
 
 }  // namespace
 
-std::size_t move_peaks(const DistributedSurface& distributed, float periods, WaveSet& waves,
-                       std::span<Complex> z) {
+std::size_t shift_phases(const DistributedSurface& distributed, float periods, WaveSet& waves,
+                         std::span<Complex> z) {
   const RankSurface& surface = distributed.rank_surface();
   const bool either_way = std::round(2 * periods) == 2 * periods;
   if (either_way || surface.ranks->size() == 1) {
-    return move_peaks(*surface.graph.adjacency, periods, waves, z);
+    return shift_phases(*surface.graph.adjacency, periods, waves, z);
   }
   std::vector<Vec3> own(surface.graph.node_count(), Vec3::Zero());
   std::vector<Complex> turned(surface.vertex_count());
