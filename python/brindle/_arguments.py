@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 import os
 import warnings
 from typing import Any, Mapping
@@ -77,20 +78,18 @@ def word(value: Any, what: str) -> str:
     return value
 
 
-def check_ranges(given: Mapping[str, Any]) -> None:
-    """Raises Error for numbers and words that the tool's options of these names do not take, in its
-    words. Arrays, and what is of a wrong type, are for others."""
-    for name, value in given.items():
-        option = name.strip("_").replace("_", "-")
-        if name in _CHOICES and isinstance(value, str):
-            _core.check_choice(option, value)
-        elif name in _RANGES and isinstance(value, (int, float)) and not isinstance(value, bool):
-            _core.check_number(option, value, str(value))
+def in_range(name: str, value: Any, written: Any) -> Any:
+    """The value. Raises Error for a number that the tool's option of that name does not take, in its
+    words."""
+    _core.check_number(name.strip("_").replace("_", "-"), value, str(written))
+    return value
 
 
-_CHOICES = ("solver", "phase_shift", "weights")
-_RANGES = ("stripes", "frequency", "stripes_v", "frequency_v", "slack", "epsilon", "momentum", "seed",
-           "sweeps", "cycles", "global_iterations", "merge_branches", "lambda_", "threads")
+def check_scalar(name: str, value: Any) -> None:
+    """The same of a number; what else there may be, such as an array, is for others."""
+    if isinstance(value, numbers.Real) and not isinstance(value, bool):
+        in_range(name, value, value)
+
 
 _NUMBERS = ("epsilon", "momentum", "anchor_boundary", "merge_branches", "lambda_")
 _WHOLE_NUMBERS = ("seed", "sweeps", "cycles", "global_iterations")
@@ -132,25 +131,24 @@ def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
     """How to solve what is asked for, on a mesh or points. Options that are None have their
     defaults; those that would change nothing are refused."""
     options = {name: value for name, value in given.items() if value is not None}
-    check_ranges(options)
     made = _core.Solving()
     for name in ("solver", "phase_shift", "weights"):
         if name in options:
-            setattr(made, name, word(options[name], name))
+            _core.check_choice(name.replace("_", "-"), word(options[name], name))
+            setattr(made, name, options[name])
+    check_scalar("threads", options.get("threads"))
     made.threads = whole_number(options.get("threads", 0), "threads")
     check_slack_type(options.get("slack"))
+    check_scalar("slack", options.get("slack"))
     made.set_slack(options.get("slack"), options.get("calm"))
     if "winding" in options:
         set_windings(made, options["winding"])
-    for name in _NUMBERS:
-        if name in options:
-            setattr(made, name, number(options[name], name))
-    for name in _WHOLE_NUMBERS:
-        if name in options:
-            value = whole_number(options[name], name)
-            if value < 0:
-                raise Error(f"{name}: {value} is below zero")
-            setattr(made, name, value)
+    for names, converted in ((_NUMBERS, number), (_WHOLE_NUMBERS, whole_number)):
+        for name in names:
+            if name in options:
+                check_scalar(name, options[name])
+                value = converted(options[name], name)
+                setattr(made, name, in_range(name, value, options[name]))
     made.check(options_of(options), points)
     return made
 
@@ -159,9 +157,11 @@ DEFAULT_STRIPES = 40
 
 
 def one_of_both(name: str, value: Any, other_name: str, other: Any) -> None:
-    """At most one of them is given."""
+    """At most one of them is given, and in its range."""
     if value is not None and other is not None:
         raise Error(f"{name} and {other_name} exclude each other: give one of both")
+    check_scalar(name, value)
+    check_scalar(other_name, other)
 
 
 def count_and_frequency(stripes: Any, frequency: Any) -> tuple[Any, Any]:

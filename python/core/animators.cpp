@@ -38,8 +38,7 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
                                             const py::object& edge_weights, py::handle slack,
                                             py::handle calm) {
   check_numbers(lambda, sweeps, cycles);
-  saying_in_pythons_words(
-      [&] { brindle::check_whole_number("--iterations", iterations, 1, brindle::kMostSweeps); });
+  saying_in_pythons_words([&] { check_number("--iterations", iterations); });
   AnimatorOptions options;
   if (solver != "multilevel" && solver != "relaxation") {
     throw Error("solver: '" + solver + "' is neither multilevel nor relaxation");

@@ -74,8 +74,8 @@ void check_smooth(const SmoothFieldOptions& options, bool points) {
     return option == "--feature-anchor" && options.feature_anchor != unless_given.feature_anchor;
   };
   saying_in_pythons_words([&] {
-    brindle::check_weight("--curvature-anchor", options.curvature_anchor);
-    brindle::check_weight("--feature-anchor", options.feature_anchor);
+    check_number("--curvature-anchor", options.curvature_anchor);
+    check_number("--feature-anchor", options.feature_anchor);
     brindle::check_smooth_field(given, options.curvature_anchor, options.feature_anchor);
     if (points) brindle::check_triangle_options(given);
   });

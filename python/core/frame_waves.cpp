@@ -12,9 +12,9 @@ namespace brindle::python {
 
 void check_numbers(float lambda, int sweeps, int cycles) {
   saying_in_pythons_words([&] {
-    brindle::check_weight("--lambda", lambda);
-    brindle::check_whole_number("--sweeps", sweeps, 0, brindle::kMostSweeps);
-    brindle::check_whole_number("--cycles", cycles, 0, brindle::kMostSweeps);
+    check_number("--lambda", lambda);
+    check_number("--sweeps", sweeps);
+    check_number("--cycles", cycles);
   });
 }
 

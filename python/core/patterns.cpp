@@ -317,13 +317,7 @@ void check_solving(const Solving& solving, const std::set<std::string>& names, b
   saying_in_pythons_words([&] {
     brindle::check_calm(given, solving.stripes.slack.yields());
     brindle::check_solver_options(given, solver.solver, solver.cycles);
-    brindle::check_whole_number("--sweeps", solver.sweeps, 0, brindle::kMostSweeps);
-    brindle::check_whole_number("--cycles", solver.cycles, 0, brindle::kMostSweeps);
-    brindle::check_whole_number("--global-iterations", solver.global_iterations, 1,
-                                brindle::kMostSweeps);
-    brindle::check_whole_number("--threads", solving.threads, 0, brindle::kMostThreads);
     brindle::check_following(given, given("--previous"), solver.solver);
-    brindle::check_weight("--lambda", solving.stripes.lambda);
     brindle::check_making(solving.making, solver.solver);
     if (!points) return;
     brindle::check_making_on_points(given);

@@ -126,10 +126,7 @@ SurfacePointer from_points(LoadedPoints&& loaded, int neighbors, SurfaceData&& d
 }
 
 void check_neighbors(int neighbors) {
-  saying_in_pythons_words([&] {
-    brindle::check_whole_number("--neighbors", neighbors, brindle::kFewestNeighbors,
-                                brindle::kMostNeighbors);
-  });
+  saying_in_pythons_words([&] { check_number("--neighbors", neighbors); });
 }
 
 SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neighbors,

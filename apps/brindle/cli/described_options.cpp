@@ -26,7 +26,7 @@ void describe_option(CLI::Option& option, const OptionInfo& info) {
                         static_cast<std::int64_t>(range.most));
     // In the words that other numbers are refused in.
     const auto refuse = [in_range, &info](std::string& text) {
-      return in_range(text).empty() ? "" : "expected " + taken_by(info) + ", got " + text;
+      return in_range(text).empty() ? "" : unlike(info, text);
     };
     option.check(CLI::Validator(refuse, in_range.get_description()));
   }

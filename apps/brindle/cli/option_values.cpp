@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "brindle/recipe/refusals.h"
+#include "cli/command_line.h"
 
 namespace brindle::tool {
 
@@ -64,7 +65,7 @@ float parse_not_negative_number(const std::string& option, const std::string& te
 
 float parse_weight(const std::string& option, const std::string& text) {
   const float value = parse_not_negative_number(option, text);
-  if (value > kMostWeight) wrong_usage(option, "a number from 0 to 1000000", text);
+  refuse_usage([&] { check_number(option, value, text); });
   return value;
 }
 

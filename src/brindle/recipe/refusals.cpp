@@ -18,14 +18,12 @@ void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
 
 namespace {
 
-/// The row of "--name". Throws Error if there is none.
+/// The first row of "--name". Throws Error if there is none.
 const OptionInfo& row_of(const std::string& option) {
-  const OptionInfo* info = find_option(option.substr(2), PatternJob::stripe);
-  if (info == nullptr) throw Error(option + " is no option of stripes");
-  return *info;
+  const auto row = std::ranges::find(option_table(), option.substr(2), &OptionInfo::name);
+  if (row == option_table().end()) throw Error(option + " is no option");
+  return *row;
 }
-
-std::string quoted(const std::string& text) { return '\'' + text + '\''; }
 
 }  // namespace
 
@@ -41,30 +39,26 @@ std::string taken_by(const OptionInfo& info) {
   return "a finite number";
 }
 
+std::string unlike(const OptionInfo& info, const std::string& written) {
+  const std::string quote = info.kind == OptionKind::whole ? "" : "'";
+  return "expected " + taken_by(info) + ", got " + quote + written + quote;
+}
+
 void check_number(const std::string& option, double value, const std::string& written) {
   const OptionInfo& info = row_of(option);
-  if (info.range.contains(value)) return;
-  throw RefusedOption(option, "expected " + taken_by(info) + ", got " +
-                                  (info.kind == OptionKind::whole ? written : quoted(written)));
+  if (!info.range.contains(value)) throw RefusedOption(option, unlike(info, written));
+}
+
+void check_number(const std::string& option, double value) {
+  const bool whole = row_of(option).kind == OptionKind::whole;
+  check_number(option, value, formatted(whole ? "%.0f" : "%g", value));
 }
 
 void check_choice(const std::string& option, const std::string& word) {
   const OptionInfo& info = row_of(option);
   const std::string all = '|' + std::string(info.form) + '|';
   if (!word.empty() && all.find('|' + word + '|') != all.npos) return;
-  throw RefusedOption(option, "expected " + taken_by(info) + ", got " + quoted(word));
-}
-
-void check_whole_number(const std::string& option, int value, int least, int most) {
-  if (value >= least && value <= most) return;
-  throw RefusedOption(option,
-                      formatted("expected a number from %d to %d, got %d", least, most, value));
-}
-
-void check_weight(const std::string& option, float value) {
-  if (value >= 0 && value <= kMostWeight) return;
-  throw RefusedOption(option, formatted("expected a number from 0 to %.0f, got '%g'", kMostWeight,
-                                        static_cast<double>(value)));
+  throw RefusedOption(option, unlike(info, word));
 }
 
 void check_solver_options(const IsGiven& given, Solver solver, int cycles) {

@@ -36,20 +36,16 @@ void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
 /// What a number or a choice of the table takes: "a finite number above zero".
 std::string taken_by(const OptionInfo& info);
 
-/// Of an option of `brindle stripe`: throws RefusedOption for a number that is not in its range.
-/// `written` is how it was given.
+/// Why a value is refused: "expected a finite number above zero, got '0'".
+std::string unlike(const OptionInfo& info, const std::string& written);
+
+/// Throws RefusedOption for a number that is not in the range of the table's first row of that
+/// name. `written` is how it was given; without, as it prints.
 void check_number(const std::string& option, double value, const std::string& written);
+void check_number(const std::string& option, double value);
 
 /// The same for a word that is none of its choices.
 void check_choice(const std::string& option, const std::string& word);
-
-// What numbers options take.
-inline constexpr int kMostSweeps = 10000;  // and cycles, and iterations
-inline constexpr int kMostThreads = 1024;
-inline constexpr float kMostWeight = 1e6f;  // lambda, anchors
-inline constexpr int kFewestNeighbors = 3, kMostNeighbors = 100;
-void check_whole_number(const std::string& option, int value, int least, int most);
-void check_weight(const std::string& option, float value);
 
 /// Of solvers other than the chosen one.
 void check_solver_options(const IsGiven& given, Solver solver, int cycles);
