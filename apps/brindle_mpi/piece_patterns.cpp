@@ -140,7 +140,7 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   for (const auto& solved : {&patterns.u, &patterns.v}) {
     if (*solved) branches = std::max(branches, (*solved)->quality.branches);
   }
-  display.note(branch_warning(patterns.figures, branches, patterns.surface->triangle_count()));
+  display.note(branch_warning(patterns.figures, branches, 0, patterns.surface->triangle_count()));
   return patterns;
 }
 

@@ -50,7 +50,7 @@ ArrayAtVertices PieceArrays::array(const std::string& name) const {
   ArrayAtVertices result;
   if (other_) {
     ranks_.together([&] {
-      auto [array, rows_nonfinite] = other_->array(name);
+      auto [array, rows_nonfinite, of_cells] = other_->array(name);
       result = {std::move(array), rows_nonfinite};
     });
     return result;

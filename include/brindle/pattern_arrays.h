@@ -55,6 +55,10 @@ inline constexpr const char* kTurnArray = "turn_deg";
 /// Adds it.
 void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows);
 
+/// Adds the array "agreement", how much the data of a measured field agree
+/// (`DetailedField::agreement`); nothing if that is empty.
+void add_agreement(std::vector<DataArray>& arrays, std::span<const float> agreement);
+
 /// What it says; 0 if there is none. Throws Error if it is not the same finite number in all rows.
 float turn_said_by(std::span<const DataArray> arrays);
 

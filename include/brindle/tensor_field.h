@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
@@ -33,5 +34,10 @@ struct TensorField {
 /// where another eigenvalue is the same but for a millionth of the largest absolute one. Throws
 /// Error, naming the array, for other numbers of components, and unless there is a row per vertex.
 TensorField tensor_field_of(const Surface& surface, const DataArray& tensors, TensorAxis axis);
+
+/// The fractional anisotropy of every tensor (Basser and Pierpaoli 1996): 0 where all eigenvalues
+/// are the same, 1 where all but one are 0; NaN where a number is not finite. Throws Error, naming
+/// the array, for other numbers of components.
+std::vector<float> tensor_anisotropy(const DataArray& tensors);
 
 }  // namespace brindle

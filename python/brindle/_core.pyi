@@ -136,7 +136,11 @@ class FieldOrigin:
     field_turned_deg: Optional[float]
     tensor: Optional[tuple[int, int]]
     milliseconds: float
+    measured: bool
     def __init__(self) -> None: ...
+    def set_data(self, name: str, array: ArrayLike, of_triangles: bool) -> None: ...
+    def see_at_detail(self, given: set[str], periods: float, symmetry: int,
+                      fill: Optional[float], weight: Any) -> None: ...
 
 class Stripes:
     @property

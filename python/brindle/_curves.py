@@ -221,7 +221,9 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None, threads: int = 0,
+            global_iterations: Optional[int] = None,
+            field_detail: Optional[float] = None, field_weight: Any = None,
+            fill: Optional[float] = None, field_arrows: bool = False, threads: int = 0,
             progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: where stripes across ``directions`` (U) cross those along them
     (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
@@ -234,7 +236,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
     options = solving(given, surface.is_points)
-    field = Field(surface, directions, False)
+    field = Field(surface, directions, False, options=given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     frequency_v = frequencies_of(surface, frequency_v)
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
@@ -250,7 +252,11 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     said = invocation("samples", surface, given, _DEFAULTS)
     u = pattern(field, field.directions, count, frequency)
     if directions_v is None:
-        v = pattern(field, surface.turned_field(u.directions, 90), count_v, frequency_v)
+        across = surface.turned_field(u.directions, 90)
+        if field.is_detailed:  # once is enough
+            source, field = field.origin.source, Field(surface, across, False)
+            field.origin.source = source
+        v = pattern(field, across, count_v, frequency_v)
     else:
         other = Field(surface, directions_v, False)
         v = pattern(other, other.directions, count_v, frequency_v)

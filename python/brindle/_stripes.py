@@ -8,7 +8,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import count_and_frequency, described, flag, path_of, solving, warn, word
+from ._arguments import (count_and_frequency, described, flag, number, options_of, path_of, solving,
+                         warn, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
@@ -22,20 +23,49 @@ _TENSOR_COLUMNS = (6, 9)
 _TURN = "turn_deg"
 
 
+_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows")
+_OWN_WEIGHTS = ("length", "anisotropy")
+
+
 class Field:
-    """Directions that a pattern follows, and where they come from."""
+    """Directions that a pattern follows, and where they come from. ``options`` may have those of
+    measured fields; of crosses, the ``symmetry`` is 4."""
 
     def __init__(self, surface: Surface, given: Any, along: bool,
-                 previous: "Optional[Stripes]" = None, match: Optional[str] = None) -> None:
+                 previous: "Optional[Stripes]" = None, match: Optional[str] = None,
+                 options: Optional[Mapping[str, Any]] = None, symmetry: int = 2,
+                 measured: bool = True) -> None:
         begin = perf_counter()
         self.origin = _core.FieldOrigin()
+        self.origin.measured = given is not None and measured
         self.directions = (self._following(surface, previous, match)
                            if given is None and previous is not None
                            else self._directions(surface, given))
+        self.is_detailed = self._see_at_detail(surface, options or {}, symmetry)
         if along:
-            self.directions = surface.turned_field(self.directions, 90)
+            if not self.is_detailed:  # which is seen before it is turned
+                self.directions = surface.turned_field(self.directions, 90)
             self.origin.turn_deg = 90
         self.origin.milliseconds = 1000 * (perf_counter() - begin)
+
+    def _see_at_detail(self, surface: Surface, options: Mapping[str, Any], symmetry: int) -> bool:
+        """Whether the options ask for it. Raises Error for those that have no effect."""
+        given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
+        if flag(given.pop("field_arrows", False), "field_arrows"):
+            given["field_arrows"] = True
+        periods = number(given.get("field_detail", 0), "field_detail")
+        fill = None if "fill" not in given else number(given["fill"], "fill")
+        weight = given.get("field_weight")
+        self.origin.see_at_detail(options_of(given), periods,
+                                  1 if "field_arrows" in given and symmetry == 2 else symmetry,
+                                  fill, self._weights(surface, weight) if periods else None)
+        return periods > 0
+
+    def _weights(self, surface: Surface, weight: Any) -> Any:
+        if not isinstance(weight, str) or weight in _OWN_WEIGHTS:
+            return weight
+        _, array, is_of_cells = surface._core.array_named(weight)
+        return array if is_of_cells and self._of_triangles else surface.array(weight)
 
     def _following(self, surface: Surface, previous: "Stripes", match: Optional[str]) -> Any:
         """The smooth field that goes on from that of a pattern, before it was turned."""
@@ -58,6 +88,9 @@ class Field:
             directions = self._of_array(surface, name, surface.array(given))
             if is_of_cells:  # before rows were moved to vertices
                 self.origin.rows_nonfinite = _core.nonfinite_rows(array)
+                if self.origin.tensor is None:
+                    self._of_triangles = True
+                    self.origin.set_data(name, array, True)
             return directions
         if isinstance(given, (list, tuple)):
             given = _core.unmasked(given)
@@ -65,7 +98,11 @@ class Field:
         if len(shape) == 2 and shape[1] == 2 or len(shape) == 3 or (
                 len(shape) == 2 and shape[1] in _TENSOR_COLUMNS):
             return self._of_array(surface, "directions", given)
+        if len(shape) == 2 and shape[1] == 3:
+            self.origin.set_data("directions", given, False)
         return given
+
+    _of_triangles = False  # whether the data are
 
     def _of_array(self, surface: Surface, name: str, array: Any) -> Any:
         array = _flat_tensors(array)
@@ -76,6 +113,7 @@ class Field:
         else:
             directions, nonfinite = _core.array_field(surface._core, name, array)
         self.origin.rows_nonfinite = nonfinite
+        self.origin.set_data(name, array, False)
         return directions
 
 
@@ -266,8 +304,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             calm: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
             winding: Any = None, merge_branches: Optional[float] = None,
             previous: Optional[Stripes] = None, lambda_: Optional[float] = None,
-            match: Optional[str] = None, threads: int = 0,
-            progress: Optional[Progress] = None) -> Stripes:
+            match: Optional[str] = None, field_detail: Optional[float] = None,
+            field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
+            threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
     ``surface``: a Surface, or whatever ``brindle.as_surface`` takes. ``directions``: (n, 3) vectors
@@ -302,6 +341,13 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     smooth field (``directions`` None) then goes on from that pattern's field, as it was before
     ``along`` turned it, unless ``lambda_`` is 0.
 
+    ``field_detail``: sees measured directions at the scale of so many periods of the stripes,
+    without what is finer, such as noise (0: as they are; 1 to 2 for what is noisy).
+    ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
+    one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
+    ``field_arrows``: directions have a sign. ``p.point_data["agreement"]`` says how much they
+    agree.
+
     ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,
     fraction)`` hears of stages, and cancels by returning False. Other threads of Python run
     meanwhile; Ctrl-C stops it.
@@ -315,7 +361,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
         raise TypeError(f"previous: expected brindle.Stripes, got {type(previous).__name__}")
     options = solving(given, surface.is_points)
     field = Field(surface, directions, flag(along, "along"),
-                  None if options.lambda_ == 0 else previous, match)
+                  None if options.lambda_ == 0 else previous, match, given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.stripes(surface._core, field.directions, count, frequency, field.origin, options,
                          None if previous is None else previous._core,

@@ -170,7 +170,9 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None, threads: int = 0,
+            global_iterations: Optional[int] = None,
+            field_detail: Optional[float] = None, field_weight: Any = None,
+            fill: Optional[float] = None, field_arrows: bool = False, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
 
@@ -183,7 +185,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given.pop("progress")
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
     options = solving(given, surface.is_points)
-    field = Field(surface, directions, flag(along, "along"))
+    field = Field(surface, directions, flag(along, "along"), options=given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.texture(surface._core, field.directions, count, frequency, stripes_v,
                          frequencies_of(surface, frequency_v), flag(oriented, "oriented"),
@@ -200,7 +202,9 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
             epsilon: Optional[float] = None, momentum: Optional[float] = None,
             seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None, threads: int = 0,
+            global_iterations: Optional[int] = None,
+            field_detail: Optional[float] = None, field_weight: Any = None,
+            fill: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Square tiles along a cross field: directions and their quarter turns, which are not told
     apart. ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``.
@@ -212,7 +216,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     options = solving(given, surface.is_points)
     begin = perf_counter()
     field = Field(surface, surface.smooth_field(symmetry=4) if directions is None else directions,
-                  False)
+                  False, options=given, symmetry=4, measured=directions is not None)
     field.origin.milliseconds = 1000 * (perf_counter() - begin)
     if directions is None:
         field.origin.source = "the smooth field"

@@ -12,6 +12,7 @@
 
 #include "brindle/branch_pairs.h"
 #include "brindle/cross_texture.h"
+#include "brindle/recipe/field_data.h"
 #include "brindle/recipe/making.h"
 #include "brindle/recipe/preparation_figures.h"
 #include "brindle/recipe/report.h"
@@ -54,7 +55,7 @@ struct TextureData {
   std::vector<Index> triangle_origins;  ///< of a cross field: in the surface that was handed over
   std::vector<Index> singular;          ///< of a cross field: triangles of that surface
   brindle::WaveReport figures;
-  std::size_t branches = 0;
+  std::size_t branches = 0, field_singularities = 0;
   nlohmann::ordered_json report;  ///< without the invocation
 
   bool is_cross() const { return cover != nullptr; }
@@ -75,6 +76,12 @@ struct FieldOrigin {
   double milliseconds = 0;                                    ///< that making the field took
   float turn_deg = 0;                      ///< by which waves are turned from their field
   std::optional<double> field_turned_deg;  ///< of a smooth field that went on from a last one
+  bool measured = false;                   ///< it was handed over
+  /// At which scale of its stripes the field is seen; 0: as it is. `turn_deg` then is still to
+  /// come.
+  brindle::FieldDetailOptions detail = {.periods = 0};
+  brindle::FieldData data = {};
+  brindle::FieldWeight weight = {};
 };
 
 /// `directions` are of any length, a row per vertex, projected into the tangent planes: but unit

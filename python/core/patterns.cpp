@@ -138,6 +138,7 @@ py::dict point_arrays(const StripesData& data) {
   copy_from_partners(arrays, data.surface->partners);
   arrays.push_back(make_data_array("original_id", 1, data.surface->original_ids));
   brindle::add_turn(arrays, data.prepared.turn_deg, mesh.vertex_count());
+  brindle::add_agreement(arrays, data.prepared.agreement);
   return dict_owning(std::move(arrays));
 }
 
@@ -205,6 +206,7 @@ std::string making_of(const StripesData& data) {
 std::string warnings_of(const StripesData& data, const std::string& source) {
   return brindle::warnings(data.prepared.figures, source) +
          brindle::branch_warning(data.prepared.figures, data.pattern.quality.branches,
+                                 data.pattern.quality.field_singularities,
                                  data.surface->surface.mesh.triangle_count());
 }
 
@@ -328,6 +330,30 @@ void check_solving(const Solving& solving, const std::set<std::string>& names, b
 
 }  // namespace
 
+namespace {
+
+/// The options that are given by their names, the tool's; the weight is a word of the data
+/// themselves, or numbers.
+void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names, float periods,
+                   int symmetry, std::optional<float> fill, py::handle weight) {
+  const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
+  saying_in_pythons_words([&] {
+    check_number("--field-detail", periods);
+    if (fill) check_number("--fill", *fill);
+    brindle::check_field_detail(given, periods, origin.measured, symmetry == 4);
+  });
+  origin.detail.periods = periods;
+  origin.detail.symmetry = symmetry;
+  if (fill) origin.detail.fill = *fill;
+  if (py::isinstance<py::str>(weight)) {
+    origin.weight.word = py::cast<std::string>(weight);
+  } else if (!weight.is_none()) {
+    origin.weight.values = numbers_of(table_of(weight, "field_weight").view, "field_weight");
+  }
+}
+
+}  // namespace
+
 void bind_solving(py::module_& module) {
   py::class_<Solving>(module, "Solving")
       .def(py::init<>())
@@ -405,6 +431,13 @@ void bind_solving(py::module_& module) {
       .def_readwrite("turn_deg", &FieldOrigin::turn_deg)
       .def_readwrite("field_turned_deg", &FieldOrigin::field_turned_deg)
       .def_readwrite("tensor", &FieldOrigin::tensor)
+      .def_readwrite("measured", &FieldOrigin::measured)
+      .def("set_data",
+           [](FieldOrigin& origin, const std::string& name, py::handle array, bool of_triangles) {
+             origin.data = {data_array_of(name, array), of_triangles};
+           })
+      .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("periods"),
+           py::arg("symmetry"), py::arg("fill"), py::arg("weight"))
       .def_readwrite("milliseconds", &FieldOrigin::milliseconds);
 }
 

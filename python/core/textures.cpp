@@ -63,6 +63,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
     made->surface = surface;
     made->figures = in.prepared.figures;
     made->branches = pattern.u.quality.branches;
+    made->field_singularities = pattern.u.quality.field_singularities;
     made->phase_shift = pattern.phase_shift;
     made->waves = std::move(pattern.waves);
     made->u = stripes_data(surface, std::move(pattern.u), in.prepared, solver);
@@ -99,6 +100,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
         brindle::make_report(surface->surface, in.prepared, texture, options.solver.solver));
     made->figures = in.prepared.figures;
     made->branches = cross.quality.branches;
+    made->field_singularities = cross.quality.field_singularities;
     made->phase_shift = options.phase_shift;
     made->waves = std::move(texture.pattern.waves);
     made->triangle_origins = cross.cover.base;
@@ -183,6 +185,10 @@ py::tuple textured_arrays_of(const TexturedData& data) {
     if (!data.patterns.empty()) {
       brindle::add_turn(arrays.points, data.patterns.front().first->prepared.turn_deg,
                         data.textured.mesh.vertex_count());
+      const std::vector<float>& agreement = data.patterns.front().first->prepared.agreement;
+      if (!agreement.empty()) {
+        brindle::add_agreement(arrays.points, carried_values(data.textured, agreement, 1));
+      }
     }
     return arrays;
   });
@@ -256,7 +262,7 @@ void bind_textures(py::module_& module) {
       .def("warnings",
            [](const TextureData& data, const std::string& source) {
              return brindle::warnings(data.figures, source) +
-                    brindle::branch_warning(data.figures, data.branches,
+                    brindle::branch_warning(data.figures, data.branches, data.field_singularities,
                                             data.surface->surface.mesh.triangle_count());
            })
       .def("report", [](const TextureData& data, const std::string& invocation) {

@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "arrays.h"
 #include "brindle/array_field.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
+#include "brindle/measured_field.h"
+#include "job.h"
 #include "pattern_data.h"
 #include "words.h"
 
@@ -68,13 +72,43 @@ void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepare
 }
 
 FrequencyField frequencies_per_vertex(const Table& table, DirectionField& directions,
-                                      brindle::PreparationFigures& prepared) {
+                                      brindle::PreparationFigures& prepared,
+                                      FrequencyField& with_gaps) {
   const DataArray array = data_array_of("frequency", table.array);
   check_rows(table, directions.size(), "frequency");
   FrequencyField frequencies = frequencies_of(array, directions);
+  with_gaps = frequencies;
   prepared.figures.missing.without_frequency =
       drop_waves_without_frequency(directions, frequencies);
   return frequencies;
+}
+
+/// The field at the scale of its stripes, turned by what the origin says. `with_gaps` are not
+/// finite where there can be no wave.
+void see_at_detail(const Surface& surface, const FieldOrigin& origin,
+                   std::span<const float> with_gaps, WavesIn& in) {
+  brindle::FieldWeight weight = origin.weight;
+  if (origin.data.of_triangles && weight.values.size() == surface.mesh.vertex_count()) {
+    weight.values = brindle::corner_means(surface.mesh, weight.values);
+  }
+  const MeasuredField measured = brindle::measured_field(origin.data, in.waves.directions, weight);
+  FrequencyField frequencies = in.waves.frequencies;
+  for (std::size_t v = 0; v < frequencies.size(); ++v) {
+    if (!std::isfinite(with_gaps[v])) frequencies[v] = 0;
+  }
+  const auto seen = until_interrupted([&](const Progress& progress) {
+    FieldDetail detail(surface, origin.detail, progress.part(0, 0.5));
+    DetailedField field = detail.frame(measured, frequencies, {}, progress.part(0.5, 1));
+    return std::make_pair(std::move(field), detail.figures());
+  });
+  const float turn = origin.turn_deg * std::numbers::pi_v<float> / 180;
+  in.waves.directions = seen.first.directions;
+  if (turn != 0) in.waves.directions = rotated(in.waves.directions, surface.normals, turn);
+  in.prepared.agreement = seen.first.agreement;
+  in.prepared.figures.detail = seen.second;
+  brindle::MissingWaves& missing = in.prepared.figures.missing;
+  const std::size_t others = missing.without_frequency.value_or(0);
+  missing.unfilled = seen.second.unfilled - std::min(others, seen.second.unfilled);
 }
 
 }  // namespace
@@ -90,18 +124,24 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
   in.waves.directions = directions_of(surface, directions, in.prepared);
   in.waves.positions = mesh.positions;
   if (!phases.empty()) drop_waves_without_phase(phases, in.waves.directions);
+  FrequencyField with_gaps(mesh.vertex_count());  // not finite where there can be no wave
   if (!frequency.is_none()) {
     const Table table = table_of(frequency, "frequency");
-    in.waves.frequencies = table.is_number
-                               ? constant_frequency_field(number_of(table), mesh.vertex_count())
-                               : frequencies_per_vertex(table, in.waves.directions, in.prepared);
+    in.waves.frequencies =
+        table.is_number
+            ? constant_frequency_field(number_of(table), mesh.vertex_count())
+            : frequencies_per_vertex(table, in.waves.directions, in.prepared, with_gaps);
   } else {
     const Table table = table_of(stripes, "stripes");
     if (!table.is_number) throw Error("stripes: expected one number; frequency may be an array");
     in.waves.frequencies = constant_frequency_field(
         frequency_of_stripes(number_of(table), bounding_box(mesh).diagonal()), mesh.vertex_count());
   }
-  in.prepared.figures = {measure_waves(surface.surface, in.waves), in.prepared.figures.missing};
+  if (origin.detail.periods > 0) {
+    saying_in_pythons_words([&] { see_at_detail(surface.surface, origin, with_gaps, in); });
+  }
+  static_cast<WaveFigures&>(in.prepared.figures) = measure_waves(surface.surface, in.waves);
+  in.prepared.figures.measured = origin.measured;
   tell_origin(origin, in.prepared);
   in.prepared.field_milliseconds = origin.milliseconds + watch.lap();
   return in;

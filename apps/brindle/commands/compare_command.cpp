@@ -55,8 +55,9 @@ std::vector<Report> reports_of_all(const CompareArguments& arguments) {
     reports.push_back(make_report(prepared.surface, prepared, pattern, solver));
   }
   // Of the last solver alone: all see the same waves.
-  display.note(
-      branch_warning(prepared.figures, reports.back().quality.branches, reports.back().triangles));
+  display.note(branch_warning(prepared.figures, reports.back().quality.branches,
+                              reports.back().quality.field_singularities,
+                              reports.back().triangles));
   return reports;
 }
 

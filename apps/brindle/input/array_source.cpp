@@ -86,7 +86,8 @@ ArraySource::PerVertex ArraySource::array(const std::string& name) const {
                      : carried_from_points(*array, other_->rows),
             nonfinite};
   }
-  return {of_cells ? cells_to_points(surface_.mesh, *array) : *array, nonfinite};
+  if (of_cells) return {cells_to_points(surface_.mesh, *array), nonfinite, *array};
+  return {*array, nonfinite};
 }
 
 std::optional<std::size_t> ArraySource::drop_too_far(DirectionField& directions) const {

@@ -33,6 +33,8 @@ class ArraySource {
   struct PerVertex {
     DataArray array;                 ///< a row per vertex of the surface
     std::size_t rows_nonfinite = 0;  ///< of the array as it was read
+    /// As it was read, a row per triangle, if it is one of the surface's own cells.
+    std::optional<DataArray> of_cells = std::nullopt;
   };
 
   /// The array NAME: that of points, or else that of cells, moved to the vertices; points/NAME and

@@ -1,6 +1,7 @@
 #include "input/make_waves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "brindle/waves/orientation.h"
+#include "cli/command_line.h"
 #include "input/array_source.h"
 #include "input/csv_field.h"
 #include "input/vertex_values.h"
@@ -26,8 +28,13 @@ Field rows_field(const Surface& surface, const std::string& path,
   FieldFile file = read_field_csv(path, surface.mesh.vertex_count(), vertex_of_row);
   const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
                                        [](const Vec3& vector) { return !vector.allFinite(); });
-  return {tangent_directions(file.vectors, surface.normals), std::move(file.frequencies),
-          std::move(file.frequencies_v), static_cast<std::size_t>(nonfinite)};
+  Field field;
+  field.directions = tangent_directions(file.vectors, surface.normals);
+  field.frequencies = std::move(file.frequencies);
+  field.frequencies_v = std::move(file.frequencies_v);
+  field.rows_nonfinite = static_cast<std::size_t>(nonfinite);
+  field.data.array = make_data_array("vector", file.vectors);
+  return field;
 }
 
 Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
@@ -60,6 +67,7 @@ Field array_field(const Surface& surface, const DataArray& array, const ArrayOpt
     field.directions = direction_field_of(surface, array);
   }
   field.rows_nonfinite = nonfinite_rows(array);
+  field.data.array = array;
   return field;
 }
 
@@ -69,6 +77,7 @@ Field file_field(const Surface& surface, const WaveOptions& options, const FileD
     Field field = array_field(surface, csv->array, options.arrays);
     if (!csv->frequency) return field;
     field.frequencies = frequencies_of(*csv->frequency, field.directions);
+    field.with_gaps = field.frequencies;
     field.missing.without_frequency =
         drop_waves_without_frequency(field.directions, field.frequencies);
     return field;
@@ -136,9 +145,11 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
     return {std::move(directions), {}, {}};
   }
   if (!is_array(options.field)) return file_field(surface, options, data);
-  const auto [array, rows_nonfinite] = arrays.array(parse_array("--field", options.field));
-  Field field = array_field(surface, array, options.arrays);
-  field.rows_nonfinite = rows_nonfinite;  // before rows were moved to vertices
+  ArraySource::PerVertex found = arrays.array(parse_array("--field", options.field));
+  Field field = array_field(surface, found.array, options.arrays);
+  field.rows_nonfinite = found.rows_nonfinite;  // before rows were moved to vertices
+  // Eigenvectors of the mean of tensors are better than means of eigenvectors.
+  if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};
   return field;
 }
 
@@ -177,6 +188,32 @@ void drop_waves(const ArrayOptions& options, Field& field) {
       drop_waves_without_frequency(field.directions, field.frequencies);
 }
 
+/// The frequencies that waves have, and 0 where there can be none: where the array of frequencies
+/// has none, and too far from the field's mesh.
+FrequencyField places_of_waves(const FrequencyField& with_gaps, const ArraySource& arrays,
+                               const Field& field) {
+  FrequencyField frequencies = field.frequencies;
+  for (Index v = 0; v < frequencies.size(); ++v) {
+    const bool is_gap = !std::isfinite(with_gaps[v]) ||
+                        (!field.with_gaps.empty() && !std::isfinite(field.with_gaps[v]));
+    if (is_gap || !arrays.is_near(v)) frequencies[v] = 0;
+  }
+  return frequencies;
+}
+
+void see_at_detail(const Surface& surface, const WaveOptions& options,
+                   const FrequencyField& frequencies, Field& field, WavesAndCrossing& made,
+                   const Progress& progress) {
+  FieldDetail detail(surface, detail_options(options.detail, options.cross), progress.part(0, 0.5));
+  DetailedField seen = detail.frame(field.measured, frequencies, {}, progress.part(0.5, 1));
+  field.directions = std::move(seen.directions);
+  made.agreement = std::move(seen.agreement);
+  made.detail = detail.figures();
+  const std::size_t others =
+      field.missing.without_frequency.value_or(0) + field.missing.too_far.value_or(0);
+  field.missing.unfilled = made.detail->unfilled - std::min(others, made.detail->unfilled);
+}
+
 }  // namespace
 
 BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
@@ -185,6 +222,14 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
       std::make_shared<const ArraySource>(surface, data.arrays, data.name, options.arrays);
   BaseField field = make_field(surface, options, data, *arrays, last, progress);
   field.notes = arrays->notes() + field.notes;
+  if (is_measured(options)) {
+    const ValueSource source{surface, data.arrays, data.name, options.arrays, data.vertex_of_row};
+    refuse_usage([&] {
+      field.measured =
+          measured_field(field.data, field.directions,
+                         field_weight(source, *arrays, options.detail, field.data.of_triangles));
+    });
+  }
   field.arrays = std::move(arrays);
   return field;
 }
@@ -195,12 +240,11 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
 }
 
 WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data, BaseField field) {
+                            const FileData& data, BaseField field, const Progress& progress) {
   const ArraySource& arrays = *field.arrays;
-  const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180;
-  if (turn != 0) field.directions = rotated(field.directions, surface.normals, turn);
   field.missing.too_far = arrays.drop_too_far(field.directions);
   choose_frequencies(surface, options, data, arrays, field);
+  const FrequencyField with_gaps = field.frequencies;
   drop_waves(options.arrays, field);
   const auto everywhere = [&](float frequency) {
     return constant_frequency_field(frequency, surface.mesh.vertex_count());
@@ -212,12 +256,20 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
   }
   for (float& frequency : field.frequencies) frequency *= options.frequency_factor;
   for (float& frequency : field.frequencies_v) frequency *= options.frequency_factor;
-  return {{surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)},
-          std::move(field.frequencies_v),
-          field.rows_nonfinite,
-          field.missing,
-          field.notes,
-          field.step};
+  WavesAndCrossing made;
+  if (options.detail.periods > 0) {
+    see_at_detail(surface, options, places_of_waves(with_gaps, arrays, field), field, made,
+                  progress);
+  }
+  const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180;
+  if (turn != 0) field.directions = rotated(field.directions, surface.normals, turn);
+  made.waves = {surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)};
+  made.frequencies_v = std::move(field.frequencies_v);
+  made.field_rows_nonfinite = field.rows_nonfinite;
+  made.missing = field.missing;
+  made.notes = field.notes;
+  made.field_step = field.step;
+  return made;
 }
 
 }  // namespace brindle::tool

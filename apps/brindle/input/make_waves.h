@@ -38,6 +38,8 @@ struct WavesAndCrossing {
   MissingWaves missing;
   std::string notes;                    ///< lines for the user
   std::optional<FieldStep> field_step;  ///< of a smooth field that went on from a last one
+  std::optional<FieldDetailFigures> detail = {};  ///< of a field at the scale of its stripes
+  std::vector<float> agreement = {};  ///< of its data: one per vertex; empty without detail
 };
 
 /// A direction field before it is turned and gets the frequencies that options ask for.
@@ -52,6 +54,9 @@ struct FoundField {
 
 /// What takes long, and need not be made again for other frequencies.
 struct BaseField : FoundField {
+  FieldData data = {};                 ///< what it was made of, if it was measured
+  MeasuredField measured = {};         ///< the same, weighted; empty if it was not
+  FrequencyField with_gaps = {};       ///< of a field file's frequencies: NaN where it has none
   std::optional<FieldStep> step = {};  ///< as WavesAndCrossing has it
   /// Of the surface's file or another one; refers to the surface and the data.
   std::shared_ptr<const ArraySource> arrays = {};
@@ -70,7 +75,7 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
 
 /// The second half.
 WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data, BaseField field);
+                            const FileData& data, BaseField field, const Progress& progress = {});
 
 /// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor if the
 /// field turns out to be no tensor.

@@ -129,12 +129,15 @@ FileData data_of(const Preparation& prepared, const SurfaceOptions& surface,
 
 }  // namespace
 
+/// How much of the time for waves goes into their field before it is turned and seen at detail.
+constexpr double kFieldShare = 0.7;
+
 BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surface,
                         const WaveOptions& waves, JobListener& listener,
                         const LastDirections& last) {
   listener.stage(kField);
   return make_base_field(prepared.surface, waves, data_of(prepared, surface, std::nullopt), last,
-                         listener.progress());
+                         listener.progress().part(0, kFieldShare));
 }
 
 WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
@@ -146,15 +149,20 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
                             const WaveOptions& waves, BaseField field, JobListener& listener,
                             const std::optional<Viewpoint>& viewpoint) {
   Stopwatch watch;
-  WavesAndCrossing made =
-      make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint), std::move(field));
+  WavesAndCrossing made = make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint),
+                                     std::move(field), listener.progress().part(kFieldShare, 1));
   listener.note(made.notes);
-  PreparedWaves result{std::move(made.waves), std::move(made.frequencies_v), {}, {}, {}};
+  PreparedWaves result;
+  result.waves = std::move(made.waves);
+  result.frequencies_v = std::move(made.frequencies_v);
   result.turn_deg = turn_deg(waves);
   result.field_rows_nonfinite = made.field_rows_nonfinite;
   result.field_step = made.field_step;
   result.figures =
       noted_waves(prepared.surface, result.waves, source_of(waves), listener, made.missing);
+  result.figures.measured = is_measured(waves);
+  result.figures.detail = made.detail;
+  result.agreement = std::move(made.agreement);
   result.field_milliseconds = watch.lap();
   return result;
 }
@@ -163,6 +171,7 @@ void take_waves(PreparedWaves waves, Preparation& prepared) {
   prepared.waves = std::move(waves.waves);
   prepared.frequencies_v = std::move(waves.frequencies_v);
   prepared.figures = std::move(waves.figures);
+  prepared.agreement = std::move(waves.agreement);
   prepared.field_rows_nonfinite = waves.field_rows_nonfinite;
   prepared.field_step = waves.field_step;
   prepared.turn_deg = waves.turn_deg;

@@ -51,6 +51,8 @@ float curvature_anchor(const WaveOptions& options) {
                                                                         : 0);
 }
 
+bool is_measured(const WaveOptions& options) { return !options.direction && !is_smooth(options); }
+
 int symmetry_of(const WaveOptions& options) { return options.cross ? 4 : 2; }
 
 float turn_deg(const WaveOptions& options) {
@@ -71,13 +73,16 @@ std::string source_of(const WaveOptions& options) {
 
 bool needs_own_arrays(const WaveOptions& options) {
   const ArrayOptions& arrays = options.arrays;
-  return arrays.mesh.empty() &&
-         (is_array(options.field) || !arrays.frequency.empty() || is_array(arrays.frequency_by));
+  return arrays.mesh.empty() && (is_array(options.field) || !arrays.frequency.empty() ||
+                                 is_array(arrays.frequency_by) || is_array(options.detail.weight));
 }
 
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
   check_array_options(command, options.arrays, options.field);
+  refuse_usage(command, [&](const IsGiven& given) {
+    check_field_detail(given, options.detail.periods, is_measured(options), options.cross);
+  });
   if (options.cross) {
     refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
   }
@@ -151,6 +156,7 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_along_option(app, options);
   add_frequency_options(app, options);
   add_array_options(app, options.arrays);
+  add_field_detail_options(app, options.detail);
 }
 
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {

@@ -12,6 +12,7 @@
 #include "brindle/surface.h"
 #include "cli/option_values.h"
 #include "input/array_options.h"
+#include "input/field_detail.h"
 
 namespace brindle::tool {
 
@@ -34,6 +35,7 @@ struct WaveOptions {
   std::optional<float> frequency_v;
   float frequency_factor = 1;  ///< multiplies all frequencies, whoever says them
   ArrayOptions arrays;
+  FieldDetailChoice detail;
 };
 
 /// Whether the field is `smooth_direction_field`, drawn to curvature with this weight or not.
@@ -45,6 +47,10 @@ int symmetry_of(const WaveOptions& options);
 
 /// Degrees that waves are turned by against their field: --rotate and --along.
 float turn_deg(const WaveOptions& options);
+
+/// Whether the field was measured, as far as anyone can tell: it is an array, a file, or curvature
+/// as it is.
+bool is_measured(const WaveOptions& options);
 
 /// Whether the field comes from a file of its own.
 bool is_field_file(const WaveOptions& options);

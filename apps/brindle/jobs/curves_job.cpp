@@ -72,7 +72,7 @@ CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, co
       make_pattern(surface, std::move(waves), job.options, wanted, listener.progress(), making);
   measure_windings(surface, pattern, making);
   listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
-                               surface.mesh.triangle_count()));
+                               pattern.quality.field_singularities, surface.mesh.triangle_count()));
   CurveFamily family = traced_family(arguments, surface, job.edges, name, std::move(pattern),
                                      CurveFigures::all, listener);
   family.making = std::move(making);

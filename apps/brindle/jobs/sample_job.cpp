@@ -83,7 +83,7 @@ SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listene
   job.v = stripe_pattern(surface, std::move(waves_v), options, listener.progress());
   listener.note(branch_warning(prepared.figures,
                                std::max(job.u.quality.branches, job.v.quality.branches),
-                               surface.mesh.triangle_count()));
+                               job.u.quality.field_singularities, surface.mesh.triangle_count()));
   job.taken = taken_samples(arguments, surface, job.u, job.v, listener);
   return job;
 }

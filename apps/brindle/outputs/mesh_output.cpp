@@ -57,6 +57,7 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
   if (holds_waves(path)) {
     own.points.push_back(make_data_array("original_id", 1, made.data.original_ids));
     add_turn(own.points, made.data.turn_deg, surface.mesh.vertex_count());
+    add_agreement(own.points, made.data.agreement);
   }
   const DataArrays arrays =
       fitted(path, joined(std::move(own), without_turn(made.data.arrays)), listener);
@@ -83,6 +84,9 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
   if (holds_waves(path)) {
     own.points.push_back(carried_ids(textured, made.data.original_ids));
     add_turn(own.points, made.data.turn_deg, textured.mesh.vertex_count());
+    if (!made.data.agreement.empty()) {
+      add_agreement(own.points, carried_values(textured, made.data.agreement, 1));
+    }
   }
   const DataArrays input = carried_arrays(textured, without_turn(made.data.arrays));
   const DataArrays arrays = fitted(path, joined(std::move(own), input), listener);
@@ -97,12 +101,12 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
 
 InputData take_input_data(Preparation& prepared) {
   return {std::move(prepared.arrays), std::move(prepared.original_ids),
-          std::move(prepared.partners), prepared.turn_deg};
+          std::move(prepared.partners), prepared.turn_deg, std::move(prepared.agreement)};
 }
 
 InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
                            const CrossCover& cover) {
-  InputData result{{}, data.original_ids, data.partners, data.turn_deg};
+  InputData result{{}, data.original_ids, data.partners, data.turn_deg, data.agreement};
   const auto vertices = static_cast<Index>(data.original_ids.size());
   std::vector<RowBlend> points;
   for (Index v = 0; v < vertices; ++v) points.push_back({{v, v, v}, {1, 0, 0}});
@@ -112,6 +116,9 @@ InputData on_cross_texture(const InputData& data, std::span<const Triangle> tria
     points.push_back({triangles[t], {kThird, kThird, kThird}});
     cells.insert(cells.end(), 3, t);
     result.original_ids.push_back(-1);
+    if (data.agreement.empty()) continue;
+    const auto& [a, b, c] = triangles[t];
+    result.agreement.push_back((data.agreement[a] + data.agreement[b] + data.agreement[c]) / 3);
   }
   result.arrays = {blended(data.arrays.points, points), rows_of(data.arrays.cells, cells)};
   return result;

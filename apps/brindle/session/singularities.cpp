@@ -15,6 +15,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "brindle/base/elementary.h"
+#include "brindle/waves/field_index.h"
 
 namespace brindle::tool {
 namespace {
@@ -48,15 +49,6 @@ bool is_inside_out(const Surface& surface, std::size_t triangle) {
 /// The angle from one vector to another about `normal`.
 float angle_between(const Vec3& from, const Vec3& to, const Vec3& normal) {
   return elementary::atan2(normal.dot(from.cross(to)), from.dot(to));
-}
-
-/// By how much lines turn round a triangle, in half turns.
-int half_turns(const Vec3& normal, const std::array<Vec3, 3>& directions) {
-  const Vec3 n = normal.stableNormalized();
-  const auto flat = [&](int m) -> Vec3 { return directions[m % 3] - directions[m % 3].dot(n) * n; };
-  float sum = 0;
-  for (int m = 0; m < 3; ++m) sum += std::remainder(angle_between(flat(m), flat(m + 1), n), kPi);
-  return static_cast<int>(std::lround(sum / kPi));
 }
 
 using EdgeKey = std::uint64_t;
@@ -234,8 +226,8 @@ std::vector<FieldSingularity> field_singularities(const Surface& surface,
     const Triangle& triangle = mesh.triangles[t];
     const Vec3 normal = listed_normal(mesh, t);
     // Seen from the other side, both walk and turn are the other way round.
-    const int sign = half_turns(
-        normal, {directions[triangle[0]], directions[triangle[1]], directions[triangle[2]]});
+    const int sign = field_index(
+        normal, {directions[triangle[0]], directions[triangle[1]], directions[triangle[2]]}, 2);
     result.push_back(
         {t, barycentre(mesh, t), is_inside_out(surface, t) ? Vec3(-normal) : normal, sign});
   }

@@ -93,6 +93,8 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
   double error = system.sum([&](Index i) { return dot(residual[i], step[i]); });
   const double enough = error * static_cast<double>(options.tolerance * options.tolerance);
   for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
+    // How many there will be is not known: each brings the end nearer by a thirtieth of the way.
+    options.progress.report(1 - std::pow(29.0 / 30, iteration));
     system.exchange(step);
     for_own(system, [&](Index i) { image[i] = system.row(i, step); });
     const double curvature = system.sum([&](Index i) { return dot(step[i], image[i]); });

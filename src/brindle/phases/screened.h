@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -21,6 +22,8 @@ struct ScreenedOptions {
   std::function<void(std::span<Complex>)> exchange = {};
   /// The sum over all ranks.
   std::function<double(double)> total = {};
+
+  Progress progress = {};  ///< hears of every iteration
 };
 
 /// From `start` towards the numbers u_i that minimise
@@ -31,7 +34,8 @@ struct ScreenedOptions {
 /// s_i (one per node, 0 or above). Where s_i is 0 nothing is known, and the smoothest goes on; how
 /// long u_i is says how much what is known agrees around it. The system is linear in real and
 /// imaginary parts: conjugate gradients, with the diagonal as preconditioner (Hestenes and Stiefel
-/// 1952). Every iteration lowers the energy; bits do not depend on threads.
+/// 1952). Throws Cancelled if the options' progress asks for it. Every iteration lowers the energy;
+/// bits do not depend on threads.
 std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const float> screening,
                                      std::vector<Complex> start,
                                      const ScreenedOptions& options = {});

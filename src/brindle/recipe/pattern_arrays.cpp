@@ -75,6 +75,10 @@ void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows) 
   arrays.push_back(make_data_array(kTurnArray, 1, std::vector<float>(rows, turn_deg)));
 }
 
+void add_agreement(std::vector<DataArray>& arrays, std::span<const float> agreement) {
+  if (!agreement.empty()) arrays.push_back(make_data_array("agreement", 1, agreement));
+}
+
 DataArrays without_turn(const DataArrays& input) {
   DataArrays result = input;
   std::erase_if(result.points, [](const DataArray& array) { return array.name == kTurnArray; });

@@ -62,6 +62,9 @@ void check_making(const MakingOptions& options, Solver solver);
 /// What draws a smooth field, by these weights.
 void check_smooth_field(const IsGiven& given, float curvature_anchor, float feature_anchor);
 
+/// Of fields that are not measured, or are not seen at the scale of `periods` of their stripes.
+void check_field_detail(const IsGiven& given, float periods, bool measured, bool cross);
+
 /// What needs triangles, of points: of fields and waves, and of stripes.
 void check_triangle_options(const IsGiven& given);
 void check_making_on_points(const IsGiven& given);

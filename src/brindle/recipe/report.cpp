@@ -35,6 +35,29 @@ nlohmann::ordered_json to_json(const MissingWaves& missing) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const FieldDetailFigures& detail) {
+  return {{"field_turned_mean_deg", detail.turned_mean_deg},
+          {"field_turned_median_deg", detail.turned_median_deg},
+          {"field_turned_p95_deg", detail.turned_p95_deg},
+          {"field_turned_share_over_20deg", detail.turned_share_over_20deg},
+          {"field_singularities_of_data", detail.singularities_of_data},
+          {"vertices_with_data", detail.data},
+          {"vertices_filled", detail.filled},
+          {"vertices_unfilled", detail.unfilled}};
+}
+
+void print_detail(std::ostream& out, const FieldDetailFigures& detail) {
+  out << formatted(
+      "field     turned by %.2f degrees (median %.2f, 95 %% below %.1f, above 20 in %.1f %%), "
+      "%zu singularities of %zu\n",
+      detail.turned_mean_deg, detail.turned_median_deg, detail.turned_p95_deg,
+      100 * detail.turned_share_over_20deg, detail.singularities, detail.singularities_of_data);
+  if (detail.filled + detail.unfilled > 0) {
+    out << formatted("holes     %zu vertices filled, %zu too far from all data\n", detail.filled,
+                     detail.unfilled);
+  }
+}
+
 nlohmann::ordered_json to_json(const FollowedReport& followed) {
   nlohmann::ordered_json json = {
       {"previous", followed.previous},
@@ -145,6 +168,7 @@ nlohmann::ordered_json to_json(const WaveReport& waves,
       {"vertices_without_wave", waves.without_wave}};
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
   json.update(to_json(waves.missing));
+  if (waves.detail) json.update(to_json(*waves.detail));
   return json;
 }
 
@@ -162,6 +186,7 @@ void print_waves(std::ostream& out, const WaveReport& waves) {
   if (waves.without_wave > 0) {
     out << formatted("no wave   at %zu of %zu vertices\n", waves.without_wave, waves.used);
   }
+  if (waves.detail) print_detail(out, *waves.detail);
 }
 
 nlohmann::ordered_json to_json(const Report& report) {

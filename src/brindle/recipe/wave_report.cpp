@@ -7,13 +7,17 @@
 namespace brindle {
 namespace {
 
+constexpr double kManySingularities = 0.01;  // a share of all triangles
+
 std::vector<std::string> reasons(const MissingWaves& missing) {
   std::vector<std::string> lines;
   const auto add = [&](std::size_t count, const char* why) {
     if (count > 0) lines.push_back(formatted("%zu vertices have no wave: %s", count, why));
   };
   add(missing.too_far.value_or(0), "they are farther than --max-distance from the field's mesh");
-  if (missing.tensor) {
+  if (missing.unfilled) {
+    add(*missing.unfilled, "they are farther than --fill from all data");
+  } else if (missing.tensor) {
     add(missing.tensor->near_normal, "the tensor's axis is within 15 degrees of the normal");
     add(missing.tensor->isotropic, "the tensor has the same eigenvalue along other axes");
   }
@@ -54,8 +58,19 @@ std::string warnings(const WaveReport& figures, const std::string& source) {
   return text + warning_lines(wave_warnings(unexplained, words_of_options(source)));
 }
 
-std::string branch_warning(const WaveReport& figures, std::size_t branches, std::size_t triangles) {
-  return warning_lines(branch_warnings(figures, branches, triangles, words_of_options("")));
+std::string branch_warning(const WaveReport& figures, std::size_t branches,
+                           std::size_t field_singularities, std::size_t triangles) {
+  std::vector<std::string> sentences =
+      branch_warnings(figures, branches, triangles, words_of_options(""));
+  const auto singular = static_cast<double>(field_singularities);
+  const auto all = static_cast<double>(triangles);
+  if (figures.measured && !figures.detail && singular > kManySingularities * all) {
+    sentences.push_back(
+        formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; "
+                  "--field-detail 1 sees it at the scale of its stripes",
+                  field_singularities, triangles, 100 * singular / all));
+  }
+  return warning_lines(sentences);
 }
 
 }  // namespace brindle

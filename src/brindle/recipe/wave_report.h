@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "brindle/measured_field.h"
 #include "brindle/wave_figures.h"
 
 namespace brindle {
@@ -20,16 +21,22 @@ struct MissingWaves {
   std::optional<MissingTensorWaves> tensor;      ///< of a field that is a tensor
   std::optional<std::size_t> without_frequency;  ///< of frequencies that are an array
   std::optional<std::size_t> too_far;            ///< of a field on another mesh
+  /// Of a field whose holes were filled, whatever they came of: too far from its data.
+  std::optional<std::size_t> unfilled = {};
 
   std::size_t total() const {
-    return (tensor ? tensor->near_normal + tensor->isotropic : 0) + without_frequency.value_or(0) +
-           too_far.value_or(0);
+    const std::size_t holes = unfilled ? *unfilled
+                              : tensor ? tensor->near_normal + tensor->isotropic
+                                       : 0;
+    return holes + without_frequency.value_or(0) + too_far.value_or(0);
   }
 };
 
 /// The library's figures, and why waves are missing.
 struct WaveReport : WaveFigures {
   MissingWaves missing;
+  bool measured = false;                          ///< the field may have noise
+  std::optional<FieldDetailFigures> detail = {};  ///< of one seen at the scale of its stripes
 };
 
 /// What options are called, for waves that come from `source`: "the field 'wind.csv'".
@@ -44,7 +51,9 @@ void check_wave_report(const WaveReport& figures, const std::string& source);
 /// the mesh. Empty if there is nothing to say.
 std::string warnings(const WaveReport& figures, const std::string& source);
 
-/// The same of more branches than a triangle in ten, unless stripes are too fine anyway.
-std::string branch_warning(const WaveReport& figures, std::size_t branches, std::size_t triangles);
+/// The same of more branches than a triangle in ten, unless stripes are too fine anyway; and of a
+/// measured field, taken as it is, that turns round more than a triangle in a hundred.
+std::string branch_warning(const WaveReport& figures, std::size_t branches,
+                           std::size_t field_singularities, std::size_t triangles);
 
 }  // namespace brindle

@@ -153,6 +153,49 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "--field-mesh: no wave farther away from it (default 2%)"},
 
+    {.name = "field-detail",
+     .group = "Field",
+     .kind = OptionKind::number,
+     .form = "P",
+     .unit = "periods",
+     .standard = "0",
+     .range = kNotNegative,
+     .slider = {0, 4},
+     .stale = OptionStage::waves,
+     .jobs = kAll,
+     .help =
+         "see a measured field at the scale of P periods of the stripes, without what is finer, "
+         "such as noise, and with its holes filled (default 0: as it is given; 1 to 2 for what "
+         "is noisy)"},
+    {.name = "field-weight",
+     .group = "Field",
+     .kind = OptionKind::text,
+     .form = "VALUE",
+     .stale = OptionStage::field,
+     .jobs = kAll,
+     .help = "--field-detail: how much every datum counts, 0 if it is none: "
+             "array:NAME|FILE.csv[:COLUMN]|length|anisotropy, of vectors or tensors (default: "
+             "tensors by their anisotropy, all others alike)"},
+    {.name = "fill",
+     .group = "Field",
+     .kind = OptionKind::number,
+     .form = "P",
+     .unit = "periods",
+     .standard = "2",
+     .range = kNotNegative,
+     .slider = {0, 10},
+     .stale = OptionStage::waves,
+     .jobs = kAll,
+     .help = "--field-detail: how far holes in the data are filled; no wave farther away (default "
+             "2)"},
+    {.name = "field-arrows",
+     .group = "Field",
+     .kind = OptionKind::flag,
+     .stale = OptionStage::waves,
+     .jobs = kAll,
+     .help = "--field-detail: vectors have a sign, and those that face each other cancel; without, "
+             "they are lines"},
+
     // Stripes
     {.name = "stripes",
      .group = "Stripes",

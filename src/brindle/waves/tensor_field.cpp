@@ -1,6 +1,7 @@
 #include "brindle/tensor_field.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -74,14 +75,43 @@ Vec3 tensor_direction(Eigen::Matrix3d matrix, const Vec3& normal, TensorAxis axi
 
 }  // namespace
 
+namespace {
+
+void check_is_tensor(const DataArray& tensors) {
+  if (is_tensor(tensors)) return;
+  throw Error("array '" + tensors.name + "' has " + std::to_string(tensors.components) +
+              " numbers in a row; a symmetric tensor needs 6 (XX, YY, ZZ, XY, YZ, XZ) or 9");
+}
+
+float anisotropy_of(Eigen::Matrix3d matrix) {
+  const double size = matrix.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  if (!std::isfinite(size)) return std::numeric_limits<float>::quiet_NaN();
+  if (size == 0) return 0;
+  matrix = (matrix + matrix.transpose().eval()) / (2 * size);
+  const Eigen::Matrix3d deviator = matrix - matrix.trace() / 3 * Eigen::Matrix3d::Identity();
+  return static_cast<float>(std::sqrt(1.5) * deviator.norm() / matrix.norm());
+}
+
+}  // namespace
+
+std::vector<float> tensor_anisotropy(const DataArray& tensors) {
+  check_is_tensor(tensors);
+  const std::vector<double> numbers = doubles_of(tensors.view());
+  const auto columns = static_cast<std::size_t>(tensors.components);
+  std::vector<float> shares(tensors.rows());
+  parallel_for(shares.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      shares[row] = anisotropy_of(matrix_of(&numbers[row * columns], tensors.components));
+    }
+  });
+  return shares;
+}
+
 bool is_tensor(const DataArray& array) { return array.components == 6 || array.components == 9; }
 
 TensorField tensor_field_of(const Surface& surface, const DataArray& tensors, TensorAxis axis) {
   check_rows_per_vertex(tensors, surface.mesh.vertex_count());
-  if (!is_tensor(tensors)) {
-    throw Error("array '" + tensors.name + "' has " + std::to_string(tensors.components) +
-                " numbers in a row; a symmetric tensor needs 6 (XX, YY, ZZ, XY, YZ, XZ) or 9");
-  }
+  check_is_tensor(tensors);
   const std::vector<double> numbers = doubles_of(tensors.view());
   const auto columns = static_cast<std::size_t>(tensors.components);
   TensorField field;

@@ -1,0 +1,65 @@
+#include "input/field_detail.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brindle/base/array_numbers.h"
+#include "cli/command_line.h"
+#include "cli/option_values.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kWeight = "--field-weight";
+constexpr const char* kLength = "length";
+constexpr const char* kAnisotropy = "anisotropy";
+
+std::string parse_weight_value(const std::string& option, const std::string& text) {
+  const bool is_own = text == kLength || text == kAnisotropy;
+  if (is_array(text)) {
+    parse_array(option, text);
+  } else if (!is_own && value_file(text).empty()) {
+    wrong_usage(option, "one of array:NAME|FILE.csv[:COLUMN]|length|anisotropy", text);
+  }
+  return text;
+}
+
+std::vector<float> numbers_of_triangles(const DataArray& array) {
+  std::vector<float> values;
+  for (const double number : doubles_of(array.view())) values.push_back(static_cast<float>(number));
+  return values;
+}
+
+}  // namespace
+
+void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
+  add_parsed_option(app, "--field-detail", choice.periods, parse_not_negative_number);
+  add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
+  add_parsed_option(app, "--fill", choice.fill, parse_not_negative_number);
+  app.add_flag("--field-arrows", choice.arrows);
+}
+
+FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
+                         const FieldDetailChoice& choice, bool of_triangles) {
+  const std::string& weight = choice.weight;
+  if (weight.empty() || weight == kLength || weight == kAnisotropy) return {weight, {}};
+  if (of_triangles && is_array(weight)) {
+    const ArraySource::PerVertex found = arrays.array(parse_array(kWeight, weight));
+    if (found.of_cells && found.of_cells->components == 1) {
+      return {"", numbers_of_triangles(*found.of_cells)};
+    }
+  }
+  std::vector<float> values = vertex_values(kWeight, weight, source).values;
+  return {"", of_triangles ? corner_means(source.surface.mesh, values) : std::move(values)};
+}
+
+FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross) {
+  FieldDetailOptions options;
+  options.periods = choice.periods;
+  options.symmetry = cross ? 4 : choice.arrows ? 1 : 2;
+  if (choice.fill) options.fill = *choice.fill;
+  return options;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,35 @@
+/// Measured fields at the scale of their stripes: what may be asked for, and the field that
+/// follows.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "brindle/measured_field.h"
+#include "brindle/recipe/field_data.h"
+#include "input/array_source.h"
+#include "input/vertex_values.h"
+
+namespace brindle::tool {
+
+struct FieldDetailChoice {
+  float periods = 0;          ///< P; 0: as the field is given
+  std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
+  std::optional<float> fill;  ///< how far holes are filled, in periods
+  bool arrows = false;        ///< vectors have a sign
+};
+
+/// --field-detail, --field-weight, --fill and --field-arrows.
+void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
+
+/// What data count by that are per vertex or, some, per triangle. Throws Error for arrays and
+/// columns as `vertex_values` does.
+FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
+                         const FieldDetailChoice& choice, bool of_triangles);
+
+/// The options of the library's filter for waves of lines, or of crosses.
+FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross);
+
+}  // namespace brindle::tool

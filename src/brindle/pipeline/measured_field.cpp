@@ -1,0 +1,408 @@
+#include "brindle/measured_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <queue>
+#include <string>
+#include <utility>
+
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
+#include "brindle/error.h"
+#include "brindle/geometry/areas.h"
+#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/phases/screened.h"
+#include "brindle/waves/direction_graph.h"
+#include "brindle/waves/field_index.h"
+#include "brindle/waves/orientation.h"
+
+namespace brindle {
+namespace {
+
+/// Edges across obtuse angles carry this much, so that nothing falls apart.
+constexpr float kLeastCotangent = 0.01f;
+
+/// The residual that is left, as a share of the first one: a hundredth of a degree at the median.
+constexpr float kTolerance = 2e-3f;
+constexpr int kMostIterations = 2000;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw Error("measured field: " + message);
+}
+
+bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
+
+void check(const FieldDetailOptions& options) {
+  require(std::isfinite(options.periods) && options.periods > 0,
+          "the detail must be a finite number of periods above 0");
+  require(options.symmetry >= 1, "the symmetry N must be 1 or above");
+  require(is_strength(options.fill), "holes are filled for a finite number of periods, 0 or above");
+  require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
+}
+
+void check_field(const MeasuredField& field, std::size_t places, const std::string& what) {
+  const auto count = [&](std::size_t entries, const std::string& name) {
+    require(entries == places, "there are " + std::to_string(entries) + " " + name + " of " + what +
+                                   " for " + std::to_string(places) +
+                                   (field.of_triangles ? " triangles" : " vertices") +
+                                   "; give one to each");
+  };
+  count(field.directions.size(), "directions");
+  if (field.confidence.empty()) return;
+  count(field.confidence.size(), "confidences");
+  require(std::ranges::all_of(field.confidence, is_strength),
+          "confidences must be finite numbers of 0 or above");
+}
+
+/// What a vertex of a mesh without triangles stands for: neighbours fill a disc evenly.
+std::vector<float> point_areas(const Surface& surface) {
+  std::vector<float> areas(surface.mesh.vertex_count());
+  parallel_for(areas.size(), [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) {
+      const auto row = surface.neighborhood->of(i);
+      float squares = 0;
+      for (const Index j : row) {
+        squares += (surface.mesh.positions[j] - surface.mesh.positions[i]).squaredNorm();
+      }
+      const auto count = static_cast<float>(row.size());
+      if (count > 0) areas[i] = 2 * std::numbers::pi_v<float> * squares / (count * count);
+    }
+  });
+  return areas;
+}
+
+/// Stiffnesses of edges between points, such that the energy of a field with an even gradient is
+/// that of its area: 4 A / (sum of squared lengths) at each end.
+std::vector<float> point_stiffness(const Adjacency& neighborhood) {
+  std::vector<float> stiffness(neighborhood.directed_edge_count());
+  const auto half = [&](Index i) {
+    const auto count = static_cast<float>(neighborhood.of(i).size());
+    return 4 * std::numbers::pi_v<float> / (count * count);
+  };
+  parallel_for(neighborhood.node_count(), [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) {
+      for (Index e = neighborhood.offsets[i]; e < neighborhood.offsets[i + 1]; ++e) {
+        stiffness[e] = half(i) + half(neighborhood.neighbors[e]);
+      }
+    }
+  });
+  return stiffness;
+}
+
+std::vector<float> mesh_stiffness(const Surface& surface, const Progress& progress) {
+  std::vector<float> stiffness = edge_cotangents(surface.mesh, *surface.neighborhood, progress);
+  for (float& value : stiffness) value = std::max(value, kLeastCotangent);
+  return stiffness;
+}
+
+/// A value for people: the angle by which a direction was turned, and the area it stands for.
+struct DatumTurn {
+  float degrees;
+  float weight;
+};
+
+/// The turn that `share` of all weight is below.
+double quantile(std::span<const DatumTurn> sorted, double total, double share) {
+  double sum = 0;
+  for (const DatumTurn& turn : sorted) {
+    sum += static_cast<double>(turn.weight);
+    if (sum >= share * total) return static_cast<double>(turn.degrees);
+  }
+  return sorted.empty() ? 0 : static_cast<double>(sorted.back().degrees);
+}
+
+void tell_turns(std::vector<DatumTurn> turns, FieldDetailFigures& figures) {
+  std::ranges::sort(turns, {}, &DatumTurn::degrees);
+  double total = 0, sum = 0, over = 0;
+  for (const DatumTurn& turn : turns) {
+    const auto weight = static_cast<double>(turn.weight);
+    total += weight;
+    sum += weight * static_cast<double>(turn.degrees);
+    over += turn.degrees > 20 ? weight : 0;
+  }
+  if (!(total > 0)) return;
+  figures.turned_mean_deg = sum / total;
+  figures.turned_median_deg = quantile(turns, total, 0.5);
+  figures.turned_p95_deg = quantile(turns, total, 0.95);
+  figures.turned_share_over_20deg = over / total;
+}
+
+}  // namespace
+
+/// One datum that a vertex hears of: its direction there, the area it stands for, and that times
+/// its confidence.
+struct FieldDatum {
+  Complex u;  ///< a unit number but for rounding
+  float area;
+  float weight;
+};
+
+struct FieldDetail::State {
+  State(const Surface& given, const FieldDetailOptions& wanted, const Progress& progress)
+      : options(wanted), surface(given) {
+    check(options);
+    check_positions(surface.mesh.positions);
+    const bool has_triangles = !surface.mesh.triangles.empty();
+    graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
+                                  progress.part(0, 0.4));
+    const std::vector<float> stiffness = has_triangles
+                                             ? mesh_stiffness(surface, progress.part(0.4, 0.9))
+                                             : point_stiffness(*surface.neighborhood);
+    for (std::size_t e = 0; e < stiffness.size(); ++e) graph.coupling[e] *= stiffness[e];
+    bases.reserve(count());
+    for (const Vec3& normal : surface.normals) bases.push_back(tangent_basis(normal));
+    areas = has_triangles ? vertex_areas(surface.mesh) : point_areas(surface);
+    if (!has_triangles) return;
+    around = vertex_triangles(surface.mesh, progress.part(0.9, 1));
+    triangle_areas.resize(surface.mesh.triangle_count());
+    parallel_for(triangle_areas.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        triangle_areas[t] = triangle_area(surface.mesh, surface.mesh.triangles[t]);
+      }
+    });
+  }
+
+  std::size_t count() const { return surface.mesh.vertex_count(); }
+
+  /// The datum of a direction as vertex `i` has it.
+  FieldDatum datum(const MeasuredField& field, std::size_t place, Index i, float area) const {
+    const Vec3 tangent = tangent_direction(field.directions[place], surface.normals[i]);
+    const float confidence = field.confidence.empty() ? 1 : field.confidence[place];
+    if (tangent.isZero(0) || confidence == 0) return {0, 0, 0};
+    const Complex in_basis(tangent.dot(bases[i].x), tangent.dot(bases[i].y));
+    Complex power = in_basis;
+    for (int n = 1; n < options.symmetry; ++n) power *= in_basis;
+    return {power, area, area * confidence};
+  }
+
+  /// Calls `body` with every datum around a vertex.
+  template <class Body>
+  void for_data(const MeasuredField& field, Index i, const Body& body) const {
+    if (!field.of_triangles) return body(datum(field, i, i, areas[i]));
+    for (const Index t : around.of(i)) body(datum(field, t, i, triangle_areas[t] / 3));
+  }
+
+  /// The sum of data around every vertex, times their weights; those weights' sum; and the area
+  /// that they stand for.
+  struct Sums {
+    std::vector<Complex> pull;
+    std::vector<float> weight, area;
+  };
+
+  Sums sums_of(const MeasuredField& field) const {
+    Sums sums{std::vector<Complex>(count()), std::vector<float>(count()),
+              std::vector<float>(count())};
+    if (field.directions.empty()) return sums;
+    parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+      for (Index i = static_cast<Index>(begin); i < end; ++i) {
+        for_data(field, i, [&](const FieldDatum& d) {
+          sums.pull[i] += d.weight * d.u;
+          sums.weight[i] += d.weight;
+          sums.area[i] += d.area;
+        });
+      }
+    });
+    return sums;
+  }
+
+  /// What the weights are divided by, so that the mean confidence of data is 1.
+  static double mean_confidence(const Sums& sums) {
+    const auto sum = [](const std::vector<float>& values) {
+      return std::accumulate(values.begin(), values.end(), 0.0);
+    };
+    const double area = sum(sums.area);
+    return area > 0 ? sum(sums.weight) / area : 1;
+  }
+
+  DetailedField frame(const MeasuredField& measured, std::span<const float> frequencies,
+                      const MeasuredField& last, const Progress& progress);
+  void check_frame(const MeasuredField& measured, std::span<const float> frequencies,
+                   const MeasuredField& last) const;
+  void solve(const MeasuredField& measured, std::span<const float> frequencies,
+             const MeasuredField& last, const Progress& progress);
+  std::vector<float> distances(std::span<const float> frequencies) const;
+  DetailedField seen(std::span<const float> frequencies, const Progress& progress) const;
+  std::vector<DatumTurn> turns() const;
+
+  FieldDetailOptions options;
+  Surface surface;
+  PhaseGraph graph;  // transport, times stiffness
+  std::vector<TangentBasis> bases;
+  std::vector<float> areas, triangle_areas;
+  VertexTriangles around;
+
+  // Of the last frame.
+  std::shared_ptr<const MeasuredField> measured_;
+  Sums data;
+  std::vector<Complex> u;
+  DirectionField directions;
+};
+
+void FieldDetail::State::check_frame(const MeasuredField& measured,
+                                     std::span<const float> frequencies,
+                                     const MeasuredField& last) const {
+  require(!measured.of_triangles || !surface.mesh.triangles.empty(),
+          "points have no triangles that data could be of");
+  check_field(measured, measured.of_triangles ? surface.mesh.triangle_count() : count(),
+              "the data");
+  if (!last.directions.empty()) {
+    require(!last.of_triangles, "the last field has one direction per vertex");
+    check_field(last, count(), "the last field");
+  }
+  require(frequencies.size() == count(), "there are " + std::to_string(frequencies.size()) +
+                                             " frequencies for " + std::to_string(count()) +
+                                             " vertices; give one to each");
+  require(std::ranges::all_of(frequencies, is_strength),
+          "frequencies must be finite numbers of 0 or above");
+}
+
+void FieldDetail::State::solve(const MeasuredField& measured, std::span<const float> frequencies,
+                               const MeasuredField& last, const Progress& progress) {
+  data = sums_of(measured);
+  const auto even = static_cast<float>(1 / mean_confidence(data));
+  const Sums before = options.memory > 0 ? sums_of(last) : Sums{};
+  std::vector<float> screening(count());
+  std::vector<Complex> start(count());
+  graph.anchor.assign(count(), Complex(0));
+  parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float inverse = 2 * frequencies[i] / options.periods;  // of the length l
+      const float square = inverse * inverse;
+      graph.anchor[i] = square * even * data.pull[i];
+      screening[i] = square * even * data.weight[i];
+      if (!before.pull.empty()) {
+        graph.anchor[i] += square * options.memory * before.pull[i];
+        screening[i] += square * options.memory * before.weight[i];
+      }
+      if (screening[i] > 0) start[i] = graph.anchor[i] / screening[i];
+    }
+  });
+  u = smooth_screened(
+      graph, screening, std::move(start),
+      {.max_iterations = kMostIterations, .tolerance = kTolerance, .progress = progress});
+}
+
+/// How far every vertex is from the next datum, along edges, in periods.
+std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
+  std::vector<float> distance(count(), std::numeric_limits<float>::infinity());
+  using Entry = std::pair<float, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+  const Adjacency& neighborhood = *surface.neighborhood;
+  for (Index i = 0; i < count(); ++i) {
+    if (data.weight[i] == 0) continue;
+    distance[i] = 0;
+    const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
+    if (std::ranges::any_of(neighborhood.of(i), is_hole)) next.emplace(0.0f, i);
+  }
+  while (!next.empty()) {
+    const auto [far, i] = next.top();
+    next.pop();
+    if (far > distance[i]) continue;
+    for (const Index j : neighborhood.of(i)) {
+      const float length = (surface.mesh.positions[j] - surface.mesh.positions[i]).norm();
+      const float farther = far + 0.5f * (frequencies[i] + frequencies[j]) * length;
+      if (farther > options.fill || farther >= distance[j]) continue;
+      distance[j] = farther;
+      next.emplace(farther, j);
+    }
+  }
+  return distance;
+}
+
+DetailedField FieldDetail::State::seen(std::span<const float> frequencies,
+                                       const Progress& progress) const {
+  DetailedField field{directions_of(u, surface.normals, options.symmetry),
+                      std::vector<float>(count())};
+  const std::vector<float> distance = distances(frequencies);
+  for (Index i = 0; i < count(); ++i) {
+    const float length = std::abs(u[i]);
+    const bool has_wave = frequencies[i] > 0 && length > 0 && distance[i] <= options.fill;
+    if (!has_wave) field.directions[i] = Vec3::Zero();
+    if (!field.directions[i].isZero(0)) field.agreement[i] = std::min(length, 1.0f);
+  }
+  if (options.symmetry % 2 == 0) orient_alike(*surface.neighborhood, field.directions, progress);
+  return field;
+}
+
+DetailedField FieldDetail::State::frame(const MeasuredField& measured,
+                                        std::span<const float> frequencies,
+                                        const MeasuredField& last, const Progress& progress) {
+  check_frame(measured, frequencies, last);
+  solve(measured, frequencies, last, progress.part(0, 0.8));
+  const bool is_any = std::ranges::any_of(data.weight, [](float w) { return w > 0; });
+  require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
+  DetailedField field = seen(frequencies, progress.part(0.8, 1));
+  measured_ = std::make_shared<const MeasuredField>(measured);
+  directions = field.directions;
+  return field;
+}
+
+std::vector<DatumTurn> FieldDetail::State::turns() const {
+  const MeasuredField& measured = *measured_;
+  const auto degrees = [&](const Complex& turned) {
+    return std::abs(elementary::arg(turned)) * 180 /
+           (std::numbers::pi_v<float> * static_cast<float>(options.symmetry));
+  };
+  std::vector<DatumTurn> turns(measured.directions.size(), DatumTurn{0, 0});
+  parallel_for(turns.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) {
+      Complex turned = 0;
+      const auto add = [&](Index i, float area) {
+        const FieldDatum d = datum(measured, place, i, area);
+        if (d.weight == 0 || directions[i].isZero(0)) return;
+        turned += std::conj(d.u) * u[i];
+        turns[place].weight += area;
+      };
+      if (!measured.of_triangles) {
+        add(static_cast<Index>(place), areas[place]);
+      } else {
+        for (const Index i : surface.mesh.triangles[place]) add(i, triangle_areas[place] / 3);
+      }
+      turns[place].degrees = degrees(turned);
+    }
+  });
+  std::erase_if(turns, [](const DatumTurn& turn) { return turn.weight == 0; });
+  return turns;
+}
+
+FieldDetail::FieldDetail(const Surface& surface, const FieldDetailOptions& options,
+                         const Progress& progress)
+    : state_(std::make_unique<State>(surface, options, progress)) {}
+FieldDetail::~FieldDetail() = default;
+FieldDetail::FieldDetail(FieldDetail&&) noexcept = default;
+FieldDetail& FieldDetail::operator=(FieldDetail&&) noexcept = default;
+
+DetailedField FieldDetail::frame(const MeasuredField& measured, std::span<const float> frequencies,
+                                 const MeasuredField& last, const Progress& progress) {
+  return state_->frame(measured, frequencies, last, progress);
+}
+
+FieldDetailFigures FieldDetail::figures() const {
+  const State& state = *state_;
+  require(state.measured_ != nullptr, "there is no frame yet that figures could be of");
+  FieldDetailFigures figures;
+  tell_turns(state.turns(), figures);
+  std::vector<Complex> before(state.count());
+  for (Index i = 0; i < state.count(); ++i) {
+    const bool has_datum = state.data.weight[i] > 0, has_direction = !state.directions[i].isZero(0);
+    if (has_datum) before[i] = state.data.pull[i];
+    figures.filled += has_direction && !has_datum ? 1 : 0;
+    figures.unfilled += !has_direction && !state.surface.neighborhood->of(i).empty() ? 1 : 0;
+    figures.data += has_datum ? 1 : 0;
+  }
+  const int symmetry = state.options.symmetry;
+  DirectionField given = directions_of(before, state.surface.normals, symmetry);
+  for (Index i = 0; i < state.count(); ++i) {
+    if (before[i] == Complex(0)) given[i] = Vec3::Zero();
+  }
+  figures.singularities_of_data = count_singularities(state.surface.mesh, given, symmetry);
+  figures.singularities = count_singularities(state.surface.mesh, state.directions, symmetry);
+  return figures;
+}
+
+}  // namespace brindle

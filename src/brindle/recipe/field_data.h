@@ -1,0 +1,35 @@
+/// What a measured field was made of, and how much every datum counts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brindle/data_arrays.h"
+#include "brindle/measured_field.h"
+#include "brindle/mesh.h"
+
+namespace brindle {
+
+/// A field as it was read.
+struct FieldData {
+  DataArray array;            ///< vectors or tensors; no rows if the field is neither
+  bool of_triangles = false;  ///< a row per triangle, not per vertex
+};
+
+/// What --field-weight says.
+struct FieldWeight {
+  std::string word;  ///< "length" or "anisotropy", of the data themselves; or empty
+  std::vector<float>
+      values;  ///< otherwise one per vertex, or per triangle where the data are; not
+               ///< finite: no datum. Empty: tensors by their anisotropy, others alike
+};
+
+/// The data of a field with their weights; `directions` are those at vertices. Throws RefusedOption
+/// for weights below zero, and for words that the data have no such thing for.
+MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
+                             const FieldWeight& weight);
+
+/// Numbers of triangles: those of their corners on average.
+std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);
+
+}  // namespace brindle

@@ -1,0 +1,68 @@
+#include "brindle/waves/field_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
+
+namespace brindle {
+namespace {
+
+/// The cosine of N times the angle between two vectors: Chebyshev's polynomial of its cosine.
+float cosine_of_multiple(const Vec3& a, const Vec3& b, int symmetry) {
+  const float lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
+  const float cosine = lengths > 0 ? a.dot(b) / lengths : 1;
+  float last = 1, now = cosine;
+  for (int n = 1; n < symmetry; ++n) {
+    const float next = 2 * cosine * now - last;
+    last = now;
+    now = next;
+  }
+  return now;
+}
+
+/// The angle from one vector to another about a unit normal.
+float angle_between(const Vec3& from, const Vec3& to, const Vec3& normal) {
+  return elementary::atan2(normal.dot(from.cross(to)), from.dot(to));
+}
+
+}  // namespace
+
+int field_index(const Vec3& normal, const std::array<Vec3, 3>& directions, int symmetry) {
+  const Vec3 n = normal.stableNormalized();
+  std::array<Vec3, 3> flat;
+  for (int m = 0; m < 3; ++m) flat[m] = directions[m] - directions[m].dot(n) * n;
+  // Three angles make a whole turn only if one of them is a third of it.
+  const auto is_small = [&](int m) {
+    return cosine_of_multiple(flat[m], flat[(m + 1) % 3], symmetry) > 0;
+  };
+  if (is_small(0) && is_small(1) && is_small(2)) return 0;
+  const float turn = 2 * std::numbers::pi_v<float> / static_cast<float>(symmetry);
+  float sum = 0;
+  for (int m = 0; m < 3; ++m) {
+    sum += std::remainder(angle_between(flat[m], flat[(m + 1) % 3], n), turn);
+  }
+  return static_cast<int>(std::lround(sum / turn));
+}
+
+std::size_t count_singularities(const Mesh& mesh, std::span<const Vec3> directions, int symmetry) {
+  return parallel_sum<std::size_t>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      const Triangle& corners = mesh.triangles[t];
+      const std::array<Vec3, 3> d = {directions[corners[0]], directions[corners[1]],
+                                     directions[corners[2]]};
+      if (std::ranges::any_of(d, [](const Vec3& v) { return v.isZero(0); })) continue;
+      const Vec3& a = mesh.positions[corners[0]];
+      const Vec3 normal = (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+      count += field_index(normal, d, symmetry) != 0 ? 1 : 0;
+    }
+    return count;
+  });
+}
+
+}  // namespace brindle

@@ -1,0 +1,284 @@
+#include "brindle/measured_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "brindle/error.h"
+#include "brindle/frequency_field.h"
+#include "brindle/points.h"
+#include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/threads.h"
+
+namespace brindle {
+namespace {
+
+constexpr float kDegree = std::numbers::pi_v<float> / 180;
+
+/// A number from -1 to 1 that hangs on `i` and `seed` alone.
+float noise(std::size_t i, unsigned seed) {
+  const double sine = std::sin(static_cast<double>(i) * 12.9898 + seed * 78.233) * 43758.5453;
+  return static_cast<float>(2 * (sine - std::floor(sine)) - 1);
+}
+
+/// A surface, a field that is true, and the frequency of its stripes.
+struct Truth {
+  explicit Truth(const char* shape, float stripes = 30)
+      : surface(make_surface(make_shape(shape))), field(smooth_direction_field(surface)) {
+    frequencies = constant_frequency_field(
+        frequency_of_stripes(stripes, bounding_box(surface.mesh).diagonal()), field.size());
+  }
+  Surface surface;
+  DirectionField field;
+  FrequencyField frequencies;
+};
+
+/// Turned by noise whose standard deviation is `degrees`, and with every tenth sign the other way.
+DirectionField noisy(const Truth& truth, float degrees, unsigned seed = 1) {
+  DirectionField result = truth.field;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    // The sum of three even numbers from -1 to 1 has a variance of 1.
+    const float angle =
+        degrees * kDegree * (noise(i, seed) + noise(i, seed + 7) + noise(i, seed + 19));
+    result[i] = std::cos(angle) * truth.field[i] +
+                std::sin(angle) * truth.surface.normals[i].cross(truth.field[i]);
+    if (i % 10 == 3) result[i] = -result[i];
+  }
+  return result;
+}
+
+/// Degrees between lines, on average over vertices that have both.
+double mean_angle(const DirectionField& a, const DirectionField& b) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].isZero(0) || b[i].isZero(0)) continue;
+    sum += static_cast<double>(std::acos(std::min(1.0f, std::abs(a[i].dot(b[i]))))) /
+           static_cast<double>(kDegree);
+    ++count;
+  }
+  return sum / count;
+}
+
+DetailedField seen(const Truth& truth, const DirectionField& data,
+                   const FieldDetailOptions& options = {}) {
+  return FieldDetail(truth.surface, options).frame({data, {}}, truth.frequencies);
+}
+
+TEST(FieldDetail, IsNearerToTheTruthThanTheDataByAFactor) {
+  for (const char* shape : {"torus,resolution=120", "trefoil,resolution=80"}) {
+    const Truth truth(shape);
+    for (const float degrees : {10.0f, 20.0f, 40.0f}) {
+      const DirectionField data = noisy(truth, degrees);
+      const double before = mean_angle(data, truth.field);
+      const double after = mean_angle(seen(truth, data).directions, truth.field);
+      EXPECT_LT(after, before / 2) << shape << ' ' << degrees;
+    }
+  }
+}
+
+TEST(FieldDetail, LeavesCleanFieldsAsTheyAre) {
+  for (const char* shape : {"torus,resolution=120", "trefoil,resolution=80"}) {
+    const Truth truth(shape);
+    const DetailedField field = seen(truth, truth.field);
+    EXPECT_LT(mean_angle(field.directions, truth.field), 1) << shape;
+    for (const Vec3& d : field.directions) EXPECT_NEAR(d.norm(), 1, 1e-5);
+  }
+}
+
+TEST(FieldDetail, SaysHowMuchDataAgree) {
+  const Truth truth("torus,resolution=80");
+  const auto mean = [&](float degrees) {
+    const DetailedField field = seen(truth, noisy(truth, degrees));
+    double sum = 0;
+    for (const float a : field.agreement) {
+      EXPECT_GE(a, 0);
+      EXPECT_LE(a, 1);
+      sum += static_cast<double>(a);
+    }
+    return sum / static_cast<double>(field.agreement.size());
+  };
+  EXPECT_GT(mean(0), 0.98);  // the field itself turns within a period
+  // Angles of lines count twice: the mean of exp(2 i theta) is exp(-2 sigma^2).
+  EXPECT_NEAR(mean(20), std::exp(-2 * 0.349 * 0.349), 0.02);
+}
+
+TEST(FieldDetail, FillsHolesAsFarAsItIsTold) {
+  const Truth truth("torus,resolution=80");
+  DirectionField data = truth.field;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::size_t holes = 0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    if (truth.surface.mesh.positions[i].x() < 0) continue;
+    data[i] = i % 2 == 0 ? Vec3::Zero() : Vec3(nan, 0, 0);
+    ++holes;
+  }
+  const float far = 1e6f;
+  FieldDetail all(truth.surface, {.fill = far}), none(truth.surface, {.fill = 0}),
+      some(truth.surface, {.fill = 3});
+  const DetailedField filled = all.frame({data, {}}, truth.frequencies);
+  EXPECT_LT(mean_angle(filled.directions, truth.field), 12);  // half of the torus is guessed
+  EXPECT_EQ(all.figures().filled, holes);
+  EXPECT_EQ(all.figures().unfilled, 0u);
+  EXPECT_EQ(all.figures().data, data.size() - holes);
+
+  const DetailedField empty = none.frame({data, {}}, truth.frequencies);
+  EXPECT_EQ(none.figures().filled, 0u);
+  EXPECT_EQ(none.figures().unfilled, holes);
+  some.frame({data, {}}, truth.frequencies);
+  EXPECT_GT(some.figures().filled, 0u);
+  EXPECT_GT(some.figures().unfilled, 0u);
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    if (!empty.directions[i].isZero(0)) continue;
+    EXPECT_GE(truth.surface.mesh.positions[i].x(), 0);
+    EXPECT_EQ(empty.agreement[i], 0);
+  }
+}
+
+/// What counts nothing says nothing, and the unit of the weights does not matter.
+TEST(FieldDetail, CountsDataByTheirConfidence) {
+  const Truth truth("torus,resolution=80");
+  DirectionField data = truth.field;
+  std::vector<float> confidence(data.size(), 0.001f);
+  for (std::size_t i = 0; i < data.size(); i += 3) {
+    data[i] = truth.surface.normals[i].cross(truth.field[i]);  // wrong by 90 degrees
+    confidence[i] = 0;
+  }
+  FieldDetail detail(truth.surface);
+  const DetailedField weighted = detail.frame({data, confidence}, truth.frequencies);
+  EXPECT_LT(mean_angle(weighted.directions, truth.field), 1);
+  for (float& c : confidence) c *= 4096;
+  EXPECT_EQ(detail.frame({data, confidence}, truth.frequencies).directions, weighted.directions);
+}
+
+TEST(FieldDetail, IsTheSameOnAFinerMesh) {
+  Mesh mesh = make_shape("torus,resolution=60");
+  const auto along_x = [](const Surface& surface) {
+    DirectionField field;
+    for (std::size_t i = 0; i < surface.normals.size(); ++i) {
+      const float x = 9 * surface.mesh.positions[i].x(), y = 7 * surface.mesh.positions[i].y();
+      const Vec3 wavy(1, 0.8f * std::sin(x), 0.8f * std::cos(y));
+      field.push_back(tangent_direction(wavy, surface.normals[i]));
+    }
+    return field;
+  };
+  const Surface coarse = make_surface(mesh), fine = make_surface(subdivide(mesh));
+  const auto field_on = [&](const Surface& surface) {
+    const FrequencyField f(surface.normals.size(), 6.0f);
+    return FieldDetail(surface).frame({along_x(surface), {}}, f);
+  };
+  DetailedField a = field_on(coarse), b = field_on(fine);
+  b.directions.resize(a.directions.size());  // the first vertices are those of the coarse mesh
+  const double turned = mean_angle(along_x(coarse), a.directions);
+  EXPECT_GT(turned, 3);
+  EXPECT_LT(mean_angle(a.directions, b.directions), 0.1 * turned);
+}
+
+TEST(FieldDetail, DoesNotDependOnSignsOrThreads) {
+  const Truth truth("torus,resolution=80");
+  const DirectionField data = noisy(truth, 20);
+  DirectionField flipped = data;
+  for (std::size_t i = 0; i < flipped.size(); i += 2) flipped[i] = -flipped[i];
+  const DetailedField field = seen(truth, data);
+  EXPECT_EQ(seen(truth, flipped).directions, field.directions);
+  const ThreadLimit one(1);
+  EXPECT_EQ(seen(truth, data).directions, field.directions);
+}
+
+/// Crosses are the same turned by 90 degrees; arrows are not the same turned round.
+TEST(FieldDetail, KnowsArrowsAndCrosses) {
+  const Truth truth("torus,resolution=80");
+  DirectionField crosses = truth.field, arrows = truth.field;
+  for (std::size_t i = 0; i < crosses.size(); i += 2) {
+    crosses[i] = truth.surface.normals[i].cross(crosses[i]);
+  }
+  const DetailedField turned = seen(truth, crosses, {.symmetry = 4});
+  const DetailedField whole = seen(truth, truth.field, {.symmetry = 4});
+  for (std::size_t i = 0; i < crosses.size(); ++i) {
+    const float cosine = std::abs(turned.directions[i].dot(whole.directions[i]));
+    EXPECT_GT(std::max(cosine, std::sqrt(std::max(0.0f, 1 - cosine * cosine))), 0.999f);
+    EXPECT_NEAR(turned.agreement[i], whole.agreement[i], 1e-3);
+  }
+  for (std::size_t i = 0; i < arrows.size(); i += 2) arrows[i] = -arrows[i];
+  const DetailedField facing = seen(truth, arrows, {.symmetry = 1});
+  double mean = 0;
+  for (const float a : facing.agreement) mean += static_cast<double>(a);
+  EXPECT_LT(mean / static_cast<double>(facing.agreement.size()), 0.3);
+}
+
+TEST(FieldDetail, TakesDataOfTrianglesAndPoints) {
+  const Truth truth("torus,resolution=80");
+  MeasuredField of_triangles{{}, {}, true};
+  for (const auto& [a, b, c] : truth.surface.mesh.triangles) {
+    const Vec3& d = truth.field[a];
+    of_triangles.directions.push_back(d +
+                                      std::copysign(1.0f, d.dot(truth.field[b])) * truth.field[b]);
+  }
+  FieldDetail detail(truth.surface);
+  EXPECT_LT(mean_angle(detail.frame(of_triangles, truth.frequencies).directions, truth.field), 1.5);
+  EXPECT_LT(detail.figures().turned_median_deg, 2);
+
+  PointCloud cloud;
+  cloud.positions = truth.surface.mesh.positions;
+  cloud.used.resize(cloud.positions.size());
+  std::iota(cloud.used.begin(), cloud.used.end(), Index{0});
+  const Surface points = make_point_surface(std::move(cloud));
+  ASSERT_EQ(points.normals.size(), truth.field.size());
+  const DirectionField data = noisy(truth, 20);
+  const DetailedField on_points = FieldDetail(points).frame({data, {}}, truth.frequencies);
+  EXPECT_LT(mean_angle(on_points.directions, truth.field), mean_angle(data, truth.field) / 2);
+}
+
+TEST(FieldDetail, FollowsTheLastFieldAsFarAsItIsTold) {
+  const Truth truth("torus,resolution=80");
+  FieldDetail alone(truth.surface), following(truth.surface, {.memory = 3});
+  const auto step_of = [&](FieldDetail& detail) {
+    DetailedField last = detail.frame({noisy(truth, 40, 1), {}}, truth.frequencies);
+    const DetailedField next = detail.frame({noisy(truth, 40, 2), {}}, truth.frequencies,
+                                            {last.directions, last.agreement});
+    return mean_angle(last.directions, next.directions);
+  };
+  EXPECT_LT(step_of(following), step_of(alone) / 2);
+}
+
+TEST(FieldDetail, FiguresTellWhatWasTurned) {
+  const Truth truth("torus,resolution=80");
+  FieldDetail detail(truth.surface, {.periods = 2});
+  EXPECT_THROW(detail.figures(), Error);
+  const DirectionField data = noisy(truth, 20);
+  const DetailedField field = detail.frame({data, {}}, truth.frequencies);
+  const FieldDetailFigures figures = detail.figures();
+  EXPECT_NEAR(figures.turned_mean_deg, mean_angle(data, field.directions), 1.5);  // by area
+  EXPECT_LT(figures.turned_median_deg, figures.turned_p95_deg);
+  EXPECT_GT(figures.turned_share_over_20deg, 0.1);
+  EXPECT_GT(figures.singularities_of_data, figures.singularities);
+}
+
+TEST(FieldDetail, RefusesWhatItCannotTake) {
+  const Truth truth("torus,resolution=20");
+  const std::size_t count = truth.field.size();
+  const auto with = [&](FieldDetailOptions options) { FieldDetail(truth.surface, options); };
+  EXPECT_THROW(with({.periods = 0}), Error);
+  EXPECT_THROW(with({.periods = std::numeric_limits<float>::infinity()}), Error);
+  EXPECT_THROW(with({.symmetry = 0}), Error);
+  EXPECT_THROW(with({.fill = -1}), Error);
+  EXPECT_THROW(with({.memory = -1}), Error);
+  FieldDetail detail(truth.surface);
+  const auto frame = [&](const MeasuredField& field) { detail.frame(field, truth.frequencies); };
+  EXPECT_THROW(frame({DirectionField(count - 1), {}}), Error);
+  EXPECT_THROW(frame({truth.field, std::vector<float>(count, -1.0f)}), Error);
+  EXPECT_THROW(frame({truth.field, std::vector<float>(count - 1, 1.0f)}), Error);
+  EXPECT_THROW(frame({DirectionField(count, Vec3::Zero()), {}}), Error);  // no datum
+  EXPECT_THROW(detail.frame({truth.field, {}}, std::vector<float>(count, -1.0f)), Error);
+  EXPECT_NO_THROW(frame({truth.field, {}}));
+  const Progress stop([](const ProgressReport&) { return false; });
+  EXPECT_THROW(detail.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
+}
+
+}  // namespace
+}  // namespace brindle
