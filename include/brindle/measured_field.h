@@ -74,9 +74,9 @@ class FieldDetail {
   /// `frequencies` are stripes per unit length, one per vertex; where one is 0 there is no wave,
   /// and no direction. `last` is the field before, if any: at each vertex a direction, counting as
   /// much as the data times `memory` and its confidence. Directions of lines and crosses are signed
-  /// to run like their neighbours. Throws Error for other numbers of entries, for confidences and
-  /// frequencies that are negative or not finite, and if there is no datum at all; Cancelled if
-  /// `progress` asks for it.
+  /// to run like their neighbours, from the second frame on like the last frame's. Throws Error for
+  /// other numbers of entries, for confidences and frequencies that are negative or not finite, and
+  /// if there is no datum at all; Cancelled if `progress` asks for it.
   DetailedField frame(const MeasuredField& measured, std::span<const float> frequencies,
                       const MeasuredField& last = {}, const Progress& progress = {});
 

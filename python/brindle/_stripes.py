@@ -8,8 +8,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (count_and_frequency, described, flag, number, options_of, path_of, solving,
-                         warn, word)
+from ._arguments import (check_scalar, count_and_frequency, described, flag, number, options_of,
+                         path_of, solving, warn, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
@@ -53,6 +53,8 @@ class Field:
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
+        for name in ("field_detail", "fill"):
+            check_scalar(name, given.get(name))
         periods = number(given.get("field_detail", 0), "field_detail")
         fill = None if "fill" not in given else number(given["fill"], "fill")
         weight = given.get("field_weight")

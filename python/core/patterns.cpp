@@ -338,8 +338,6 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names, floa
                    int symmetry, std::optional<float> fill, py::handle weight) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   saying_in_pythons_words([&] {
-    check_number("--field-detail", periods);
-    if (fill) check_number("--fill", *fill);
     brindle::check_field_detail(given, periods, origin.measured, symmetry == 4);
   });
   origin.detail.periods = periods;

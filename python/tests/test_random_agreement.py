@@ -54,6 +54,10 @@ OF_TEXTURES = {
     "stripes_v": lambda c: number(c, 2, 30),
     "frequency_v": lambda c: number(c, 0.5, 8),
 }
+OF_MEASURED = {
+    "fill": lambda c: number(c, 0, 5),
+    "field_arrows": lambda c: True,
+}
 FIELDS = {
     "curvature-direction": lambda c: "min",  # "max" is what Python has unless it is told
     "curvature-anchor": lambda c: number(c, 0, 2),
@@ -66,7 +70,7 @@ FIELDS = {
 # Values that no request can have, one at a time: what is refused first is another question.
 WRONG = [("stripes", -1.0), ("stripes", 0.0), ("frequency", 0.0), ("frequency", -2.0), ("slack", -0.5),
          ("solver", "other"), ("phase_shift", "none"), ("weights", "equal"), ("sweeps", 99999),
-         ("cycles", 99999), ("merge_branches", -1.0)]
+         ("cycles", 99999), ("merge_branches", -1.0), ("field_detail", -1.0), ("fill", -0.5)]
 
 
 def chosen(chance, options, most):
@@ -93,8 +97,12 @@ class Request:
         self.of_field = chosen(chance, FIELDS, 2) if self.field != "direction" and chance.random() < 0.4 else {}
         if self.field == "raw-curvature":
             self.of_field = {name: "min" for name in self.of_field if name == "curvature-direction"}
+        if self.field == "raw-curvature" and chance.random() < 0.7:
+            self.options.update(chosen(chance, OF_MEASURED, 2), field_detail=number(chance, 0.1, 3))
+            if self.job == "crosses":
+                self.options.pop("field_arrows", None)  # as with along
         # The tool turns once by both: what comes of it differs by rounding.
-        turns = chance.random() < 0.2 and "along" not in self.options
+        turns = chance.random() < 0.2 and not {"along", "field_detail"} & self.options.keys()
         self.rotate = float(chance.randint(-90, 90)) if turns else None
 
         if chance.random() < 0.08:

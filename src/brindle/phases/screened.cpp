@@ -91,21 +91,26 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
     step[i] = system.preconditioned(i, residual[i]);
   });
   double error = system.sum([&](Index i) { return dot(residual[i], step[i]); });
-  const double enough = error * static_cast<double>(options.tolerance * options.tolerance);
+  const double first = options.of_anchors && !graph.anchor.empty() ? system.sum([&](Index i) {
+    return dot(graph.anchor[i], system.preconditioned(i, graph.anchor[i]));
+  })
+                                                                   : error;
+  const double enough = first * static_cast<double>(options.tolerance * options.tolerance);
   for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
     // How many there will be is not known: each brings the end nearer by a thirtieth of the way.
     options.progress.report(1 - std::pow(29.0 / 30, iteration));
     system.exchange(step);
-    for_own(system, [&](Index i) { image[i] = system.row(i, step); });
-    const double curvature = system.sum([&](Index i) { return dot(step[i], image[i]); });
+    const double curvature = system.sum([&](Index i) {
+      image[i] = system.row(i, step);
+      return dot(step[i], image[i]);
+    });
     if (!(curvature > 0)) break;
     const auto length = static_cast<float>(error / curvature);
-    for_own(system, [&](Index i) {
+    const double next = system.sum([&](Index i) {
       u[i] += length * step[i];
       residual[i] -= length * image[i];
+      return dot(residual[i], system.preconditioned(i, residual[i]));
     });
-    const double next = system.sum(
-        [&](Index i) { return dot(residual[i], system.preconditioned(i, residual[i])); });
     const auto keep = static_cast<float>(next / error);
     for_own(system,
             [&](Index i) { step[i] = system.preconditioned(i, residual[i]) + keep * step[i]; });

@@ -15,6 +15,7 @@ namespace brindle {
 struct ScreenedOptions {
   int max_iterations = 200;
   float tolerance = 1e-3f;  ///< ends when the residual has fallen to this share of the first one
+  bool of_anchors = false;  ///< to this share of what the anchors are, whatever the start
 
   /// Nodes from this one on belong to other ranks; all of the graph by default.
   std::size_t own = ~std::size_t{0};

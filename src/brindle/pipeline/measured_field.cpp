@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -27,8 +28,9 @@ namespace {
 /// Edges across obtuse angles carry this much, so that nothing falls apart.
 constexpr float kLeastCotangent = 0.01f;
 
-/// The residual that is left, as a share of the first one: a hundredth of a degree at the median.
-constexpr float kTolerance = 2e-3f;
+/// The residual that is left, as a share of the data: directions then are off by some hundredths of
+/// a degree. What is far from all data asks for more.
+constexpr float kTolerance = 5e-3f, kToleranceInHoles = 5e-4f;
 constexpr int kMostIterations = 2000;
 
 void require(bool holds, const std::string& message) {
@@ -153,18 +155,27 @@ struct FieldDetail::State {
     const std::vector<float> stiffness = has_triangles
                                              ? mesh_stiffness(surface, progress.part(0.4, 0.9))
                                              : point_stiffness(*surface.neighborhood);
-    for (std::size_t e = 0; e < stiffness.size(); ++e) graph.coupling[e] *= stiffness[e];
-    bases.reserve(count());
-    for (const Vec3& normal : surface.normals) bases.push_back(tangent_basis(normal));
-    areas = has_triangles ? vertex_areas(surface.mesh) : point_areas(surface);
-    if (!has_triangles) return;
-    around = vertex_triangles(surface.mesh, progress.part(0.9, 1));
+    parallel_for(stiffness.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) graph.coupling[e] *= stiffness[e];
+    });
+    bases.resize(count());
+    parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) bases[i] = tangent_basis(surface.normals[i]);
+    });
+    if (!has_triangles) {
+      areas = point_areas(surface);
+      return;
+    }
     triangle_areas.resize(surface.mesh.triangle_count());
     parallel_for(triangle_areas.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         triangle_areas[t] = triangle_area(surface.mesh, surface.mesh.triangles[t]);
       }
     });
+    areas.resize(count());
+    for (std::size_t t = 0; t < triangle_areas.size(); ++t) {
+      for (const Index v : surface.mesh.triangles[t]) areas[v] += triangle_areas[t] / 3;
+    }
   }
 
   std::size_t count() const { return surface.mesh.vertex_count(); }
@@ -227,6 +238,7 @@ struct FieldDetail::State {
              const MeasuredField& last, const Progress& progress);
   std::vector<float> distances(std::span<const float> frequencies) const;
   DetailedField seen(std::span<const float> frequencies, const Progress& progress) const;
+  void sign_like_last(DirectionField& field, const Progress& progress) const;
   std::vector<DatumTurn> turns() const;
 
   FieldDetailOptions options;
@@ -282,9 +294,16 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
       if (screening[i] > 0) start[i] = graph.anchor[i] / screening[i];
     }
   });
-  u = smooth_screened(
-      graph, screening, std::move(start),
-      {.max_iterations = kMostIterations, .tolerance = kTolerance, .progress = progress});
+  const bool has_holes = std::ranges::find(screening, 0.0f) != screening.end();
+  // What the last frame found is nearer, where it found anything.
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (u[i] != Complex(0)) start[i] = u[i];
+  }
+  u = smooth_screened(graph, screening, std::move(start),
+                      {.max_iterations = kMostIterations,
+                       .tolerance = has_holes ? kToleranceInHoles : kTolerance,
+                       .of_anchors = true,
+                       .progress = progress});
 }
 
 /// How far every vertex is from the next datum, along edges, in periods.
@@ -314,6 +333,20 @@ std::vector<float> FieldDetail::State::distances(std::span<const float> frequenc
   return distance;
 }
 
+/// Like the neighbours in the first frame, then like the frame before.
+void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& progress) const {
+  if (directions.empty()) return orient_alike(*surface.neighborhood, field, progress);
+  std::vector<std::uint8_t> settled(count());
+  parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      settled[i] = directions[i].isZero(0) ? 0 : 1;
+      if (field[i].dot(directions[i]) < 0) field[i] = -field[i];
+    }
+  });
+  const bool all = std::ranges::find(settled, std::uint8_t{0}) == settled.end();
+  if (!all) orient_alike(*surface.neighborhood, settled, field);
+}
+
 DetailedField FieldDetail::State::seen(std::span<const float> frequencies,
                                        const Progress& progress) const {
   DetailedField field{directions_of(u, surface.normals, options.symmetry),
@@ -325,7 +358,7 @@ DetailedField FieldDetail::State::seen(std::span<const float> frequencies,
     if (!has_wave) field.directions[i] = Vec3::Zero();
     if (!field.directions[i].isZero(0)) field.agreement[i] = std::min(length, 1.0f);
   }
-  if (options.symmetry % 2 == 0) orient_alike(*surface.neighborhood, field.directions, progress);
+  if (options.symmetry % 2 == 0) sign_like_last(field.directions, progress);
   return field;
 }
 
@@ -333,6 +366,8 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
                                         std::span<const float> frequencies,
                                         const MeasuredField& last, const Progress& progress) {
   check_frame(measured, frequencies, last);
+  if (measured.of_triangles && around.triangles.empty()) around = vertex_triangles(surface.mesh);
+  progress.report(0);
   solve(measured, frequencies, last, progress.part(0, 0.8));
   const bool is_any = std::ranges::any_of(data.weight, [](float w) { return w > 0; });
   require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
