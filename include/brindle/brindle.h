@@ -33,6 +33,7 @@
 #include "brindle/files.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/frequency_field.h"
+#include "brindle/measured_field.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
 #include "brindle/nearby_data.h"
