@@ -24,6 +24,10 @@ class ScreenedSystem {
     parallel_for(own_, [&](std::size_t begin, std::size_t end) {
       for (Index i = static_cast<Index>(begin); i < end; ++i) {
         diagonal_[i] = screening[i];
+        if (!options.degrees.empty()) {
+          diagonal_[i] += options.degrees[i];
+          continue;
+        }
         for (Index e = offsets()[i]; e < offsets()[i + 1]; ++e) {
           diagonal_[i] += std::abs(graph_.coupling[e]);
         }

@@ -24,6 +24,9 @@ struct ScreenedOptions {
   /// The sum over all ranks.
   std::function<double(double)> total = {};
 
+  /// The sum of |A_ij| over every node's edges, where it is known; empty: it is found.
+  std::span<const float> degrees = {};
+
   Progress progress = {};  ///< hears of every iteration
 };
 

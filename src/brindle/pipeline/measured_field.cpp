@@ -150,13 +150,18 @@ struct FieldDetail::State {
     check(options);
     check_positions(surface.mesh.positions);
     const bool has_triangles = !surface.mesh.triangles.empty();
-    graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
-                                  progress.part(0, 0.4));
     const std::vector<float> stiffness = has_triangles
-                                             ? mesh_stiffness(surface, progress.part(0.4, 0.9))
+                                             ? mesh_stiffness(surface, progress.part(0, 0.5))
                                              : point_stiffness(*surface.neighborhood);
-    parallel_for(stiffness.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) graph.coupling[e] *= stiffness[e];
+    graph = build_weighted_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
+                                           stiffness, progress.part(0.5, 1));
+    degrees.resize(count());
+    parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto first = stiffness.begin() + surface.neighborhood->offsets[i];
+        const auto last = stiffness.begin() + surface.neighborhood->offsets[i + 1];
+        degrees[i] = std::accumulate(first, last, 0.0f);
+      }
     });
     bases.resize(count());
     parallel_for(count(), [&](std::size_t begin, std::size_t end) {
@@ -243,7 +248,8 @@ struct FieldDetail::State {
 
   FieldDetailOptions options;
   Surface surface;
-  PhaseGraph graph;  // transport, times stiffness
+  PhaseGraph graph;            // transport, times stiffness
+  std::vector<float> degrees;  // sums of stiffness
   std::vector<TangentBasis> bases;
   std::vector<float> areas, triangle_areas;
   VertexTriangles around;
@@ -303,6 +309,7 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
                       {.max_iterations = kMostIterations,
                        .tolerance = has_holes ? kToleranceInHoles : kTolerance,
                        .of_anchors = true,
+                       .degrees = degrees,
                        .progress = progress});
 }
 

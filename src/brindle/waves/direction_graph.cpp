@@ -79,6 +79,37 @@ PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
   return graph;
 }
 
+PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjacency,
+                                          std::span<const Vec3> normals, int symmetry,
+                                          std::span<const float> weights,
+                                          const Progress& progress) {
+  check_normals(*adjacency, normals);
+  PhaseGraph graph;
+  graph.coupling.resize(adjacency->directed_edge_count());
+  graph.reflecting.resize(adjacency->directed_edge_count());
+  std::vector<TangentBasis> bases(normals.size());
+  parallel_for(normals.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) bases[i] = tangent_basis(normals[i]);
+  });
+  parallel_for(adjacency->node_count(), progress, [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) {
+      for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
+        const Index j = adjacency->neighbors[edge];
+        const bool reflecting = normals[j].dot(normals[i]) < 0;
+        const Vec3 x =
+            transported(bases[j].x, normals[j], reflecting ? Vec3(-normals[i]) : normals[i]);
+        const Complex turn(x.dot(bases[i].x), x.dot(bases[i].y));
+        Complex power = turn;
+        for (int n = 1; n < symmetry; ++n) power *= turn;
+        graph.coupling[edge] = weights[edge] * power;
+        graph.reflecting[edge] = reflecting;
+      }
+    }
+  });
+  graph.adjacency = std::move(adjacency);
+  return graph;
+}
+
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) {
   if (direction.isZero(0)) return 0;
   const float theta = angle_of(direction, tangent_basis(normal));
