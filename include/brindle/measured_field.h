@@ -25,7 +25,7 @@ struct MeasuredField {
 
 struct FieldDetailOptions {
   float periods = 1;  ///< P: the field is averaged over places whose root mean square distance is
-                      ///< P periods of the stripes; above 0
+                      ///< P periods of the stripes; above 0, up to 100
   int symmetry = 2;   ///< N: 1 arrows, 2 lines, 4 crosses
   float fill = 2;     ///< how far holes are filled from their border, in periods; 0: not at all
   float memory = 0;   ///< how much the last field counts beside the data: 0 not at all, 1 as much

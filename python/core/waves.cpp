@@ -92,6 +92,7 @@ void see_at_detail(const Surface& surface, const FieldOrigin& origin,
     weight.values = brindle::corner_means(surface.mesh, weight.values);
   }
   const MeasuredField measured = brindle::measured_field(origin.data, in.waves.directions, weight);
+  if (!brindle::has_data(measured)) return;  // figures of the waves say why
   FrequencyField frequencies = in.waves.frequencies;
   for (std::size_t v = 0; v < frequencies.size(); ++v) {
     if (!std::isfinite(with_gaps[v])) frequencies[v] = 0;

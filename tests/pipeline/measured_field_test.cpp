@@ -265,6 +265,7 @@ TEST(FieldDetail, RefusesWhatItCannotTake) {
   const auto with = [&](FieldDetailOptions options) { FieldDetail(truth.surface, options); };
   EXPECT_THROW(with({.periods = 0}), Error);
   EXPECT_THROW(with({.periods = std::numeric_limits<float>::infinity()}), Error);
+  EXPECT_THROW(with({.periods = 101}), Error);
   EXPECT_THROW(with({.symmetry = 0}), Error);
   EXPECT_THROW(with({.fill = -1}), Error);
   EXPECT_THROW(with({.memory = -1}), Error);

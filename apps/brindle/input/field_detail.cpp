@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/recipe/refusals.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 
@@ -25,6 +26,12 @@ std::string parse_weight_value(const std::string& option, const std::string& tex
   return text;
 }
 
+float parse_periods(const std::string& option, const std::string& text) {
+  const float periods = parse_number(option, text);
+  refuse_usage([&] { check_number(option, periods, text); });
+  return periods;
+}
+
 std::vector<float> numbers_of_triangles(const DataArray& array) {
   std::vector<float> values;
   for (const double number : doubles_of(array.view())) values.push_back(static_cast<float>(number));
@@ -34,7 +41,7 @@ std::vector<float> numbers_of_triangles(const DataArray& array) {
 }  // namespace
 
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
-  add_parsed_option(app, "--field-detail", choice.periods, parse_not_negative_number);
+  add_parsed_option(app, "--field-detail", choice.periods, parse_periods);
   add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
   add_parsed_option(app, "--fill", choice.fill, parse_not_negative_number);
   app.add_flag("--field-arrows", choice.arrows);

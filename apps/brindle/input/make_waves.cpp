@@ -257,7 +257,8 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
   for (float& frequency : field.frequencies) frequency *= options.frequency_factor;
   for (float& frequency : field.frequencies_v) frequency *= options.frequency_factor;
   WavesAndCrossing made;
-  if (options.detail.periods > 0) {
+  // Of a field without any direction, the waves' figures say why.
+  if (options.detail.periods > 0 && has_data(field.measured)) {
     see_at_detail(surface, options, places_of_waves(with_gaps, arrays, field), field, made,
                   progress);
   }

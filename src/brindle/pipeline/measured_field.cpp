@@ -40,8 +40,8 @@ void require(bool holds, const std::string& message) {
 bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
 
 void check(const FieldDetailOptions& options) {
-  require(std::isfinite(options.periods) && options.periods > 0,
-          "the detail must be a finite number of periods above 0");
+  require(options.periods > 0 && options.periods <= 100,
+          "the detail must be a number of periods above 0, and 100 at most");
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
   require(is_strength(options.fill), "holes are filled for a finite number of periods, 0 or above");
   require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
@@ -386,7 +386,7 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
 
 std::vector<DatumTurn> FieldDetail::State::turns() const {
   const MeasuredField& measured = *measured_;
-  const auto degrees = [&](const Complex& turned) {
+  const auto in_degrees = [&](const Complex& turned) {
     return std::abs(elementary::arg(turned)) * 180 /
            (std::numbers::pi_v<float> * static_cast<float>(options.symmetry));
   };
@@ -405,7 +405,7 @@ std::vector<DatumTurn> FieldDetail::State::turns() const {
       } else {
         for (const Index i : surface.mesh.triangles[place]) add(i, triangle_areas[place] / 3);
       }
-      turns[place].degrees = degrees(turned);
+      turns[place].degrees = in_degrees(turned);
     }
   });
   std::erase_if(turns, [](const DatumTurn& turn) { return turn.weight == 0; });

@@ -1,5 +1,6 @@
 #include "brindle/recipe/field_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -63,6 +64,11 @@ MeasuredField measured_field(const FieldData& data, const DirectionField& direct
     if (!std::isfinite(confidence)) confidence = 0;
   }
   return measured;
+}
+
+bool has_data(const MeasuredField& measured) {
+  return std::ranges::any_of(measured.directions,
+                             [](const Vec3& d) { return d.allFinite() && !d.isZero(0); });
 }
 
 std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices) {

@@ -29,6 +29,9 @@ struct FieldWeight {
 MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
                              const FieldWeight& weight);
 
+/// Whether there is a direction at all.
+bool has_data(const MeasuredField& measured);
+
 /// Numbers of triangles: those of their corners on average.
 std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);
 

@@ -159,7 +159,7 @@ constexpr OptionInfo kWaveRows[] = {
      .form = "P",
      .unit = "periods",
      .standard = "0",
-     .range = kNotNegative,
+     .range = {.least = 0, .most = 100},
      .slider = {0, 4},
      .stale = OptionStage::waves,
      .jobs = kAll,
