@@ -235,9 +235,8 @@ class SurfaceMaker {
   /// The triangles around vertices in the order of the whole, which sums are made in.
   void sort_around(VertexTriangles& around) const {
     const auto number = [&](Index t) { return piece_.triangle_ids[t]; };
-    for (std::size_t v = 0; v + 1 < around.offsets.size(); ++v) {
-      const auto row = std::span(around.triangles)
-                           .subspan(around.offsets[v], around.offsets[v + 1] - around.offsets[v]);
+    for (std::size_t v = 0; v < around.size(); ++v) {
+      const std::span<Index> row = around.of(v);
       if (!std::ranges::is_sorted(row, {}, number)) std::ranges::stable_sort(row, {}, number);
     }
   }

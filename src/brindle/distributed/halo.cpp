@@ -5,22 +5,17 @@
 namespace brindle {
 namespace {
 
-/// Slots of some nodes, colour by colour, in a colour in the order of the nodes; `begin` receives
-/// where each colour begins.
+/// Slots of some nodes, a row a colour, in the order of the nodes.
 template <class NodeAt>
-std::vector<Index> slots_by_color(std::size_t count, const NodeAt& node_at,
-                                  const SlicedLayout& layout, const Coloring& coloring,
-                                  Index color_count, std::vector<Index>& begin) {
-  begin.assign(color_count + 1, 0);
-  for (std::size_t n = 0; n < count; ++n) ++begin[coloring.color[node_at(n)] + 1];
-  for (Index c = 0; c < color_count; ++c) begin[c + 1] += begin[c];
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  std::vector<Index> slots(count);
-  for (std::size_t n = 0; n < count; ++n) {
-    const Index node = node_at(n);
-    slots[next[coloring.color[node]]++] = layout.slot_of[node];
-  }
-  return slots;
+CompressedRows<Index> slots_by_color(std::size_t count, const NodeAt& node_at,
+                                     const SlicedLayout& layout, const Coloring& coloring,
+                                     Index color_count) {
+  return compressed_rows<Index>(color_count, [&](const auto& add) {
+    for (std::size_t n = 0; n < count; ++n) {
+      const Index node = node_at(n);
+      add(coloring.color[node], layout.slot_of[node]);
+    }
+  });
 }
 
 }  // namespace
@@ -33,12 +28,12 @@ SlotHalo::SlotHalo(const NodeHalo& halo, const SlicedLayout& layout, const Color
     neighbor.rank = other.rank;
     neighbor.sent = slots_by_color(
         other.sent.size(), [&](std::size_t n) { return other.sent[n]; }, layout, coloring,
-        color_count, neighbor.sent_begin);
+        color_count);
     neighbor.received = slots_by_color(
         other.count, [&](std::size_t n) { return other.first + static_cast<Index>(n); }, layout,
-        coloring, color_count, neighbor.received_begin);
-    neighbor.out.resize(neighbor.sent.size());
-    neighbor.in.resize(neighbor.received.size());
+        coloring, color_count);
+    neighbor.out.resize(neighbor.sent.entries.size());
+    neighbor.in.resize(neighbor.received.entries.size());
     neighbors_.push_back(std::move(neighbor));
   }
   outgoing_.reserve(neighbors_.size());
@@ -50,15 +45,15 @@ void SlotHalo::start(Communicator& ranks, std::span<const Complex> by_slot, Inde
   outgoing_.clear();
   incoming_.clear();
   for (Neighbor& neighbor : neighbors_) {
-    const Index sent = neighbor.sent_begin[first], sent_end = neighbor.sent_begin[end];
-    for (Index n = sent; n < sent_end; ++n) neighbor.out[n] = by_slot[neighbor.sent[n]];
-    const Index received = neighbor.received_begin[first];
+    const Index sent = neighbor.sent.offsets[first], sent_end = neighbor.sent.offsets[end];
+    for (Index n = sent; n < sent_end; ++n) neighbor.out[n] = by_slot[neighbor.sent.entries[n]];
+    const Index received = neighbor.received.offsets[first];
     outgoing_.push_back(
         {neighbor.rank, std::as_bytes(std::span(neighbor.out).subspan(sent, sent_end - sent))});
     incoming_.push_back(
         {neighbor.rank,
          std::as_writable_bytes(
-             std::span(neighbor.in).subspan(received, neighbor.received_begin[end] - received))});
+             std::span(neighbor.in).subspan(received, neighbor.received.offsets[end] - received))});
   }
   ranks.start(outgoing_, incoming_);
 }
@@ -66,8 +61,9 @@ void SlotHalo::start(Communicator& ranks, std::span<const Complex> by_slot, Inde
 void SlotHalo::finish(Communicator& ranks, std::span<Complex> by_slot, Index first, Index end) {
   ranks.finish();
   for (const Neighbor& neighbor : neighbors_) {
-    for (Index n = neighbor.received_begin[first]; n < neighbor.received_begin[end]; ++n) {
-      by_slot[neighbor.received[n]] = neighbor.in[n];
+    const CompressedRows<Index>& received = neighbor.received;
+    for (Index n = received.offsets[first]; n < received.offsets[end]; ++n) {
+      by_slot[received.entries[n]] = neighbor.in[n];
     }
   }
 }
@@ -79,7 +75,7 @@ void SlotHalo::exchange(Communicator& ranks, std::span<Complex> by_slot) {
 
 std::size_t SlotHalo::ghost_count() const {
   std::size_t count = 0;
-  for (const Neighbor& neighbor : neighbors_) count += neighbor.received.size();
+  for (const Neighbor& neighbor : neighbors_) count += neighbor.received.entries.size();
   return count;
 }
 

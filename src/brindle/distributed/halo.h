@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/distributed/communicator.h"
 #include "brindle/phases/coloring.h"
 #include "brindle/phases/sliced_graph.h"
@@ -62,9 +63,8 @@ class SlotHalo {
  private:
   struct Neighbor {
     int rank;
-    std::vector<Index> sent, received;              ///< slots, colour by colour
-    std::vector<Index> sent_begin, received_begin;  ///< colour c has [c] .. [c + 1] - 1
-    std::vector<Complex> out, in;                   ///< beside `sent` and `received`
+    CompressedRows<Index> sent, received;  ///< slots, a row a colour
+    std::vector<Complex> out, in;          ///< beside their entries
   };
   Index color_count_ = 0;
   std::vector<Neighbor> neighbors_;

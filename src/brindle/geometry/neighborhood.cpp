@@ -32,7 +32,7 @@ Adjacency vertex_neighborhood(const Mesh& mesh, const Progress& progress) {
 Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around,
                               const Progress& progress) {
   const std::size_t count = mesh.vertex_count();
-  std::vector<Index> rows(2 * around.triangles.size());
+  std::vector<Index> rows(2 * around.entries.size());
   Adjacency neighborhood;
   neighborhood.offsets.assign(count + 1, 0);
   parallel_for(count, progress.part(0, 0.7), [&](std::size_t begin, std::size_t end) {

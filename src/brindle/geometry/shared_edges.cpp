@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
@@ -16,48 +17,24 @@ struct FiledSide {
   Index corner_of_low, corner_of_high;
 };
 
-/// All sides, those of one lower vertex together, in ascending order of triangles.
-struct Sides {
-  std::vector<Index> offsets;
-  std::vector<FiledSide> sides;
-
-  std::span<FiledSide> of(std::size_t low) {
-    return std::span(sides).subspan(offsets[low], offsets[low + 1] - offsets[low]);
-  }
-};
-
-template <class Visit>
-void for_all_sides(std::span<const Triangle> triangles, const Visit& visit) {
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto first = static_cast<Index>(3 * t);
-    for (Index c = 0; c < 3; ++c) {
-      const Index next = (c + 1) % 3;
-      const Index a = triangles[t][c], b = triangles[t][next];
-      if (a < b) {
-        visit(a, FiledSide{b, first + c, first + next});
-      } else {
-        visit(b, FiledSide{a, first + next, first + c});
-      }
-    }
-  }
-}
-
-Sides sides_by_vertex(std::span<const Triangle> triangles) {
+/// All sides in the rows of their lower vertices, in ascending order of triangles.
+CompressedRows<FiledSide> sides_by_vertex(std::span<const Triangle> triangles) {
   Index count = 0;
   for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
-  Sides result;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
-  result.offsets.assign(count + 2, 0);
-  for_all_sides(triangles, [&](Index low, const FiledSide&) { ++result.offsets[low + 2]; });
-  for (std::size_t v = 2; v < result.offsets.size(); ++v) {
-    result.offsets[v] += result.offsets[v - 1];
-  }
-  result.sides.resize(3 * triangles.size());
-  for_all_sides(triangles, [&](Index low, const FiledSide& side) {
-    result.sides[result.offsets[low + 1]++] = side;
+  return compressed_rows<FiledSide>(count, [&](const auto& add) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto first = static_cast<Index>(3 * t);
+      for (Index c = 0; c < 3; ++c) {
+        const Index next = (c + 1) % 3;
+        const Index a = triangles[t][c], b = triangles[t][next];
+        if (a < b) {
+          add(a, {b, first + c, first + next});
+        } else {
+          add(b, {a, first + next, first + c});
+        }
+      }
+    }
   });
-  result.offsets.pop_back();
-  return result;
 }
 
 /// Calls `visit` for each pair of sides with the same ends, one after the other.
@@ -74,8 +51,8 @@ std::vector<SharedEdge> shared_edges(std::span<const Triangle> triangles) {
   if (triangles.size() > std::numeric_limits<Index>::max() / 3) {
     throw Error("the mesh has too many triangles; take a smaller one");
   }
-  Sides sides = sides_by_vertex(triangles);
-  const std::size_t vertices = sides.offsets.size() - 1;
+  CompressedRows<FiledSide> sides = sides_by_vertex(triangles);
+  const std::size_t vertices = sides.size();
   std::vector<Index> first(vertices + 1, 0);
   parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {

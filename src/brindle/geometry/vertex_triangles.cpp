@@ -14,23 +14,12 @@ VertexTriangles vertex_triangles(const Mesh& mesh, const Progress& progress) {
     throw Error("the mesh has " + std::to_string(mesh.triangle_count()) +
                 " triangles, more than brindle can number; split it into parts");
   }
-  VertexTriangles around;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
-  around.offsets.assign(mesh.vertex_count() + 2, 0);
-  reported_for(mesh.triangle_count(), progress.part(0, 0.3), [&](std::size_t t) {
-    for (const Index vertex : mesh.triangles[t]) ++around.offsets[vertex + 2];
-  });
-  for (std::size_t v = 2; v < around.offsets.size(); ++v) {
-    around.offsets[v] += around.offsets[v - 1];
-  }
-  around.triangles.resize(3 * mesh.triangle_count());
-  reported_for(mesh.triangle_count(), progress.part(0.3, 1), [&](std::size_t t) {
-    for (const Index vertex : mesh.triangles[t]) {
-      around.triangles[around.offsets[vertex + 1]++] = static_cast<Index>(t);
-    }
-  });
-  around.offsets.pop_back();
-  return around;
+  const auto add_all = [&](const Progress& part, const auto& add) {
+    reported_for(mesh.triangle_count(), part, [&](std::size_t t) {
+      for (const Index vertex : mesh.triangles[t]) add(vertex, static_cast<Index>(t));
+    });
+  };
+  return compressed_rows<Index>(mesh.vertex_count(), progress, add_all);
 }
 
 }  // namespace brindle

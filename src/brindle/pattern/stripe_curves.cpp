@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/elementary.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
@@ -107,19 +108,13 @@ std::size_t ends_apart(const LiftedTriangle& triangle) {
 /// Rows come out in ascending order, since edges are in that of their higher vertex, then the
 /// lower.
 Adjacency adjacency_of(const MeshEdges& edges, std::size_t vertex_count) {
-  Adjacency adjacency;
-  adjacency.offsets.assign(vertex_count + 1, 0);
-  for (const auto& ends : edges.vertices) {
-    for (const Index v : ends) ++adjacency.offsets[v + 1];
-  }
-  std::partial_sum(adjacency.offsets.begin(), adjacency.offsets.end(), adjacency.offsets.begin());
-  adjacency.neighbors.resize(adjacency.offsets.back());
-  std::vector<Index> next(adjacency.offsets.begin(), adjacency.offsets.end() - 1);
-  for (const auto& [a, b] : edges.vertices) {
-    adjacency.neighbors[next[a]++] = b;
-    adjacency.neighbors[next[b]++] = a;
-  }
-  return adjacency;
+  auto rows = compressed_rows<Index>(vertex_count, [&](const auto& add) {
+    for (const auto& [a, b] : edges.vertices) {
+      add(a, b);
+      add(b, a);
+    }
+  });
+  return {std::move(rows.offsets), std::move(rows.entries)};
 }
 
 /// The directions of all waves, turned to run alike, whichever way they were given.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/two_pi.h"
@@ -128,18 +129,8 @@ struct Step {
   Tiles tiles;
 };
 
-/// In the same order where they start alike.
-std::vector<Step> sorted_by_start(const std::vector<Step>& steps, std::size_t pieces) {
-  std::vector<std::size_t> next(pieces + 1, 0);
-  for (const Step& step : steps) ++next[step.from + 1];
-  for (std::size_t p = 0; p < pieces; ++p) next[p + 1] += next[p];
-  std::vector<Step> sorted(steps.size());
-  for (const Step& step : steps) sorted[next[step.from]++] = step;
-  return sorted;
-}
-
-/// Sorted by `from`.
-std::vector<Step> steps_between(const std::vector<Piece>& pieces, const Progress& progress) {
+/// In the rows of the pieces that they start from.
+CompressedRows<Step> steps_between(const std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<Triangle> triangles;
   triangles.reserve(pieces.size());
   for (const Piece& piece : pieces) triangles.push_back(piece.vertices);
@@ -156,7 +147,9 @@ std::vector<Step> steps_between(const std::vector<Piece>& pieces, const Progress
     steps.push_back({b, a, {-(*at_from)[0], -(*at_from)[1]}});
   });
   progress.report(0.8);
-  return sorted_by_start(steps, pieces.size());
+  return compressed_rows<Step>(pieces.size(), [&](const auto& add) {
+    for (const Step& step : steps) add(step.from, step);
+  });
 }
 
 void add_tiles(Piece& piece, const Tiles& tiles) {
@@ -168,12 +161,8 @@ void add_tiles(Piece& piece, const Tiles& tiles) {
 
 /// Adds whole tiles to pieces, breadth-first, so that they agree with the neighbour before them.
 void align(std::vector<Piece>& pieces, const Progress& progress) {
-  const std::vector<Step> steps = steps_between(pieces, progress.part(0, 0.6));
+  const CompressedRows<Step> steps = steps_between(pieces, progress.part(0, 0.6));
   const Progress visiting = progress.part(0.6, 1);
-  std::vector<std::size_t> first;
-  first.assign(pieces.size() + 1, 0);
-  for (const Step& step : steps) ++first[step.from + 1];
-  for (std::size_t p = 0; p < pieces.size(); ++p) first[p + 1] += first[p];
   std::vector<Tiles> added(pieces.size());
   std::vector<std::uint8_t> reached(pieces.size());
   std::vector<Index> queue;
@@ -188,8 +177,7 @@ void align(std::vector<Piece>& pieces, const Progress& progress) {
         visiting.report(static_cast<double>(next) / static_cast<double>(pieces.size()));
       }
       const Index p = queue[next];
-      for (std::size_t s = first[p]; s < first[p + 1]; ++s) {
-        const auto& [from, to, tiles] = steps[s];
+      for (const auto& [from, to, tiles] : steps.of(p)) {
         if (reached[to]) continue;
         reached[to] = 1;
         added[to] = {added[p][0] + tiles[0], added[p][1] + tiles[1]};

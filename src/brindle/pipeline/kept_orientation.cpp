@@ -17,27 +17,20 @@ constexpr CornerSigns kSignsOfU = 7;
 
 bool is_unoriented(CornerSigns signs) { return (signs & kUnoriented) != 0; }
 
-/// The edges of every triangle, in compressed rows.
-void fill_edges_at(std::size_t triangles, std::span<const SharedEdge> edges,
-                   std::vector<Index>& first, std::vector<Index>& edge_at) {
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
-  first.assign(triangles + 2, 0);
-  for (const SharedEdge& edge : edges) {
-    for (const Index corner : edge.from) ++first[corner / 3 + 2];
-  }
-  for (std::size_t t = 2; t < first.size(); ++t) first[t] += first[t - 1];
-  edge_at.resize(2 * edges.size());
-  for (Index e = 0; e < edges.size(); ++e) {
-    for (const Index corner : edges[e].from) edge_at[first[corner / 3 + 1]++] = e;
-  }
-  first.pop_back();
+CompressedRows<Index> edges_by_triangle(std::size_t triangles, std::span<const SharedEdge> edges) {
+  return compressed_rows<Index>(triangles, [&](const auto& add) {
+    for (Index e = 0; e < edges.size(); ++e) {
+      for (const Index corner : edges[e].from) add(corner / 3, e);
+    }
+  });
 }
 
 }  // namespace
 
 KeptOrientation::KeptOrientation(std::vector<Triangle> triangles)
-    : triangles_(std::move(triangles)), edges_(shared_edges(triangles_)) {
-  fill_edges_at(triangles_.size(), edges_, first_edge_, edge_at_);
+    : triangles_(std::move(triangles)),
+      edges_(shared_edges(triangles_)),
+      edges_of_(edges_by_triangle(triangles_.size(), edges_)) {
   turned_.resize(triangles_.size());
   shown_.resize(triangles_.size());
 }
@@ -138,9 +131,9 @@ void KeptOrientation::follow_neighbors(std::vector<Index> undecided) {
 bool KeptOrientation::follow_neighbors_of(Index triangle, std::span<const std::uint8_t> decided) {
   int votes = 0;
   bool asked = false;
-  for (Index i = first_edge_[triangle]; i < first_edge_[triangle + 1]; ++i) {
-    const EdgeAgreement alike = agreement_[edge_at_[i]];
-    const auto& [a, b] = edges_[edge_at_[i]].from;
+  for (const Index e : edges_of_.of(triangle)) {
+    const EdgeAgreement alike = agreement_[e];
+    const auto& [a, b] = edges_[e].from;
     const Index neighbor = a / 3 == triangle ? b / 3 : a / 3;
     if (alike == kNoAgreement || !decided[neighbor]) continue;
     asked = true;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/geometry/shared_edges.h"
 #include "brindle/pattern/corner_signs.h"
 #include "brindle/pipeline/texture_orientation.h"
@@ -40,8 +41,7 @@ class KeptOrientation {
 
   std::vector<Triangle> triangles_;
   std::vector<SharedEdge> edges_;
-  std::vector<Index> first_edge_;  ///< by triangle, into `edge_at_`
-  std::vector<Index> edge_at_;     ///< numbers of the edges that each triangle shares
+  CompressedRows<Index> edges_of_;  ///< numbers of the edges that each triangle shares
 
   std::vector<CornerSigns> signs_;        ///< as `corner_signs` finds them
   std::vector<CornerSigns> last_signs_;   ///< those of the last frame

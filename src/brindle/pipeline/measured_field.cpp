@@ -373,7 +373,7 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
                                         std::span<const float> frequencies,
                                         const MeasuredField& last, const Progress& progress) {
   check_frame(measured, frequencies, last);
-  if (measured.of_triangles && around.triangles.empty()) around = vertex_triangles(surface.mesh);
+  if (measured.of_triangles && around.entries.empty()) around = vertex_triangles(surface.mesh);
   progress.report(0);
   solve(measured, frequencies, last, progress.part(0, 0.8));
   const bool is_any = std::ranges::any_of(data.weight, [](float w) { return w > 0; });

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {
@@ -21,36 +22,19 @@ struct Way {
   Index to;
 };
 
-/// The ways from every item, in compressed rows.
-struct Ways {
-  std::vector<Index> offsets;
-  std::vector<Way> ways;
-
-  std::span<const Way> of(Index item) const {
-    return std::span(ways).subspan(offsets[item], offsets[item + 1] - offsets[item]);
-  }
-};
+/// The ways from every item.
+using Ways = CompressedRows<Way>;
 
 /// `ends(edge)` are the two items of an edge.
 template <class Ends>
 Ways ways_between(std::span<const SeamEdge> edges, std::size_t items, const Ends& ends) {
-  Ways result;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
-  result.offsets.assign(items + 2, 0);
-  for (const SeamEdge& edge : edges) {
-    for (const Index item : ends(edge)) ++result.offsets[item + 2];
-  }
-  for (std::size_t i = 2; i < result.offsets.size(); ++i) {
-    result.offsets[i] += result.offsets[i - 1];
-  }
-  result.ways.resize(2 * edges.size());
-  for (Index e = 0; e < edges.size(); ++e) {
-    const auto [a, b] = ends(edges[e]);
-    result.ways[result.offsets[a + 1]++] = {e, b};
-    result.ways[result.offsets[b + 1]++] = {e, a};
-  }
-  result.offsets.pop_back();
-  return result;
+  return compressed_rows<Way>(items, [&](const auto& add) {
+    for (Index e = 0; e < edges.size(); ++e) {
+      const auto [a, b] = ends(edges[e]);
+      add(a, {e, b});
+      add(b, {e, a});
+    }
+  });
 }
 
 std::array<Index, 2> nodes_of(const SeamEdge& edge) { return edge.nodes; }
@@ -59,7 +43,7 @@ std::array<Index, 2> triangles_of(const SeamEdge& edge) { return edge.triangles;
 /// Breadth-first search from one node, over and over without clearing all.
 class Search {
  public:
-  explicit Search(const Ways& at_node) : at_node_(at_node), found_(at_node.offsets.size() - 1) {}
+  explicit Search(const Ways& at_node) : at_node_(at_node), found_(at_node.size()) {}
 
   /// Calls `visit(node, steps)` for nodes in the order of their distance until it returns false.
   template <class Visit>
@@ -128,7 +112,7 @@ struct Near {
 /// Of every end its kNearest nearest fellows, in ascending order of their numbers.
 std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, const Ways& at_node,
                                             const Progress& progress) {
-  std::vector<Index> number(at_node.offsets.size() - 1, kNone);
+  std::vector<Index> number(at_node.size(), kNone);
   for (Index i = 0; i < ends.size(); ++i) number[ends[i]] = i;
   std::vector<std::vector<Near>> near(ends.size());
   // Where there are few ends, each is far from the next: the search goes over all nodes.
@@ -228,7 +212,7 @@ std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges, c
   std::vector<std::uint8_t> difference(edges.size());
   std::ranges::transform(edges, difference.begin(),
                          [](const SeamEdge& edge) { return edge.in_seam ? 1 : 0; });
-  const std::vector<Index> ends = ends_of(edges, at_node.offsets.size() - 1);
+  const std::vector<Index> ends = ends_of(edges, at_node.size());
   Search search(at_node);
   const auto pairs = Matching(ends, at_node, progress.part(0, 0.7)).pairs();
   const Progress joining = progress.part(0.7, 1);
@@ -271,7 +255,7 @@ std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
 std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_triangle,
                                                   const std::vector<std::uint8_t>& border) {
   constexpr std::uint8_t kUnknown = 2;
-  const std::size_t count = at_triangle.offsets.size() - 1;
+  const std::size_t count = at_triangle.size();
   std::vector<std::uint8_t> side(count, kUnknown);
   std::vector<Index> queue;
   for (Index start = 0; start < count; ++start) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
 #include "brindle/pipeline/short_seam.h"
@@ -30,48 +31,29 @@ struct Link {
 };
 
 /// In the rows of both triangles of every edge that both sides of agree at all.
-struct Links {
-  std::vector<Index> offsets;
-  std::vector<Link> links;
-};
-
-Links links_of(std::size_t triangle_count, std::span<const SharedEdge> edges,
-               std::span<const EdgeAgreement> agreement) {
-  Links result;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
-  result.offsets.assign(triangle_count + 2, 0);
-  const auto for_all_links = [&](const auto& visit) {
+CompressedRows<Link> links_of(std::size_t triangle_count, std::span<const SharedEdge> edges,
+                              std::span<const EdgeAgreement> agreement) {
+  return compressed_rows<Link>(triangle_count, [&](const auto& add) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const Index a = edges[e].from[0] / 3, b = edges[e].from[1] / 3;
       if (a == b || agreement[e] == kNoAgreement) continue;
-      visit(a, b, e);
-      visit(b, a, e);
+      const float u = agreement[e] & kUAlike ? 1.0f : -1.0f;
+      const float v = agreement[e] & kVAlike ? 1.0f : -1.0f;
+      add(a, {b, 0.5f * (u + v)});
+      add(b, {a, 0.5f * (u + v)});
     }
-  };
-  for_all_links([&](Index from, Index, std::size_t) { ++result.offsets[from + 2]; });
-  for (std::size_t t = 2; t < result.offsets.size(); ++t) {
-    result.offsets[t] += result.offsets[t - 1];
-  }
-  result.links.resize(result.offsets.back());
-  for_all_links([&](Index from, Index to, std::size_t e) {
-    const float u = agreement[e] & kUAlike ? 1.0f : -1.0f;
-    const float v = agreement[e] & kVAlike ? 1.0f : -1.0f;
-    result.links[result.offsets[from + 1]++] = {to, 0.5f * (u + v)};
   });
-  result.offsets.pop_back();
-  return result;
 }
 
 /// Triangles as nodes. Phases stay on the imaginary axis, where the solver starts: +i is "as it
 /// stands".
-PhaseGraph triangle_graph(Links links) {
+PhaseGraph triangle_graph(CompressedRows<Link> links) {
   PhaseGraph graph;
-  const std::size_t triangle_count = links.offsets.size() - 1;
+  const std::size_t triangle_count = links.size();
   auto adjacency = std::make_shared<Adjacency>();
   adjacency->offsets.assign(triangle_count + 1, 0);
   for (std::size_t t = 0; t < triangle_count; ++t) {
-    const auto row =
-        std::span(links.links).subspan(links.offsets[t], links.offsets[t + 1] - links.offsets[t]);
+    const std::span<Link> row = links.of(t);
     std::ranges::sort(row, {}, &Link::neighbor);
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0 && row[i].neighbor == row[i - 1].neighbor) {
@@ -236,7 +218,7 @@ std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
   options.cycles = 4;
   JobStages stages(progress, {{"orientation", 4}, {"seams", 2}});
   const Progress orienting = stages.begin("orientation");
-  Links links = links_of(triangles.size(), edges, agreement);
+  CompressedRows<Link> links = links_of(triangles.size(), edges, agreement);
   orienting.report(0.05);
   const PhaseGraph graph = triangle_graph(std::move(links));
   const PhaseSolution solution = solve_phases(graph, options, orienting.part(0.1, 1));

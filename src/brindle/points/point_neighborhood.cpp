@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
@@ -39,35 +40,29 @@ std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<con
 }
 
 /// Rows of i with both i's nearest and those whose nearest i is, not yet sorted and with doubles.
-Adjacency joined_both_ways(std::span<const Index> used, std::span<const Index> nearest,
-                           std::size_t count, std::size_t points, const Progress& progress) {
-  Adjacency rows;
-  rows.offsets.assign(points + 1, 0);
-  reported_for(nearest.size(), progress.part(0, 0.3), [&](std::size_t k) {
-    ++rows.offsets[used[k / count] + 1];
-    ++rows.offsets[nearest[k] + 1];
-  });
-  for (std::size_t i = 0; i < points; ++i) rows.offsets[i + 1] += rows.offsets[i];
-  rows.neighbors.resize(rows.offsets[points]);
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  reported_for(nearest.size(), progress.part(0.3, 1), [&](std::size_t k) {
-    const Index i = used[k / count], j = nearest[k];
-    rows.neighbors[next[i]++] = j;
-    rows.neighbors[next[j]++] = i;
-  });
-  return rows;
+CompressedRows<Index> joined_both_ways(std::span<const Index> used, std::span<const Index> nearest,
+                                       std::size_t count, std::size_t points,
+                                       const Progress& progress) {
+  const auto add_all = [&](const Progress& part, const auto& add) {
+    reported_for(nearest.size(), part, [&](std::size_t k) {
+      const Index i = used[k / count], j = nearest[k];
+      add(i, j);
+      add(j, i);
+    });
+  };
+  return compressed_rows<Index>(points, progress, add_all);
 }
 
 /// Sorts every row and takes doubles out.
-Adjacency tidied(Adjacency rows, const Progress& progress) {
+Adjacency tidied(CompressedRows<Index> rows, const Progress& progress) {
   Adjacency result;
-  result.offsets.assign(rows.node_count() + 1, 0);
-  result.neighbors.reserve(rows.neighbors.size());
-  reported_for(rows.node_count(), progress, [&](std::size_t i) {
-    const auto begin = rows.neighbors.begin() + rows.offsets[i];
-    const auto end = rows.neighbors.begin() + rows.offsets[i + 1];
-    std::sort(begin, end);
-    result.neighbors.insert(result.neighbors.end(), begin, std::unique(begin, end));
+  result.offsets.assign(rows.size() + 1, 0);
+  result.neighbors.reserve(rows.entries.size());
+  reported_for(rows.size(), progress, [&](std::size_t i) {
+    const std::span<Index> row = rows.of(i);
+    std::ranges::sort(row);
+    const auto repeats = std::ranges::unique(row);
+    result.neighbors.insert(result.neighbors.end(), row.begin(), repeats.begin());
     result.offsets[i + 1] = static_cast<Index>(result.neighbors.size());
   });
   return result;
@@ -100,7 +95,7 @@ Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const In
   check_room(used.size(), others);
   const std::vector<Index> nearest = nearest_others(positions, used, others, progress.part(0, 0.7));
   progress.report(0.7);
-  Adjacency rows =
+  CompressedRows<Index> rows =
       joined_both_ways(used, nearest, others, positions.size(), progress.part(0.7, 0.85));
   return tidied(std::move(rows), progress.part(0.85, 1));
 }

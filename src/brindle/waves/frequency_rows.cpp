@@ -203,31 +203,23 @@ void FrequencyRows::set_triangles(const FrequencyTriangles& triangles, const Pro
 void FrequencyRows::set_corners(const Progress& progress) {
   const RowLevel& rows = levels_->levels[0];
   const std::vector<Index>& place_of = levels_->place_of;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
-  offsets_.assign(rows.size() + 2, 0);
   const auto& triangles = triangles_.corners;
-  reported_for(triangles.size(), progress.part(0, 0.2), [&](std::size_t t) {
-    for (const Index vertex : triangles[t]) {
-      if (vertex < own()) ++offsets_[place_of[vertex] + 2];
-    }
-  });
-  for (std::size_t i = 2; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
-  corners_.resize(offsets_.back());
-  reported_for(triangles.size(), progress.part(0.2, 0.5), [&](std::size_t t) {
-    for (Index m = 0; m < 3; ++m) {
-      const Index vertex = triangles[t][m];
-      if (vertex >= own()) continue;
-      corners_[offsets_[place_of[vertex] + 1]++].corner = 4 * static_cast<Index>(t) + m;
-    }
-  });
-  offsets_.pop_back();
+  const auto add_all = [&](const Progress& part, const auto& add) {
+    reported_for(triangles.size(), part, [&](std::size_t t) {
+      for (Index m = 0; m < 3; ++m) {
+        const Index vertex = triangles[t][m];
+        if (vertex < own()) add(place_of[vertex], {4 * static_cast<Index>(t) + m, 0, 0});
+      }
+    });
+  };
+  corners_ = compressed_rows<Corner>(rows.size(), progress.part(0, 0.5), add_all);
   parallel_for(rows.size(), progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
     for (auto row = static_cast<Index>(begin); row < end; ++row) {
-      for (Index k = offsets_[row]; k < offsets_[row + 1]; ++k) {
-        const Triangle& triangle = triangles[corners_[k].corner / 4];
-        const Index m = corners_[k].corner % 4;
-        corners_[k].next = entry_of(rows, row, place_of[triangle[(m + 1) % 3]]);
-        corners_[k].previous = entry_of(rows, row, place_of[triangle[(m + 2) % 3]]);
+      for (Corner& at : corners_.of(row)) {
+        const Triangle& triangle = triangles[at.corner / 4];
+        const Index m = at.corner % 4;
+        at.next = entry_of(rows, row, place_of[triangle[(m + 1) % 3]]);
+        at.previous = entry_of(rows, row, place_of[triangle[(m + 2) % 3]]);
       }
     }
   });
@@ -269,8 +261,7 @@ void FrequencyRows::set(const FrequencyTerms& terms, std::span<const float> want
     std::fill(values.begin() + rows.offsets[begin], values.begin() + rows.offsets[end], 0.0f);
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       float diagonal = 0, mass = 0;
-      for (Index k = offsets_[i]; k < offsets_[i + 1]; ++k) {
-        const Corner& at = corners_[k];
+      for (const Corner& at : corners_.of(i)) {
         const TriangleTerms& term = terms.triangles[at.corner / 4];
         const Index m = at.corner % 4;
         diagonal += term.diagonal[m];

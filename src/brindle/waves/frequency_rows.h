@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
+#include "brindle/base/compressed_rows.h"
 #include "brindle/mesh.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/row_levels.h"
@@ -81,8 +82,7 @@ class FrequencyRows {
 
   std::shared_ptr<const RowLevels> levels_;
   FrequencyTriangles triangles_;
-  std::vector<Index> offsets_;  ///< per place, of `corners_`
-  std::vector<Corner> corners_;
+  CompressedRows<Corner> corners_;  ///< a row a place
 };
 
 }  // namespace brindle

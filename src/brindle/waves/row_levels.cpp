@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/parallel.h"
 
 namespace brindle {
@@ -83,22 +84,17 @@ Grouping RowLevelMaker::grouped(const Progress& progress) const {
 
 namespace {
 
-/// Nodes sorted by a key below `count`, those of one key in their order: where each key's begin.
-std::vector<Index> sorted_by(std::span<const Index> key, Index count, std::vector<Index>& nodes) {
-  std::vector<Index> begin(count + 1);
-  for (const Index k : key) ++begin[k + 1];
-  for (Index k = 0; k < count; ++k) begin[k + 1] += begin[k];
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  nodes.resize(key.size());
-  for (Index i = 0; i < key.size(); ++i) nodes[next[key[i]]++] = i;
-  return begin;
+/// Nodes by a key below `count`, those of one key in their order.
+CompressedRows<Index> nodes_by(std::span<const Index> key, Index count) {
+  return compressed_rows<Index>(count, [&](const auto& add) {
+    for (Index i = 0; i < key.size(); ++i) add(key[i], i);
+  });
 }
 
 StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping,
                      const Progress& progress) {
-  std::vector<Index> nodes;
   const auto own_parents = std::span(grouping.parent).first(fine.size());
-  const std::vector<Index> begin = sorted_by(own_parents, grouping.count, nodes);
+  const CompressedRows<Index> nodes = nodes_by(own_parents, grouping.count);
   StrengthGraph coarse{{0}, {}, {}, grouping.others};
   std::vector<Index> entry_of(grouping.count + grouping.others, kFree);
   for (Index group = 0; group < grouping.count; ++group) {
@@ -106,8 +102,8 @@ StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping,
       progress.report(static_cast<double>(group) / static_cast<double>(grouping.count));
     }
     const std::size_t first = coarse.neighbors.size();
-    for (Index n = begin[group]; n < begin[group + 1]; ++n) {
-      for (Index e = fine.offsets[nodes[n]]; e < fine.offsets[nodes[n] + 1]; ++e) {
+    for (const Index node : nodes.of(group)) {
+      for (Index e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
         const Index other = grouping.parent[fine.neighbors[e]];
         if (other == group) continue;
         if (entry_of[other] == kFree || entry_of[other] < first) {
@@ -143,7 +139,9 @@ Places placed_by_parents(const Grouping& grouping, const Places& coarse, RowLeve
   }
   Places places;
   const auto own = std::span(parent_place).first(parent_place.size() - level.others);
-  level.children = sorted_by(own, grouping.count, places.node_at);
+  CompressedRows<Index> nodes = nodes_by(own, grouping.count);
+  level.children = std::move(nodes.offsets);
+  places.node_at = std::move(nodes.entries);
   while (places.node_at.size() < parent_place.size()) {
     places.node_at.push_back(static_cast<Index>(places.node_at.size()));
   }

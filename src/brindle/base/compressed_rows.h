@@ -1,0 +1,53 @@
+/// Compressed rows: lists of entries, one a row, in one list.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "brindle/progress.h"
+#include "brindle/types.h"
+
+namespace brindle {
+
+/// The entries of row i are `entries[offsets[i]] .. entries[offsets[i + 1] - 1]`.
+template <class Entry>
+struct CompressedRows {
+  std::vector<Index> offsets{0};  ///< rows + 1 entries
+  std::vector<Entry> entries;
+
+  std::size_t size() const { return offsets.size() - 1; }
+
+  std::span<const Entry> of(std::size_t row) const {
+    return std::span(entries).subspan(offsets[row], offsets[row + 1] - offsets[row]);
+  }
+  std::span<Entry> of(std::size_t row) {
+    return std::span(entries).subspan(offsets[row], offsets[row + 1] - offsets[row]);
+  }
+};
+
+/// Rows of what `add_all(progress, add)` adds by `add(row, entry)`, those of a row in that order.
+/// It is called twice, to count and to fill, and has to do the same both times.
+template <class Entry, class AddAll>
+CompressedRows<Entry> compressed_rows(std::size_t count, const Progress& progress,
+                                      const AddAll& add_all) {
+  CompressedRows<Entry> rows;
+  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  std::vector<Index>& offsets = rows.offsets;
+  offsets.assign(count + 2, 0);
+  add_all(progress.part(0, 0.3), [&](std::size_t row, const Entry&) { ++offsets[row + 2]; });
+  for (std::size_t i = 2; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
+  rows.entries.resize(offsets.back());
+  add_all(progress.part(0.3, 1),
+          [&](std::size_t row, const Entry& entry) { rows.entries[offsets[row + 1]++] = entry; });
+  offsets.pop_back();
+  return rows;
+}
+
+/// The same for `add_all(add)`.
+template <class Entry, class AddAll>
+CompressedRows<Entry> compressed_rows(std::size_t count, const AddAll& add_all) {
+  return compressed_rows<Entry>(count, {}, [&](const Progress&, const auto& add) { add_all(add); });
+}
+
+}  // namespace brindle
