@@ -101,6 +101,18 @@ TEST(OptionTable, StandardsAreValuesThatTheOptionTakes) {
   }
 }
 
+TEST(OptionTable, HelpHasTheFiguresOfTheRow) {
+  for (const OptionInfo& info : option_table()) {
+    SCOPED_TRACE(info.name);
+    const std::string_view words = "(default ";
+    const std::size_t at = info.help.find(words);
+    if (info.standard.empty() || at == info.help.npos) continue;
+    const std::string_view told = info.help.substr(at + words.size());
+    EXPECT_TRUE(told.starts_with(info.standard));
+    EXPECT_NE(std::string_view(":;) ").find(told[info.standard.size()]), words.npos);
+  }
+}
+
 TEST(OptionTable, SlidersStayInRange) {
   for (const OptionInfo& info : option_table()) {
     if (!is_numeric(info)) continue;
