@@ -309,7 +309,7 @@ TEST(Shapes, AResolutionThatMemoryDoesNotHoldIsRefusedByName) {
 TEST(Shapes, ImplicitShapesAreRefusedAboutWhereTheyDoNotFit) {
   for (const std::string name : {"vessels", "molecule", "box"}) {
     const std::size_t vertices = make_shape(name + ",resolution=60").vertex_count();
-    const double most = 2 * 960 * static_cast<double>(vertices);
+    const double most = 2 * 560 * static_cast<double>(vertices);
     const AssumedMemory ample(1.5 * most);
     EXPECT_NO_THROW(make_shape(name + ",resolution=60")) << name;
     const AssumedMemory little(most / 3);

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -33,7 +33,35 @@ using Tetrahedron = std::array<Index, 4>;
 constexpr double kCellPerEdge = 1.29;
 constexpr int kMaxCells = 1 << 12;  ///< along one axis
 constexpr std::size_t kValuesPerReport = 1 << 12;
+constexpr Index kNone = ~Index{0};
 constexpr std::size_t kMovedPerReport = 1 << 12;  ///< vertices, each some values
+
+/// Edges by their ends, in lists from each end of lower number.
+class EdgeList {
+ public:
+  explicit EdgeList(std::size_t points) : first_(points, kNone) {}
+
+  /// The number of the edge between two points, counted in the order in which they come, and
+  /// whether it is new.
+  std::pair<Index, bool> try_emplace(Index a, Index b) {
+    if (a > b) std::swap(a, b);
+    for (Index edge = first_[a]; edge != kNone; edge = edges_[edge].next) {
+      if (edges_[edge].to == b) return {edge, false};
+    }
+    const auto added = static_cast<Index>(edges_.size());
+    edges_.push_back({b, std::exchange(first_[a], added)});
+    return {added, true};
+  }
+
+ private:
+  struct Edge {
+    Index to;
+    Index next;  ///< from the same point; kNone: none
+  };
+
+  std::vector<Index> first_;
+  std::vector<Edge> edges_;
+};
 
 /// The body-centred cubic lattice near the surface: points with what the function is there, and
 /// all tetrahedra that it crosses.
@@ -47,12 +75,17 @@ class Lattice {
     origin_ -= Point::Constant(1.5 * cell);
     const Cell cells = (extent / cell).array().ceil().cast<int>() + 3;
     descend(Cell::Zero(), cells, 0, 1);
-    points_ = {};
+    blocks_ = {};
+    numbers_ = {};
   }
 
-  std::vector<Point> positions;
-  std::vector<double> values;
+  std::vector<double> values;  ///< the function at all points
   std::vector<Tetrahedron> tetrahedra;
+
+  Point position(Index point) const {
+    const auto& [x, y, z] = halves_[point];
+    return place({x, y, z});
+  }
 
  private:
   /// The function at a point. From time to time reports that a share of the box is done.
@@ -105,15 +138,29 @@ class Lattice {
   Point place(const Cell& halves) const { return origin_ + 0.5 * cell_ * halves.cast<double>(); }
 
   Index point(const Cell& halves) {
-    const std::uint64_t key = static_cast<std::uint64_t>(halves[0]) << 42 |
-                              static_cast<std::uint64_t>(halves[1]) << 21 |
-                              static_cast<std::uint64_t>(halves[2]);
-    const auto [number, added] = points_.try_emplace(key, static_cast<Index>(positions.size()));
-    if (added) {
-      positions.push_back(place(halves));
-      values.push_back(value(positions.back()));
+    Index& number = number_at(halves);
+    if (number == kNone) {
+      number = static_cast<Index>(values.size());
+      halves_.push_back({static_cast<std::uint16_t>(halves[0]),
+                         static_cast<std::uint16_t>(halves[1]),
+                         static_cast<std::uint16_t>(halves[2])});
+      values.push_back(value(place(halves)));
     }
     return number;
+  }
+
+  /// Where the number of a point is. The points of 4 x 4 x 4 cells, a corner and a centre each, are
+  /// beside each other, since the surface goes through many of them.
+  Index& number_at(const Cell& halves) {
+    std::uint64_t block = 0;
+    std::size_t place_in_block = static_cast<std::size_t>(halves[0]) & 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      block = block << 21 | static_cast<std::uint64_t>(halves[axis]) >> 3;
+      place_in_block = place_in_block << 2 | (static_cast<std::size_t>(halves[axis]) >> 1 & 3);
+    }
+    const auto [number, added] = blocks_.try_emplace(block, static_cast<Index>(numbers_.size()));
+    if (added) numbers_.emplace_back().fill(kNone);
+    return numbers_[number][place_in_block];
   }
 
   const ImplicitFunction& function_;
@@ -122,12 +169,14 @@ class Lattice {
   double done_ = 0;
   Point origin_;
   double cell_;
-  IndexMap points_;
+  std::vector<std::array<std::uint16_t, 3>> halves_;  ///< a third of what positions would take
+  IndexMap blocks_;                                   ///< which of `numbers_` has a block's points
+  std::deque<std::array<Index, 128>> numbers_;
 };
 
 Point crossing(const Lattice& lattice, Index a, Index b) {
   const double fa = lattice.values[a], fb = lattice.values[b];
-  return lattice.positions[a] + fa / (fa - fb) * (lattice.positions[b] - lattice.positions[a]);
+  return lattice.position(a) + fa / (fa - fb) * (lattice.position(b) - lattice.position(a));
 }
 
 /// The tetrahedra at each lattice point, in one list.
@@ -143,38 +192,63 @@ struct TetrahedraAround {
 TetrahedraAround tetrahedra_around(const Lattice& lattice, const Progress& progress) {
   const auto& all = lattice.tetrahedra;
   TetrahedraAround around;
-  around.begin.assign(lattice.positions.size() + 1, 0);
+  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  around.begin.assign(lattice.values.size() + 2, 0);
   reported_for(all.size(), progress.part(0, 0.4), [&](std::size_t t) {
-    for (const Index point : all[t]) ++around.begin[point + 1];
+    for (const Index point : all[t]) ++around.begin[point + 2];
   });
   std::partial_sum(around.begin.begin(), around.begin.end(), around.begin.begin());
   around.tetrahedra.resize(4 * all.size());
-  std::vector<std::size_t> next(around.begin.begin(), around.begin.end() - 1);
   reported_for(all.size(), progress.part(0.4, 1), [&](std::size_t t) {
-    for (const Index point : all[t]) around.tetrahedra[next[point]++] = static_cast<Index>(t);
+    for (const Index point : all[t]) {
+      around.tetrahedra[around.begin[point + 1]++] = static_cast<Index>(t);
+    }
   });
+  around.begin.pop_back();
   return around;
 }
 
-/// Moves lattice points that are close to a crossing of one of their edges onto it; returns which.
-std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell,
-                                       const Progress& progress) {
+/// Lattice points that are moved, and where to.
+class SnappedPoints {
+ public:
+  explicit SnappedPoints(std::size_t points) : number_(points, kNone) {}
+
+  bool has(Index point) const { return number_[point] != kNone; }
+  const Point& place(Index point) const { return places_[number_[point]]; }
+  void move(Index point, const Point& place) {
+    number_[point] = static_cast<Index>(places_.size());
+    places_.push_back(place);
+  }
+
+ private:
+  std::vector<Index> number_;  ///< of places; kNone: stays
+  std::vector<Point> places_;
+};
+
+/// Moves lattice points that are close to a crossing of one of their edges onto it.
+SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress) {
   struct Candidate {
     double distance;
     Index point, other;
   };
   std::vector<Candidate> candidates;
+  const auto add_candidate = [&](Index a, Index b) {
+    const double distance = (crossing(lattice, a, b) - lattice.position(a)).norm();
+    const double length = (lattice.position(a) - lattice.position(b)).norm();
+    // The limits of Labelle and Shewchuk, for the cubic lattice's edges and the diagonals.
+    const double limit = (length > 0.9 * cell ? 0.249 : 0.412) * length;
+    if (distance < limit) candidates.push_back({distance, a, b});
+  };
+  EdgeList edges(lattice.values.size());
   reported_for(lattice.tetrahedra.size(), progress.part(0, 0.2), [&](std::size_t number) {
     const Tetrahedron& t = lattice.tetrahedra[number];
     for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) {
+      for (int j = i + 1; j < 4; ++j) {
         const Index a = t[i], b = t[j];
         if ((lattice.values[a] < 0) == (lattice.values[b] < 0)) continue;
-        const double distance = (crossing(lattice, a, b) - lattice.positions[a]).norm();
-        const double length = (lattice.positions[a] - lattice.positions[b]).norm();
-        // The limits of Labelle and Shewchuk, for the cubic lattice's edges and the diagonals.
-        const double limit = (length > 0.9 * cell ? 0.249 : 0.412) * length;
-        if (distance < limit) candidates.push_back({distance, a, b});
+        if (!edges.try_emplace(a, b).second) continue;
+        add_candidate(a, b);
+        add_candidate(b, a);
       }
     }
   });
@@ -185,15 +259,15 @@ std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell,
                 });
   const TetrahedraAround around = tetrahedra_around(lattice, progress.part(0.6, 0.8));
   std::vector<int> snapped_corners(lattice.tetrahedra.size(), 0);
-  std::vector<std::optional<Point>> snapped(lattice.positions.size());
+  SnappedPoints snapped(lattice.values.size());
   reported_for(candidates.size(), progress.part(0.8, 1), [&](std::size_t number) {
     const Index point = candidates[number].point, other = candidates[number].other;
-    if (snapped[point] || snapped[other]) return;
+    if (snapped.has(point) || snapped.has(other)) return;
     // A tetrahedron that lies in the surface with all its corners is neither inside nor outside.
     const auto flat = [&](Index t) { return snapped_corners[t] == 3; };
     const std::span<const Index> at = around.of(point);
     if (std::any_of(at.begin(), at.end(), flat)) return;
-    snapped[point] = crossing(lattice, point, other);
+    snapped.move(point, crossing(lattice, point, other));
     for (const Index t : at) ++snapped_corners[t];
   });
   return snapped;
@@ -202,20 +276,27 @@ std::vector<std::optional<Point>> snap(const Lattice& lattice, double cell,
 /// Turns the crossed tetrahedra of a lattice into triangles.
 class Polygonizer {
  public:
-  Polygonizer(const Lattice& lattice, std::vector<std::optional<Point>> snapped,
-              const Progress& progress)
-      : lattice_(lattice), snapped_(std::move(snapped)), vertex_of_point_(snapped_.size(), kNone) {
+  Polygonizer(const Lattice& lattice, const SnappedPoints& snapped, const Progress& progress)
+      : lattice_(lattice),
+        snapped_(snapped),
+        vertex_of_point_(lattice.values.size(), kNone),
+        edges_(lattice.values.size()) {
     reported_for(lattice.tetrahedra.size(), progress.part(0, 0.9),
                  [&](std::size_t t) { add(lattice.tetrahedra[t]); });
     reported_for(triangles_.size(), progress.part(0.9, 1), [&](std::size_t t) {
-      if (triangles_[t].second) mesh.triangles.push_back(triangles_[t].first);
+      if (triangles_[t].stays) mesh.triangles.push_back(triangles_[t].corners);
     });
   }
 
   Mesh mesh;
 
  private:
-  static constexpr Index kNone = ~Index{0};
+  /// Faces of the lattice are in lists from each lowest corner.
+  struct MadeTriangle {
+    Triangle corners;
+    bool stays;
+    Index next_face;
+  };
 
   /// A vertex of the surface within a tetrahedron, and where it would be on the regular lattice.
   struct Node {
@@ -226,7 +307,7 @@ class Polygonizer {
   void add(const Tetrahedron& t) {
     std::vector<Index> inside, outside, on;
     for (const Index p : t) {
-      (snapped_[p] ? on : lattice_.values[p] < 0 ? inside : outside).push_back(p);
+      (snapped_.has(p) ? on : lattice_.values[p] < 0 ? inside : outside).push_back(p);
     }
     std::vector<Node> nodes;
     for (const Index p : on) nodes.push_back(node_on(p));
@@ -241,7 +322,7 @@ class Polygonizer {
     if (nodes.size() < 3 || inside.size() + outside.size() == 0) return;
     // A point on the outer side of the triangles.
     const bool known_outside = !outside.empty();
-    const Point side = lattice_.positions[known_outside ? outside[0] : inside[0]];
+    const Point side = lattice_.position(known_outside ? outside[0] : inside[0]);
     if (nodes.size() == 3) {
       add_triangle(nodes[0], nodes[1], nodes[2], side, known_outside, on.size() == 3);
     } else if (nodes.size() == 4) {
@@ -271,50 +352,52 @@ class Polygonizer {
     if ((normal.dot(side - a.regular) > 0) != outer) std::swap(t[1], t[2]);
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     if (!is_face) {
-      triangles_.emplace_back(t, true);
+      triangles_.push_back({t, true, kNone});
       return;
     }
-    const Triangle reversed = {t[0], t[2], t[1]};
     // It is met from both sides: it stays once if one side is in and the other out, and not at all
     // otherwise.
-    if (const auto found = faces_.find(reversed); found != faces_.end()) {
-      triangles_[found->second].second = false;
-      return;
+    if (MadeTriangle* reversed = face({t[0], t[2], t[1]})) {
+      reversed->stays = false;
+    } else if (!face(t)) {
+      const auto added = static_cast<Index>(triangles_.size());
+      triangles_.push_back({t, true, std::exchange(first_face_[t[0]], added)});
     }
-    if (faces_.try_emplace(t, triangles_.size()).second) triangles_.emplace_back(t, true);
+  }
+
+  /// The face with these corners; null if there is none.
+  MadeTriangle* face(const Triangle& corners) {
+    for (Index t = first_face_[corners[0]]; t != kNone; t = triangles_[t].next_face) {
+      if (triangles_[t].corners == corners) return &triangles_[t];
+    }
+    return nullptr;
   }
 
   Node node_on(Index point) {
     Index& vertex = vertex_of_point_[point];
-    if (vertex == kNone) vertex = add_vertex(*snapped_[point]);
-    return {vertex, lattice_.positions[point]};
+    if (vertex == kNone) vertex = add_vertex(snapped_.place(point));
+    return {vertex, lattice_.position(point)};
   }
 
   Node node_between(Index a, Index b) {
-    const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
-    const auto [vertex, added] =
-        vertex_of_edge_.try_emplace(key, static_cast<Index>(mesh.positions.size()));
-    if (added) add_vertex(crossing(lattice_, a, b));
-    return {vertex, 0.5 * (lattice_.positions[a] + lattice_.positions[b])};
+    const auto [edge, added] = edges_.try_emplace(a, b);
+    if (added) vertex_of_edge_.push_back(add_vertex(crossing(lattice_, a, b)));
+    return {vertex_of_edge_[edge], 0.5 * (lattice_.position(a) + lattice_.position(b))};
   }
 
   Index add_vertex(const Point& position) {
     mesh.positions.push_back(position.cast<float>());
+    first_face_.push_back(kNone);
     return static_cast<Index>(mesh.positions.size() - 1);
   }
 
-  struct TriangleHash {
-    std::size_t operator()(const Triangle& t) const {
-      return (t[0] * 0x9e3779b97f4a7c15u) ^ (t[1] * 0xd1342543de82ef95u) ^ (t[2] * 0x94d049bbu);
-    }
-  };
-
   const Lattice& lattice_;
-  std::vector<std::optional<Point>> snapped_;
+  const SnappedPoints& snapped_;
   std::vector<Index> vertex_of_point_;
-  IndexMap vertex_of_edge_;
-  std::unordered_map<Triangle, std::size_t, TriangleHash> faces_;
-  std::vector<std::pair<Triangle, bool>> triangles_;
+  EdgeList edges_;
+  std::vector<Index> vertex_of_edge_;
+  std::vector<Index> first_face_;  ///< of those with this lowest corner
+  std::vector<MadeTriangle> triangles_;
 };
 
 /// Vertices that lost all their triangles are left out.
@@ -385,9 +468,8 @@ void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int
   mesh.positions = std::move(moved);
 }
 
-Mesh polygonize(const Lattice& lattice, std::vector<std::optional<Point>> snapped,
-                const Progress& progress) {
-  Mesh mesh = std::move(Polygonizer(lattice, std::move(snapped), progress.part(0, 0.9)).mesh);
+Mesh polygonize(const Lattice& lattice, const SnappedPoints& snapped, const Progress& progress) {
+  Mesh mesh = std::move(Polygonizer(lattice, snapped, progress.part(0, 0.9)).mesh);
   drop_unused_vertices(mesh, progress.part(0.9, 1));
   return mesh;
 }
@@ -412,7 +494,7 @@ void check_room(const ImplicitFunction& function, const BoundingBox& box, float 
   constexpr int kHalvings = 12;
   // Both by measurement: of built-in shapes the count is right within a factor of two.
   constexpr double kVerticesPerFace = 0.6;  ///< of a cell near the surface
-  constexpr double kBytesPerVertex = 960;   ///< with the lattice
+  constexpr double kBytesPerVertex = 560;   ///< with the lattice
   const Point size = (box.upper - box.lower).cast<double>();
   const auto near =
       static_cast<double>(cells_near(function, box.lower.cast<double>(), size, kHalvings));
@@ -445,8 +527,7 @@ Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float 
     edges = half_edges(mesh, progress.part(0.4, 0.45));
     if (!edges) {
       // Snapping may pinch what is hardly thicker than a cell; without it nothing is pinched.
-      mesh = polygonize(lattice, std::vector<std::optional<Point>>(lattice.positions.size()),
-                        progress.part(0.45, 0.49));
+      mesh = polygonize(lattice, SnappedPoints(lattice.values.size()), progress.part(0.45, 0.49));
       edges = half_edges(mesh, progress.part(0.49, 0.5));
     }
   }
