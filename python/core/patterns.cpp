@@ -337,9 +337,8 @@ namespace {
 void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names, float periods,
                    int symmetry, std::optional<float> fill, py::handle weight) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
-  saying_in_pythons_words([&] {
-    brindle::check_field_detail(given, periods, origin.measured, symmetry == 4);
-  });
+  saying_in_pythons_words(
+      [&] { brindle::check_field_detail(given, periods, origin.measured, symmetry == 4); });
   origin.detail.periods = periods;
   origin.detail.symmetry = symmetry;
   if (fill) origin.detail.fill = *fill;
