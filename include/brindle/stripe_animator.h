@@ -133,7 +133,7 @@ class StripeAnimator {
   FrameResult solve(const FrameInput& input, const Progress& progress);
   void keep(const FrameInput& input, FrameResult& solved);
   void take_back(const FrameResult& solved);
-  void start();
+  void start(const Progress& progress);
   void take_given();
   FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
   void couple_next();

@@ -311,7 +311,6 @@ Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& co
   for (Index block = 0; block < layout.block_count(); ++block) {
     growers.emplace_back(ground, layout.block(block), aggregate);
   }
-  constexpr std::size_t kBlocksPerReport = 32;
   parallel_for(
       growers.size(), progress,
       [&](std::size_t begin, std::size_t end) {

@@ -40,15 +40,16 @@ SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjace
 }
 
 Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,
-                    const Adjacency& adjacency, const SlicedLayout& coarse) {
+                    const Adjacency& adjacency, const SlicedLayout& coarse,
+                    const Progress& progress) {
   Aggregation aggregation;
   arrange_members(aggregation, aggregates, coarse);
   aggregation.coarse_slot = aggregates.aggregate;
   for (Index& slot : aggregation.coarse_slot) {
     slot = slot == kNone ? coarse.slot_count() : coarse.slot_of[slot];
   }
-  aggregation.gauges = gauge_rounds(fine, aggregates);
-  aggregation.sources = source_rounds(fine, aggregates, adjacency, coarse);
+  aggregation.gauges = gauge_rounds(fine, aggregates, progress.part(0.1, 0.5));
+  aggregation.sources = source_rounds(fine, aggregates, adjacency, coarse, progress.part(0.5, 1));
   return aggregation;
 }
 

@@ -6,6 +6,7 @@
 #include "brindle/phases/aggregates.h"
 #include "brindle/phases/gauge_rounds.h"
 #include "brindle/phases/source_rounds.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -27,6 +28,7 @@ SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjace
 /// Arranges aggregates for the kernels; `adjacency` is its coarse adjacency and `coarse` the
 /// layout of that.
 Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,
-                    const Adjacency& adjacency, const SlicedLayout& coarse);
+                    const Adjacency& adjacency, const SlicedLayout& coarse,
+                    const Progress& progress = {});
 
 }  // namespace brindle

@@ -90,6 +90,22 @@ class ChunkArranger {
   GaugeRounds rounds_;
 };
 
+/// Room for all chunks together.
+GaugeRounds with_room_for(const std::vector<GaugeRounds>& chunks) {
+  std::size_t members = 0, rounds = 1, entries = 0;
+  for (const GaugeRounds& chunk : chunks) {
+    members += chunk.member.size();
+    rounds += chunk.round_begin.size() - 1;
+    entries += chunk.entry.size();
+  }
+  GaugeRounds all;
+  all.member.reserve(members);
+  all.round_begin.reserve(rounds);
+  all.entry.reserve(entries);
+  all.from.reserve(entries);
+  return all;
+}
+
 void append(GaugeRounds& all, const GaugeRounds& chunk) {
   const auto first_group = static_cast<Index>(all.member.size() / kLanes);
   const auto first_round = static_cast<Index>(all.entry.size() / kLanes);
@@ -107,19 +123,21 @@ void append(GaugeRounds& all, const GaugeRounds& chunk) {
 
 }  // namespace
 
-GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates) {
+GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates,
+                         const Progress& progress) {
   const std::vector<Index> rank_of = ranks(layout, aggregates);
   std::vector<GaugeRounds> chunks(aggregates.block_begin.size() - 1);
   parallel_for(
-      chunks.size(),
+      chunks.size(), progress.part(0, 0.7),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
           chunks[c] = ChunkArranger(layout, aggregates, rank_of)
                           .arrange(aggregates.block_begin[c], aggregates.block_begin[c + 1]);
         }
       },
-      1);
-  GaugeRounds all;
+      1, kBlocksPerReport);
+  progress.report(0.7);
+  GaugeRounds all = with_room_for(chunks);
   for (const GaugeRounds& chunk : chunks) append(all, chunk);
   return all;
 }

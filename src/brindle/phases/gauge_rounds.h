@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/phases/aggregates.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -28,6 +29,7 @@ struct GaugeRounds {
   }
 };
 
-GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates);
+GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates,
+                         const Progress& progress = {});
 
 }  // namespace brindle

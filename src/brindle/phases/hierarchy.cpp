@@ -238,18 +238,25 @@ Hierarchy finest_level(const Adjacency& adjacency, const Progress& progress) {
   Hierarchy hierarchy;
   Stopwatch watch;
   // Neither can be split among threads, but they can run beside each other.
-  Coloring coloring;
-  std::vector<Index> order;
-  parallel_for(
-      2,
-      [&](std::size_t begin, std::size_t end) {
-        if (begin == 0) coloring = greedy_coloring(adjacency);
-        if (end == 2) order = breadth_first_order(adjacency);
-      },
-      1);
-  progress.report(0.6);
-  hierarchy.levels.push_back(make_level(
-      {std::make_shared<SlicedLayout>(sliced_layout(adjacency, coloring, order)), nullptr}));
+  GreedyColorer colorer(adjacency);
+  BreadthFirstWalk walk(adjacency);
+  constexpr Index kNodesPerReport = 1 << 17;
+  const auto count = static_cast<Index>(adjacency.node_count());
+  for (Index first = 0; first < count; first += kNodesPerReport) {
+    progress.report(0.6 * first / count);
+    const Index last = std::min(count, first + kNodesPerReport);
+    parallel_for(
+        2,
+        [&](std::size_t begin, std::size_t end) {
+          for (Index node = first; begin == 0 && node < last; ++node) colorer.color(node);
+          for (Index node = first; end == 2 && node < last; ++node) walk.step();
+        },
+        1);
+  }
+  auto layout = std::make_shared<SlicedLayout>(
+      sliced_layout(adjacency, colorer.take(), walk.take(), {}, progress.part(0.6, 0.8)));
+  progress.report(0.8);
+  hierarchy.levels.push_back(make_level({std::move(layout), nullptr}));
   hierarchy.topology_milliseconds = watch.lap();
   return hierarchy;
 }
@@ -275,7 +282,7 @@ void coarsen(Hierarchy& hierarchy, const Progress& progress) {
         {std::make_shared<SlicedLayout>(coarse_layout(aggregates, adjacency, coloring)), nullptr});
     report(0.75);
     fine.topology.aggregation = std::make_shared<Aggregation>(
-        arrange(fine.layout(), aggregates, adjacency, coarse.layout()));
+        arrange(fine.layout(), aggregates, adjacency, coarse.layout(), level.part(0.75, 0.9)));
     report(0.9);
     hierarchy.levels.push_back(std::move(coarse));
     hierarchy.scratch.reserve(hierarchy.levels);

@@ -12,10 +12,11 @@ namespace brindle {
 namespace {
 
 void couple_finest(const Adjacency& adjacency, const WaveSet& waves, PhaseShiftKind kind,
-                   std::span<const float> edge_weights, Level& finest) {
+                   std::span<const float> edge_weights, const Progress& progress, Level& finest) {
   const SlicedLayout& layout = finest.layout();
   std::vector<SlicedWave> sliced;
   load_waves(layout, waves.positions, waves.directions, waves.frequencies, sliced);
+  progress.report(0.3);
   std::vector<float> weights;
   if (!edge_weights.empty()) weights = sliced_weights(layout, adjacency, edge_weights);
   std::vector<float> degree(layout.slot_count());
@@ -32,10 +33,10 @@ WaveSolution solve_multilevel_waves(const Adjacency& adjacency, const WaveSet& w
   JobStages stages(progress, multilevel_stages());
   const Progress coupling = stages.begin("couple");
   WaveSolution result;
-  Hierarchy hierarchy = finest_level(adjacency, coupling);
+  Hierarchy hierarchy = finest_level(adjacency, coupling.part(0, 0.8));
   coupling.report(0.8);
   Stopwatch watch;
-  couple_finest(adjacency, waves, kind, edge_weights, hierarchy.levels[0]);
+  couple_finest(adjacency, waves, kind, edge_weights, coupling.part(0.8, 1), hierarchy.levels[0]);
   result.couple_milliseconds = watch.lap();
   coarsen(hierarchy, stages.begin("hierarchy"));
   watch.lap();

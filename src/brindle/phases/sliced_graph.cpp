@@ -20,8 +20,6 @@ constexpr std::size_t kBlock = 2048;
 /// Ranges (a colour in a block) that one task updates at least.
 constexpr std::size_t kRangeGrain = 4;
 
-constexpr std::size_t kBlocksPerReport = 32;
-
 /// A block's nodes colour by colour, in a colour by degree from the largest down. Each number says
 /// what comes first and where in the block the node stood, so that they are all different.
 void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<Index> block) {

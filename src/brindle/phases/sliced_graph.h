@@ -26,6 +26,9 @@ struct SliceRange {
 /// Slices that one task works on at least.
 inline constexpr std::size_t kSliceGrain = 64;
 
+/// Blocks between two reports of what is done block by block.
+inline constexpr std::size_t kBlocksPerReport = 32;
+
 /// Where everything stands (sliced ELLPACK, Kreutzer et al. 2014). Nodes are renumbered to slots:
 /// block by block of nodes that are close together, in a block colour by colour, in a colour by
 /// degree. The nodes of one colour in one block fill whole slices of `kLanes` slots. The neighbours

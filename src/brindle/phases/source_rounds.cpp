@@ -161,17 +161,19 @@ void append(SourceRounds& all, const SourceRounds& block) {
 }  // namespace
 
 SourceRounds source_rounds(const SlicedLayout& fine, const Aggregates& aggregates,
-                           const Adjacency& adjacency, const SlicedLayout& coarse) {
+                           const Adjacency& adjacency, const SlicedLayout& coarse,
+                           const Progress& progress) {
   std::vector<SourceRounds> blocks(coarse.block_count());
   parallel_for(
-      blocks.size(),
+      blocks.size(), progress.part(0, 0.8),
       [&](std::size_t begin, std::size_t end) {
         BlockArranger arranger(fine, aggregates, adjacency, coarse);
         for (std::size_t b = begin; b < end; ++b) {
           blocks[b] = arranger.arrange(coarse.block(static_cast<Index>(b)));
         }
       },
-      1);
+      1, kBlocksPerReport);
+  progress.report(0.8);
   SourceRounds all = with_room_for(blocks);
   for (const SourceRounds& block : blocks) append(all, block);
   return all;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/phases/aggregates.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -27,7 +28,8 @@ struct SourceRounds {
 
 /// `adjacency` is the coarse adjacency of `aggregates` and `coarse` the layout of that.
 SourceRounds source_rounds(const SlicedLayout& fine, const Aggregates& aggregates,
-                           const Adjacency& adjacency, const SlicedLayout& coarse);
+                           const Adjacency& adjacency, const SlicedLayout& coarse,
+                           const Progress& progress = {});
 
 /// What stands at every place of a block's scratch space: an entry of the finer level, kNone below
 /// kLanes.

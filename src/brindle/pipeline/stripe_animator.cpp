@@ -146,8 +146,8 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   s.has_yielded = true;
   const double yield_milliseconds = watch.lap();
   progress.report(0.3);
-  start();
-  progress.report(0.3);
+  start(progress.part(0.3, 0.4));
+  progress.report(0.4);
   watch.lap();
   // Given phases are of this frame's directions: there is nothing to turn.
   const bool changed = load_waves(s.finest().layout(), yielded.positions, yielded.directions,
@@ -160,7 +160,7 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   }
   FrameResult result;
   try {
-    result.milliseconds = solve_next(watch, progress.part(0.3, 1));
+    result.milliseconds = solve_next(watch, progress.part(0.4, 1));
   } catch (...) {
     take_phases_back();
     throw;
@@ -189,12 +189,12 @@ void StripeAnimator::take_back(const FrameResult& solved) {
 }
 
 /// The finest level, and everything that frames write to, so that they allocate nothing.
-void StripeAnimator::start() {
+void StripeAnimator::start(const Progress& progress) {
   State& s = *state_;
   if (!s.degree.empty()) return;
   Stopwatch watch;
   const bool builds = s.hierarchy.levels.empty();
-  if (builds) s.hierarchy = finest_level(*s.neighborhood);
+  if (builds) s.hierarchy = finest_level(*s.neighborhood, progress);
   const SlicedLayout& layout = s.finest().layout();
   s.waves.reserve(layout.slot_count());
   if (s.may_be_taken_back) s.cancellable_waves.reserve(layout.slot_count());
@@ -238,8 +238,8 @@ FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& p
   if (s.descends() && !builds) renew(s.hierarchy);
   milliseconds.sum = watch.lap();
   if (s.descends()) {
-    descend(s.hierarchy, s.options.sweeps);
-    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress.part(0.6, 1));
+    descend(s.hierarchy, s.options.sweeps, progress.part(0.6, 0.7));
+    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress.part(0.7, 1));
   } else {
     iterate();
   }
