@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/base/parallel.h"
 #include "brindle/progress.h"
 #include "brindle/types.h"
 
@@ -37,8 +38,8 @@ CompressedRows<Entry> compressed_rows(std::size_t count, const Progress& progres
   offsets.assign(count + 2, 0);
   add_all(progress.part(0, 0.3), [&](std::size_t row, const Entry&) { ++offsets[row + 2]; });
   for (std::size_t i = 2; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
-  rows.entries.resize(offsets.back());
-  add_all(progress.part(0.3, 1),
+  reported_resize(rows.entries, offsets.back(), progress.part(0.3, 0.4));
+  add_all(progress.part(0.4, 1),
           [&](std::size_t row, const Entry& entry) { rows.entries[offsets[row + 1]++] = entry; });
   offsets.pop_back();
   return rows;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #ifdef BRINDLE_HAS_TBB
 #include <tbb/blocked_range.h>
@@ -72,6 +73,19 @@ void reported_for(std::size_t count, const Progress& progress, const Body& body,
     if (i % slice == 0) progress.report(static_cast<double>(i) / static_cast<double>(count));
     body(i);
   }
+}
+
+/// Makes a list so long, bit by bit: to fill new memory for the first time takes longer than a
+/// caller should wait.
+template <class Value>
+void reported_resize(std::vector<Value>& list, std::size_t count, const Progress& progress) {
+  constexpr std::size_t kBytesPerReport = 1 << 24;
+  list.reserve(count);
+  while (progress.is_heard() && list.size() < count) {
+    progress.report(static_cast<double>(list.size()) / static_cast<double>(count));
+    list.resize(std::min(count, list.size() + kBytesPerReport / sizeof(Value)));
+  }
+  list.resize(count);
 }
 
 /// Reports of a loop whose rounds differ: whenever another slice of `all` is done.
@@ -157,6 +171,7 @@ Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kPar
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Progress& progress, const Body& body,
                    std::size_t grain = kParallelGrain, std::size_t slice = kReportSlice) {
+  if (!progress.is_heard()) return parallel_sum<Value>(count, body, grain);
   const auto sum_slice = [&](std::size_t begin, std::size_t end) {
     progress.report(static_cast<double>(begin) / static_cast<double>(count));
     return parallel_sum<Value>(

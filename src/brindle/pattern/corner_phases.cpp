@@ -52,8 +52,9 @@ void lift(std::size_t count, const CornersOf& corners_of, PhaseShiftKind kind,
 template <class CornersOf>
 std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
                                    PhaseShiftKind kind, const Progress& progress) {
-  std::vector<CornerPhases> result(triangles);
-  parallel_for(triangles, progress, [&](std::size_t begin, std::size_t end) {
+  std::vector<CornerPhases> result;
+  reported_resize(result, triangles, progress.part(0, 0.2));
+  parallel_for(triangles, progress.part(0.2, 1), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; t += kTriangleLanes) {
       lift(
           std::min(kTriangleLanes, end - t), [&](std::size_t i) { return corners_of(t + i); }, kind,

@@ -94,7 +94,9 @@ void measure(const LaidCrosses& laid, PhaseShiftKind kind, const Progress& progr
   const std::size_t pairs = cover.base.size();
   const auto behind = [&](std::span<const CornerPhases> first,
                           const std::vector<CornerWaves>& all) {
-    std::vector<CornerPhases> phases(first.begin(), first.end());
+    std::vector<CornerPhases> phases;
+    phases.reserve(all.size());
+    phases.assign(first.begin(), first.end());
     for (const CornerPhases& part : corner_phases(std::span(all).subspan(pairs), kind)) {
       phases.push_back(part);
     }
@@ -214,12 +216,13 @@ void CrossAnimator::State::solve_afresh(WaveSet crosses, const CrossFrameInput& 
   result.milliseconds.match += watch.lap();
   const WaveSet& waves = next.cover.waves;
   result.stripes = first.frame(frame_input(waves), stages.begin("frame"));
+  const Progress texturing = stages.begin("texture");
   next.cover_mesh.triangles = next.cover.triangles;
   next.take(result.stripes);
   result.milliseconds.solve = watch.lap();
   Mesh placed = surface.mesh;
   placed.positions.assign(input.waves.positions.begin(), input.waves.positions.end());
-  lay(placed, next, stages.begin("texture"), result);
+  lay(placed, next, texturing, result);
   stages.finish();
   animator = std::move(first);
   laid = std::move(next);

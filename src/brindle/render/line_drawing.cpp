@@ -146,9 +146,10 @@ Visibility::Visibility(const Mesh& mesh, const Camera& camera, int width, int he
       columns_(kPerPixel * width),
       rows_(kPerPixel * height) {
   check_drawing_size(width, height);
-  nearness_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
   JobStages stages(progress, {{"hidden lines", 1}});
-  draw(mesh, stages.begin("hidden lines"));
+  const Progress hiding = stages.begin("hidden lines");
+  reported_resize(nearness_, static_cast<std::size_t>(columns_) * rows_, hiding.part(0, 0.1));
+  draw(mesh, hiding.part(0.1, 1));
   stages.finish();
 }
 

@@ -138,9 +138,10 @@ Vec3 middle_of(const std::array<LaneVectors, 3>& corners, int l) {
 bool has_three_vertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
 /// Frequencies are joined along stripes, and hardly across them.
-std::vector<float> stripe_strengths(const Adjacency& adjacency, const FrequencyInput& input) {
+std::vector<float> stripe_strengths(const Adjacency& adjacency, const FrequencyInput& input,
+                                    const Progress& progress) {
   std::vector<float> strengths(adjacency.directed_edge_count());
-  parallel_for(adjacency.node_count(), [&](std::size_t begin, std::size_t end) {
+  parallel_for(adjacency.node_count(), progress, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       for (Index e = adjacency.offsets[i]; e < adjacency.offsets[i + 1]; ++e) {
         const Index j = adjacency.neighbors[e];
@@ -161,8 +162,8 @@ Index entry_of(const RowLevel& rows, Index row, Index column) {
 
 RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, RowPeers* peers,
                      const Progress& progress) {
-  const std::vector<float> strengths = stripe_strengths(adjacency, input);
-  return peers == nullptr ? row_levels(adjacency, strengths, progress)
+  const std::vector<float> strengths = stripe_strengths(adjacency, input, progress.part(0, 0.1));
+  return peers == nullptr ? row_levels(adjacency, strengths, progress.part(0.1, 1))
                           : peers->make_levels(adjacency, strengths);
 }
 
@@ -225,8 +226,8 @@ void FrequencyRows::set_corners(const Progress& progress) {
   });
 }
 
-void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers,
-                              FrequencyTerms& terms) const {
+void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms,
+                              const Progress& progress) const {
   const Scale scale = scale_of(input, own(), peers);
   const float unit = scale.unit();
   const Vec3 origin = scale.origin.cast<float>();
@@ -246,7 +247,7 @@ void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers,
     }
     return moments;
   };
-  const auto own_moments = parallel_sum<Moments>(triangles_.corners.size(), moments_of);
+  const auto own_moments = parallel_sum<Moments>(triangles_.corners.size(), progress, moments_of);
   const double square = over_all(peers, own_moments).square_of_gyration();
   terms.unit = unit;
   terms.faithfulness = static_cast<float>(square > 0 ? kFaithfulness / square : 0);

@@ -65,7 +65,8 @@ class FrequencyRows {
   Index own() const { return levels_->levels[0].size(); }
 
   /// Overwrites `terms`, which has one entry per triangle.
-  void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms) const;
+  void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms,
+                 const Progress& progress = {}) const;
 
   /// Sets the matrix and the right side, but no bounds.
   void set(const FrequencyTerms& terms, std::span<const float> wanted,

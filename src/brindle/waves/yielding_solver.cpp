@@ -65,14 +65,16 @@ YieldingSolver::YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
 
 void YieldingSolver::build(const FrequencyInput& input, const Progress& progress) {
   auto built = std::make_unique<FrequencyRows>(setting_->triangles, *setting_->adjacency, input,
-                                               peers_.get(), progress);
-  multigrid_ = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
+                                               peers_.get(), progress.part(0, 0.8));
+  progress.report(0.8);
+  auto multigrid = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
   const std::size_t vertices = setting_->slack.size();
-  terms_.triangles.resize(built->triangles().corners.size());
+  reported_resize(terms_.triangles, built->triangles().corners.size(), progress.part(0.9, 1));
   next_.resize(vertices);
   frequencies_.resize(vertices);
   kept_.reserve(vertices);
   rows_ = std::move(built);
+  multigrid_ = std::move(multigrid);
   set_bounds();
 }
 
@@ -186,14 +188,16 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   report(0);
   if (!settled_) build(input, inner(progress.part(0, 0.2)));
   report(0.2);
-  rows_->set_terms(input, peers_.get(), terms_);
+  rows_->set_terms(input, peers_.get(), terms_, inner(progress.part(0.2, 0.22)));
   report(0.22);
   rows_->set(terms_, input.wanted, *multigrid_);
   report(0.24);
   multigrid_->prepare();
   set_start(inner(progress.part(0.24, 0.3)));
-  relax(progress.part(0.3, 1));
+  relax(progress.part(0.3, 0.95));
+  report(0.95);
   take(input.wanted);
+  report(1);
   return next_;
 }
 
