@@ -17,6 +17,10 @@ namespace {
 constexpr std::size_t kSmallestCell = 16;
 constexpr std::size_t kMostCells = 16384;
 
+/// Seeds are few, and whatever is left to smooth in their graph all ranks would smooth in other
+/// ways.
+constexpr int kSeedCycles = 20;
+
 constexpr std::uint64_t kNoSeed = std::numeric_limits<std::uint64_t>::max();
 
 /// Numbers that follow each other are neighbours on many surfaces; seeds must not be.
@@ -274,7 +278,8 @@ std::vector<SeedPhase> seed_phases(Communicator& ranks, const std::vector<Coarse
   ranks.together([&] {
     if (ranks.rank() != 0) return;
     const CoarseGraph coarse = coarse_graph(terms);
-    const LowestPhases solved = solve_from(starts, coarse.graph, sweeps, cycles);
+    const LowestPhases solved =
+        solve_from(starts, coarse.graph, sweeps, std::max(cycles, kSeedCycles));
     is_lower = solved.is_lower;
     for (std::size_t s = 0; s < coarse.seeds.size(); ++s) {
       phases.push_back({coarse.seeds[s], solved.z[s]});
