@@ -56,7 +56,8 @@ class PieceArrays {
   std::unique_ptr<ArraySource> other_;
 };
 
-/// Collective. As `copy_from_partners` of files.h, where the partners on rank 0 may be others'.
+/// Collective. As `copy_from_partners` of array_rows.h, where the partners on rank 0 may be
+/// others'.
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
                         const ReadPiece& read, std::vector<DataArray>& arrays);
 

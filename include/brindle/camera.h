@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,11 +43,6 @@ struct CameraView {
 
 /// The rotation of a view, whichever way it is given: where a free rotation starts from.
 Eigen::Quaternionf rotation_of(const CameraView& view);
-
-/// Reads "azimuth,elevation" or "azimuth,elevation,zoom", in degrees, into a view with `up`.
-/// Empty if the text is not that, a number is not finite, elevation is beyond -90 .. 90 or zoom is
-/// not in 0.01 .. 10000.
-std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
 /// A camera. World coordinates are taken relative to `origin`, which is near the mesh,
 /// so that a mesh far from zero keeps its digits.

@@ -1,8 +1,6 @@
 /// Meshes, points, lines, samples and strokes from and to files.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -28,11 +26,6 @@ bool is_normal(const DataArray& array);
 bool is_color(const DataArray& array);
 bool is_uv(const DataArray& array);
 
-/// Gives every row v with an entry in `partner` the values of row partner[v]; others keep theirs.
-/// For vertices that were joined with another at their place, and so have none of their own. Arrays
-/// have a row for every entry.
-void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner);
-
 /// Arrays in the form in which a file holds them.
 struct FittedArrays {
   DataArrays arrays;
@@ -52,11 +45,6 @@ struct FittedArrays {
 /// Names that are the same then, or taken, get underscores at their end. What was fitted fits: it
 /// stays as it is. Numbers of components are 1 or more.
 FittedArrays fitted_arrays(const std::filesystem::path& path, DataArrays arrays);
-
-/// A colour's level as files store it: 0 to 1 becomes 0 to 255; what is no number becomes 0.
-inline unsigned char color_byte(float level) {
-  return static_cast<unsigned char>(std::lround(255 * (level > 0 ? std::min(level, 1.0f) : 0.0f)));
-}
 
 struct LoadedMesh {
   Mesh mesh;

@@ -1,9 +1,7 @@
 /// Small figures that stand at samples and show what is there.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "brindle/export.h"
@@ -21,9 +19,6 @@ enum class GlyphShape {
   stroke,   ///< a brush's, along the second direction: flat, and not cut off at the silhouette
   quad      ///< flat, for a picture, whose upper side is towards the second direction
 };
-
-/// Reads the names above but `quad`, which needs a picture. Empty if there is no such shape.
-std::optional<GlyphShape> parse_glyph_shape(std::string_view name);
 
 /// How large one glyph is, in units of length; nothing is drawn where a number is none or not above
 /// zero.

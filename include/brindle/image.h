@@ -4,9 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "brindle/export.h"
@@ -23,9 +21,6 @@ struct Color {
 
   bool operator==(const Color&) const = default;
 };
-
-/// Reads "#rrggbb" or "#rgb", with or without the '#'. Empty if the text is neither.
-std::optional<Color> parse_color(std::string_view text);
 
 /// The colour's light, in which mixing and shading are done.
 Vec3 linear_light(const Color& color);

@@ -26,10 +26,6 @@ struct Legend {
 /// Pixels at the right side that legends of a picture of this size need.
 int legend_width(const std::vector<Legend>& legends, int width, int height);
 
-/// Numbers, at most `most` and at least two, that are whole multiples of 1, 2 or 5 times a power of
-/// ten and lie between the ends. The ends themselves if there are no such numbers.
-std::vector<double> tick_values(double lowest, double highest, int most);
-
 /// Draws legends, the first on top, into the `legend_width` pixels at the picture's right side.
 /// Throws Error for ends that are no numbers.
 void draw_legends(Image& image, const std::vector<Legend>& legends);

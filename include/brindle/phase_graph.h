@@ -68,7 +68,4 @@ void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda);
 /// if a coupling or a phase is none. `z` has one unit number per node.
 double energy(const PhaseGraph& graph, std::span<const Complex> z);
 
-/// The same from the sums over all edges.
-double relative_energy(double energy_sum, double weight_sum);
-
 }  // namespace brindle

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string_view>
 
 #include "brindle/export.h"
@@ -19,8 +18,6 @@ enum class PhaseShiftKind {
   trapezoid       ///< mean of both directions (Knöppel et al. 2015)
 };
 
-/// Reads "aligned", "common_source" or "trapezoid".
-std::optional<PhaseShiftKind> parse_phase_shift_kind(std::string_view name);
 std::string_view name_of(PhaseShiftKind kind);
 
 /// A wave without its phase: where it is, where it runs (unit or zero), stripes per unit length.

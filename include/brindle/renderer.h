@@ -1,7 +1,6 @@
 /// What a picture shows on top of the stripes: coloured triangles and marks (paper, Fig. 8).
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -58,9 +57,6 @@ enum class BuiltInTile {
   minus,      ///< a minus sign along U
   plus_minus  ///< a plus sign in the middle and a minus sign at the corner
 };
-
-/// Reads the names above. Empty if there is no such tile.
-std::optional<BuiltInTile> parse_built_in_tile(std::string_view name);
 
 /// The names above, separated by `|`.
 std::string_view built_in_tile_names();

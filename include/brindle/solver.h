@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +18,6 @@ enum class Solver {
   global       ///< smallest eigenvector (Knöppel et al. 2015); needs a build with CHOLMOD
 };
 
-std::optional<Solver> parse_solver(std::string_view name);
 std::string_view name_of(Solver solver);
 
 /// Whether this build has the solver: all but `global` are always there.
@@ -42,9 +40,6 @@ struct SolverOptions {
   // global
   int global_iterations = 20;  ///< inverse iterations
 };
-
-/// Throws Error for options out of range.
-void check(const SolverOptions& options);
 
 struct PhaseSolution {
   std::vector<Complex> z;  ///< one unit number per node

@@ -49,11 +49,6 @@ struct FrameInput {
   std::span<const Vec3> normals = {};
 };
 
-/// What StripeAnimator and GpuAnimator stand on: throw Error for options out of range, and for
-/// input without one entry for each of so many vertices. Values are not looked at.
-void check(const AnimatorOptions& options);
-void check(const FrameInput& input, std::size_t vertices);
-
 struct FrameMilliseconds {
   double frequency = 0;  ///< frequencies that yield, and comparing the input with the last one
   double couple = 0;     ///< waves into the solver's order, phase shifts, anchors
@@ -117,7 +112,7 @@ class StripeAnimator {
 
   /// How far frequencies may depart from those of the input in the next frame and all later ones.
   /// They go on from where they were, but where it is calm elsewhere, from those of the input.
-  /// Throws Error for what `check` (yielding_frequency.h) refuses, and for an animator that was
+  /// Throws Error for a slack that YieldingFrequency refuses, and for an animator that was
   /// made without slack; then all is as it was.
   void set_slack(const Slack& slack);
 

@@ -32,9 +32,6 @@ TextureWaves texture_waves(std::span<const Triangle> triangles, const WaveSet& u
                            std::span<const Complex> z_u, const WaveSet& v,
                            std::span<const Complex> z_v);
 
-/// Turns all three waves round (`flipped`).
-void flip(CornerWaves& corners);
-
 /// Whether the three directions run alike: all pairwise products are positive or zero, and none of
 /// them is the zero vector.
 bool run_alike(const CornerWaves& corners);

@@ -32,10 +32,6 @@ struct Slack {
   bool operator==(const Slack&) const = default;
 };
 
-/// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the
-/// vertex, and unless lists are empty or have one entry for each of so many vertices.
-void check(const Slack& slack, std::size_t vertices);
-
 /// What has become of the frequencies, over all vertices that a triangle joins to others (of
 /// points: neighbours).
 struct FrequencyChange {
@@ -60,8 +56,9 @@ struct FrequencyChange {
 /// triangles that they make with their neighbours.
 class YieldingFrequency {
  public:
-  /// Throws Error as `check` does, and Cancelled if `progress` asks for it: of points it takes a
-  /// while to find the triangles.
+  /// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the
+  /// vertex, and unless lists are empty or have one entry per vertex; and Cancelled if `progress`
+  /// asks for it: of points it takes a while to find the triangles.
   YieldingFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
   ~YieldingFrequency();
   YieldingFrequency(YieldingFrequency&&) noexcept;

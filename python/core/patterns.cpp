@@ -5,14 +5,17 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "brindle/base/array_rows.h"
 #include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/pattern_arrays.h"
+#include "brindle/phases/solver_options.h"
 #include "brindle/quality.h"
 #include "brindle/recipe/json_text.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/threads.h"
+#include "brindle/waves/parsed_phase_shift.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"

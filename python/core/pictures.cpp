@@ -5,6 +5,7 @@
 #include "arrays.h"
 #include "brindle/error.h"
 #include "brindle/line_drawing.h"
+#include "brindle/render/parsed_words.h"
 #include "job.h"
 #include "pattern_data.h"
 

@@ -7,6 +7,7 @@
 #include "brindle/geometry/normals.h"
 #include "brindle/quality.h"
 #include "brindle/recipe/refusals.h"
+#include "brindle/render/parsed_words.h"
 #include "brindle/splats.h"
 #include "job.h"
 #include "pattern_data.h"

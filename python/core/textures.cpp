@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "brindle/base/array_rows.h"
 #include "brindle/error.h"
 #include "brindle/pattern_arrays.h"
 #include "brindle/recipe/json_text.h"

@@ -9,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "brindle/phases/relaxation.h"
+#include "brindle/phases/solver_options.h"
 #include "brindle/waves/averaged_levels.h"
 #include "phase_graphs.h"
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/render/parsed_words.h"
 #include "render/test_drawings.h"
 
 namespace brindle {

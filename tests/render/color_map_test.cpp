@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/render/parsed_words.h"
+
 namespace brindle {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/image.h"
+#include "brindle/render/parsed_words.h"
 
 namespace brindle {
 namespace {

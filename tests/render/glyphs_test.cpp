@@ -8,6 +8,7 @@
 
 #include "brindle/base/memory.h"
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "progress_reports.h"
 
 namespace brindle {

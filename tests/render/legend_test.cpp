@@ -9,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/render/ink.h"
 #include "brindle/render/stroke_font.h"
+#include "brindle/render/ticks.h"
 
 namespace brindle {
 namespace {

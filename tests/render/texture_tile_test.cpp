@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "brindle/renderer.h"
 
 namespace brindle {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/waves/parsed_phase_shift.h"
+
 namespace brindle {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/array_rows.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/files.h"
 #include "brindle/pattern_arrays.h"

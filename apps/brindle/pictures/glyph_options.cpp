@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/legend.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 #include "pictures/picture_options.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"
 #include "pictures/picture_options.h"
 

@@ -5,6 +5,7 @@
 
 #include "brindle/error.h"
 #include "brindle/image.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 #include "input/vertex_values.h"

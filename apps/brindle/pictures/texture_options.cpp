@@ -6,6 +6,7 @@
 
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 

@@ -9,6 +9,7 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/described_options.h"
 #include "cli/option_values.h"
 #include "pictures/picture_options.h"

@@ -1,6 +1,7 @@
 #include "session/session_words.h"
 
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"
 #include "session/session_options.h"
 

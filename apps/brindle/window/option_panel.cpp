@@ -12,6 +12,7 @@
 
 #include "brindle/base/formatted.h"
 #include "brindle/image.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"
 #include "pictures/picture_options.h"
 #include "window/value_slider.h"

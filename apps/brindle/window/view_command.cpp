@@ -5,6 +5,7 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/option_values.h"

@@ -1,5 +1,6 @@
 #include "brindle/base/array_rows.h"
 
+#include <algorithm>
 #include <string>
 
 #include "brindle/error.h"
@@ -22,6 +23,16 @@ void check_rows_per_vertex(const DataArray& array, std::size_t vertices) {
 
 void check_rows_per_triangle(const DataArray& array, std::size_t triangles) {
   check_row_count(array, triangles, "triangle", "triangles");
+}
+
+void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner) {
+  for (DataArray& array : arrays) {
+    const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
+    for (std::size_t v = 0; v < partner.size(); ++v) {
+      std::copy_n(array.bytes.data() + size * partner[v], partner[v] == v ? 0 : size,
+                  array.bytes.data() + size * v);
+    }
+  }
 }
 
 }  // namespace brindle

@@ -1,14 +1,21 @@
-/// Whether an array belongs to a mesh.
+/// Arrays that belong to a mesh.
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "brindle/data_arrays.h"
+#include "brindle/types.h"
 
 namespace brindle {
 
 /// Throw Error, naming the array, unless it has a row per vertex, or per triangle.
 void check_rows_per_vertex(const DataArray& array, std::size_t vertices);
 void check_rows_per_triangle(const DataArray& array, std::size_t triangles);
+
+/// Gives every row v with an entry in `partner` the values of row partner[v]; others keep theirs.
+/// For vertices that were joined with another at their place, and so have none of their own. Arrays
+/// have a row for every entry.
+void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner);
 
 }  // namespace brindle

@@ -13,6 +13,7 @@
 #include "brindle/pattern/quality_sums.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/frame_check.h"
 #include "brindle/pipeline/last_phases.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/yielding_frames.h"
@@ -31,7 +32,7 @@ struct SentWave {
 };
 
 void check_distributed(const DistributedOptions& options) {
-  check(options);
+  check_animator_options(options);
   if (options.phase_shift == PhaseShiftKind::common_source) {
     throw Error("animator options: the phase shift must be aligned or trapezoid");
   }
@@ -263,7 +264,7 @@ DistributedStripeAnimator& DistributedStripeAnimator::operator=(
 FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   s.ranks().together([&] {
-    check(input, s.surface->vertex_of_piece.size());
+    check_frame_input(input, s.surface->vertex_of_piece.size());
     check_waves(input.positions, input.directions, input.frequencies);
   });
   Stopwatch watch;

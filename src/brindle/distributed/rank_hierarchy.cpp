@@ -310,8 +310,7 @@ std::size_t RankHierarchy::halo_bytes(int sweeps) const {
 
 double RankHierarchy::energy() const {
   const Level& level = hierarchy_.levels[0];
-  const EnergySums sums = ranks_.sum(energy_sums(level.layout(), level.couplings, level.z));
-  return relative_energy(sums.energy, sums.weight);
+  return ranks_.sum(energy_sums(level.layout(), level.couplings, level.z)).relative();
 }
 
 }  // namespace brindle

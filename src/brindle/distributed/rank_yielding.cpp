@@ -4,6 +4,7 @@
 #include <string>
 
 #include "brindle/error.h"
+#include "brindle/waves/slack_check.h"
 
 namespace brindle {
 namespace {
@@ -50,7 +51,7 @@ std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& 
 
 void check_on_all(const RankSurface& surface, const Slack& slack) {
   const std::size_t vertices = surface.vertex_of_piece.size();
-  surface.ranks->together([&] { check(slack, vertices); });
+  surface.ranks->together([&] { check_slack(slack, vertices); });
   for (const auto* list : {&slack.by_vertex, &slack.calm}) {
     const bool is_given = surface.ranks->any(!list->empty());
     surface.ranks->together([&] {

@@ -12,6 +12,7 @@
 #include "brindle/base/printable.h"
 #include "brindle/files.h"
 #include "brindle/files/byte_order.h"
+#include "brindle/files/color_byte.h"
 #include "brindle/files/input_file.h"
 #include "brindle/files/letters.h"
 #include "brindle/files/percent_decoded.h"

@@ -15,6 +15,7 @@
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/color_byte.h"
 
 namespace brindle {
 namespace {
@@ -251,16 +252,6 @@ bool is_color(const DataArray& array) {
 
 bool is_uv(const DataArray& array) {
   return array.name == "uv" && array.components == 2 && is_floating(array.type);
-}
-
-void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner) {
-  for (DataArray& array : arrays) {
-    const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
-    for (std::size_t v = 0; v < partner.size(); ++v) {
-      std::copy_n(array.bytes.data() + size * partner[v], partner[v] == v ? 0 : size,
-                  array.bytes.data() + size * v);
-    }
-  }
 }
 
 FittedArrays fitted_arrays(const std::filesystem::path& path, DataArrays arrays) {

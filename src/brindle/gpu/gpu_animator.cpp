@@ -268,7 +268,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
                          std::shared_ptr<const Adjacency> neighborhood,
                          const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
-  check(options);
+  check_animator_options(options);
   refuse_slack(options);
   if (!options.edge_weights.empty()) {
     throw Error(
@@ -294,7 +294,7 @@ GpuAnimator& GpuAnimator::operator=(GpuAnimator&&) noexcept = default;
 
 bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
-  check(input, s.neighborhood->node_count());
+  check_frame_input(input, s.neighborhood->node_count());
   if (s.has_last && s.yielding.is_kept(input)) {
     s.timer.start();
     return false;

@@ -7,6 +7,7 @@
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_kernels.h"
+#include "brindle/waves/energy_sums.h"
 
 namespace brindle {
 namespace {
@@ -73,9 +74,10 @@ std::optional<PhaseMeasure> GpuMeasure::end() {
   }
   glDeleteSync(std::exchange(fence, nullptr));
   const volatile float* sums = reinterpret_cast<const volatile float*>(s.mapped + s.ended % 2);
-  const double energy = sums[0], weight = sums[1], angle = sums[2], count = sums[3];
+  const EnergySums energies{sums[0], sums[1]};
+  const double angle = sums[2], count = sums[3];
   ++s.ended;
-  return PhaseMeasure{relative_energy(energy, weight), weight, count > 0 ? angle / count : 0};
+  return PhaseMeasure{energies.relative(), energies.weight, count > 0 ? angle / count : 0};
 }
 
 }  // namespace brindle

@@ -7,6 +7,7 @@
 #include "brindle/gpu/gpu_hierarchy.h"
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_relaxation.h"
+#include "brindle/phases/solver_options.h"
 
 namespace brindle {
 namespace {
@@ -39,7 +40,7 @@ GpuSolver::GpuSolver() : kernels_(std::make_shared<const GpuKernels>()) {}
 
 PhaseSolution GpuSolver::solve(const PhaseGraph& graph, const SolverOptions& options,
                                const Progress& progress) const {
-  check(options);
+  check_solver_options(options);
   if (!is_available_on_gpu(options.solver)) {
     throw Error("the GPU has no solver '" + std::string(name_of(options.solver)) +
                 "'; take multilevel or relaxation, or solve on the processor");

@@ -28,6 +28,9 @@ CornerSigns corner_signs(const std::array<Vec3, 3>& u, const std::array<Vec3, 3>
 void corner_signs(std::span<const Triangle> triangles, std::span<const Vec3> u,
                   std::span<const Vec3> v, std::vector<CornerSigns>& signs);
 
+/// Turns all three waves round (`flipped`).
+void turn_round(CornerWaves& corners);
+
 /// Turns the triangles with a 1 round.
 void turn_signs(std::span<const std::uint8_t> turned, std::span<CornerSigns> signs);
 

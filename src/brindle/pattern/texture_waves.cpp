@@ -67,7 +67,7 @@ TextureWaves texture_waves(std::span<const Triangle> triangles, const WaveSet& u
   return waves;
 }
 
-void flip(CornerWaves& corners) {
+void turn_round(CornerWaves& corners) {
   for (CornerWave& corner : corners) corner = flipped(corner);
 }
 

@@ -6,6 +6,7 @@
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/phases/solver_options.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -28,7 +29,7 @@ void couple_finest(const Adjacency& adjacency, const WaveSet& waves, PhaseShiftK
 WaveSolution solve_multilevel_waves(const Adjacency& adjacency, const WaveSet& waves,
                                     PhaseShiftKind kind, std::span<const float> edge_weights,
                                     const SolverOptions& options, const Progress& progress) {
-  check(options);
+  check_solver_options(options);
   check_coupled_waves(adjacency, waves, edge_weights);
   JobStages stages(progress, multilevel_stages());
   const Progress coupling = stages.begin("couple");

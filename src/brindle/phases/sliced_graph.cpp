@@ -285,8 +285,7 @@ EnergySums energy_sums(const SlicedLayout& layout, const SlicedCouplings& coupli
 
 double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
               std::span<const Complex> z) {
-  const EnergySums sums = energy_sums(layout, couplings, z);
-  return relative_energy(sums.energy, sums.weight);
+  return energy_sums(layout, couplings, z).relative();
 }
 
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,

@@ -11,6 +11,7 @@
 #include "brindle/phases/coloring.h"
 #include "brindle/progress.h"
 #include "brindle/types.h"
+#include "brindle/waves/energy_sums.h"
 
 namespace brindle {
 
@@ -138,14 +139,6 @@ void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::sp
 /// The part of a sweep that updates the slots of one colour.
 void sweep_color(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
                  float over_relaxation, Index color);
-
-/// What energies are told from: sums over directed edges.
-struct EnergySums {
-  double energy = 0, weight = 0;
-  EnergySums operator+(const EnergySums& other) const {
-    return {energy + other.energy, weight + other.weight};
-  }
-};
 
 /// Over the edges to all slots.
 EnergySums energy_sums(const SlicedLayout& layout, const SlicedCouplings& couplings,

@@ -10,6 +10,7 @@
 #include "brindle/phases/global.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/relaxation.h"
+#include "brindle/phases/solver_options.h"
 
 namespace brindle {
 namespace {
@@ -73,7 +74,7 @@ bool is_available(Solver solver) {
   return has_cholmod || solver != Solver::global;
 }
 
-void check(const SolverOptions& options) {
+void check_solver_options(const SolverOptions& options) {
   require(std::isfinite(options.epsilon) && options.epsilon >= 0, "epsilon must be 0 or above");
   require(options.momentum >= 0 && options.momentum < 1, "momentum must be in [0, 1)");
   require(options.max_iterations > 0, "max_iterations must be above 0");
@@ -84,7 +85,7 @@ void check(const SolverOptions& options) {
 
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options,
                            const Progress& progress, const SolverData& data) {
-  check(options);
+  check_solver_options(options);
   PhaseSolution solution;
   JobStages stages(progress, stages_of(options));
   const auto begin = [&] { return stages.begin(name_of(options.solver)); };

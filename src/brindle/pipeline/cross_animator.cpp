@@ -14,7 +14,9 @@
 #include "brindle/error.h"
 #include "brindle/pattern/texture_quality.h"
 #include "brindle/pipeline/cross_parts.h"
+#include "brindle/pipeline/frame_check.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -137,7 +139,7 @@ struct CrossAnimator::State {
 
 WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const {
   const std::size_t vertices = surface.mesh.vertex_count();
-  check(input.waves, vertices);
+  check_frame_input(input.waves, vertices);
   if (!input.normals.empty() && input.normals.size() != vertices) {
     throw Error("cross animator: there are " + std::to_string(input.normals.size()) +
                 " normals for " + std::to_string(vertices) + " vertices");
@@ -163,8 +165,8 @@ StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
 }
 
 CrossAnimator::CrossAnimator(const Surface& surface, const AnimatorOptions& options) {
-  check(options);
-  check(options.slack, surface.mesh.vertex_count());
+  check_animator_options(options);
+  check_slack(options.slack, surface.mesh.vertex_count());
   if (surface.mesh.triangles.empty()) throw Error("cross fields need triangles; points have none");
   state_ = std::make_unique<State>(State{surface, options});
   state_->on_cover = options;

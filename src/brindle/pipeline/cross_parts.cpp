@@ -8,6 +8,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/geometry/normals.h"
+#include "brindle/pattern/corner_signs.h"
 
 namespace brindle {
 namespace {
@@ -117,7 +118,7 @@ void turn_left(const Mesh& mesh, TextureWaves& waves, const Progress& progress) 
       for (int m = 0; m < 3; ++m) {
         turn += waves.u[t][m].wave.direction.cross(waves.v[t][m].wave.direction);
       }
-      if (turn.dot(triangle_normal(mesh, mesh.triangles[t])) < 0) flip(waves.v[t]);
+      if (turn.dot(triangle_normal(mesh, mesh.triangles[t])) < 0) turn_round(waves.v[t]);
     }
   });
 }

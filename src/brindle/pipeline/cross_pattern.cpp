@@ -4,6 +4,7 @@
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/cross_parts.h"
+#include "brindle/waves/slack_check.h"
 
 namespace brindle {
 namespace {
@@ -39,7 +40,7 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
   matching_stage.report(0.8);
   result.surface = cover_surface(result.cover, surface.normals);
   const double matching = watch.lap();
-  check(options.slack, surface.mesh.vertex_count());
+  check_slack(options.slack, surface.mesh.vertex_count());
   StripeOptions on_cover = options;
   on_cover.slack = slack_on_cover(options.slack);
   result.pattern =

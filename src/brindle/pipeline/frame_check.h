@@ -1,12 +1,18 @@
-/// Values that no frame can have: what all animators refuse.
+/// What no animator and no frame can have: what all animators refuse.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "brindle/stripe_animator.h"
 
 namespace brindle {
+
+/// Throw Error for options out of range, and for input without one entry for each of so many
+/// vertices. Values are not looked at.
+void check_animator_options(const AnimatorOptions& options);
+void check_frame_input(const FrameInput& input, std::size_t vertices);
 
 /// What directions must be tangent to, as long as vertices stand where they stood.
 struct NormalsInPlace {

@@ -59,30 +59,6 @@ FrameResult unchanged_result() {
   return result;
 }
 
-}  // namespace
-
-void check(const AnimatorOptions& options) {
-  const auto require = [](bool holds, const char* message) {
-    if (!holds) throw Error(std::string("animator options: ") + message);
-  };
-  require(std::isfinite(options.lambda) && options.lambda >= 0, "lambda must be 0 or above");
-  require(options.sweeps >= 0, "sweeps must be 0 or above");
-  require(options.cycles >= 0, "cycles must be 0 or above");
-  require(options.iterations > 0, "iterations must be above 0");
-}
-
-void check(const FrameInput& input, std::size_t vertices) {
-  if (input.positions.size() == vertices && input.directions.size() == vertices &&
-      input.frequencies.size() == vertices &&
-      (input.normals.empty() || input.normals.size() == vertices)) {
-    return;
-  }
-  throw Error("animator: a frame needs one position, direction and frequency for each of " +
-              std::to_string(vertices) + " vertices, and as many normals, or none");
-}
-
-namespace {
-
 /// A frame that nobody listens to allocates nothing.
 Progress progress_of_frame(const Progress& progress) {
   return progress.is_heard() ? JobStages(progress, {{"frame", 1}}).begin("frame") : Progress();
@@ -93,7 +69,7 @@ Progress progress_of_frame(const Progress& progress) {
 StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options)
     : state_(std::make_unique<State>()) {
-  check(options);
+  check_animator_options(options);
   refuse_slack(options);
   if (!neighborhood)
     throw Error("animator: the surface has no neighbours; make_surface finds them");
@@ -136,7 +112,7 @@ void StripeAnimator::allow_take_back() { state_->may_be_taken_back = true; }
 /// animator's, and not in the result.
 FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard) {
   State& s = *state_;
-  check(input, s.neighborhood->node_count());
+  check_frame_input(input, s.neighborhood->node_count());
   check_values(input, *s.neighborhood, s.in_place);
   s.has_yielded = s.has_iterated = false;
   if (!s.has_given() && s.has_last() && s.yielding.is_kept(input)) return unchanged_result();

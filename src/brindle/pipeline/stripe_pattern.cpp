@@ -24,6 +24,7 @@
 #include "brindle/points/point_tree.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/fineness.h"
+#include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -226,7 +227,7 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   check_tangent(surface.normals, waves.directions);
   check_fineness(*surface.neighborhood, waves.positions, waves.directions, waves.frequencies);
   check_anchors(options, surface.mesh.vertex_count());
-  check(options.slack, surface.mesh.vertex_count());
+  check_slack(options.slack, surface.mesh.vertex_count());
   JobStages stages(progress, stages_of(options));
   if (options.slack.yields()) {
     let_yield(surface, waves, options, stages.begin("frequency"), result);

@@ -10,6 +10,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/pattern/texture_quality.h"
+#include "brindle/pipeline/frame_check.h"
 #include "brindle/pipeline/kept_orientation.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_pattern.h"
@@ -73,7 +74,7 @@ struct TextureAnimator::State {
 /// The waves of a frame, if everything about them is right.
 NextWaves TextureAnimator::State::checked_waves(const TextureFrameInput& input) const {
   const std::size_t vertices = surface.mesh.vertex_count();
-  check(input.u, vertices);
+  check_frame_input(input.u, vertices);
   check_entries(input.frequencies_v.size(), vertices, "frequencies of V");
   check_entries(input.normals.size(), vertices, "normals");
   const auto& [positions, directions, frequencies, ignored] = input.u;

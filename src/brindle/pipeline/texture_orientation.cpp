@@ -75,8 +75,8 @@ void turn(TextureWaves& waves, std::span<const std::uint8_t> turned) {
   parallel_for(waves.triangle_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       if (!turned[t]) continue;
-      flip(waves.u[t]);
-      flip(waves.v[t]);
+      turn_round(waves.u[t]);
+      turn_round(waves.v[t]);
     }
   });
 }

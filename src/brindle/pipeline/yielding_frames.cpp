@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "brindle/error.h"
+#include "brindle/waves/slack_check.h"
 
 namespace brindle {
 namespace {
@@ -22,7 +23,7 @@ void refuse_slack(const AnimatorOptions& options) {
 }
 
 YieldingFrames::YieldingFrames(const Surface& surface, const Slack& slack) {
-  check(slack, surface.mesh.vertex_count());
+  check_slack(slack, surface.mesh.vertex_count());
   if (slack.yields()) yielding_.emplace(yielding_setting(surface, slack));
 }
 

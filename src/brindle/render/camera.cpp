@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/render/parsed_words.h"
 
 namespace brindle {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/image.h"
+#include "brindle/render/parsed_words.h"
 
 namespace brindle {
 namespace {

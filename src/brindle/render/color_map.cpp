@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "brindle/render/parsed_words.h"
+
 namespace brindle {
 namespace {
 
@@ -56,8 +58,6 @@ std::optional<ColorMap> parse_color_map(std::string_view name) {
   if (name == "coolwarm") return ColorMap::coolwarm;
   return std::nullopt;
 }
-
-std::string_view color_map_names() { return kNames; }
 
 Color map_color(ColorMap map, float place) {
   const std::span<const std::uint32_t> colors = colors_of(map);

@@ -14,6 +14,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/memory.h"
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 
 namespace brindle {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
+#include "brindle/render/parsed_words.h"
 #include "brindle/renderer.h"
 
 namespace brindle {

@@ -20,13 +20,13 @@ constexpr int kCoarsestSweeps = 8;
 constexpr double kLongestStep = 2;
 constexpr double kMostChanged = 64;  ///< one node in so many, before levels are summed anew
 
-struct EnergySums {
+struct MeasureSums {
   double energy = 0, square = 0, changed = 0;
-  EnergySums operator+(const EnergySums& o) const {
+  MeasureSums operator+(const MeasureSums& o) const {
     return {energy + o.energy, square + o.square, changed + o.changed};
   }
   std::array<double, 3> numbers() const { return {energy, square, changed}; }
-  static EnergySums of(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
+  static MeasureSums of(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
 };
 
 /// What the energy does along the correction s and the way m that the last cycle went.
@@ -363,7 +363,7 @@ void BoundedMultigrid::descend(std::size_t l) {
 BoundedMultigrid::Measure BoundedMultigrid::measure() {
   const RowLevel& rows = rows_->levels[0];
   const Level& level = levels_[0];
-  const auto own = sum_over_rows<EnergySums>(rows, [&](Index i, EnergySums& sum) {
+  const auto own = sum_over_rows<MeasureSums>(rows, [&](Index i, MeasureSums& sum) {
     const float x = level.x[i];
     const float r =
         level.right[i] - level.diagonal[i] * x - row_product(rows, level.values, level.x, i);
@@ -377,7 +377,7 @@ BoundedMultigrid::Measure BoundedMultigrid::measure() {
     sum.energy -= static_cast<double>(x) * static_cast<double>(r + level.right[i]);
     if (!held) sum.square += static_cast<double>(r) * static_cast<double>(r);
   });
-  const EnergySums sums = over_all(peers_, own);
+  const MeasureSums sums = over_all(peers_, own);
   changed_ += sums.changed;
   return {sums.energy, std::sqrt(sums.square)};
 }

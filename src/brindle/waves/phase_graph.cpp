@@ -6,6 +6,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/waves/energy_sums.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -54,15 +55,9 @@ void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda) 
 }
 
 double energy(const PhaseGraph& graph, std::span<const Complex> z) {
-  struct Sums {
-    double energy = 0, weight = 0;
-    Sums operator+(const Sums& other) const {
-      return {energy + other.energy, weight + other.weight};
-    }
-  };
   const Adjacency& adjacency = *graph.adjacency;
-  const Sums sums = parallel_sum<Sums>(graph.node_count(), [&](std::size_t begin, std::size_t end) {
-    Sums sum;
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
+    EnergySums sum;
     for (std::size_t i = begin; i < end; ++i) {
       const std::complex<double> z_i = z[i];
       for (Index edge = adjacency.offsets[i]; edge < adjacency.offsets[i + 1]; ++edge) {
@@ -75,15 +70,8 @@ double energy(const PhaseGraph& graph, std::span<const Complex> z) {
       }
     }
     return sum;
-  });
-  return relative_energy(sums.energy, sums.weight);
-}
-
-double relative_energy(double energy_sum, double weight_sum) {
-  if (weight_sum == 0) return 0;
-  const double relative = energy_sum / weight_sum;
-  // Rounding may take a perfect pattern below zero. What is no number stays none.
-  return relative < 0 ? 0 : relative;
+  };
+  return parallel_sum<EnergySums>(graph.node_count(), sums_of).relative();
 }
 
 }  // namespace brindle

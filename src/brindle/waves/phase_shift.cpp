@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "brindle/base/two_pi.h"
+#include "brindle/waves/parsed_phase_shift.h"
 
 namespace brindle {
 namespace {

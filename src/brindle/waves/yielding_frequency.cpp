@@ -10,6 +10,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
 #include "brindle/waves/neighbor_triangles.h"
+#include "brindle/waves/slack_check.h"
 #include "brindle/waves/yielding_solver.h"
 
 namespace brindle {
@@ -38,7 +39,7 @@ void check_numbers(const std::vector<float>& list, float most, const char* what,
 
 }  // namespace
 
-void check(const Slack& slack, std::size_t vertices) {
+void check_slack(const Slack& slack, std::size_t vertices) {
   constexpr float kMost = std::numeric_limits<float>::max();
   const char* const remedy = "give a finite number of 0 or above";
   if (!(slack.everywhere >= 0 && slack.everywhere <= kMost)) {
@@ -53,7 +54,7 @@ void check(const Slack& slack, std::size_t vertices) {
 std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
                                                         const Progress& progress) {
   const Mesh& mesh = surface.mesh;
-  check(slack, mesh.vertex_count());
+  check_slack(slack, mesh.vertex_count());
   auto setting = std::make_shared<YieldingSetting>();
   setting->slack = slack_by_vertex(slack, mesh.vertex_count());
   FrequencyTriangles& triangles = setting->triangles;

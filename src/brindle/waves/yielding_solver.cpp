@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/waves/slack_check.h"
 
 namespace brindle {
 namespace {
@@ -87,7 +88,7 @@ void YieldingSolver::set_bounds() {
 }
 
 void YieldingSolver::set_slack(const Slack& slack) {
-  check(slack, setting_->slack.size());
+  check_slack(slack, setting_->slack.size());
   auto setting = std::make_shared<YieldingSetting>(*setting_);
   setting->slack = slack_by_vertex(slack, setting->slack.size());
   setting->triangles.weights = calm_weights(setting->triangles.corners, slack.calm);

@@ -1,0 +1,33 @@
+/// Words of pictures, as command lines and scripts have them.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "brindle/camera.h"
+#include "brindle/color_map.h"
+#include "brindle/glyphs.h"
+#include "brindle/image.h"
+#include "brindle/renderer.h"
+
+namespace brindle {
+
+/// Reads "azimuth,elevation" or "azimuth,elevation,zoom", in degrees, into a view with `up`.
+/// Empty if the text is not that, a number is not finite, elevation is beyond -90 .. 90 or zoom is
+/// not in 0.01 .. 10000.
+std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
+
+/// Reads "#rrggbb" or "#rgb", with or without the '#'. Empty if the text is neither.
+std::optional<Color> parse_color(std::string_view text);
+
+/// Reads the names of the maps. Empty if there is no such map.
+std::optional<ColorMap> parse_color_map(std::string_view name);
+
+/// Reads the names of the shapes but `quad`, which needs a picture. Empty if there is no such
+/// shape.
+std::optional<GlyphShape> parse_glyph_shape(std::string_view name);
+
+/// Reads the names of the tiles. Empty if there is no such tile.
+std::optional<BuiltInTile> parse_built_in_tile(std::string_view name);
+
+}  // namespace brindle

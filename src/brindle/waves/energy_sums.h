@@ -1,0 +1,23 @@
+/// What energies are told from.
+#pragma once
+
+namespace brindle {
+
+/// Sums over directed edges.
+struct EnergySums {
+  double energy = 0, weight = 0;
+
+  EnergySums operator+(const EnergySums& other) const {
+    return {energy + other.energy, weight + other.weight};
+  }
+
+  /// The energy, as `energy` of phase_graph.h defines it.
+  double relative() const {
+    if (weight == 0) return 0;
+    const double relative = energy / weight;
+    // Rounding may take a perfect pattern below zero. What is no number stays none.
+    return relative < 0 ? 0 : relative;
+  }
+};
+
+}  // namespace brindle
