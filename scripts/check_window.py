@@ -162,7 +162,7 @@ def figures_of(window, shown, since):
 
 
 def check_curves_and_samples_are_live(start, folder):
-    window = start("shape:torus,resolution=60")
+    window = start("shape:sphere,resolution=60")
     window.settled()
     curves = figures_of(window, "curves", window.now())
     expect(curves["curves of u"] > 0, f"no curves are counted: {curves}")

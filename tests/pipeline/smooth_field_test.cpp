@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,14 @@ TEST(SmoothField, OnATorusHasNoSingularityAndStripesAlongItNoBranch) {
     const DirectionField field = smooth_direction_field(torus);
     EXPECT_EQ(singularities(torus, field), 0u) << shape;
     EXPECT_EQ(stripe_pattern(torus, field, 8.0f).quality.branches, 0u) << shape;
+  }
+}
+
+TEST(SmoothField, OfATorusHasNoSingularityHoweverFineTheMesh) {
+  for (const int resolution : {10, 12, 14, 21, 30, 43, 60, 62, 71, 89, 101, 140}) {
+    const Surface torus =
+        make_surface(make_shape("torus,resolution=" + std::to_string(resolution)));
+    EXPECT_EQ(singularities(torus, smooth_direction_field(torus)), 0u) << resolution;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "brindle/base/parallel.h"
@@ -13,7 +14,12 @@
 namespace brindle {
 namespace {
 
-constexpr std::uint32_t kStarts = 32;
+constexpr std::uint32_t kStarts = 128;
+
+/// Which starts are lowest is told on a level of at most `kFirstLevel` nodes, and which of so many
+/// of these on a finer one.
+constexpr std::size_t kFinalists = 24;
+constexpr std::size_t kFirstLevel = 1200;
 
 /// Fewer nodes hardly differ from one; of many, chance makes singularities that no sweep undoes.
 constexpr std::size_t kFewestNodes = 20;
@@ -25,28 +31,49 @@ std::size_t coarsest_with(const std::vector<Level>& levels, std::size_t nodes, s
   return level;
 }
 
-/// The finest level that costs next to nothing.
-std::size_t finest_small(const std::vector<Level>& levels) {
+/// The finest level of at most so many slots, or else the coarsest.
+std::size_t finest_with(const std::vector<Level>& levels, std::size_t slots) {
   std::size_t level = 0;
-  while (level + 1 < levels.size() && levels[level].layout().slot_count() > kSmallLevel) ++level;
+  while (level + 1 < levels.size() && levels[level].layout().slot_count() > slots) ++level;
   return level;
 }
 
 void set_by_chance(Level& level, std::uint32_t start) {
   const Index slots = level.layout().slot_count();
   for (Index slot = 0; slot < slots; ++slot) {
-    const std::uint32_t draw = one_at_a_time(slot * kStarts + start);
+    const std::uint32_t draw = one_at_a_time(slot * 32 + start % 32 + start / 32 * 0x9e3779b9U);
     level.z[slot] = draw % 2 == 0 ? kPeak : -kPeak;
   }
 }
 
-/// Sweeps over a level and the finer ones, down to `finest`.
-void descend_levels(std::vector<Level>& levels, std::size_t from, std::size_t finest, int sweeps) {
-  sweep_level(levels[from], sweeps);
+/// From a level to the finer ones, down to `finest`, with sweeps over each of these.
+void prolong_levels(std::vector<Level>& levels, std::size_t from, std::size_t finest, int sweeps) {
   for (std::size_t l = from; l-- > finest;) {
     prolong(levels[l + 1], levels[l]);
     sweep_level(levels[l], sweeps);
   }
+}
+
+/// Where one start leads to on a level.
+struct Descent {
+  std::vector<Complex> z;
+  double energy;
+};
+
+std::vector<Descent> descents_by_chance(std::vector<Level>& levels, std::size_t to, int sweeps,
+                                        const Progress& progress) {
+  const std::size_t coarse = coarsest_with(levels, kFewestNodes, to);
+  std::vector<Descent> descents;
+  for (std::uint32_t start = 0; start < kStarts; ++start) {
+    progress.report(static_cast<double>(start) / kStarts);
+    // Half of them one level finer, since levels differ in what starts they let through.
+    const std::size_t from = start % 2 == 1 && coarse > to ? coarse - 1 : coarse;
+    set_by_chance(levels[from], start);
+    sweep_level(levels[from], sweeps);
+    prolong_levels(levels, from, to, sweeps);
+    descents.push_back({levels[to].z, lowered_sums(levels[to], levels[to].z).energy});
+  }
+  return descents;
 }
 
 }  // namespace
@@ -74,27 +101,22 @@ bool is_much_lower(const EnergySums& found, const EnergySums& plain) {
 
 void descend_from_lowest(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
   std::vector<Level>& levels = hierarchy.levels;
-  const std::size_t judged = finest_small(levels);
-  const std::size_t coarse = coarsest_with(levels, kFewestNodes, judged);
-  std::vector<Complex> lowest;
-  double lowest_energy = 0;
-  for (std::uint32_t start = 0; start < kStarts; ++start) {
-    progress.report(0.5 * start / kStarts);
-    // Half of them one level finer, since levels differ in what starts they let through.
-    const std::size_t from = start % 2 == 1 && coarse > judged ? coarse - 1 : coarse;
-    set_by_chance(levels[from], start);
-    descend_levels(levels, from, judged, sweeps);
+  const std::size_t judged = finest_with(levels, kSmallLevel);
+  const std::size_t first = finest_with(levels, kFirstLevel);
+  std::vector<Descent> descents = descents_by_chance(levels, first, sweeps, progress.part(0, 0.3));
+  std::ranges::stable_sort(descents, {}, &Descent::energy);
+  if (descents.size() > kFinalists) descents.resize(kFinalists);
+  Descent lowest{{}, std::numeric_limits<double>::infinity()};
+  for (Descent& descent : descents) {
+    progress.report(0.4);
+    levels[first].z = std::move(descent.z);
+    prolong_levels(levels, first, judged, sweeps);
     const double energy = lowered_sums(levels[judged], levels[judged].z).energy;
-    if (!lowest.empty() && !(energy < lowest_energy)) continue;
-    lowest = levels[judged].z;
-    lowest_energy = energy;
+    if (lowest.z.empty() || energy < lowest.energy) lowest = {levels[judged].z, energy};
   }
-  levels[judged].z = std::move(lowest);
+  levels[judged].z = std::move(lowest.z);
   progress.report(0.5);
-  for (std::size_t l = judged; l-- > 0;) {
-    prolong(levels[l + 1], levels[l]);
-    sweep_level(levels[l], sweeps);
-  }
+  prolong_levels(levels, judged, 0, sweeps);
 }
 
 bool descend_from_several(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
