@@ -132,6 +132,11 @@ FieldColumns read_columns(const WaveOptions& options, const ReadPiece& read, std
   const CsvFieldName name = csv_field_name(options.field);
   FieldColumns result;
   if (std::optional<CsvField> csv = read_csv_field(name)) {
+    if (csv->of_globe) {
+      throw Error(name.path +
+                  ": columns 'east' and 'north' are for one process; write their "
+                  "vectors as x, y and z");
+    }
     check_rows_per_vertex(csv->array, vertices);
     result.columns.push_back(std::move(csv->array));
     if (csv->frequency) result.columns.push_back(std::move(*csv->frequency));

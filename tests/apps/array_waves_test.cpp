@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -426,6 +427,48 @@ TEST_F(ArrayWaves, OfAnotherMeshAreForShapesToo) {
   expect_refusal(2, "--field-mesh",
                  {"stripe", "shape:torus,resolution=24", "--field", "array:direction",
                   "--field-mesh", "torus.vtp", "-o", "torus.vtp"});
+}
+
+struct GlobeTool : ToolTest {
+  /// A field file with these columns for every vertex of the globe.
+  void write_columns(const std::string& name, const std::string& columns,
+                     const std::function<std::string(double x, double y, double z)>& row) {
+    std::string text = columns + "\n";
+    std::istringstream lines(content(folder / "globe.obj"));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string kind;
+      double x = 0, y = 0, z = 0;
+      if (words >> kind >> x >> y >> z && kind == "v") text += row(x, y, z) + "\n";
+    }
+    write_text(folder / name, text);
+  }
+  double energy_of(const std::string& field) {
+    const ToolResult made = run({"stripe", "globe.obj", "--field", field, "--stripes", "12",
+                                 "--report", "report.json", "-q"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    return Json::parse(content(folder / "report.json"))["energy"].get<double>();
+  }
+};
+
+TEST_F(GlobeTool, WindsTowardsEastAndNorthAreVectors) {
+  ASSERT_EQ(run({"stripe", "shape:sphere,resolution=12", "-o", "globe.obj", "-q"}).exit_code, 0);
+  write_columns("winds.csv", "east,north", [](double, double, double) { return "2,1"; });
+  write_columns("vectors.csv", "wind:0,wind:1,wind:2", [](double x, double y, double z) {
+    const double r = std::hypot(x, y), all = std::hypot(x, y, z);
+    if (r < 1e-6 * all) return std::string("nan,nan,nan");
+    const double north_z = r / all, north_r = -z / all;
+    return std::to_string(-2 * y / r + north_r * x / r) + "," +
+           std::to_string(2 * x / r + north_r * y / r) + "," + std::to_string(north_z);
+  });
+  EXPECT_NEAR(energy_of("winds.csv"), energy_of("vectors.csv"), 1e-4);
+  EXPECT_GT(energy_of("winds.csv"), 0.001);
+}
+
+TEST_F(GlobeTool, RefusesEastAndNorthBesideAGlobe) {
+  ASSERT_EQ(run({"stripe", "shape:torus,resolution=12", "-o", "globe.obj", "-q"}).exit_code, 0);
+  write_columns("winds.csv", "east,north", [](double, double, double) { return "2,1"; });
+  expect_refusal(1, "globe around 0,0,0", {"stripe", "globe.obj", "--field", "winds.csv"});
 }
 
 }  // namespace

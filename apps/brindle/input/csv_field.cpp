@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/array_numbers.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -38,10 +39,41 @@ bool has_vector_first(const std::vector<DataArray>& arrays) {
                      [](const DataArray& array) { return array.components == 1; });
 }
 
+constexpr const char* kEast = "east";
+constexpr const char* kNorth = "north";
+
+/// Columns of one number with these names, in files whose vectors are told so.
+bool has_east_and_north(const std::vector<DataArray>& arrays) {
+  const auto is_there = [&](const char* name) {
+    const DataArray* found = find_array(arrays, name);
+    return found != nullptr && found->components == 1;
+  };
+  return is_there(kEast) && is_there(kNorth);
+}
+
+DataArray east_and_north(const DataArrays& arrays) {
+  const std::vector<double> east = doubles_of(find_array(arrays.points, kEast)->view());
+  const std::vector<double> north = doubles_of(find_array(arrays.points, kNorth)->view());
+  std::vector<double> rows;
+  for (std::size_t row = 0; row < east.size(); ++row) {
+    rows.insert(rows.end(), {east[row], north[row]});
+  }
+  return make_data_array("east and north", 2, rows);
+}
+
+/// What can be opened once alone is not looked into.
+bool is_regular(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
+bool is_of_globe(const std::string& path) {
+  return is_regular(path) && has_east_and_north(arrays_named_in(path));
+}
+
 /// Empty if there is none, or if it stands where files without names have it.
 std::string only_vector_in(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return "";  // read once alone
+  if (!is_regular(path)) return "";
   const std::vector<DataArray> arrays = arrays_named_in(path);
   const auto vector = std::find_if(arrays.begin(), arrays.end(), is_data_vector);
   if (vector == arrays.end() || has_vector_first(arrays)) return "";
@@ -63,12 +95,14 @@ CsvFieldName csv_field_name(const std::string& field) {
 
 std::optional<CsvField> read_csv_field(const CsvFieldName& name) {
   std::string array = name.array;
-  if (array.empty()) {
+  const bool of_globe = array.empty() && is_of_globe(name.path);
+  if (array.empty() && !of_globe) {
     array = only_vector_in(name.path);
     if (array.empty()) return std::nullopt;
   }
   const DataArrays arrays{read_csv_arrays(name.path), {}};
-  CsvField field{array_named(arrays, array, name.path), {}};
+  CsvField field{
+      of_globe ? east_and_north(arrays) : array_named(arrays, array, name.path), of_globe, {}};
   const DataArray* frequency = find_array(arrays.points, "frequency");
   if (frequency != nullptr && frequency->components == 1) field.frequency = *frequency;
   return field;

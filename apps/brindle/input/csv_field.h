@@ -17,11 +17,13 @@ struct CsvFieldName {
 CsvFieldName csv_field_name(const std::string& field);
 
 struct CsvField {
-  DataArray array;                     ///< vectors, or tensors
+  DataArray array;                     ///< vectors, or tensors; two numbers a row of a globe
+  bool of_globe = false;               ///< towards the east and the north
   std::optional<DataArray> frequency;  ///< the column of this name, if there is one
 };
 
-/// The array that is the field: that of the name, or else the only one of three numbers. Nothing
+/// The array that is the field: that of the name, or else the columns `east` and `north`, or else
+/// the only one of three numbers. Nothing
 /// for a file that `read_field_csv` is for: one without such arrays, or with a vector first, its
 /// components in order, and at most two numbers behind it. Throws Error, naming all arrays, for
 /// another name, and if there are several vectors and no name.

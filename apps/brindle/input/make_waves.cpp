@@ -74,7 +74,8 @@ Field array_field(const Surface& surface, const DataArray& array, const ArrayOpt
 Field file_field(const Surface& surface, const WaveOptions& options, const FileData& data) {
   const CsvFieldName name = csv_field_name(options.field);
   if (const std::optional<CsvField> csv = read_csv_field(name)) {
-    Field field = array_field(surface, csv->array, options.arrays);
+    const DataArray array = csv->of_globe ? globe_vectors(surface.mesh, csv->array) : csv->array;
+    Field field = array_field(surface, array, options.arrays);
     if (!csv->frequency) return field;
     field.frequencies = frequencies_of(*csv->frequency, field.directions);
     field.with_gaps = field.frequencies;

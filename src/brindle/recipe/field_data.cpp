@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <string>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/array_rows.h"
+#include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/tensor_field.h"
 
@@ -69,6 +73,39 @@ MeasuredField measured_field(const FieldData& data, const DirectionField& direct
 bool has_data(const MeasuredField& measured) {
   return std::ranges::any_of(measured.directions,
                              [](const Vec3& d) { return d.allFinite() && !d.isZero(0); });
+}
+
+DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north) {
+  check_rows_per_vertex(east_north, mesh.vertex_count());
+  if (east_north.components != 2) {
+    throw Error("array '" + east_north.name + "' has " + std::to_string(east_north.components) +
+                " numbers in a row; vectors on a globe have 2, towards the east and the north");
+  }
+  const auto place = [&](std::size_t v) -> Eigen::Vector3d {
+    return mesh.origin + mesh.positions[v].cast<double>();
+  };
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    nearest = std::min(nearest, place(v).norm());
+    farthest = std::max(farthest, place(v).norm());
+  }
+  if (!(farthest < 2 * nearest)) {
+    throw Error(
+        "the columns 'east' and 'north' are of a globe around 0,0,0, or a part of one, and "
+        "the mesh is neither; give vectors of x, y and z, or move the mesh");
+  }
+  const std::vector<double> numbers = doubles_of(east_north.view());
+  std::vector<double> vectors;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Eigen::Vector3d up = place(v).normalized();
+    const Eigen::Vector3d east = Eigen::Vector3d(-up.y(), up.x(), 0).normalized();
+    const Eigen::Vector3d vector = numbers[2 * v] * east + numbers[2 * v + 1] * up.cross(east);
+    const bool is_pole = up.head<2>().norm() < 1e-6;
+    for (const double number : vector) {
+      vectors.push_back(is_pole ? std::numeric_limits<double>::quiet_NaN() : number);
+    }
+  }
+  return make_data_array(east_north.name, 3, vectors);
 }
 
 std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices) {

@@ -32,6 +32,12 @@ MeasuredField measured_field(const FieldData& data, const DirectionField& direct
 /// Whether there is a direction at all.
 bool has_data(const MeasuredField& measured);
 
+/// Vectors on a globe around the origin whose axis is z: rows of two numbers, towards the east and
+/// the north, one per vertex, become x, y and z. Not a number at the poles, where no direction is
+/// north. Throws Error for other rows, and for a mesh that is no part of such a globe: whose
+/// vertices are not all about as far from the origin, to a factor of 2.
+DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north);
+
 /// Numbers of triangles: those of their corners on average.
 std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);
 
