@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -85,6 +86,35 @@ TEST_F(StyleTool, ValuesComeFromFilesToo) {
   EXPECT_NE(a.pixels, b.pixels);
   ASSERT_EQ(run({"stripe", "mesh.obj", "-o", "made.vtp", "-q"}).exit_code, 0);
   picture({"--width-by", "array:phase", "--color-by", "array:frequency"}, "made.vtp");
+}
+
+TEST_F(StyleTool, AgreementIsThatOfTheFileThatIsWritten) {
+  const Arguments measured = {"--field", "raw-curvature", "--field-detail", "0.5"};
+  Arguments own = measured;
+  own.insert(own.end(), {"--color-by", "agreement", "--color-on", "surface", "--no-legend",
+                         "--color-range", "0,1", "--up", "z"});
+  const Image drawn = picture(own);
+  Arguments written = {"stripe", "shape:torus,resolution=24", "--stripes", "8", "-o", "made.vtp"};
+  written.insert(written.end(), measured.begin(), measured.end());
+  ASSERT_EQ(run(written).exit_code, 0);
+  Arguments of_file = measured;
+  of_file.insert(of_file.end(), {"--color-by", "array:agreement", "--color-on", "surface",
+                                 "--no-legend", "--color-range", "0,1", "--up", "z"});
+  Arguments as_measured = measured;
+  as_measured.insert(as_measured.end(), {"--up", "z"});
+  const Image from_file = picture(of_file, "made.vtp"), plain = picture(as_measured);
+  // The file's surface is the same but for rounding.
+  const auto far_from_drawn = [&](const Image& image) {
+    int count = 0;
+    for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
+      const Pixel a = drawn.pixels[i], b = image.pixels[i];
+      count += std::abs(a.red - b.red) + std::abs(a.green - b.green) > 16 ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_LT(far_from_drawn(from_file), 30);
+  EXPECT_GT(far_from_drawn(plain), 600);
+  expect_refusal(1, "--field-detail", with({"--width-by", "agreement"}));
 }
 
 TEST_F(StyleTool, BadValuesAreRefused) {

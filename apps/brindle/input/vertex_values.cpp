@@ -19,6 +19,7 @@ namespace {
 constexpr std::string_view kDistance = "distance:";
 constexpr std::string_view kCameraDistance = "distance:camera";
 constexpr std::string_view kHeight = "height";
+constexpr std::string_view kAgreement = "agreement";
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool is_csv(const std::string& text) { return csv_field_name(text).path.ends_with(".csv"); }
@@ -112,6 +113,15 @@ VertexValues heights(const Surface& surface, const Viewpoint* viewpoint) {
   return result;
 }
 
+VertexValues agreement_values(const std::string& option, const ValueSource& source) {
+  if (source.agreement.empty()) {
+    throw Error(option +
+                ": there is no 'agreement' of data here; pictures of a measured field have "
+                "it, with --field-detail");
+  }
+  return {{source.agreement.begin(), source.agreement.end()}, std::string(kAgreement)};
+}
+
 /// What a picture has to do with.
 VertexValues values_of_camera(const std::string& option, const std::string& text,
                               const ValueSource& source) {
@@ -144,7 +154,8 @@ void check_value_name(const std::string& option, const std::string& text) {
   } else if (text.starts_with(kDistance)) {
     const std::string place = text.substr(kDistance.size());
     if (place != "camera") parse_place(option, place);
-  } else if (text != "curvature" && text != kHeight && text != "light" && !is_csv(text)) {
+  } else if (text != "curvature" && text != kHeight && text != "light" && text != kAgreement &&
+             !is_csv(text)) {
     wrong_usage(option, std::string("one of ") + kValueNames, text);
   }
 }
@@ -157,6 +168,8 @@ bool depends_on_camera(const std::string& text) {
 
 bool depends_on_up(const std::string& text) { return text == kHeight || depends_on_camera(text); }
 
+bool depends_on_field(const std::string& text) { return text == kAgreement; }
+
 std::string value_file(const std::string& text) {
   return !is_array(text) && is_csv(text) ? csv_field_name(text).path : std::string();
 }
@@ -167,6 +180,7 @@ VertexValues vertex_values(const std::string& option, const std::string& text,
   if (is_array(text)) return array_values(option, text, source);
   if (text == "curvature") return curvatures(surface);
   if (text == kHeight) return heights(surface, source.viewpoint);
+  if (depends_on_field(text)) return agreement_values(option, source);
   if (depends_on_camera(text)) return values_of_camera(option, text, source);
   if (text.starts_with(kDistance)) {
     // As the file has it, while positions are relative to the mesh's origin.

@@ -19,8 +19,9 @@ struct ValueSource {
   const DataArrays& arrays;  ///< of the mesh's file: a row per vertex, and per triangle
   std::string file;          ///< the mesh's, for messages
   const ArrayOptions& options;
-  std::span<const Index> vertex_of_row;  ///< as FileData has it
-  const Viewpoint* viewpoint = nullptr;  ///< of the picture; null: there is none
+  std::span<const Index> vertex_of_row;   ///< as FileData has it
+  const Viewpoint* viewpoint = nullptr;   ///< of the picture; null: there is none
+  std::span<const float> agreement = {};  ///< of a measured field's data; empty: there is none
 };
 
 struct VertexValues {
@@ -36,7 +37,7 @@ struct VertexValues {
 
 /// What VALUE may be, for the help text. Heights are z, or along the axis that --up names.
 inline constexpr const char* kValueNames =
-    "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light";
+    "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light|agreement";
 
 /// Throws CLI::ValidationError, naming the option, unless `text` can name values.
 void check_value_name(const std::string& option, const std::string& text);
@@ -58,8 +59,12 @@ bool depends_on_camera(const std::string& text);
 /// Whether they are others where another axis points up.
 bool depends_on_up(const std::string& text);
 
+/// Whether they are others where the field is.
+bool depends_on_field(const std::string& text);
+
 /// Throws Error for arrays and columns that are not there, that have not one number a row (vectors
-/// count by their lengths) or not a row per vertex, and for values of a camera without a viewpoint.
+/// count by their lengths) or not a row per vertex, for values of a camera without a
+/// viewpoint, and for the agreement of data that were not seen at any scale.
 VertexValues vertex_values(const std::string& option, const std::string& text,
                            const ValueSource& source);
 

@@ -102,8 +102,8 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
                             const SurfaceOptions& surface, const WaveOptions& waves,
                             const PictureOptions& picture) {
   Viewpoint viewpoint = viewpoint_of(picture).value();
-  const ValueSource source{prepared.surface, prepared.arrays,        surface.mesh,
-                           waves.arrays,     prepared.vertex_of_row, &viewpoint};
+  const ValueSource source{prepared.surface,       prepared.arrays, surface.mesh,      waves.arrays,
+                           prepared.vertex_of_row, &viewpoint,      prepared.agreement};
   GlyphInput input;
   read_values(options, source, input);
   const StyleOptions& style = options.style;

@@ -371,6 +371,11 @@ bool StyleOptions::follows_camera() const {
                              depends_on_camera);
 }
 
+bool StyleOptions::follows_field() const {
+  return std::ranges::any_of(std::array{width_by, color_by, opacity_by, texture_by, tile_size_by},
+                             depends_on_field);
+}
+
 std::vector<UsedFile> style_files(const StyleOptions& options) {
   std::vector<UsedFile> files;
   const auto add = [&](const char* option, const std::string& value) {

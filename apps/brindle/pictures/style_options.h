@@ -83,6 +83,7 @@ struct StyleOptions {
 
   /// Whether a value is another one from another viewpoint.
   bool follows_camera() const;
+  bool follows_field() const;  ///< whether values are others where the field is
 };
 
 void add_style_options(CLI::App& app, StyleOptions& options);

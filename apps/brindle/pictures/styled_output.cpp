@@ -99,11 +99,12 @@ std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh
 
 StyleValues read_style_values(const StyleOptions& style, const Preparation& prepared,
                               std::span<const Preparation> others, const SurfaceOptions& surface,
-                              const WaveOptions& waves, const PictureOptions& picture) {
+                              const WaveOptions& waves, const PictureOptions& picture,
+                              std::span<const float> agreement) {
   Viewpoint viewpoint = viewpoint_of(picture).value();
   if (style.follows_camera()) viewpoint.framed = framed_mesh(prepared.surface.mesh, others);
-  const ValueSource source{prepared.surface, prepared.arrays,        surface.mesh,
-                           waves.arrays,     prepared.vertex_of_row, &viewpoint};
+  const ValueSource source{prepared.surface,       prepared.arrays, surface.mesh, waves.arrays,
+                           prepared.vertex_of_row, &viewpoint,      agreement};
   const auto read = [&](const std::string& option, const std::string& value) {
     return vertex_values(option, value, source);
   };
@@ -120,7 +121,8 @@ StyleInput read_style_input(const StyleOptions& style, const Preparation& prepar
                             JobListener& listener) {
   StyleInput input;
   input.others = read_style_others(style, prepared.surface.mesh, drawn, waves, picture, listener);
-  input.values = read_style_values(style, prepared, input.others, surface, waves, picture);
+  input.values =
+      read_style_values(style, prepared, input.others, surface, waves, picture, prepared.agreement);
   return input;
 }
 

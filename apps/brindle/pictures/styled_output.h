@@ -29,13 +29,15 @@ StyleInput read_style_input(const StyleOptions& style, const Preparation& prepar
                             JobListener& listener);
 
 /// Its two parts, one after the other, for those who read only one of them again: other surfaces,
-/// then values, which depend on these only if they follow the camera.
+/// then values, which depend on these only if they follow the camera. `agreement` is that of a
+/// measured field's data, or empty.
 std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh& mesh,
                                            const WaveSet& drawn, const WaveOptions& waves,
                                            const PictureOptions& picture, JobListener& listener);
 StyleValues read_style_values(const StyleOptions& style, const Preparation& prepared,
                               std::span<const Preparation> others, const SurfaceOptions& surface,
-                              const WaveOptions& waves, const PictureOptions& picture);
+                              const WaveOptions& waves, const PictureOptions& picture,
+                              std::span<const float> agreement);
 
 /// What is drawn beside a pattern.
 struct StylePatterns {

@@ -558,14 +558,16 @@ class StageUpdate {
 
   bool make_values() {
     StyleStages& style = stages_.style;
-    const std::string key =
-        stages_.surface.key + values_key(document_, arguments().style, style.read.key);
+    const std::string key = stages_.surface.key +
+                            values_key(document_, arguments().style, style.read.key) +
+                            (arguments().style.follows_field() ? stages_.waves.key : "");
     if (style.values.holds(key)) return false;
-    style.values = {key,
-                    std::make_shared<const StyleValues>(read_style_values(
-                        arguments().style, *stages_.surface.made, *style.read.made,
-                        arguments().surface, arguments().waves, *arguments().picture)),
-                    listener_.take()};
+    style.values = {
+        key,
+        std::make_shared<const StyleValues>(read_style_values(
+            arguments().style, *stages_.surface.made, *style.read.made, arguments().surface,
+            arguments().waves, *arguments().picture, stages_.waves.made->agreement)),
+        listener_.take()};
     return true;
   }
 

@@ -186,7 +186,8 @@ constexpr OptionInfo kMarkRows[] = {
      .stale = OptionStage::style,
      .jobs = kSample,
      .help = "picture: larger glyphs where a value is larger: "
-             "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light"},
+             "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|"
+             "light|agreement"},
     {.name = "size-range",
      .group = "Samples",
      .kind = OptionKind::numbers,

@@ -18,7 +18,8 @@ constexpr OptionInfo kStyleRows[] = {
      .stale = OptionStage::style | OptionStage::values,
      .jobs = kStripe | kSample | kAnimate,
      .help = "picture: colours by a value: "
-             "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light"},
+             "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|"
+             "light|agreement"},
     {.name = "color-range",
      .group = "Colours by value",
      .kind = OptionKind::numbers,
