@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,11 @@ struct FieldDetailOptions {
                       ///< P periods of the stripes; above 0, up to 100
   int symmetry = 2;   ///< N: 1 arrows, 2 lines, 4 crosses
   float fill = 2;     ///< how far holes are filled from their border, in periods; 0: not at all
-  float memory = 0;   ///< how much the last field counts beside the data: 0 not at all, 1 as much
+  /// Pairs of singularities are undone, the nearest first, by averaging over more around them,
+  /// until at most so many are left, or those that no pair undoes; elsewhere the field stays.
+  /// Nothing: all stay. Needs triangles.
+  std::optional<std::size_t> singularities = {};
+  float memory = 0;  ///< how much the last field counts beside the data: 0 not at all, 1 as much
 };
 
 /// What a field at the scale of its stripes has to do with its data.
@@ -39,10 +44,11 @@ struct FieldDetailFigures {
   // By how many degrees the field was turned from its data, weighted by their areas.
   double turned_mean_deg = 0;
   double turned_median_deg = 0;
-  double turned_p95_deg = 0;              ///< 95 % are turned by less
-  double turned_share_over_20deg = 0;     ///< 0 to 1
-  std::size_t singularities_of_data = 0;  ///< triangles that the data turn round, before and
-  std::size_t singularities = 0;          ///< after
+  double turned_p95_deg = 0;               ///< 95 % are turned by less
+  double turned_share_over_20deg = 0;      ///< 0 to 1
+  std::size_t singularities_of_data = 0;   ///< triangles that the data turn round, before and
+  std::size_t singularities = 0;           ///< after
+  std::size_t singularities_too_many = 0;  ///< beyond what the options ask for: no pair undoes them
 };
 
 /// One entry per vertex.

@@ -95,6 +95,13 @@ struct vtkBrindleFilter::State {
         static_cast<brindle::CurvatureDirection>(filter.CurvatureDirection);
     settings.tensor_axis = static_cast<brindle::TensorAxis>(filter.TensorAxis);
     for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
+    settings.detail = number(filter.FieldDetail);
+    settings.fill = number(filter.FillPeriods);
+    settings.arrows = filter.FieldArrows;
+    settings.singularities = filter.FieldSingularities;
+    if (!(settings.detail >= 0 && settings.detail <= 100)) {
+      throw Error("Field Detail must be a number of periods from 0 to 100");
+    }
     settings.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
     if (!std::isfinite(settings.turn_deg)) throw Error("Rotate must be a finite number of degrees");
     if (!std::isfinite(filter.TimeAnchor) || filter.TimeAnchor < 0) {
@@ -207,7 +214,15 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   if (run.input == nullptr) return false;
 
   bp::WaveSettings settings;
-  run.ranks.together([&] { settings = State::settings_of(*this); });
+  run.ranks.together([&] {
+    settings = State::settings_of(*this);
+    const bool is_seen = settings.detail > 0 && settings.field == bp::FieldSource::array;
+    if (!run.ranks.alone() && is_seen) {
+      throw Error(
+          "Field Detail is for one process; make the field with brindle, and take its "
+          "array 'direction', or set Field Detail to 0");
+    }
+  });
   std::optional<brindle::DataArray> vectors, frequencies;
   if (settings.field == bp::FieldSource::array) vectors = chosen_array(*this, 0, *run.input);
   if (settings.needs_frequency_array()) frequencies = chosen_array(*this, 1, *run.input);
@@ -262,6 +277,7 @@ void vtkBrindleFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Field: " << this->Field << '\n'
      << indent << "Along: " << this->Along << '\n'
+     << indent << "FieldDetail: " << this->FieldDetail << '\n'
      << indent << "Rotate: " << this->Rotate << '\n'
      << indent << "FrequencySource: " << this->FrequencySource << '\n'
      << indent << "Stripes: " << this->Stripes << '\n'

@@ -33,6 +33,20 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   /// Whether stripes run along the field, and not across it.
   vtkSetMacro(Along, bool);
   vtkGetMacro(Along, bool);
+  /// An array is seen at the scale of so many periods of the stripes, without what is finer, and
+  /// with its holes filled; 0 to 100, 0: as it is given. For one rank.
+  vtkSetMacro(FieldDetail, double);
+  vtkGetMacro(FieldDetail, double);
+  /// With FieldDetail: how far holes are filled, in periods; 0 or above.
+  vtkSetMacro(FillPeriods, double);
+  vtkGetMacro(FillPeriods, double);
+  /// With FieldDetail: whether vectors have a sign, so that those that face each other cancel.
+  vtkSetMacro(FieldArrows, bool);
+  vtkGetMacro(FieldArrows, bool);
+  /// With FieldDetail: pairs of singularities are undone until at most so many are left; -1: all
+  /// stay.
+  vtkSetClampMacro(FieldSingularities, int, -1, 1000000);
+  vtkGetMacro(FieldSingularities, int);
   /// Degrees by which the field is turned about the normals.
   vtkSetMacro(Rotate, double);
   vtkGetMacro(Rotate, double);
@@ -96,6 +110,10 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   int TensorAxis = 0;
   double Direction[3] = {0, 0, 1};
   bool Along = false;
+  double FieldDetail = 0;
+  double FillPeriods = 2;
+  bool FieldArrows = false;
+  int FieldSingularities = -1;
   double Rotate = 0;
   int FrequencySource = 0;
   double Stripes = 40;

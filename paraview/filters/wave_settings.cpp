@@ -1,6 +1,8 @@
 #include "wave_settings.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -12,6 +14,7 @@
 #include <brindle/adjacency.h>
 #include <brindle/error.h>
 #include <brindle/frequency_field.h>
+#include <brindle/measured_field.h>
 #include <brindle/smooth_field.h>
 
 #include "vtk_arrays.h"
@@ -112,6 +115,34 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
   return constant_frequency_field(along_diagonal(), surface.mesh.vertex_count());
 }
 
+/// Of an array at the scale of its stripes: tensors count by their anisotropy.
+DirectionField detailed_directions(const Surface& surface, const WaveSettings& settings,
+                                   const DataArray& vectors, DirectionField directions,
+                                   const FrequencyField& frequencies) {
+  FieldDetailOptions options;
+  options.periods = settings.detail;
+  options.fill = settings.fill;
+  options.symmetry = settings.arrows ? 1 : 2;
+  if (settings.singularities >= 0) {
+    options.singularities = static_cast<std::size_t>(settings.singularities);
+  }
+  MeasuredField measured{std::move(directions), {}};
+  if (is_tensor(vectors)) measured.confidence = tensor_anisotropy(vectors);
+  for (float& confidence : measured.confidence) {
+    if (!std::isfinite(confidence)) confidence = 0;
+  }
+  FrequencyField places = frequencies;  // where there may be waves
+  for (float& frequency : places) {
+    if (!std::isfinite(frequency)) frequency = 0;
+  }
+  return FieldDetail(surface, options).frame(measured, places).directions;
+}
+
+bool has_data(const DirectionField& directions) {
+  return std::any_of(directions.begin(), directions.end(),
+                     [](const Vec3& direction) { return !direction.isZero(0); });
+}
+
 WaveSet local_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
                     DirectionField directions, const DataArray* vectors,
                     const DataArray* frequencies) {
@@ -120,11 +151,14 @@ WaveSet local_waves(const Surface& surface, const WaveSettings& settings, const 
   } else if (settings.field == FieldSource::array) {
     directions = array_directions(surface, settings, vectors);
   }
+  FrequencyField chosen = make_frequencies(surface, settings, whole, directions, frequencies);
+  if (settings.detail > 0 && settings.field == FieldSource::array && has_data(directions)) {
+    directions = detailed_directions(surface, settings, *vectors, std::move(directions), chosen);
+  }
   if (settings.turn_deg != 0) {
     directions =
         rotated(directions, surface.normals, settings.turn_deg * std::numbers::pi_v<float> / 180);
   }
-  FrequencyField chosen = make_frequencies(surface, settings, whole, directions, frequencies);
   if (settings.needs_frequency_array()) drop_waves_without_frequency(directions, chosen);
   return {surface.mesh.positions, std::move(directions), std::move(chosen)};
 }

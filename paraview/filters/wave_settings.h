@@ -29,6 +29,10 @@ struct WaveSettings {
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   TensorAxis tensor_axis = TensorAxis::major;
   Vec3 direction = Vec3::UnitZ();  ///< of FieldSource::direction
+  float detail = 0;                ///< of an array, in periods; 0: as it is given
+  float fill = 2;                  ///< how far holes in an array are filled, in periods
+  bool arrows = false;             ///< vectors of an array have a sign
+  int singularities = -1;          ///< at most so many are left; below 0: all stay
   float turn_deg = 0;              ///< about the normals, counter-clockwise seen from their tips
   FrequencySource frequency_source = FrequencySource::along_diagonal;
   float stripes = 40;
@@ -52,9 +56,9 @@ DirectionField made_directions(const Surface& surface, const WaveSettings& setti
 /// Waves of all vertices. `made` has what `made_directions` gave where the settings ask for it;
 /// `vectors` (3 numbers a row, 2 in the plane, or a tensor's 6 or 9) and `frequencies` have a row
 /// per vertex and are null where the settings do not ask for them. There is no wave where an array
-/// is not finite. With a piece, collective: the whole's diagonal and numbers count, and a vertex of
-/// several ranks has the wave that its owner says. Throws Error for what arrays and numbers cannot
-/// be.
+/// is not finite, and cannot be filled. With a piece, collective: the whole's diagonal and numbers
+/// count, and a vertex of several ranks has the wave that its owner says. Throws Error for what
+/// arrays and numbers cannot be.
 WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
                    const DataArray* vectors, const DataArray* frequencies,
                    const RankPiece* piece = nullptr);

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <set>
 
+#include <brindle/frequency_field.h>
+#include <brindle/measured_field.h>
 #include <brindle/smooth_field.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
@@ -39,6 +41,53 @@ TEST(BrindleStripes, HasTheLibrarysPatternBitForBit) {
               static_cast<double>(pattern.quality.branches));
     EXPECT_EQ(filter->GetSolversMade(), 1) << "a new form of the output is no new pattern";
   }
+}
+
+/// A swirl with noise, and a hole in it.
+vtkSmartPointer<vtkPolyData> noisy_swirl() {
+  auto data = swirling("torus,resolution=60");
+  vtkDataArray& vectors = *data->GetPointData()->GetArray("v");
+  for (vtkIdType i = 0; i < vectors.GetNumberOfTuples(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double noise = std::sin(static_cast<double>(1000 + 3 * i + k) * 12.9898) * 43758.5453;
+      const double kept = i % 7 == 0 ? std::nan("") : vectors.GetComponent(i, k);
+      vectors.SetComponent(i, k, kept + 1.2 * (noise - std::floor(noise) - 0.5));
+    }
+  }
+  return data;
+}
+
+TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
+  const auto data = noisy_swirl();
+  const Surface surface = make_surface(make_shape("torus,resolution=60"));
+  MeasuredField measured;
+  const std::vector<float> v = numbers(*data, "v");
+  for (std::size_t i = 0; i < v.size(); i += 3)
+    measured.directions.push_back(
+        tangent_direction(Vec3(v[i], v[i + 1], v[i + 2]), surface.normals[i / 3]));
+  const FrequencyField frequencies = constant_frequency_field(
+      frequency_of_stripes(12, bounding_box(surface.mesh).diagonal()), v.size() / 3);
+  const DetailedField field =
+      FieldDetail(surface, {.periods = 1.5f, .singularities = 0}).frame(measured, frequencies);
+  const StripePattern pattern = stripe_pattern(surface, field.directions, frequencies);
+
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  choose(*filter, 0, "v");
+  filter->SetStripes(12);
+  filter->Update();
+  const double as_given = figure(*filter->GetOutput(), "branches");
+  filter->SetFieldDetail(1.5);
+  filter->SetFieldSingularities(0);
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  expect_phases(*filter->GetOutput(), pattern.solution.z);
+  EXPECT_EQ(figure(*filter->GetOutput(), "branches"),
+            static_cast<double>(pattern.quality.branches));
+  EXPECT_GT(as_given, 2 * static_cast<double>(pattern.quality.branches) + 10);
+  filter->SetFieldDetail(101);
+  EXPECT_NE(only_error(*filter).find("0 to 100"), std::string::npos);
 }
 
 TEST(BrindleStripes, MakesFieldsAsTheLibraryDoes) {

@@ -223,7 +223,8 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
-            fill: Optional[float] = None, field_arrows: bool = False, threads: int = 0,
+            fill: Optional[float] = None, field_arrows: bool = False,
+            field_singularities: Optional[int] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: where stripes across ``directions`` (U) cross those along them
     (V). ``points, normals = brindle.samples(s, d, stripes=40)``.

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
 from ._arguments import (check_scalar, count_and_frequency, described, flag, number, options_of,
-                         path_of, solving, warn, word)
+                         path_of, solving, warn, whole_number, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ _TENSOR_COLUMNS = (6, 9)
 _TURN = "turn_deg"
 
 
-_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows")
+_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities")
 _OWN_WEIGHTS = ("length", "anisotropy")
 
 
@@ -53,14 +53,17 @@ class Field:
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
-        for name in ("field_detail", "fill"):
+        for name in ("field_detail", "fill", "field_singularities"):
             check_scalar(name, given.get(name))
         periods = number(given.get("field_detail", 0), "field_detail")
         fill = None if "fill" not in given else number(given["fill"], "fill")
         weight = given.get("field_weight")
+        left = given.get("field_singularities")
         self.origin.see_at_detail(options_of(given), periods,
                                   1 if "field_arrows" in given and symmetry == 2 else symmetry,
-                                  fill, self._weights(surface, weight) if periods else None)
+                                  fill, self._weights(surface, weight) if periods else None,
+                                  None if left is None
+                                  else whole_number(left, "field_singularities"))
         return periods > 0
 
     def _weights(self, surface: Surface, weight: Any) -> Any:
@@ -308,6 +311,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             previous: Optional[Stripes] = None, lambda_: Optional[float] = None,
             match: Optional[str] = None, field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
+            field_singularities: Optional[int] = None,
             threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
@@ -347,7 +351,8 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     without what is finer, such as noise (0: as they are; 1 to 2 for what is noisy).
     ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
     one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
-    ``field_arrows``: directions have a sign. ``p.point_data["agreement"]`` says how much they
+    ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
+    undone, the nearest first, until at most so many are left, or those that no pair undoes. ``p.point_data["agreement"]`` says how much they
     agree.
 
     ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,

@@ -338,13 +338,15 @@ namespace {
 /// The options that are given by their names, the tool's; the weight is a word of the data
 /// themselves, or numbers.
 void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names, float periods,
-                   int symmetry, std::optional<float> fill, py::handle weight) {
+                   int symmetry, std::optional<float> fill, py::handle weight,
+                   std::optional<int> singularities) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   saying_in_pythons_words(
       [&] { brindle::check_field_detail(given, periods, origin.measured, symmetry == 4); });
   origin.detail.periods = periods;
   origin.detail.symmetry = symmetry;
   if (fill) origin.detail.fill = *fill;
+  if (singularities) origin.detail.singularities = static_cast<std::size_t>(*singularities);
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
@@ -437,7 +439,7 @@ void bind_solving(py::module_& module) {
              origin.data = {data_array_of(name, array), of_triangles};
            })
       .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("periods"),
-           py::arg("symmetry"), py::arg("fill"), py::arg("weight"))
+           py::arg("symmetry"), py::arg("fill"), py::arg("weight"), py::arg("singularities"))
       .def_readwrite("milliseconds", &FieldOrigin::milliseconds);
 }
 

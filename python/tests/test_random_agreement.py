@@ -57,6 +57,7 @@ OF_TEXTURES = {
 OF_MEASURED = {
     "fill": lambda c: number(c, 0, 5),
     "field_arrows": lambda c: True,
+    "field_singularities": lambda c: c.randrange(30),
 }
 FIELDS = {
     "curvature-direction": lambda c: "min",  # "max" is what Python has unless it is told
@@ -70,7 +71,8 @@ FIELDS = {
 # Values that no request can have, one at a time: what is refused first is another question.
 WRONG = [("stripes", -1.0), ("stripes", 0.0), ("frequency", 0.0), ("frequency", -2.0), ("slack", -0.5),
          ("solver", "other"), ("phase_shift", "none"), ("weights", "equal"), ("sweeps", 99999),
-         ("cycles", 99999), ("merge_branches", -1.0), ("field_detail", -1.0), ("fill", -0.5)]
+         ("cycles", 99999), ("merge_branches", -1.0), ("field_detail", -1.0), ("fill", -0.5),
+         ("field_singularities", -1)]
 
 
 def chosen(chance, options, most):

@@ -164,6 +164,10 @@ INSTANTIATE_TEST_SUITE_P(
         Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--field-arrows"},
                  true,
                  {"--field", "raw-curvature", "--field-detail", "1"}},
+        // This field has none.
+        Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--field-singularities", "0"},
+                 false,
+                 {"--field", "raw-curvature", "--field-detail", "1"}},
         Accepted{{"--stripes", "10"}}, Accepted{{"--frequency", "5.5"}},
         Accepted{{"--solver", "multilevel"}, false}, Accepted{{"--sweeps", "3"}},
         Accepted{{"--cycles", "2"}}, Accepted{{"--weights", "cotangent"}}, Accepted{kRelaxation},

@@ -281,5 +281,45 @@ TEST(FieldDetail, RefusesWhatItCannotTake) {
   EXPECT_THROW(detail.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
 }
 
+TEST(FieldDetailSingularities, AreUndoneInPairsWhereTheyAreAlone) {
+  const Truth truth("sphere,resolution=60");
+  const MeasuredField measured{noisy(truth, 45), {}};
+  FieldDetail all(truth.surface, {.periods = 0.3f});
+  const DetailedField before = all.frame(measured, truth.frequencies);
+  const std::size_t many = all.figures().singularities;
+  ASSERT_GT(many, 24U);
+
+  FieldDetail half(truth.surface, {.periods = 0.3f, .singularities = many / 2});
+  const DetailedField some = half.frame(measured, truth.frequencies);
+  EXPECT_LE(half.figures().singularities, many / 2);
+  EXPECT_GT(half.figures().singularities, 4U) << "no more than were asked for";
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < some.directions.size(); ++i) {
+    same += std::abs(some.directions[i].dot(before.directions[i])) > std::cos(2 * kDegree) ? 1 : 0;
+  }
+  EXPECT_GT(same, some.directions.size() / 2) << "elsewhere the field stays";
+
+  // A field of lines on a sphere has four or more, of which no two undo each other.
+  FieldDetail few(truth.surface, {.periods = 0.3f, .singularities = 0});
+  few.frame(measured, truth.frequencies);
+  EXPECT_EQ(few.figures().singularities, 4U);
+  EXPECT_EQ(few.figures().singularities_too_many, 4U);
+}
+
+TEST(FieldDetailSingularities, ChangeNothingWhereThereAreFewEnough) {
+  const Truth truth("trefoil,resolution=30");
+  const MeasuredField measured{noisy(truth, 10), {}};
+  FieldDetail all(truth.surface, {.periods = 1});
+  FieldDetail few(truth.surface, {.periods = 1, .singularities = 1000});
+  EXPECT_EQ(all.frame(measured, truth.frequencies).directions,
+            few.frame(measured, truth.frequencies).directions);
+}
+
+TEST(FieldDetailSingularities, NeedTriangles) {
+  Truth truth("sphere,resolution=20");
+  truth.surface.mesh.triangles.clear();
+  EXPECT_THROW(FieldDetail(truth.surface, {.singularities = 3}), Error);
+}
+
 }  // namespace
 }  // namespace brindle

@@ -50,6 +50,9 @@ const std::vector<Property>& properties() {
       {"CurvatureDirection",
        PatternJob::stripe,
        {{"Larger", "--curvature-direction max"}, {"Smaller", "--curvature-direction min"}}},
+      {"FieldDetail", PatternJob::stripe, {{"", "--field-detail"}}},
+      {"Fill", PatternJob::stripe, {{"", "--fill"}}},
+      {"FieldArrows", PatternJob::stripe, {{"", "--field-arrows"}}},
       {"Direction", PatternJob::stripe, {{"", "--direction"}}, "counts if Field says so"},
       {"StripesRun",
        PatternJob::stripe,
@@ -76,6 +79,7 @@ const std::vector<Property>& properties() {
 
 /// Properties that stand for no option.
 const std::map<std::string_view, std::string_view> kWithoutOption = {
+    {"FieldSingularities", "--field-singularities, and -1 where it is not given"},
     {"CrossingFactor", "of SpacingBy's stripes, whichever way they are told; --stripes-v is not"},
 };
 
@@ -96,6 +100,8 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"feature-anchor", "not yet asked for"},
     {"feature-angle", "of feature-anchor"},
     {"feature-radius", "of feature-anchor"},
+    {"field-singularities", "FieldSingularities, which has a number for none"},
+    {"field-weight", "tensors count by their anisotropy, all others alike, as by default"},
     {"strokes", "there is nothing to draw them with"},
     {"field-mesh", "the filter Resample With Dataset"},
     {"max-distance", "of field-mesh"},

@@ -45,6 +45,7 @@ void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
   add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
   add_parsed_option(app, "--fill", choice.fill, parse_not_negative_number);
   app.add_flag("--field-arrows", choice.arrows);
+  app.add_option("--field-singularities", choice.singularities);
 }
 
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
@@ -66,6 +67,7 @@ FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross) {
   options.periods = choice.periods;
   options.symmetry = cross ? 4 : choice.arrows ? 1 : 2;
   if (choice.fill) options.fill = *choice.fill;
+  if (choice.singularities) options.singularities = static_cast<std::size_t>(*choice.singularities);
   return options;
 }
 

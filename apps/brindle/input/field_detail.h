@@ -19,9 +19,10 @@ struct FieldDetailChoice {
   std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
   std::optional<float> fill;  ///< how far holes are filled, in periods
   bool arrows = false;        ///< vectors have a sign
+  std::optional<int> singularities;  ///< at most so many; nothing: all stay
 };
 
-/// --field-detail, --field-weight, --fill and --field-arrows.
+/// --field-detail, --field-weight, --fill, --field-arrows and --field-singularities.
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
 
 /// What data count by that are per vertex or, some, per triangle. Throws Error for arrays and

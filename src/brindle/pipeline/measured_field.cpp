@@ -7,7 +7,6 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <queue>
 #include <string>
 #include <utility>
 
@@ -18,6 +17,8 @@
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/phases/screened.h"
+#include "brindle/pipeline/opposite_singularities.h"
+#include "brindle/pipeline/period_walk.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/field_index.h"
 #include "brindle/waves/orientation.h"
@@ -32,6 +33,8 @@ constexpr float kLeastCotangent = 0.01f;
 /// a degree. What is far from all data asks for more.
 constexpr float kTolerance = 5e-3f, kToleranceInHoles = 5e-4f;
 constexpr int kMostIterations = 2000;
+
+constexpr float kFarthestPair = 64;  // in periods
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw Error("measured field: " + message);
@@ -149,6 +152,8 @@ struct FieldDetail::State {
       : options(wanted), surface(given) {
     check(options);
     check_positions(surface.mesh.positions);
+    require(!options.singularities || !surface.mesh.triangles.empty(),
+            "points have no triangles that a field could turn round");
     const bool has_triangles = !surface.mesh.triangles.empty();
     const std::vector<float> stiffness = has_triangles
                                              ? mesh_stiffness(surface, progress.part(0, 0.5))
@@ -242,6 +247,9 @@ struct FieldDetail::State {
   void solve(const MeasuredField& measured, std::span<const float> frequencies,
              const MeasuredField& last, const Progress& progress);
   std::vector<float> distances(std::span<const float> frequencies) const;
+  FoundSingularities pairs_to_undo(std::span<const float> frequencies, std::size_t more) const;
+  void undo_singularities(std::span<const float> frequencies, std::vector<float>& screening,
+                          const ScreenedOptions& solving);
   DetailedField seen(std::span<const float> frequencies, const Progress& progress) const;
   void sign_like_last(DirectionField& field, const Progress& progress) const;
   std::vector<DatumTurn> turns() const;
@@ -305,39 +313,87 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
   for (std::size_t i = 0; i < u.size(); ++i) {
     if (u[i] != Complex(0)) start[i] = u[i];
   }
-  u = smooth_screened(graph, screening, std::move(start),
-                      {.max_iterations = kMostIterations,
-                       .tolerance = has_holes ? kToleranceInHoles : kTolerance,
-                       .of_anchors = true,
-                       .degrees = degrees,
-                       .progress = progress});
+  ScreenedOptions solving = {.max_iterations = kMostIterations,
+                             .tolerance = has_holes ? kToleranceInHoles : kTolerance,
+                             .of_anchors = true,
+                             .degrees = degrees,
+                             .progress = options.singularities ? progress.part(0, 0.5) : progress};
+  u = smooth_screened(graph, screening, std::move(start), solving);
+  if (!options.singularities) return;
+  solving.progress = progress.part(0.5, 1);
+  undo_singularities(frequencies, screening, solving);
 }
 
-/// How far every vertex is from the next datum, along edges, in periods.
+/// How far every vertex is from the next datum, along edges, in periods; infinitely far beyond
+/// what is filled.
 std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
   std::vector<float> distance(count(), std::numeric_limits<float>::infinity());
-  using Entry = std::pair<float, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
-  const Adjacency& neighborhood = *surface.neighborhood;
+  std::vector<Index> borders;
+  const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
   for (Index i = 0; i < count(); ++i) {
-    if (data.weight[i] == 0) continue;
+    if (is_hole(i)) continue;
     distance[i] = 0;
-    const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
-    if (std::ranges::any_of(neighborhood.of(i), is_hole)) next.emplace(0.0f, i);
+    if (std::ranges::any_of(surface.neighborhood->of(i), is_hole)) borders.push_back(i);
   }
-  while (!next.empty()) {
-    const auto [far, i] = next.top();
-    next.pop();
-    if (far > distance[i]) continue;
-    for (const Index j : neighborhood.of(i)) {
-      const float length = (surface.mesh.positions[j] - surface.mesh.positions[i]).norm();
-      const float farther = far + 0.5f * (frequencies[i] + frequencies[j]) * length;
-      if (farther > options.fill || farther >= distance[j]) continue;
-      distance[j] = farther;
-      next.emplace(farther, j);
-    }
-  }
+  PeriodWalk(surface, frequencies).from(borders, options.fill, [&](Index i, float far) {
+    distance[i] = std::min(distance[i], far);
+    return true;
+  });
   return distance;
+}
+
+/// The singularities of `u`, and the nearest pairs of them: as many as bring them down to what the
+/// options ask for, and `more`, or as there are. They are looked for ever farther away.
+FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const float> frequencies,
+                                                     std::size_t more) const {
+  const DirectionField field = directions_of(u, surface.normals, options.symmetry);
+  FoundSingularities found;
+  for (float reach = 1; reach <= kFarthestPair; reach *= 2) {
+    found = opposite_singularities(surface, field, options.symmetry, frequencies, reach);
+    if (found.count <= *options.singularities) return {found.count, {}};
+    const std::size_t most = (found.count - *options.singularities + 1) / 2 + more;
+    if (found.pairs.size() > most) found.pairs.resize(most);
+    if (!found.pairs.empty()) return found;
+  }
+  return found;
+}
+
+/// Averages over more where pairs of singularities are, until there are few enough of them.
+void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
+                                            std::vector<float>& screening,
+                                            const ScreenedOptions& solving) {
+  constexpr int kMostRounds = 30;
+  PeriodWalk walk(surface, frequencies);
+  std::size_t fewest = std::numeric_limits<std::size_t>::max(), in_vain = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    // Where a vertex is so sharp that every field turns round beside it, other pairs must do.
+    const FoundSingularities found = pairs_to_undo(frequencies, in_vain);
+    if (found.pairs.empty()) return;
+    in_vain = found.count < fewest ? 0 : in_vain + 2;
+    fewest = std::min(fewest, found.count);
+    // Pairs that stay need the field farther around them to give way.
+    const float grown = 1 + 0.2f * static_cast<float>(round);
+    std::vector<std::uint8_t> is_near(count());
+    for (const OppositeSingularities& pair : found.pairs) {
+      for (const Index triangle : {pair.positive, pair.negative}) {
+        walk.from(surface.mesh.triangles[triangle], grown * (0.5f + pair.distance),
+                  [&](Index i, float) {
+                    is_near[i] = 1;
+                    return true;
+                  });
+      }
+    }
+    constexpr float kLess = 0.25f;  // twice the scale
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (is_near[i] == 0) continue;
+      screening[i] *= kLess;
+      graph.anchor[i] *= kLess;
+    }
+    ScreenedOptions again = solving;
+    again.progress =
+        solving.progress.part(round / double{kMostRounds}, (round + 1) / double{kMostRounds});
+    u = smooth_screened(graph, screening, std::move(u), again);
+  }
 }
 
 /// Like the neighbours in the first frame, then like the frame before.
@@ -444,6 +500,8 @@ FieldDetailFigures FieldDetail::figures() const {
   }
   figures.singularities_of_data = count_singularities(state.surface.mesh, given, symmetry);
   figures.singularities = count_singularities(state.surface.mesh, state.directions, symmetry);
+  const std::size_t wanted = state.options.singularities.value_or(figures.singularities);
+  figures.singularities_too_many = figures.singularities - std::min(wanted, figures.singularities);
   return figures;
 }
 

@@ -116,18 +116,21 @@ void check_smooth_field(const IsGiven& given, float curvature_anchor, float feat
 
 void check_field_detail(const IsGiven& given, float periods, bool measured, bool cross) {
   if (!measured) {
-    refuse_given(given, {"--field-detail", "--field-weight", "--fill", "--field-arrows"},
-                 "the field was not measured; it is for arrays, files and raw-curvature");
+    refuse_given(
+        given,
+        {"--field-detail", "--field-weight", "--fill", "--field-arrows", "--field-singularities"},
+        "the field was not measured; it is for arrays, files and raw-curvature");
   }
   if (periods == 0) {
-    refuse_given(given, {"--field-weight", "--fill", "--field-arrows"},
+    refuse_given(given, {"--field-weight", "--fill", "--field-arrows", "--field-singularities"},
                  "the field is taken as it is given; add --field-detail");
   }
   if (cross) refuse_given(given, {"--field-arrows"}, "a cross has no sign");
 }
 
 void check_triangle_options(const IsGiven& given) {
-  refuse_given(given, {"--feature-anchor", "--weights"}, "points have no triangles");
+  refuse_given(given, {"--feature-anchor", "--weights", "--field-singularities"},
+               "points have no triangles");
 }
 
 void check_making_on_points(const IsGiven& given) {

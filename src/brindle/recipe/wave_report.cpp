@@ -53,6 +53,12 @@ void check_wave_report(const WaveReport& figures, const std::string& source) {
 std::string warnings(const WaveReport& figures, const std::string& source) {
   std::string text;
   for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
+  if (figures.detail && figures.detail->singularities_too_many > 0) {
+    text += warning_lines({formatted(
+        "%zu singularities of the field are left, %zu more than --field-singularities asks for: no "
+        "pair of opposite ones undoes them",
+        figures.detail->singularities, figures.detail->singularities_too_many)});
+  }
   WaveFigures unexplained = figures;
   unexplained.without_wave -= figures.missing.total();
   return text + warning_lines(wave_warnings(unexplained, words_of_options(source)));

@@ -195,6 +195,16 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "--field-detail: vectors have a sign, and those that face each other cancel; without, "
              "they are lines"},
+    {.name = "field-singularities",
+     .group = "Field",
+     .kind = OptionKind::whole,
+     .form = "N",
+     .range = {.least = 0, .most = 1000000},
+     .slider = {0, 200},
+     .stale = OptionStage::waves,
+     .jobs = kAll,
+     .help = "--field-detail: undo pairs of singularities, the nearest first, until at most N are "
+             "left, or those that no pair undoes; elsewhere the field stays (default: all stay)"},
 
     // Stripes
     {.name = "stripes",

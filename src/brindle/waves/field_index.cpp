@@ -49,17 +49,40 @@ int field_index(const Vec3& normal, const std::array<Vec3, 3>& directions, int s
   return static_cast<int>(std::lround(sum / turn));
 }
 
+namespace {
+
+/// The index of a triangle; 0 if a corner has no direction.
+int index_of(const Mesh& mesh, std::size_t triangle, std::span<const Vec3> directions,
+             int symmetry) {
+  const Triangle& corners = mesh.triangles[triangle];
+  const std::array<Vec3, 3> d = {directions[corners[0]], directions[corners[1]],
+                                 directions[corners[2]]};
+  if (std::ranges::any_of(d, [](const Vec3& v) { return v.isZero(0); })) return 0;
+  const Vec3& a = mesh.positions[corners[0]];
+  const Vec3 normal = (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+  return field_index(normal, d, symmetry);
+}
+
+}  // namespace
+
+std::vector<SingularTriangle> singular_triangles(const Mesh& mesh, std::span<const Vec3> directions,
+                                                 int symmetry) {
+  std::vector<int> indices(mesh.triangle_count());
+  parallel_for(indices.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) indices[t] = index_of(mesh, t, directions, symmetry);
+  });
+  std::vector<SingularTriangle> singular;
+  for (Index t = 0; t < indices.size(); ++t) {
+    if (indices[t] != 0) singular.push_back({t, indices[t]});
+  }
+  return singular;
+}
+
 std::size_t count_singularities(const Mesh& mesh, std::span<const Vec3> directions, int symmetry) {
   return parallel_sum<std::size_t>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
     std::size_t count = 0;
     for (std::size_t t = begin; t < end; ++t) {
-      const Triangle& corners = mesh.triangles[t];
-      const std::array<Vec3, 3> d = {directions[corners[0]], directions[corners[1]],
-                                     directions[corners[2]]};
-      if (std::ranges::any_of(d, [](const Vec3& v) { return v.isZero(0); })) continue;
-      const Vec3& a = mesh.positions[corners[0]];
-      const Vec3 normal = (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
-      count += field_index(normal, d, symmetry) != 0 ? 1 : 0;
+      count += index_of(mesh, t, directions, symmetry) != 0 ? 1 : 0;
     }
     return count;
   });

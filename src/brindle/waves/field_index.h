@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "brindle/mesh.h"
 #include "brindle/types.h"
@@ -15,7 +16,17 @@ namespace brindle {
 /// `normal` is of any length, `directions` are those of the corners.
 int field_index(const Vec3& normal, const std::array<Vec3, 3>& directions, int symmetry);
 
-/// Triangles that a field of symmetry N turns round, of those whose corners all have a direction.
+struct SingularTriangle {
+  Index triangle;
+  int index;  ///< of `field_index`, not 0
+};
+
+/// The triangles that a field of symmetry N turns round, of those whose corners all have a
+/// direction, in their order.
+std::vector<SingularTriangle> singular_triangles(const Mesh& mesh, std::span<const Vec3> directions,
+                                                 int symmetry);
+
+/// How many there are.
 std::size_t count_singularities(const Mesh& mesh, std::span<const Vec3> directions, int symmetry);
 
 }  // namespace brindle
