@@ -13,6 +13,7 @@ same time, each on a display of its own. Ends with 0 if all is well, 1 if not, a
 
 import argparse
 import json
+import math
 import os
 import pathlib
 import select
@@ -61,6 +62,43 @@ def check_slider_changes_branches(start, folder):
     window.settled(since)
     session = json.loads(save_session(window, folder / "session.json"))
     expect("stripes" not in session.get("options", {}), "one undo does not take the slider back")
+    window.quit()
+
+
+def write_noisy_flow(path, side=60):
+    """A flow over a plane, with noise and a hole."""
+    places = [(x, y) for y in range(side) for x in range(side)]
+    noise = [math.modf(math.sin(12.9898 * k) * 43758.5453)[0] for k in range(2 * len(places))]
+    hole = [math.dist(place, (side / 3, side / 3)) < side / 12 for place in places]
+    flow = [(0, 0) if hole[k] else (1 + 1.6 * noise[2 * k], 0.5 + 1.6 * noise[2 * k + 1])
+            for k in range(len(places))]
+    squares = [(x + y * side) for x, y in places if x + 1 < side and y + 1 < side]
+    path.write_text("\n".join(
+        ["# vtk DataFile Version 3.0", "flow", "ASCII", "DATASET POLYDATA", f"POINTS {len(places)} float",
+         *(f"{x} {y} 0" for x, y in places), f"POLYGONS {len(squares)} {5 * len(squares)}",
+         *(f"4 {k} {k + 1} {k + side + 1} {k + side}" for k in squares),
+         f"POINT_DATA {len(places)}", "VECTORS flow float", *(f"{u} {v} 0" for u, v in flow), ""]))
+
+
+def check_measured_field_is_seen_at_its_scale(start, folder):
+    write_noisy_flow(folder / "flow.vtk")
+    window = start(str(folder / "flow.vtk"), "--field", "array:flow", "--stripes", "12")
+    as_given = window.settled()
+    window.click("group Field")
+    window.move(*window.point("option direction"))
+    for _ in range(40):
+        if "option field-detail" in window.places:
+            break
+        window.hand("click", 5)
+    since = window.now()
+    window.drag_slider("option field-detail", 0.02, 0.5)
+    seen = window.settled(since)
+    expect(4 * seen["branches"] < as_given["branches"],
+           f"of {as_given['branches']} branches {seen['branches']} are left")
+    save_picture(window, folder / "seen.png")
+    since = window.now()
+    window.key("ctrl+z")
+    expect(window.settled(since)["branches"] == as_given["branches"], "one undo does not take the slider back")
     window.quit()
 
 
