@@ -164,6 +164,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     watch.lap();
     DistributedMeasures measures = animator.measure();
     report = make_mpi_report(surface, arguments, waves, frame, measures.quality, animator.energy());
+    report.waves.measured = is_measured(arguments.waves);
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
     report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();

@@ -136,11 +136,15 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   };
   if (with_u) patterns.u = make(waves.waves);
   if (with_v) patterns.v = make(across);
-  std::size_t branches = 0;
+  std::size_t branches = 0, singularities = 0;
   for (const auto& solved : {&patterns.u, &patterns.v}) {
-    if (*solved) branches = std::max(branches, (*solved)->quality.branches);
+    if (!*solved) continue;
+    branches = std::max(branches, (*solved)->quality.branches);
+    singularities = std::max(singularities, (*solved)->quality.field_singularities);
   }
-  display.note(branch_warning(patterns.figures, branches, 0, patterns.surface->triangle_count()));
+  patterns.figures.measured = is_measured(arguments.waves);
+  display.note(branch_warning(patterns.figures, branches, singularities,
+                              patterns.surface->triangle_count()));
   return patterns;
 }
 

@@ -49,9 +49,10 @@ struct WarningWords {
   std::string fewer =
       "take fewer stripes, or a lower frequency, which counts stripes per unit of the mesh's own "
       "length";
-  std::string subdivide = "subdivide the mesh, times:";    ///< a number follows
-  std::string field = "field";                             ///< as in "a smoother field"
-  std::string source = "the field";                        ///< where directions come from
+  std::string subdivide = "subdivide the mesh, times:";  ///< a number follows
+  std::string field = "field";                           ///< as in "a smoother field"
+  std::string source = "the field";                      ///< where directions come from
+  std::string detail = "FieldDetail";  ///< what sees measured fields at the scale of stripes
   std::string join = "join them with make_repaired_mesh";  ///< vertices at one place
 };
 
@@ -62,6 +63,11 @@ std::vector<std::string> wave_warnings(const WaveFigures& figures, const Warning
 /// The same of more branches than a triangle in ten, unless stripes are too fine anyway.
 std::vector<std::string> branch_warnings(const WaveFigures& figures, std::size_t branches,
                                          std::size_t triangles, const WarningWords& words = {});
+
+/// The same of a measured field, taken as it is, that turns round more than a triangle in a
+/// hundred.
+std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
+                                        const WarningWords& words = {});
 
 /// Throws Error if no vertex has a wave, or half of them pass a 10,000th of an edge a period or
 /// less. `why` follows the reason for the first.

@@ -235,6 +235,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
                              pointer_to(frequencies), run.input->piece.get());
   run.turn_deg = settings.turn_deg;
   run.figures.waves = bp::wave_figures(run.surface(), run.waves);
+  run.figures.measured = settings.field == bp::FieldSource::array && settings.detail == 0;
   run.options = {number(this->Slack), number(this->TimeAnchor)};
   run.series = &state.series;
   state.last_time = time;

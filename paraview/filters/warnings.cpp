@@ -18,6 +18,7 @@ WarningWords words_of_panels() {
       "length";
   words.subdivide = "apply the filter Subdivide before, Number of Subdivisions:";
   words.field = "Field";
+  words.detail = "Field Detail 1, which is for one process,";
   words.source = "the frequency is not finite, or the field";
   return words;
 }
@@ -54,6 +55,9 @@ std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSur
   };
   if (figures.crossing) add(wave_warnings(*figures.crossing, words));
   add(branch_warnings(finest(figures), figures.branches, triangle_count(surface), words));
+  if (figures.measured) {
+    add(noise_warnings(figures.field_singularities, triangle_count(surface), words));
+  }
   return sentences;
 }
 

@@ -21,6 +21,8 @@ struct RunFigures {
   WaveFigures waves;
   std::optional<WaveFigures> crossing;  ///< of waves across these, if there are others
   std::size_t branches = 0;             ///< of the pattern that has most
+  bool measured = false;                ///< the field is an array, taken as it is
+  std::size_t field_singularities = 0;
 };
 
 /// The library's warnings in the words of ParaView's panels, a sentence each; of waves that are

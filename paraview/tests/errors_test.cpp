@@ -160,9 +160,11 @@ TEST(BrindleStripes, WarnsOfBranchesAndOfMissingWaves) {
   choose(*filter, 0, "chance");
   warnings.messages.clear();
   filter->Update();
-  ASSERT_EQ(warnings.messages.size(), 1u);
+  ASSERT_EQ(warnings.messages.size(), 2u);
   EXPECT_NE(warnings.messages[0].find("stripes begin or end in"), std::string::npos)
       << warnings.messages[0];
+  EXPECT_NE(warnings.messages[1].find("the field turns round"), std::string::npos)
+      << warnings.messages[1];
 }
 
 // Of the waves across, too, and what is said of both is said once.

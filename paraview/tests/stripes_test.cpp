@@ -76,7 +76,11 @@ TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   filter->SetField(kArray);
   choose(*filter, 0, "v");
   filter->SetStripes(12);
+  Errors warnings(*filter, vtkCommand::WarningEvent);
   filter->Update();
+  EXPECT_TRUE(std::ranges::any_of(warnings.messages, [](const std::string& message) {
+    return message.find("Field Detail 1") != std::string::npos;
+  })) << "noise is warned of";
   const double as_given = figure(*filter->GetOutput(), "branches");
   filter->SetFieldDetail(1.5);
   filter->SetFieldSingularities(0);

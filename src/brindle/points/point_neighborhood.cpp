@@ -61,8 +61,8 @@ Adjacency tidied(CompressedRows<Index> rows, const Progress& progress) {
   reported_for(rows.size(), progress, [&](std::size_t i) {
     const std::span<Index> row = rows.of(i);
     std::ranges::sort(row);
-    const auto repeats = std::ranges::unique(row);
-    result.neighbors.insert(result.neighbors.end(), row.begin(), repeats.begin());
+    result.neighbors.insert(result.neighbors.end(), row.begin(),
+                            std::unique(row.begin(), row.end()));
     result.offsets[i + 1] = static_cast<Index>(result.neighbors.size());
   });
   return result;

@@ -1,13 +1,13 @@
 #include "brindle/recipe/wave_report.h"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "brindle/base/formatted.h"
 
 namespace brindle {
 namespace {
-
-constexpr double kManySingularities = 0.01;  // a share of all triangles
 
 std::vector<std::string> reasons(const MissingWaves& missing) {
   std::vector<std::string> lines;
@@ -40,6 +40,7 @@ WarningWords words_of_options(const std::string& source) {
       "own length";
   words.subdivide = "--subdivide";
   words.field = "--field";
+  words.detail = "--field-detail 1";
   words.source = source;
   return words;
 }
@@ -66,15 +67,12 @@ std::string warnings(const WaveReport& figures, const std::string& source) {
 
 std::string branch_warning(const WaveReport& figures, std::size_t branches,
                            std::size_t field_singularities, std::size_t triangles) {
-  std::vector<std::string> sentences =
-      branch_warnings(figures, branches, triangles, words_of_options(""));
-  const auto singular = static_cast<double>(field_singularities);
-  const auto all = static_cast<double>(triangles);
-  if (figures.measured && !figures.detail && singular > kManySingularities * all) {
-    sentences.push_back(
-        formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; "
-                  "--field-detail 1 sees it at the scale of its stripes",
-                  field_singularities, triangles, 100 * singular / all));
+  const WarningWords words = words_of_options("");
+  std::vector<std::string> sentences = branch_warnings(figures, branches, triangles, words);
+  if (figures.measured && !figures.detail) {
+    for (std::string& sentence : noise_warnings(field_singularities, triangles, words)) {
+      sentences.push_back(std::move(sentence));
+    }
   }
   return warning_lines(sentences);
 }

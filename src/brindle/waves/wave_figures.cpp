@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "brindle/base/formatted.h"
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
 
@@ -13,6 +14,7 @@ namespace {
 constexpr double kFewestEdges = 2;         // a period
 constexpr double kMostWithoutWave = 0.01;  // share of the vertices
 constexpr double kMostBranches = 0.1;      // share of the triangles
+constexpr double kMostSingular = 0.01;     // share of the triangles
 constexpr int kMostSubdivisions = 3;       // that are worth proposing
 
 bool is_too_fine(const WaveFigures& figures) {
@@ -122,6 +124,16 @@ std::vector<std::string> branch_warnings(const WaveFigures& figures, std::size_t
   if (static_cast<double>(branches) <= kMostBranches * static_cast<double>(triangles)) return {};
   return {"stripes begin or end in " + of_all(branches, triangles) + " triangles; " + words.fewer +
           "; or a smoother " + words.field};
+}
+
+std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
+                                        const WarningWords& words) {
+  const auto singular = static_cast<double>(field_singularities);
+  const auto all = static_cast<double>(triangles);
+  if (singular <= kMostSingular * all) return {};
+  return {formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; ",
+                    field_singularities, triangles, 100 * singular / all) +
+          words.detail + " sees it at the scale of its stripes"};
 }
 
 }  // namespace brindle
