@@ -63,7 +63,8 @@ TEST(SmoothField, OnATorusHasNoSingularityAndStripesAlongItNoBranch) {
 }
 
 TEST(SmoothField, OfATorusHasNoSingularityHoweverFineTheMesh) {
-  for (const int resolution : {10, 12, 14, 21, 30, 43, 60, 62, 71, 89, 101, 140}) {
+  // Below 9 there are fewer than 36 vertices.
+  for (int resolution = 9; resolution <= 140; resolution += resolution < 64 ? 1 : 19) {
     const Surface torus =
         make_surface(make_shape("torus,resolution=" + std::to_string(resolution)));
     EXPECT_EQ(singularities(torus, smooth_direction_field(torus)), 0u) << resolution;

@@ -14,12 +14,12 @@
 namespace brindle {
 namespace {
 
-constexpr std::uint32_t kStarts = 128;
+constexpr std::uint32_t kStarts = 256;
 
 /// Which starts are lowest is told on a level of at most `kFirstLevel` nodes, and which of so many
 /// of these on a finer one.
 constexpr std::size_t kFinalists = 24;
-constexpr std::size_t kFirstLevel = 1200;
+constexpr std::size_t kFirstLevel = 300;
 
 /// Fewer nodes hardly differ from one; of many, chance makes singularities that no sweep undoes.
 constexpr std::size_t kFewestNodes = 20;
