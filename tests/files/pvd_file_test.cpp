@@ -62,5 +62,27 @@ TEST_F(PvdFile, AnyPartOfAFileIsReadOrRefused) {
 }
 #endif
 
+TEST_F(PvdFile, SeriesComeBackInTheOrderOfTimes) {
+  const std::string text =
+      R"({"file-series-version": "1.0", "files": [{"name": "b.vtu", "time": 2.5},
+          {"name": "sub/a.vtu", "time": 1}]})";
+  std::ofstream(folder / "run.vtu.series") << text;
+  const std::vector<TimedFile> read = read_file_series(folder / "run.vtu.series");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].file, folder / "sub/a.vtu");
+  EXPECT_EQ(read[0].time, 1);
+  EXPECT_EQ(read[1].file, folder / "b.vtu");
+  for (std::size_t length = 1; length < text.size(); ++length) {
+    std::ofstream(folder / "cut.series") << text.substr(0, length);
+    EXPECT_THROW(read_file_series(folder / "cut.series"), Error) << length;
+  }
+  for (const char* wrong : {"[]", "{}", R"({"files": []})", R"({"files": [{"name": "a"}]})",
+                            R"({"files": [{"name": 1, "time": 2}]})", R"({"files": [1]})",
+                            R"({"files": [{"name": "a", "time": 1}, {"name": "b", "time": 1}]})"}) {
+    std::ofstream(folder / "wrong.series") << wrong;
+    EXPECT_THROW(read_file_series(folder / "wrong.series"), Error) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace brindle

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExpectedSeries =
-    "a .pvd file, or names with a number or a wildcard such as 'v%04d.vtp' or 'v*.vtp'";
+    "a .pvd or .series file, or names with a number or a wildcard such as 'v%04d.vtp' or 'v*.vtp'";
 
 /// The names of a folder's files.
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -149,6 +149,7 @@ std::vector<TimedFile> series_files(const std::string& option, const std::string
   if (has_wildcard(path.parent_path().string())) wrong_usage(option, kExpectedSeries, name);
   if (has_wildcard(name)) return matching_files(name);
   if (const auto names = parse_frame_names(path)) return numbered_files(name, *names);
+  if (lower_extension(path) == ".series") return read_file_series(path);
   if (lower_extension(path) != ".pvd") wrong_usage(option, kExpectedSeries, name);
   return read_pvd(path);
 }

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
@@ -35,9 +38,10 @@ TimedFile timed_file(const std::filesystem::path& pvd, const pugi::xml_node& dat
   }
   return {time, pvd.parent_path() / file};
 }
+#endif
 
 void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>& files) {
-  if (files.empty()) throw Error(shown(pvd.native()) + ": lists no file (DataSet)");
+  if (files.empty()) throw Error(shown(pvd.native()) + ": lists no file");
   for (std::size_t i = 0; i + 1 < files.size(); ++i) {
     if (files[i].time != files[i + 1].time) continue;
     throw Error(shown(pvd.native()) + ": '" + shown(files[i].file.native()) + "' and '" +
@@ -45,7 +49,22 @@ void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>&
                 "' have the same timestep; merge the parts of a step into one file");
   }
 }
-#endif
+
+/// In the order of their times.
+std::vector<TimedFile> in_order(const std::filesystem::path& path, std::vector<TimedFile> files) {
+  std::ranges::stable_sort(files, {}, &TimedFile::time);
+  check_times(path, files);
+  return files;
+}
+
+TimedFile timed_file(const std::filesystem::path& series, const nlohmann::json& entry) {
+  const bool is_whole = entry.is_object() && entry.contains("name") && entry["name"].is_string() &&
+                        entry.contains("time") && entry["time"].is_number();
+  if (!is_whole) {
+    throw Error(shown(series.native()) + ": an entry of 'files' lacks its 'name' or its 'time'");
+  }
+  return {entry["time"].get<double>(), series.parent_path() / entry["name"].get<std::string>()};
+}
 
 }  // namespace
 
@@ -63,9 +82,7 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
   for (const pugi::xml_node& data_set : collection.children("DataSet")) {
     files.push_back(timed_file(path, data_set));
   }
-  std::ranges::stable_sort(files, {}, &TimedFile::time);
-  check_times(path, files);
-  return files;
+  return in_order(path, std::move(files));
 }
 #else
 std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
@@ -73,6 +90,20 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
               ": this build cannot read .pvd files; configure with -DBRINDLE_VTK=ON");
 }
 #endif
+
+std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
+  InputFile in(path);
+  const auto size = static_cast<std::size_t>(in.remaining());
+  const char* text = in.take(size);
+  const auto json = nlohmann::json::parse(text, text + size, nullptr, false);
+  const bool is_series = json.is_object() && json.contains("files") && json["files"].is_array();
+  if (!is_series) {
+    throw Error(shown(path.native()) + ": is no list of 'files' as ParaView writes it");
+  }
+  std::vector<TimedFile> files;
+  for (const nlohmann::json& entry : json["files"]) files.push_back(timed_file(path, entry));
+  return in_order(path, std::move(files));
+}
 
 void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> files) {
   for (const TimedFile& timed : files) check_name_in_xml(timed.file);

@@ -1,4 +1,4 @@
-/// Time series of files, as ParaView collects them in a .pvd.
+/// Time series of files, as ParaView collects them in a .pvd or a .series.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,9 @@ struct TimedFile {
 /// naming the file and the remedy, if it cannot be read, is no collection, lists nothing, or more
 /// than one file for a time.
 std::vector<TimedFile> read_pvd(const std::filesystem::path& path);
+
+/// The same of a .series, a JSON file: {"files": [{"name": "a.vtu", "time": 0.5}, ...]}.
+std::vector<TimedFile> read_file_series(const std::filesystem::path& path);
 
 /// Lists files, by their names relative to its own folder, whole or not at all. Throws
 /// Error for names that XML cannot hold, and what write_file throws.

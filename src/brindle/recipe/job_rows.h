@@ -134,10 +134,10 @@ constexpr OptionInfo kJobRows[] = {
     {.name = "series",
      .group = "Frames",
      .kind = OptionKind::text,
-     .form = "'v%04d.vtp'|'v*.vtp'|FILE.pvd",
+     .form = "'v%04d.vtp'|'v*.vtp'|FILE.pvd|FILE.series",
      .jobs = kAnimate,
      .help = "the files of a time series instead of a scene: names with a number or a wildcard (in "
-             "quotes), or a .pvd; with MESH, .csv files with a field each"},
+             "quotes), or a .pvd or .vtu.series; with MESH, .csv files with a field each"},
     {.name = "iterations",
      .group = "Frames",
      .kind = OptionKind::whole,
