@@ -61,7 +61,6 @@ void check_extension(const std::string& option, const std::string& path, const c
 void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
                      const SolvingOptions& solving) {
   check_field_options(command, waves);
-  refuse_given(command, {"--field-detail"}, kForOneProcess);
   check_solving_options(command, solving);
   if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {
     throw CLI::ValidationError("--phase-shift",

@@ -164,7 +164,6 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     watch.lap();
     DistributedMeasures measures = animator.measure();
     report = make_mpi_report(surface, arguments, waves, frame, measures.quality, animator.energy());
-    report.waves.measured = is_measured(arguments.waves);
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
     report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();
@@ -179,6 +178,9 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
       const std::vector<float> branches =
           flags_of_all(ranks, read, branches_at_vertices(read.piece.mesh, measures.corners));
       DataArrays own = arrays_of(w, frame, std::move(measures.corners), branches);
+      if (waves.figures.detail) {  // pieces without a vertex have it, too
+        own.points.push_back(make_data_array("agreement", 1, waves.agreement));
+      }
       copy_from_partners(ranks, surface, read, own.points);
       own.points.push_back(make_data_array("global_id", 1, read.piece.vertex_ids));
       if (read.numbered) {

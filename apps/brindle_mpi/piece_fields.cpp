@@ -18,6 +18,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/progress.h"
+#include "brindle/recipe/field_data.h"
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "brindle/waves/frequency_parts.h"
@@ -85,8 +86,10 @@ PieceField tensor_field(Communicator& ranks, const DistributedSurface& surface,
 
 PieceField array_field(Communicator& ranks, const DistributedSurface& surface,
                        const ReadPiece& read, const DataArray& array, const ArrayOptions& options) {
-  if (is_tensor(array)) return tensor_field(ranks, surface, array, options);
   PieceField field;
+  if (is_tensor(array)) field = tensor_field(ranks, surface, array, options);
+  field.data.array = array;
+  if (is_tensor(array)) return field;
   together_as_used(ranks, [&] {
     if (options.tensor) {
       refuse_tensor("the array '" + array.name + "' has " + std::to_string(array.components) +
@@ -105,8 +108,7 @@ PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
   field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
   if (columns.size() == 1) return field;
   ranks.together([&] { field.frequencies = frequencies_of(columns[1], field.directions); });
-  field.missing.without_frequency =
-      drop_piece_waves(ranks, surface, field.directions, field.frequencies);
+  field.may_have_gaps = true;
   return field;
 }
 
@@ -114,6 +116,7 @@ PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
 PieceField rows_field(Communicator& ranks, const DistributedSurface& surface,
                       const std::vector<DataArray>& columns) {
   PieceField field;
+  field.data.array = columns[0];
   field.directions =
       tangent_directions(vectors_of(columns[0].view(), "vectors"), surface.normals());
   field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
@@ -126,17 +129,14 @@ PieceField rows_field(Communicator& ranks, const DistributedSurface& surface,
 struct FieldColumns {
   std::vector<DataArray> columns;  ///< the field, then its frequencies
   bool named = false;              ///< an array that may be a tensor, or vectors
+  bool of_globe = false;           ///< towards the east and the north
 };
 
 FieldColumns read_columns(const WaveOptions& options, const ReadPiece& read, std::size_t vertices) {
   const CsvFieldName name = csv_field_name(options.field);
   FieldColumns result;
   if (std::optional<CsvField> csv = read_csv_field(name)) {
-    if (csv->of_globe) {
-      throw Error(name.path +
-                  ": columns 'east' and 'north' are for one process; write their "
-                  "vectors as x, y and z");
-    }
+    result.of_globe = csv->of_globe;
     check_rows_per_vertex(csv->array, vertices);
     result.columns.push_back(std::move(csv->array));
     if (csv->frequency) result.columns.push_back(std::move(*csv->frequency));
@@ -152,14 +152,29 @@ FieldColumns read_columns(const WaveOptions& options, const ReadPiece& read, std
   return result;
 }
 
+/// Of a globe that all pieces are a part of.
+DataArray piece_globe_vectors(Communicator& ranks, const ReadPiece& read,
+                              const DataArray& east_north) {
+  GlobeRadii radii = globe_radii(read.piece.mesh);
+  for (const GlobeRadii& other : ranks.all(radii)) {
+    radii.nearest = std::min(radii.nearest, other.nearest);
+    radii.farthest = std::max(radii.farthest, other.farthest);
+  }
+  DataArray vectors;
+  ranks.together([&] { vectors = globe_vectors(read.piece.mesh, east_north, radii); });
+  return vectors;
+}
+
 PieceField file_field(Communicator& ranks, const DistributedSurface& surface, const ReadPiece& read,
                       const WaveOptions& options) {
-  bool named = false;
-  const auto columns = piece_rows(ranks, read, "--field", csv_field_name(options.field).path, [&] {
+  bool named = false, of_globe = false;
+  auto columns = piece_rows(ranks, read, "--field", csv_field_name(options.field).path, [&] {
     FieldColumns file = read_columns(options, read, surface.vertex_count());
     named = file.named;
+    of_globe = file.of_globe;
     return std::move(file.columns);
   });
+  if (ranks.any(of_globe)) columns[0] = piece_globe_vectors(ranks, read, columns[0]);
   if (!ranks.any(named)) return rows_field(ranks, surface, columns);
   return columns_field(ranks, surface, read, options.arrays, columns);
 }
@@ -225,9 +240,10 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
   } else if (options.field == "raw-curvature") {
     field.directions = curvature_direction_field(surface, options.curvature_direction);
   } else if (is_array(options.field)) {
-    const auto [array, rows_nonfinite] = arrays->array(parse_array("--field", options.field));
-    field = array_field(ranks, surface, read, array, options.arrays);
-    field.rows_nonfinite = rows_nonfinite;
+    ArrayAtVertices found = arrays->array(parse_array("--field", options.field));
+    field = array_field(ranks, surface, read, found.array, options.arrays);
+    field.rows_nonfinite = found.rows_nonfinite;
+    if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};
   } else {
     field = file_field(ranks, surface, read, options);
   }

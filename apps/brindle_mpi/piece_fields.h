@@ -22,6 +22,7 @@ namespace brindle::tool {
 struct PieceField : FoundField {
   /// Of the mesh's file or another one; refers to the surface and to what was read.
   std::shared_ptr<const PieceArrays> arrays = {};
+  FieldData data = {};  ///< what it was made of, if it was measured: rows of the piece
 };
 
 /// What waves are wanted, and how smooth fields are found.

@@ -54,28 +54,46 @@ FrequencyField frequencies_by_values(Communicator& ranks, const DistributedSurfa
   return frequencies;
 }
 
+FrequencyField chosen_frequencies(Communicator& ranks, const DistributedSurface& surface,
+                                  const ReadPiece& read, const WaveOptions& options,
+                                  const PieceField& field) {
+  const ArrayOptions& wanted = options.arrays;
+  const float frequency = constant_frequency(static_cast<float>(surface.diagonal()), options);
+  if (!wanted.frequency.empty()) {
+    const DataArray array = field.arrays->array(wanted.frequency).array;
+    FrequencyField frequencies;
+    ranks.together([&] { frequencies = frequencies_of(array, field.directions); });
+    return frequencies;
+  }
+  if (!wanted.frequency_by.empty()) {
+    return frequencies_by_values(ranks, surface,
+                                 frequency_values(ranks, surface, read, wanted, *field.arrays),
+                                 frequency, wanted.range);
+  }
+  if (!field.frequencies.empty() && !options.stripes && !options.frequency) {
+    return field.frequencies;
+  }
+  FrequencyField constant = constant_frequency_field(frequency, field.directions.size());
+  // Where a field file has no frequency it has no wave.
+  for (std::size_t v = 0; v < field.frequencies.size(); ++v) {
+    if (!std::isfinite(field.frequencies[v])) constant[v] = field.frequencies[v];
+  }
+  return constant;
+}
+
 }  // namespace
 
 void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& surface,
-                              const ReadPiece& read, const WaveOptions& options,
-                              PieceField& field) {
-  const ArrayOptions& wanted = options.arrays;
-  const float frequency = constant_frequency(static_cast<float>(surface.diagonal()), options);
-  if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
-    if (!field.frequencies.empty() && !options.stripes && !options.frequency) return;
-    field.frequencies = constant_frequency_field(frequency, field.directions.size());
-    return;
-  }
-  if (!wanted.frequency.empty()) {
-    const DataArray array = field.arrays->array(wanted.frequency).array;
-    ranks.together([&] { field.frequencies = frequencies_of(array, field.directions); });
-  } else {
-    field.frequencies = frequencies_by_values(
-        ranks, surface, frequency_values(ranks, surface, read, wanted, *field.arrays), frequency,
-        wanted.range);
-  }
-  field.missing.without_frequency =
-      drop_piece_waves(ranks, surface, field.directions, field.frequencies);
+                              const ReadPiece& read, const WaveOptions& options, PieceField& field,
+                              WavesAndCrossing& made, const Progress& progress) {
+  const bool field_says = ranks.any(!field.frequencies.empty());
+  field.frequencies = chosen_frequencies(ranks, surface, read, options, field);
+  if (options.detail.frequency_periods == 0) return;
+  if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
+  DetailedFrequencies seen = detailed_frequencies(
+      surface, field.frequencies, frequency_detail_options(options.detail), progress);
+  field.frequencies = std::move(seen.frequencies);
+  made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
 }
 
 }  // namespace brindle::tool

@@ -11,9 +11,10 @@
 
 namespace brindle::tool {
 
-/// Collective. Gives a field the frequencies that the options ask for, and takes waves from where
-/// there are none, as `make_waves` does.
+/// Collective. Gives a field the frequencies that the options ask for, NaN where there are none, as
+/// `make_waves` does; fills `made.frequency_detail`.
 void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& surface,
-                              const ReadPiece& read, const WaveOptions& options, PieceField& field);
+                              const ReadPiece& read, const WaveOptions& options, PieceField& field,
+                              WavesAndCrossing& made, const Progress& progress);
 
 }  // namespace brindle::tool

@@ -51,7 +51,8 @@ ArrayAtVertices PieceArrays::array(const std::string& name) const {
   if (other_) {
     ranks_.together([&] {
       auto [array, rows_nonfinite, of_cells] = other_->array(name);
-      result = {std::move(array), rows_nonfinite};
+      result.array = std::move(array);
+      result.rows_nonfinite = rows_nonfinite;
     });
     return result;
   }
@@ -59,9 +60,9 @@ ArrayAtVertices PieceArrays::array(const std::string& name) const {
   ranks_.together([&] { choice = choice_of(read_.arrays, name, read_.file); });
   const DataArray& array = *choice.array;
   if (!choice.of_cells) {
-    return {array, ranks_.sum(nonfinite_rows(own_rows(surface_, array)))};
+    return {array, ranks_.sum(nonfinite_rows(own_rows(surface_, array))), std::nullopt};
   }
-  return {cells_to_points(ranks_, read_.piece, array), ranks_.sum(nonfinite_rows(array))};
+  return {cells_to_points(ranks_, read_.piece, array), ranks_.sum(nonfinite_rows(array)), array};
 }
 
 std::optional<std::size_t> PieceArrays::drop_too_far(DirectionField& directions) const {

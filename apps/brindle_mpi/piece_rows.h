@@ -29,6 +29,8 @@ std::vector<DataArray> piece_rows(Communicator& ranks, const ReadPiece& read,
 struct ArrayAtVertices {
   DataArray array;                 ///< a row per vertex of the piece
   std::size_t rows_nonfinite = 0;  ///< of all ranks, as the array was read
+  /// As it was read, a row per triangle of the piece, if it is one of the mesh's own cells.
+  std::optional<DataArray> of_cells = std::nullopt;
 };
 
 /// Where arrays come from: the mesh's file, or another one that every rank reads (--field-mesh).
@@ -44,6 +46,9 @@ class PieceArrays {
 
   /// Collective. As `ArraySource::drop_too_far`, on all ranks.
   std::optional<std::size_t> drop_too_far(DirectionField& directions) const;
+
+  /// Whether the other file's mesh is near enough to a vertex; without another file all are.
+  bool is_near(Index vertex) const { return !other_ || other_->is_near(vertex); }
 
   /// Lines for the user about the other file.
   std::string notes() const;

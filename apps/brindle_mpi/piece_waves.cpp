@@ -5,6 +5,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed_pattern.h"
+#include "piece_detail.h"
 #include "piece_fields.h"
 #include "piece_frequencies.h"
 #include "piece_slack.h"
@@ -20,6 +21,9 @@ WantedArrays wanted_arrays(const WaveOptions& options) {
   if (is_array(arrays.frequency_by)) {
     wanted.names.push_back(parse_array("--frequency-by", arrays.frequency_by));
   }
+  if (is_array(options.detail.weight)) {
+    wanted.names.push_back(parse_array("--field-weight", options.detail.weight));
+  }
   return wanted;
 }
 
@@ -31,18 +35,27 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   listener.stage("direction field");
   PieceWaves made;
   PieceField field = make_piece_field(ranks, surface, read, wanted);
-  const float turn_deg = options.rotate_deg + (options.along ? 90.0f : 0.0f);
-  if (turn_deg != 0) {
-    field.directions =
-        rotated(field.directions, surface.normals(), turn_deg * std::numbers::pi_v<float> / 180);
-  }
   field.missing.too_far = field.arrays->drop_too_far(field.directions);
-  choose_piece_frequencies(ranks, surface, read, options, field);
+  WavesAndCrossing seen;
+  choose_piece_frequencies(ranks, surface, read, options, field, seen, listener.progress());
+  const FrequencyField with_gaps = field.frequencies;
+  if (ranks.any(field.may_have_gaps) || says_frequencies(options)) {
+    field.missing.without_frequency =
+        drop_piece_waves(ranks, surface, field.directions, field.frequencies);
+  }
+  see_piece_at_detail(ranks, surface, read, options, with_gaps, field, seen, listener.progress());
+  if (const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180; turn != 0) {
+    field.directions = rotated(field.directions, surface.normals(), turn);
+  }
   listener.note(field.notes);
   made.waves = {read.piece.mesh.positions, std::move(field.directions),
                 std::move(field.frequencies)};
   made.field_rows_nonfinite = field.rows_nonfinite;
+  made.agreement = std::move(seen.agreement);
   made.figures = {measure_waves(surface, made.waves), field.missing};
+  made.figures.measured = is_measured(options);
+  made.figures.detail = seen.detail;
+  made.figures.frequency_detail = seen.frequency_detail;
   ranks.together([&] { check_wave_report(made.figures, source_of(options)); });
   listener.note(warnings(made.figures, source_of(options)));
   made.milliseconds = watch.lap();

@@ -23,8 +23,10 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
+#include "brindle/measured_field.h"
 #include "brindle/mesh.h"
 #include "brindle/pimpl.h"
+#include "brindle/progress.h"
 #include "brindle/smooth_field.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -122,6 +124,30 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
 /// ranks. Rank 0 gets the feature edges.
 std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, float angle_deg,
                                          double radius, double strength);
+
+/// A field at the scale of its stripes.
+struct DistributedDetail {
+  DetailedField field;         ///< of the piece's vertices
+  FieldDetailFigures figures;  ///< of the whole, on every rank
+};
+
+/// Collective. What a FieldDetail makes of the whole's field. `measured` has a datum per vertex of
+/// the piece, where what counts is what the owner has, or per triangle, ghosts among them, which do
+/// not count; `frequencies` and `last`, on all ranks or none, one per vertex. Rank 0 gets the whole
+/// surface, and needs room for it; bits are those of one process where triangles have numbers.
+/// Throws on all ranks what FieldDetail throws, and Error for other numbers of entries; Cancelled
+/// if the `progress` of rank 0 asks for it.
+DistributedDetail detailed_field(const DistributedSurface& surface, const MeasuredField& measured,
+                                 std::span<const float> frequencies,
+                                 const FieldDetailOptions& options = {},
+                                 const MeasuredField& last = {}, const Progress& progress = {});
+
+/// Collective. The same of frequencies: what `detailed_frequencies` of measured_field.h makes of
+/// those of the whole.
+DetailedFrequencies detailed_frequencies(const DistributedSurface& surface,
+                                         std::span<const float> frequencies,
+                                         const FrequencyDetailOptions& options = {},
+                                         const Progress& progress = {});
 
 /// Collective. The principal curvature directions of the piece's vertices.
 DirectionField curvature_direction_field(const DistributedSurface& surface,

@@ -9,6 +9,7 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
+#include "brindle/frequency_field.h"
 #include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
@@ -93,5 +94,26 @@ class FieldDetail {
   struct State;
   Pimpl<State> state_;
 };
+
+struct FrequencyDetailOptions {
+  float periods = 1;  ///< as FieldDetailOptions has it
+  float fill = 2;     ///< how far holes are filled from their border, in periods; 0: not at all
+};
+
+struct DetailedFrequencies {
+  FrequencyField frequencies;  ///< one per vertex; NaN beyond what is filled
+  std::size_t filled = 0;      ///< vertices that had none
+  double changed_median = 0;   ///< by which share half of all data, by area, were changed at most
+};
+
+/// Frequencies that were measured, seen at the scale of their own stripes: their logarithms are
+/// smoothed as a FieldDetail smooths directions, first over periods of the data, then over those
+/// that were found. `frequencies` are stripes per unit length, one per vertex: NaN in holes, 0
+/// where there is no wave, which stays so. Throws Error for options out of range, for other numbers
+/// of entries and other frequencies, and if there is none above 0; Cancelled if `progress` asks for
+/// it.
+DetailedFrequencies detailed_frequencies(const Surface& surface, std::span<const float> frequencies,
+                                         const FrequencyDetailOptions& options = {},
+                                         const Progress& progress = {});
 
 }  // namespace brindle

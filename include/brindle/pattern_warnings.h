@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/export.h"
+#include "brindle/measured_field.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/wave_figures.h"
 
@@ -15,5 +16,9 @@ namespace BRINDLE_EXPORT brindle {
 /// the pattern was made for.
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
                                           const WarningWords& words = {});
+
+/// The same of more singularities than `FieldDetailOptions::singularities` asks for.
+std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
+                                         const WarningWords& words = {});
 
 }  // namespace brindle

@@ -53,6 +53,7 @@ struct WarningWords {
   std::string field = "field";                           ///< as in "a smoother field"
   std::string source = "the field";                      ///< where directions come from
   std::string detail = "FieldDetail";  ///< what sees measured fields at the scale of stripes
+  std::string singularities = "FieldDetailOptions::singularities";  ///< of their number
   std::string join = "join them with make_repaired_mesh";  ///< vertices at one place
 };
 

@@ -14,7 +14,8 @@ struct vtkBrindleFilter::Run {
   brindle::paraview::Ranks ranks;
   const brindle::paraview::InputSurface* input = nullptr;
   brindle::WaveSet waves;
-  float turn_deg = 0;  ///< by which they are turned from their field
+  std::vector<float> agreement;  ///< of a measured field's data, per vertex; mostly empty
+  float turn_deg = 0;            ///< by which they are turned from their field
   brindle::paraview::RunFigures figures;
   brindle::paraview::SeriesOptions options;
   bool follows = false;  ///< whether this time comes after the last one

@@ -86,7 +86,7 @@ std::vector<float> branches_at_vertices(const InputSurface& input, const StripeP
 }
 
 StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern,
-                            const std::vector<float>& branches) {
+                            const VertexNotes& notes) {
   StripeSurface surface;
   for (Index p = 0; p < input.vertex_of_point.size(); ++p) surface.sources.push_back(whole_row(p));
   surface.triangles = input.points_of_triangle;
@@ -94,13 +94,14 @@ StripeSurface plain_surface(const InputSurface& input, const StripePattern& patt
   surface.branches = brindle::branches_in_triangles(pattern, "branch");
   std::vector<DataArray> arrays;
   brindle::add_waves(arrays, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
-                     kMissing, branches);
+                     kMissing, notes.branches);
+  brindle::add_agreement(arrays, notes.agreement);
   surface.point_arrays = rows_of(arrays, input.vertex_of_point);
   return surface;
 }
 
 StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern,
-                               const std::vector<float>& branches) {
+                               const VertexNotes& notes) {
   // All fields that filters make, or take, have signs: those of neighbours agree where they can.
   const TexturedMesh textured =
       texture_coordinates(*input.surface, pattern, pattern.phase_shift, true);
@@ -122,7 +123,10 @@ StripeSurface textured_surface(const InputSurface& input, const StripePattern& p
   }
   std::vector<DataArray> arrays;
   brindle::add_carried_waves(arrays, textured, input.surface->mesh, pattern, "", kMissing);
-  set_branches(arrays, textured, branches);
+  set_branches(arrays, textured, notes.branches);
+  if (!notes.agreement.empty()) {
+    brindle::add_agreement(arrays, carried_values(textured, notes.agreement, 1));
+  }
   surface.point_arrays = rows_of(arrays, points.vertices);
   return surface;
 }

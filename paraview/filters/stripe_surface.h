@@ -26,13 +26,19 @@ struct StripeSurface {
 /// ends.
 std::vector<float> branches_at_vertices(const InputSurface& input, const StripePattern& pattern);
 
-/// The input's points and triangles, those without area left out. `branches` is as above.
+/// What vertices have beside a pattern.
+struct VertexNotes {
+  std::vector<float> branches;   ///< as above
+  std::vector<float> agreement;  ///< of a measured field's data, or nothing
+};
+
+/// The input's points and triangles, those without area left out.
 StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern,
-                            const std::vector<float>& branches);
+                            const VertexNotes& notes);
 
 /// The same with copies of points along seams, and with triangles in which stripes begin or end
 /// split at their barycentres, so that U, across the stripes, is linear in every triangle.
 StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern,
-                               const std::vector<float>& branches);
+                               const VertexNotes& notes);
 
 }  // namespace brindle::paraview

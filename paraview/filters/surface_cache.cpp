@@ -199,13 +199,24 @@ vtkSmartPointer<vtkPolyData> with_points(vtkSmartPointer<vtkPolyData> data) {
 }  // namespace
 
 DataArray InputSurface::array(const std::string& name, bool of_points) const {
-  if (piece) return rows_of_piece(name, of_points);
-  DataArray rows = data_array_of(found_array(*triangles, name, of_points));
-  if (!of_points) return cells_to_points(surface->mesh, rows_of(rows, cell_of_triangle));
+  if (!of_points) {
+    const DataArray rows = array_of_triangles(name);
+    if (!piece) return cells_to_points(surface->mesh, rows);
+    const auto each = static_cast<std::size_t>(rows.components);
+    return make_data_array(name, rows.components,
+                           piece->cells_to_points(surface->mesh, doubles_of(rows), each));
+  }
+  if (piece) return rows_of_piece(name, true);
+  DataArray rows = data_array_of(found_array(*triangles, name, true));
   return joined ? rows_of(rows, point_of_vertex) : std::move(rows);
 }
 
-/// As `array`. Ranks without rows need not have the array.
+DataArray InputSurface::array_of_triangles(const std::string& name) const {
+  if (piece) return rows_of_piece(name, false);
+  return rows_of(data_array_of(found_array(*triangles, name, false)), cell_of_triangle);
+}
+
+/// One row per vertex or triangle. Ranks without rows need not have the array.
 DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) const {
   const Ranks& ranks = piece->ranks();
   const bool any_rows = of_points ? surface->mesh.vertex_count() > 0 : !cell_of_triangle.empty();
@@ -223,10 +234,7 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
                 " numbers in a row on one rank, and " + std::to_string(count) + " on another");
   }
   if (!any_rows) rows = make_data_array(name, std::max(most, 1), std::vector<double>{});
-  if (of_points) return rows;
-  const auto each = static_cast<std::size_t>(rows.components);
-  return make_data_array(name, rows.components,
-                         piece->cells_to_points(surface->mesh, doubles_of(rows), each));
+  return rows;
 }
 
 const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm* owner,

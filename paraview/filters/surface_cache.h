@@ -48,6 +48,9 @@ struct InputSurface {
   /// it. Collective over ranks. Throws Error for an array that is not there or holds no numbers.
   DataArray array(const std::string& name, bool of_points) const;
 
+  /// The array of cells of that name, with a row per triangle; otherwise the same.
+  DataArray array_of_triangles(const std::string& name) const;
+
  private:
   DataArray rows_of_piece(const std::string& name, bool of_points) const;
 };

@@ -41,13 +41,19 @@ struct vtkBrindleFilter::State {
   bp::PatternSurface made_surface;
   std::pair<int, int> made_settings;
   bool made_follows = false;  ///< went on from those of the time before
+  /// What FieldMemory needs: the field that was seen last, and what it went on from.
+  struct {
+    brindle::DirectionField seen, before;
+    bp::PatternSurface surface;
+  } memory;
   std::optional<double> last_time;
   vtkMTimeType settings_time = 0;  ///< of the filter, in the last run
   int warned_surface = 0;          ///< whose ids were looked at, by SurfacesMade
 
   /// How a run stands to the one before. The same on all ranks.
   struct Step {
-    bool follows = false;  ///< time has gone on, and no setting was changed
+    bool goes_on = false;  ///< time has, and no setting was changed
+    bool follows = false;  ///< the same, and phases and smooth fields stay near to the last ones
     bool repeats = false;  ///< neither time nor a setting was changed
   };
 
@@ -57,7 +63,8 @@ struct vtkBrindleFilter::State {
                const bp::Ranks& ranks) const {
     const bool same_settings = settings_time == filter.GetMTime();
     const bool goes_on = time && last_time && *time > *last_time;
-    return {ranks.every(goes_on && filter.TimeAnchor > 0 && same_settings),
+    return {ranks.every(goes_on && same_settings),
+            ranks.every(goes_on && filter.TimeAnchor > 0 && same_settings),
             ranks.every(time == last_time && same_settings)};
   }
 
@@ -86,6 +93,19 @@ struct vtkBrindleFilter::State {
     return made_directions;
   }
 
+  /// Collective. The field of the time before on this surface, or nothing: what is played from the
+  /// start does not depend on what was shown before.
+  brindle::DirectionField remembered(const bp::PatternSurface& surface,
+                                     const bp::WaveSettings& settings, const Step& step) {
+    if (settings.memory == 0 || settings.detail == 0 || memory.surface.surface == nullptr) return {};
+    if (step.repeats && memory.surface.surface == surface.surface) return memory.before;
+    if (!step.goes_on || !bp::same_connectivity_everywhere(memory.surface, surface)) return {};
+    const brindle::Surface& before = *memory.surface.surface;
+    if (memory.seen.size() != before.mesh.vertex_count()) return {};  // there was no datum
+    return brindle::matched_directions({before.mesh, before.normals, memory.seen},
+                                       *surface.surface);
+  }
+
   /// The filter's properties. Throws Error for an angle and an anchor that cannot be; other numbers
   /// are checked where they are used.
   static bp::WaveSettings settings_of(const vtkBrindleFilter& filter) {
@@ -96,11 +116,19 @@ struct vtkBrindleFilter::State {
     settings.tensor_axis = static_cast<brindle::TensorAxis>(filter.TensorAxis);
     for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
     settings.detail = number(filter.FieldDetail);
+    settings.frequency_detail = number(filter.FrequencyDetail);
+    settings.memory = number(filter.FieldMemory);
     settings.fill = number(filter.FillPeriods);
     settings.arrows = filter.FieldArrows;
     settings.singularities = filter.FieldSingularities;
-    if (!(settings.detail >= 0 && settings.detail <= 100)) {
-      throw Error("Field Detail must be a number of periods from 0 to 100");
+    const auto check_periods = [](float periods, const std::string& name) {
+      if (periods >= 0 && periods <= 100) return;
+      throw Error(name + " must be a number of periods from 0 to 100");
+    };
+    check_periods(settings.detail, "Field Detail");
+    check_periods(settings.frequency_detail, "Frequency Detail");
+    if (!std::isfinite(settings.memory) || settings.memory < 0) {
+      throw Error("Field Memory must be 0 or above");
     }
     settings.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
     if (!std::isfinite(settings.turn_deg)) throw Error("Rotate must be a finite number of degrees");
@@ -131,15 +159,26 @@ std::optional<double> time_of(vtkDataObject* data, const bp::Ranks& ranks) {
   return std::nullopt;
 }
 
+/// What the panel calls no array, where there need be none.
+constexpr const char* kNoArray = "None";
+
+struct ChosenArray {
+  std::optional<brindle::DataArray> of_points;  ///< a row per vertex
+  std::optional<brindle::DataArray>
+      of_cells;  ///< of cells: the same as it is, if that is asked for
+};
+
 /// The array that is chosen for a use, if one is.
-std::optional<brindle::DataArray> chosen_array(vtkAlgorithm& filter, int use,
-                                               const bp::InputSurface& input) {
+ChosenArray chosen_array(vtkAlgorithm& filter, int use, const bp::InputSurface& input,
+                         bool cells = false) {
   vtkInformation* chosen = filter.GetInputArrayInformation(use);
   const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
-  if (name == nullptr || *name == '\0') return std::nullopt;
+  if (name == nullptr || *name == '\0' || std::string_view(name) == kNoArray) return {};
   const bool points =
       chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  return input.array(name, points);
+  ChosenArray array{input.array(name, points), std::nullopt};
+  if (!points && cells) array.of_cells = input.array_of_triangles(name);
+  return array;
 }
 
 const brindle::DataArray* pointer_to(const std::optional<brindle::DataArray>& array) {
@@ -214,25 +253,29 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   if (run.input == nullptr) return false;
 
   bp::WaveSettings settings;
-  run.ranks.together([&] {
-    settings = State::settings_of(*this);
-    const bool is_seen = settings.detail > 0 && settings.field == bp::FieldSource::array;
-    if (!run.ranks.alone() && is_seen) {
-      throw Error(
-          "Field Detail is for one process; make the field with brindle, and take its "
-          "array 'direction', or set Field Detail to 0");
-    }
-  });
-  std::optional<brindle::DataArray> vectors, frequencies;
-  if (settings.field == bp::FieldSource::array) vectors = chosen_array(*this, 0, *run.input);
+  run.ranks.together([&] { settings = State::settings_of(*this); });
+  ChosenArray vectors, frequencies, weights;
+  const bool is_seen = settings.detail > 0 && settings.field == bp::FieldSource::array;
+  if (settings.field == bp::FieldSource::array) {
+    vectors = chosen_array(*this, 0, *run.input, is_seen);
+  }
   if (settings.needs_frequency_array()) frequencies = chosen_array(*this, 1, *run.input);
+  if (is_seen) weights = chosen_array(*this, 2, *run.input, true);
   const std::optional<double> time = time_of(input, run.ranks);
   const State::Step step = state.step_to(time, *this, run.ranks);
   run.follows = step.follows;
   brindle::DirectionField made;
   if (settings.is_made()) made = state.directions(run.surface(), settings, step);
-  run.waves = bp::make_waves(*run.input->surface, settings, std::move(made), pointer_to(vectors),
-                             pointer_to(frequencies), run.input->piece.get());
+  brindle::DirectionField last = state.remembered(run.surface(), settings, step);
+  bp::MadeWaves waves = bp::make_waves(
+      *run.input->surface, settings, std::move(made),
+      {pointer_to(vectors.of_points), pointer_to(frequencies.of_points),
+       pointer_to(weights.of_points), pointer_to(vectors.of_cells), pointer_to(weights.of_cells)},
+      last, run.input->piece.get());
+  run.waves = std::move(waves.waves);
+  run.agreement = std::move(waves.agreement);
+  run.figures.detail = waves.figures;
+  state.memory = {std::move(waves.seen), std::move(last), run.surface()};
   run.turn_deg = settings.turn_deg;
   run.figures.waves = bp::wave_figures(run.surface(), run.waves);
   run.figures.measured = settings.field == bp::FieldSource::array && settings.detail == 0;

@@ -10,8 +10,8 @@
 #include "BrindleFiltersModule.h"  // export macro
 
 /// Takes polygons, or the surface of grids and of blocks, and lays waves over it. Input array 0 is
-/// the field, array 1 the frequency; both may belong to points or cells. The ranks of VTK's global
-/// controller have one surface and run together.
+/// the field, array 1 the frequency, array 2 weights; all may belong to points or cells. The ranks
+/// of VTK's global controller have one surface and run together.
 class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkBrindleFilter, vtkPolyDataAlgorithm);
@@ -34,10 +34,17 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   vtkSetMacro(Along, bool);
   vtkGetMacro(Along, bool);
   /// An array is seen at the scale of so many periods of the stripes, without what is finer, and
-  /// with its holes filled; 0 to 100, 0: as it is given. For one rank.
+  /// with its holes filled; 0 to 100, 0: as it is given. Input array 2, if there is one, says how
+  /// much data count.
   vtkSetMacro(FieldDetail, double);
   vtkGetMacro(FieldDetail, double);
-  /// With FieldDetail: how far holes are filled, in periods; 0 or above.
+  /// The same of an array of frequencies.
+  vtkSetMacro(FrequencyDetail, double);
+  vtkGetMacro(FrequencyDetail, double);
+  /// With FieldDetail: how much the field of the time before counts beside the data; 0 or above.
+  vtkSetMacro(FieldMemory, double);
+  vtkGetMacro(FieldMemory, double);
+  /// With FieldDetail and FrequencyDetail: how far holes are filled, in periods; 0 or above.
   vtkSetMacro(FillPeriods, double);
   vtkGetMacro(FillPeriods, double);
   /// With FieldDetail: whether vectors have a sign, so that those that face each other cancel.
@@ -112,6 +119,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   bool Along = false;
   double FieldDetail = 0;
   double FillPeriods = 2;
+  double FrequencyDetail = 0;
+  double FieldMemory = 0;
   bool FieldArrows = false;
   int FieldSingularities = -1;
   double Rotate = 0;

@@ -52,11 +52,11 @@ void fill(const bp::InputSurface& input, const bp::StripeSurface& surface, float
 void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
   const brindle::StripePattern& pattern = run.pattern();
   run.begin(0.8, 0.9, "texture coordinates");
-  const std::vector<float> branches = bp::branches_at_vertices(*run.input, pattern);
+  const bp::VertexNotes notes{bp::branches_at_vertices(*run.input, pattern), run.agreement};
   run.ranks.together([&] {
     const bp::StripeSurface surface = this->TextureCoordinates
-                                          ? bp::textured_surface(*run.input, pattern, branches)
-                                          : bp::plain_surface(*run.input, pattern, branches);
+                                          ? bp::textured_surface(*run.input, pattern, notes)
+                                          : bp::plain_surface(*run.input, pattern, notes);
     run.progress(0.9, 1).report("arrays", 0);
     fill(*run.input, surface, run.turn_deg, output);
     bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <brindle/distributed_pattern.h>
+#include <brindle/pattern_warnings.h>
 
 namespace brindle::paraview {
 namespace {
@@ -18,7 +19,8 @@ WarningWords words_of_panels() {
       "length";
   words.subdivide = "apply the filter Subdivide before, Number of Subdivisions:";
   words.field = "Field";
-  words.detail = "Field Detail 1, which is for one process,";
+  words.detail = "Field Detail 1";
+  words.singularities = "Field Singularities";
   words.source = "the frequency is not finite, or the field";
   return words;
 }
@@ -58,6 +60,7 @@ std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSur
   if (figures.measured) {
     add(noise_warnings(figures.field_singularities, triangle_count(surface), words));
   }
+  if (figures.detail) add(detail_warnings(*figures.detail, words));
   return sentences;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <brindle/measured_field.h>
 #include <brindle/phase_graph.h>
 #include <brindle/wave_figures.h>
 
@@ -23,6 +24,7 @@ struct RunFigures {
   std::size_t branches = 0;             ///< of the pattern that has most
   bool measured = false;                ///< the field is an array, taken as it is
   std::size_t field_singularities = 0;
+  std::optional<FieldDetailFigures> detail;  ///< of an array seen at the scale of its stripes
 };
 
 /// The library's warnings in the words of ParaView's panels, a sentence each; of waves that are

@@ -31,6 +31,41 @@ DirectionField array_directions(const Surface& surface, const WaveSettings& sett
   return tensor_field_of(surface, *vectors, settings.tensor_axis).directions;
 }
 
+/// Numbers, or the lengths of vectors.
+std::vector<float> lengths_of(const DataArray& array) {
+  const std::vector<double> numbers = doubles_of(array);
+  const auto columns = static_cast<std::size_t>(array.components);
+  std::vector<float> lengths;
+  for (std::size_t row = 0; row < array.rows(); ++row) {
+    const double* first = &numbers[columns * row];
+    double length = columns == 1 ? *first : 0;
+    for (std::size_t c = 0; columns > 1 && c < columns; ++c) length = std::hypot(length, first[c]);
+    lengths.push_back(static_cast<float>(length));
+  }
+  return lengths;
+}
+
+std::vector<Vec3> unit_vectors(const DataArray& array) {
+  const std::vector<double> numbers = doubles_of(array);
+  const auto columns = static_cast<std::size_t>(array.components);
+  std::vector<Vec3> vectors;
+  for (std::size_t row = 0; row < array.rows(); ++row) {
+    const double* first = &numbers[columns * row];
+    const Eigen::Vector3d vector(first[0], first[1], columns > 2 ? first[2] : 0);
+    vectors.push_back(vector.stableNormalized().cast<float>());
+  }
+  return vectors;
+}
+
+/// Of triangles: those of their corners on average.
+std::vector<float> means_of(const Mesh& mesh, const std::vector<float>& of_vertices) {
+  std::vector<float> means;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    means.push_back((of_vertices[a] + of_vertices[b] + of_vertices[c]) / 3);
+  }
+  return means;
+}
+
 /// What the whole surface says where a piece does not know it.
 struct Whole {
   float diagonal = 0;
@@ -115,52 +150,102 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
   return constant_frequency_field(along_diagonal(), surface.mesh.vertex_count());
 }
 
-/// Of an array at the scale of its stripes: tensors count by their anisotropy.
-DirectionField detailed_directions(const Surface& surface, const WaveSettings& settings,
-                                   const DataArray& vectors, DirectionField directions,
-                                   const FrequencyField& frequencies) {
+/// The data of the field: those of cells as they are, as lines or arrows of triangles.
+MeasuredField measured_field(const Surface& surface, const WaveArrays& arrays,
+                             const DirectionField& directions) {
+  MeasuredField measured;
+  const bool tensor = is_tensor(*arrays.vectors);
+  measured.of_triangles = arrays.cell_vectors != nullptr && !tensor;
+  if (measured.of_triangles) {
+    measured.directions = unit_vectors(*arrays.cell_vectors);
+  } else {
+    measured.directions = directions;
+  }
+  if (arrays.weights == nullptr) {
+    if (tensor) measured.confidence = tensor_anisotropy(*arrays.vectors);
+  } else if (measured.of_triangles && arrays.cell_weights != nullptr) {
+    measured.confidence = lengths_of(*arrays.cell_weights);
+  } else {
+    measured.confidence = lengths_of(*arrays.weights);
+    if (measured.of_triangles) measured.confidence = means_of(surface.mesh, measured.confidence);
+  }
+  for (float& confidence : measured.confidence) {
+    if (confidence < 0) throw Error("Field Weight: there are weights below zero");
+    if (!std::isfinite(confidence)) confidence = 0;
+  }
+  return measured;
+}
+
+FieldDetailOptions detail_options(const WaveSettings& settings) {
   FieldDetailOptions options;
   options.periods = settings.detail;
   options.fill = settings.fill;
   options.symmetry = settings.arrows ? 1 : 2;
+  options.memory = settings.memory;
   if (settings.singularities >= 0) {
     options.singularities = static_cast<std::size_t>(settings.singularities);
   }
-  MeasuredField measured{std::move(directions), {}};
-  if (is_tensor(vectors)) measured.confidence = tensor_anisotropy(vectors);
-  for (float& confidence : measured.confidence) {
-    if (!std::isfinite(confidence)) confidence = 0;
-  }
-  FrequencyField places = frequencies;  // where there may be waves
-  for (float& frequency : places) {
-    if (!std::isfinite(frequency)) frequency = 0;
-  }
-  return FieldDetail(surface, options).frame(measured, places).directions;
+  return options;
 }
 
 bool has_data(const DirectionField& directions) {
-  return std::any_of(directions.begin(), directions.end(),
-                     [](const Vec3& direction) { return !direction.isZero(0); });
+  return std::any_of(directions.begin(), directions.end(), [](const Vec3& direction) {
+    return direction.allFinite() && !direction.isZero(0);
+  });
 }
 
-WaveSet local_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
-                    DirectionField directions, const DataArray* vectors,
-                    const DataArray* frequencies) {
+/// Collective. An array at the scale of its stripes; `frequencies` are NaN where there is no wave.
+void see_at_detail(const Surface& surface, const WaveSettings& settings, const WaveArrays& arrays,
+                   const DirectionField& last, const RankPiece* piece, MadeWaves& made) {
+  MeasuredField measured;
+  const auto together = [&](const auto& work) {
+    piece == nullptr ? work() : piece->ranks().together(work);
+  };
+  together([&] { measured = measured_field(surface, arrays, made.waves.directions); });
+  const bool is_any = has_data(measured.directions);
+  if (!(piece == nullptr ? is_any : piece->ranks().any(is_any))) return;
+  FrequencyField places = made.waves.frequencies;  // where there may be waves
+  for (float& frequency : places) {
+    if (!std::isfinite(frequency)) frequency = 0;
+  }
+  DetailedField field;
+  if (piece != nullptr) {
+    DistributedDetail whole =
+        detailed_field(piece->surface(), measured, places, detail_options(settings), {last, {}});
+    field = std::move(whole.field);
+    made.figures = whole.figures;
+  } else {
+    FieldDetail detail(surface, detail_options(settings));
+    field = detail.frame(measured, places, {last, {}});
+    made.figures = detail.figures();
+  }
+  made.seen = field.directions;
+  made.waves.directions = std::move(field.directions);
+  made.agreement = std::move(field.agreement);
+}
+
+/// Collective. The same of frequencies that are an array's.
+void see_frequencies_at_detail(const Surface& surface, const WaveSettings& settings,
+                               const RankPiece* piece, FrequencyField& frequencies) {
+  FrequencyDetailOptions options;
+  options.periods = settings.frequency_detail;
+  options.fill = settings.fill;
+  frequencies = piece == nullptr
+                    ? detailed_frequencies(surface, frequencies, options).frequencies
+                    : detailed_frequencies(piece->surface(), frequencies, options).frequencies;
+}
+
+/// Before anything is seen at any scale, and turned.
+WaveSet given_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
+                    DirectionField directions, const WaveArrays& arrays) {
   if (settings.field == FieldSource::direction) {
     directions = projected_direction_field(settings.direction, surface.normals);
   } else if (settings.field == FieldSource::array) {
-    directions = array_directions(surface, settings, vectors);
+    directions = array_directions(surface, settings, arrays.vectors);
   }
-  FrequencyField chosen = make_frequencies(surface, settings, whole, directions, frequencies);
-  if (settings.detail > 0 && settings.field == FieldSource::array && has_data(directions)) {
-    directions = detailed_directions(surface, settings, *vectors, std::move(directions), chosen);
-  }
-  if (settings.turn_deg != 0) {
-    directions =
-        rotated(directions, surface.normals, settings.turn_deg * std::numbers::pi_v<float> / 180);
-  }
-  if (settings.needs_frequency_array()) drop_waves_without_frequency(directions, chosen);
-  return {surface.mesh.positions, std::move(directions), std::move(chosen)};
+  FrequencyField frequencies =
+      make_frequencies(surface, settings, whole, directions, arrays.frequencies);
+  return {surface.mesh.positions, std::move(directions), std::move(frequencies)};
 }
 
 }  // namespace
@@ -175,19 +260,31 @@ DirectionField made_directions(const Surface& surface, const WaveSettings& setti
   return smooth_direction_field(surface, options);
 }
 
-WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
-                   const DataArray* vectors, const DataArray* frequencies, const RankPiece* piece) {
-  const Whole whole = whole_of(surface, settings, frequencies, piece);
-  if (piece == nullptr) {
-    return local_waves(surface, settings, whole, std::move(made), vectors, frequencies);
+MadeWaves make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
+                     const WaveArrays& arrays, const DirectionField& last, const RankPiece* piece) {
+  const Whole whole = whole_of(surface, settings, arrays.frequencies, piece);
+  MadeWaves result;
+  WaveSet& waves = result.waves;
+  const auto make = [&] { waves = given_waves(surface, settings, whole, std::move(made), arrays); };
+  piece == nullptr ? make() : piece->ranks().together(make);
+  if (settings.frequency_detail > 0 && settings.needs_frequency_array()) {
+    see_frequencies_at_detail(surface, settings, piece, waves.frequencies);
   }
-  WaveSet waves;
-  piece->ranks().together([&] {
-    waves = local_waves(surface, settings, whole, std::move(made), vectors, frequencies);
-  });
-  piece->owners().from_owners(std::span(waves.directions));
-  piece->owners().from_owners(std::span(waves.frequencies));
-  return waves;
+  if (settings.detail > 0 && settings.field == FieldSource::array) {
+    see_at_detail(surface, settings, arrays, last, piece, result);
+  }
+  if (settings.turn_deg != 0) {
+    waves.directions = rotated(waves.directions, surface.normals,
+                               settings.turn_deg * std::numbers::pi_v<float> / 180);
+  }
+  if (settings.needs_frequency_array()) {
+    drop_waves_without_frequency(waves.directions, waves.frequencies);
+  }
+  if (piece != nullptr) {
+    piece->owners().from_owners(std::span(waves.directions));
+    piece->owners().from_owners(std::span(waves.frequencies));
+  }
+  return result;
 }
 
 }  // namespace brindle::paraview

@@ -1,10 +1,14 @@
 /// What a filter's properties say of waves, and the waves that follow.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include <brindle/array_field.h>
 #include <brindle/curvature.h>
 #include <brindle/data_arrays.h>
 #include <brindle/direction_field.h>
+#include <brindle/measured_field.h>
 #include <brindle/phase_graph.h>
 #include <brindle/surface.h>
 #include <brindle/tensor_field.h>
@@ -33,6 +37,8 @@ struct WaveSettings {
   float fill = 2;                  ///< how far holes in an array are filled, in periods
   bool arrows = false;             ///< vectors of an array have a sign
   int singularities = -1;          ///< at most so many are left; below 0: all stay
+  float memory = 0;                ///< how much the field of the time before counts beside them
+  float frequency_detail = 0;      ///< the same scale for an array of frequencies
   float turn_deg = 0;              ///< about the normals, counter-clockwise seen from their tips
   FrequencySource frequency_source = FrequencySource::along_diagonal;
   float stripes = 40;
@@ -53,14 +59,31 @@ struct WaveSettings {
 DirectionField made_directions(const Surface& surface, const WaveSettings& settings,
                                const RankPiece* piece = nullptr, DirectionField last = {});
 
-/// Waves of all vertices. `made` has what `made_directions` gave where the settings ask for it;
-/// `vectors` (3 numbers a row, 2 in the plane, or a tensor's 6 or 9) and `frequencies` have a row
-/// per vertex and are null where the settings do not ask for them. There is no wave where an array
-/// is not finite, and cannot be filled. With a piece, collective: the whole's diagonal and numbers
-/// count, and a vertex of several ranks has the wave that its owner says. Throws Error for what
-/// arrays and numbers cannot be.
-WaveSet make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
-                   const DataArray* vectors, const DataArray* frequencies,
-                   const RankPiece* piece = nullptr);
+/// Arrays that waves are made of, null where the settings do not ask for them: a row per vertex.
+struct WaveArrays {
+  const DataArray* vectors = nullptr;  ///< 3 numbers a row, 2 in the plane, or a tensor's 6 or 9
+  const DataArray* frequencies = nullptr;
+  const DataArray* weights = nullptr;  ///< how much data count; null: tensors by their anisotropy
+  // Where they are cells', as they are: a row per triangle.
+  const DataArray* cell_vectors = nullptr;
+  const DataArray* cell_weights = nullptr;
+};
+
+struct MadeWaves {
+  WaveSet waves;  ///< of all vertices
+  // With detail alone.
+  DirectionField seen;           ///< before it was turned
+  std::vector<float> agreement;  ///< of its data, one per vertex
+  std::optional<FieldDetailFigures> figures;
+};
+
+/// `made` has what `made_directions` gave where the settings ask for it, `last` what was seen at
+/// the time before, or nothing, on all ranks alike. There is no wave where an array is not finite,
+/// and cannot be filled. With a piece, collective: the whole's diagonal and numbers count, and a
+/// vertex of several ranks has the wave that its owner says. Throws Error for what arrays and
+/// numbers cannot be.
+MadeWaves make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
+                     const WaveArrays& arrays, const DirectionField& last = {},
+                     const RankPiece* piece = nullptr);
 
 }  // namespace brindle::paraview

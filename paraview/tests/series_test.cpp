@@ -6,6 +6,7 @@
 
 #include <brindle/carried_field.h>
 #include <brindle/direction_field.h>
+#include <brindle/measured_field.h>
 #include <brindle/smooth_field.h>
 #include <brindle/stripe_animator.h>
 #include <brindle/stripe_pattern.h>
@@ -90,6 +91,36 @@ TEST_F(Series, PropertiesAndInputsWithoutTimeStartAfresh) {
   show(-1, 0.3f);
   expect_alone(0.3f);
   EXPECT_EQ(filter->GetPatternsFollowed(), 0);
+}
+
+/// With a memory the field of the time before counts, also where phases stand alone.
+TEST_F(Series, FieldsRememberThoseOfTheTimeBefore) {
+  filter->SetTimeAnchor(0);
+  filter->SetFieldDetail(1);
+  filter->SetFieldMemory(2);
+  filter->SetTextureCoordinates(false);
+  const FrequencyField frequencies = waves_at(surface, 0).frequencies;
+  const auto seen_after = [&](const DirectionField& last, float angle) {
+    return FieldDetail(surface, {.memory = 2})
+        .frame({waves_at(surface, angle).directions, {}}, frequencies, {last, {}})
+        .directions;
+  };
+  const auto expect_field = [&](const DirectionField& field) {
+    expect_phases(*filter->GetOutput(), stripe_pattern(surface, field, frequencies).solution.z);
+  };
+  DirectionField last, first;
+  for (const int step : {0, 1, 2}) {
+    const float angle = 0.3f * static_cast<float>(step);
+    show(step, angle);
+    if (step > 0) last = matched_directions({surface.mesh, surface.normals, last}, surface);
+    last = seen_after(last, angle);
+    if (step == 0) first = last;
+    expect_field(last);
+    show(step, angle);  // what is shown again stays
+    expect_field(last);
+  }
+  show(0, 0);
+  expect_field(first);
 }
 
 TEST_F(Series, WithoutAnchorEveryStepStandsAlone) {

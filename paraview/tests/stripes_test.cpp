@@ -94,6 +94,80 @@ TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   EXPECT_NE(only_error(*filter).find("0 to 100"), std::string::npos);
 }
 
+TEST(BrindleStripes, CountsDataOfCellsAsTheyAreAndByTheirWeights) {
+  const auto data = polygons_of(make_shape("torus,resolution=60"));
+  const Surface surface = make_surface(make_shape("torus,resolution=60"));
+  MeasuredField measured;
+  measured.of_triangles = true;
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("weight");
+  const auto vectors = vectors_by("cells", data->GetNumberOfCells(), [&](vtkIdType t) {
+    const auto& [a, b, c] = surface.mesh.triangles[static_cast<std::size_t>(t)];
+    const std::vector<Vec3>& p = surface.mesh.positions;
+    Vec3 vector = swirl((p[a] + p[b] + p[c]) / 3, 0);
+    if (t % 2 == 0) vector = -vector;
+    if (t % 5 == 0) vector = Vec3(1, 2, 3);  // counts nothing
+    weights->InsertNextValue(t % 5 == 0 ? 0 : 2);
+    measured.directions.push_back(vector.normalized());
+    measured.confidence.push_back(t % 5 == 0 ? 0.0f : 2.0f);
+    return vector;
+  });
+  data->GetCellData()->AddArray(vectors);
+  data->GetCellData()->AddArray(weights);
+  const FrequencyField frequencies = constant_frequency_field(
+      frequency_of_stripes(12, bounding_box(surface.mesh).diagonal()), surface.normals.size());
+  const DetailedField field = FieldDetail(surface).frame(measured, frequencies);
+
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  choose(*filter, 0, "cells", false);
+  choose(*filter, 2, "weight", false);
+  filter->SetStripes(12);
+  filter->SetFieldDetail(1);
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  expect_phases(*filter->GetOutput(),
+                stripe_pattern(surface, field.directions, frequencies).solution.z);
+  EXPECT_EQ(numbers(*filter->GetOutput(), "agreement"), field.agreement);
+  choose(*filter, 2, "None");
+  filter->Update();
+  EXPECT_NE(numbers(*filter->GetOutput(), "agreement"), field.agreement);
+  filter->SetTextureCoordinates(true);
+  filter->Update();
+  EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("agreement"));
+  filter->SetFieldDetail(0);
+  filter->Update();
+  EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray("agreement"));
+}
+
+TEST(BrindleStripes, SeesFrequenciesAtTheScaleOfTheirStripes) {
+  const auto data = swirling("torus,resolution=60");
+  const Surface surface = make_surface(make_shape("torus,resolution=60"));
+  vtkNew<vtkDoubleArray> density;
+  density->SetName("density");
+  FrequencyField given;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    const float noise = 0.4f * std::sin(static_cast<float>(7 * i));
+    given.push_back(i % 9 == 0 ? std::nanf("") : 3 * std::exp(noise));
+    density->InsertNextValue(static_cast<double>(given.back()));
+  }
+  data->GetPointData()->AddArray(density);
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kArray);
+  choose(*filter, 0, "v");
+  filter->SetFrequencySource(kFrequencyArray);
+  choose(*filter, 1, "density");
+  filter->SetTextureCoordinates(false);
+  filter->SetFrequencyDetail(1);
+  filter->Update();
+  EXPECT_EQ(numbers(*filter->GetOutput(), "frequency"),
+            detailed_frequencies(surface, given).frequencies);
+  filter->SetFrequencyDetail(-1);
+  EXPECT_NE(only_error(*filter).find("Frequency Detail"), std::string::npos);
+}
+
 TEST(BrindleStripes, MakesFieldsAsTheLibraryDoes) {
   const Mesh mesh = make_shape("trefoil,resolution=24");
   const Surface surface = make_surface(mesh);

@@ -154,3 +154,40 @@ class FieldAnimator:
             import numpy as np
             vertices, directions = np.empty(0, np.int64), np.empty((0, 3), np.float32)
         return self._core.frame(vertices, directions, weights)
+
+
+class FieldDetail:
+    """Measured fields on one surface, one after the other, seen at the scale of their stripes: what
+    depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
+    lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
+    many are left. ``memory``: how much the field of the frame before counts beside the data, so that
+    noise does not make it jump (0: not at all; 1: as much)."""
+
+    def __init__(self, surface: Any, periods: float = 1, *, symmetry: int = 2, fill: float = 2,
+                 singularities: Optional[int] = None, memory: float = 0) -> None:
+        self.surface: Surface = as_surface(surface)
+        left = None if singularities is None else whole_number(singularities, "singularities")
+        self._core = _core.FieldDetail(self.surface._core, number(periods, "periods"),
+                                       whole_number(symmetry, "symmetry"), number(fill, "fill"),
+                                       left, number(memory, "memory"))
+
+    def frame(self, vectors: "ArrayLike", frequencies: "ArrayLike", *,
+              confidence: "Optional[ArrayLike]" = None, last: "Optional[ArrayLike]" = None,
+              progress: Optional[Progress] = None
+              ) -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
+        """The next frame: (n, 3) unit tangent vectors, zero beyond what is filled, and (n,) how much
+        the data around each vertex agree, from 0 to 1.
+
+        ``vectors``: (n, 3), or (m, 3) of triangles, of any length; zero or NaN: there is no datum.
+        ``frequencies``: stripes per unit length, a number or (n,), NaN for no wave.
+        ``confidence``: how much each datum counts, a row per vector, 0 or NaN if it is none.
+        ``last``: (n, 3), the field before, where it is not that of the frame before.
+        """
+        return self._core.frame(vectors, frequencies, confidence, last, progress)
+
+    @property
+    def figures(self) -> dict[str, Any]:
+        """Of the last frame, by the keys of reports: by how many degrees it was turned from its
+        data, how many singularities data and field have, vertices with data, filled and not.
+        Raises Error before the first frame."""
+        return dict(self._core.figures())

@@ -224,7 +224,8 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             global_iterations: Optional[int] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None, threads: int = 0,
+            field_singularities: Optional[int] = None,
+            frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: where stripes across ``directions`` (U) cross those along them
     (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
@@ -244,7 +245,10 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     count_v, frequency_v = (count, frequency) if stripes_v is None and frequency_v is None else (
         stripes_v, frequency_v)
 
+    first = field.origin
+
     def pattern(of: Field, directions: Any, count: Any, frequency: Any) -> Stripes:
+        of.origin.see_frequencies_like(first)
         made = _core.stripes(surface._core, directions, count, frequency, of.origin, options, None,
                              "", progress)
         warn(made.warnings(of.origin.source), 4)

@@ -23,8 +23,14 @@ _TENSOR_COLUMNS = (6, 9)
 _TURN = "turn_deg"
 
 
-_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities")
+_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities",
+           "frequency_detail")
 _OWN_WEIGHTS = ("length", "anisotropy")
+
+
+def _is_number(frequency: Any) -> bool:
+    """Whether it is the same everywhere: a number, or none is given."""
+    return not isinstance(frequency, (str, list, tuple)) and not getattr(frequency, "shape", ())
 
 
 class Field:
@@ -53,18 +59,22 @@ class Field:
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
-        for name in ("field_detail", "fill", "field_singularities"):
+        for name in ("field_detail", "fill", "field_singularities", "frequency_detail"):
             check_scalar(name, given.get(name))
-        periods = number(given.get("field_detail", 0), "field_detail")
-        fill = None if "fill" not in given else number(given["fill"], "fill")
+        wishes = _core.DetailWishes()
+        wishes.periods = number(given.get("field_detail", 0), "field_detail")
+        wishes.frequency_periods = number(given.get("frequency_detail", 0), "frequency_detail")
+        wishes.frequency_varies = not _is_number(options.get("frequency"))
+        wishes.symmetry = 1 if "field_arrows" in given and symmetry == 2 else symmetry
+        if "fill" in given:
+            wishes.fill = number(given["fill"], "fill")
+        if "field_singularities" in given:
+            wishes.singularities = whole_number(given["field_singularities"],
+                                                "field_singularities")
         weight = given.get("field_weight")
-        left = given.get("field_singularities")
-        self.origin.see_at_detail(options_of(given), periods,
-                                  1 if "field_arrows" in given and symmetry == 2 else symmetry,
-                                  fill, self._weights(surface, weight) if periods else None,
-                                  None if left is None
-                                  else whole_number(left, "field_singularities"))
-        return periods > 0
+        self.origin.see_at_detail(options_of(given), wishes,
+                                  self._weights(surface, weight) if wishes.periods else None)
+        return wishes.periods > 0
 
     def _weights(self, surface: Surface, weight: Any) -> Any:
         if not isinstance(weight, str) or weight in _OWN_WEIGHTS:
@@ -311,7 +321,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             previous: Optional[Stripes] = None, lambda_: Optional[float] = None,
             match: Optional[str] = None, field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None,
+            field_singularities: Optional[int] = None, frequency_detail: Optional[float] = None,
             threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
@@ -352,8 +362,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
     one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
     ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
-    undone, the nearest first, until at most so many are left, or those that no pair undoes. ``p.point_data["agreement"]`` says how much they
-    agree.
+    undone, the nearest first, until at most so many are left, or those that no pair undoes.
+    ``p.point_data["agreement"]`` says how much they agree. ``frequency_detail``: sees an array of
+    frequencies at the scale of so many periods, its NaN filled as far as ``fill``.
 
     ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,
     fraction)`` hears of stages, and cancels by returning False. Other threads of Python run

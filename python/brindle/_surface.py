@@ -335,6 +335,11 @@ class Surface:
                                     (number(lowest, "range"), number(highest, "range")),
                                     flag(inverse, "inverse"))
 
+    def globe_vectors(self, east_north: "ArrayLike") -> "NDArray[np.float32]":
+        """(n, 3) vectors that point so far to the east and to the north: ``east_north`` (n, 2) on a
+        globe around the origin whose axis is z, or a part of one. NaN at the poles."""
+        return _core.globe_vectors(self._core, east_north)
+
     def frequency_of(self, stripes: float) -> float:
         """Stripes per unit length, of so many along the bounding box's diagonal."""
         return _core.frequency_of_stripes(self._core, number(stripes, "stripes"))

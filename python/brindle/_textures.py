@@ -173,7 +173,8 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             global_iterations: Optional[int] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None, threads: int = 0,
+            field_singularities: Optional[int] = None,
+            frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
 
@@ -206,7 +207,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             global_iterations: Optional[int] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_singularities: Optional[int] = None,
-            threads: int = 0,
+            frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Square tiles along a cross field: directions and their quarter turns, which are not told
     apart. ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``.

@@ -15,6 +15,7 @@
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "brindle/recipe/refusals.h"
+#include "brindle/recipe/field_data.h"
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
@@ -215,6 +216,12 @@ py::array frequencies_by_array(const SurfaceData& data, const std::string& name,
                               {range.first, range.second, inverse}));
 }
 
+py::array vectors_on_globe(const SurfaceData& data, py::handle east_north) {
+  const DataArray vectors = brindle::globe_vectors(
+      data.surface.mesh, data_array_of("east_north", table_of(east_north, "east_north").array));
+  return owned(vectors_of(vectors.view(), "vectors"));
+}
+
 float stripes_to_frequency(const SurfaceData& data, float stripes) {
   return frequency_of_stripes(stripes, bounding_box(data.surface.mesh).diagonal());
 }
@@ -257,6 +264,7 @@ void bind_fields(py::module_& module) {
              py::arg("degrees"));
   module.def("frequencies_by", frequencies_by_array, py::arg("surface"), py::arg("name"),
              py::arg("array"), py::arg("frequency"), py::arg("range"), py::arg("inverse"));
+  module.def("globe_vectors", vectors_on_globe, py::arg("surface"), py::arg("east_north"));
   module.def("frequency_of_stripes", stripes_to_frequency, py::arg("surface"), py::arg("stripes"));
 }
 

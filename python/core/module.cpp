@@ -54,6 +54,7 @@ PYBIND11_MODULE(_core, module) {
   bind_curves(module);
   bind_loops(module);
   bind_animators(module);
+  bind_field_detail(module);
   bind_texture_animator(module);
   bind_files(module);
   bind_pictures(module);

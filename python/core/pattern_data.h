@@ -80,6 +80,8 @@ struct FieldOrigin {
   /// At which scale of its stripes the field is seen; 0: as it is. `turn_deg` then is still to
   /// come.
   brindle::FieldDetailOptions detail = {.periods = 0};
+  /// The same of frequencies that are arrays.
+  brindle::FrequencyDetailOptions frequency_detail = {.periods = 0};
   brindle::FieldData data = {};
   brindle::FieldWeight weight = {};
 };
@@ -93,11 +95,16 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
                  py::handle frequency, const FieldOrigin& origin,
                  std::span<const Complex> phases = {});
 
+/// Frequencies of an array at the scale that the origin asks for, those that are not finite filled.
+brindle::DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
+                                              const FieldOrigin& origin);
+
 void bind_solving(py::module_& module);
 void bind_patterns(py::module_& module);
 void bind_textures(py::module_& module);
 void bind_curves(py::module_& module);
 void bind_animators(py::module_& module);
+void bind_field_detail(py::module_& module);
 void bind_texture_animator(py::module_& module);
 void bind_loops(py::module_& module);
 void bind_files(py::module_& module);

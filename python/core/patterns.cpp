@@ -138,10 +138,10 @@ py::dict point_arrays(const StripesData& data) {
       kNan,
       data.surface->is_points() ? std::vector<float>()
                                 : brindle::branches_at_vertices(mesh, data.pattern.corners));
+  brindle::add_agreement(arrays, data.prepared.agreement);
   copy_from_partners(arrays, data.surface->partners);
   arrays.push_back(make_data_array("original_id", 1, data.surface->original_ids));
   brindle::add_turn(arrays, data.prepared.turn_deg, mesh.vertex_count());
-  brindle::add_agreement(arrays, data.prepared.agreement);
   return dict_owning(std::move(arrays));
 }
 
@@ -337,16 +337,28 @@ namespace {
 
 /// The options that are given by their names, the tool's; the weight is a word of the data
 /// themselves, or numbers.
-void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names, float periods,
-                   int symmetry, std::optional<float> fill, py::handle weight,
-                   std::optional<int> singularities) {
+struct DetailWishes {
+  float periods = 0, frequency_periods = 0;
+  int symmetry = 2;
+  std::optional<float> fill;
+  std::optional<int> singularities;
+  bool frequency_varies = false;
+};
+
+void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
+                   const DetailWishes& wishes, py::handle weight) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
-  saying_in_pythons_words(
-      [&] { brindle::check_field_detail(given, periods, origin.measured, symmetry == 4); });
-  origin.detail.periods = periods;
-  origin.detail.symmetry = symmetry;
-  if (fill) origin.detail.fill = *fill;
-  if (singularities) origin.detail.singularities = static_cast<std::size_t>(*singularities);
+  saying_in_pythons_words([&] {
+    brindle::check_field_detail(given, {wishes.periods, wishes.frequency_periods, origin.measured,
+                                        wishes.symmetry == 4, wishes.frequency_varies});
+  });
+  origin.detail.periods = wishes.periods;
+  origin.detail.symmetry = wishes.symmetry;
+  origin.frequency_detail.periods = wishes.frequency_periods;
+  if (wishes.fill) origin.detail.fill = origin.frequency_detail.fill = *wishes.fill;
+  if (wishes.singularities) {
+    origin.detail.singularities = static_cast<std::size_t>(*wishes.singularities);
+  }
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
@@ -357,6 +369,14 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names, floa
 }  // namespace
 
 void bind_solving(py::module_& module) {
+  py::class_<DetailWishes>(module, "DetailWishes")
+      .def(py::init<>())
+      .def_readwrite("periods", &DetailWishes::periods)
+      .def_readwrite("frequency_periods", &DetailWishes::frequency_periods)
+      .def_readwrite("symmetry", &DetailWishes::symmetry)
+      .def_readwrite("fill", &DetailWishes::fill)
+      .def_readwrite("singularities", &DetailWishes::singularities)
+      .def_readwrite("frequency_varies", &DetailWishes::frequency_varies);
   py::class_<Solving>(module, "Solving")
       .def(py::init<>())
       .def_readwrite("threads", &Solving::threads)
@@ -438,8 +458,13 @@ void bind_solving(py::module_& module) {
            [](FieldOrigin& origin, const std::string& name, py::handle array, bool of_triangles) {
              origin.data = {data_array_of(name, array), of_triangles};
            })
-      .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("periods"),
-           py::arg("symmetry"), py::arg("fill"), py::arg("weight"), py::arg("singularities"))
+      .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("wishes"), py::arg("weight"))
+      .def(
+          "see_frequencies_like",
+          [](FieldOrigin& origin, const FieldOrigin& other) {
+            origin.frequency_detail = other.frequency_detail;
+          },
+          py::arg("other"))
       .def_readwrite("milliseconds", &FieldOrigin::milliseconds);
 }
 

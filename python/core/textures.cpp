@@ -54,6 +54,11 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
   TextureOptions options{
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField()), oriented,
       solving.stripes};
+  if (origin.frequency_detail.periods > 0 && !frequency_v.is_none() &&
+      !table_of(frequency_v, "frequency_v").is_number) {
+    options.frequencies_v =
+        seen_frequencies(surface->surface, std::move(options.frequencies_v), origin).frequencies;
+  }
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     const Solver solver = options.stripes.solver.solver;
     TexturePattern pattern =
@@ -181,15 +186,17 @@ py::tuple textured_arrays_of(const TexturedData& data) {
     }
     DataArrays arrays = brindle::textured_arrays(data.textured, data.from->surface, patterns,
                                                  std::numeric_limits<float>::quiet_NaN());
+    if (!data.patterns.empty()) {
+      const std::vector<float>& agreement = data.patterns.front().first->prepared.agreement;
+      if (!agreement.empty()) {
+        brindle::add_agreement(arrays.points, carried_values(data.textured, agreement, 1));
+      }
+    }
     copy_from_partners(arrays.points, data.from->partners);
     arrays.points.push_back(brindle::carried_ids(data.textured, data.from->original_ids));
     if (!data.patterns.empty()) {
       brindle::add_turn(arrays.points, data.patterns.front().first->prepared.turn_deg,
                         data.textured.mesh.vertex_count());
-      const std::vector<float>& agreement = data.patterns.front().first->prepared.agreement;
-      if (!agreement.empty()) {
-        brindle::add_agreement(arrays.points, carried_values(data.textured, agreement, 1));
-      }
     }
     return arrays;
   });

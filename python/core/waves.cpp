@@ -71,12 +71,19 @@ void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepare
   saying_in_pythons_words([&] { brindle::check_wave_report(prepared.figures, origin.source); });
 }
 
-FrequencyField frequencies_per_vertex(const Table& table, DirectionField& directions,
+FrequencyField frequencies_per_vertex(const Surface& surface, const Table& table,
+                                      const FieldOrigin& origin, DirectionField& directions,
                                       brindle::PreparationFigures& prepared,
                                       FrequencyField& with_gaps) {
   const DataArray array = data_array_of("frequency", table.array);
   check_rows(table, directions.size(), "frequency");
   FrequencyField frequencies = frequencies_of(array, directions);
+  if (origin.frequency_detail.periods > 0) {
+    const DetailedFrequencies seen = seen_frequencies(surface, std::move(frequencies), origin);
+    frequencies = seen.frequencies;
+    prepared.figures.frequency_detail =
+        brindle::FrequencyDetailReport{seen.changed_median, seen.filled};
+  }
   with_gaps = frequencies;
   prepared.figures.missing.without_frequency =
       drop_waves_without_frequency(directions, frequencies);
@@ -114,6 +121,13 @@ void see_at_detail(const Surface& surface, const FieldOrigin& origin,
 
 }  // namespace
 
+DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
+                                     const FieldOrigin& origin) {
+  return until_interrupted([&](const Progress& progress) {
+    return detailed_frequencies(surface, frequencies, origin.frequency_detail, progress);
+  });
+}
+
 WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle stripes,
                  py::handle frequency, const FieldOrigin& origin, std::span<const Complex> phases) {
   Stopwatch watch;
@@ -129,9 +143,9 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
   if (!frequency.is_none()) {
     const Table table = table_of(frequency, "frequency");
     in.waves.frequencies =
-        table.is_number
-            ? constant_frequency_field(number_of(table), mesh.vertex_count())
-            : frequencies_per_vertex(table, in.waves.directions, in.prepared, with_gaps);
+        table.is_number ? constant_frequency_field(number_of(table), mesh.vertex_count())
+                        : frequencies_per_vertex(surface.surface, table, origin,
+                                                 in.waves.directions, in.prepared, with_gaps);
   } else {
     const Table table = table_of(stripes, "stripes");
     if (!table.is_number) throw Error("stripes: expected one number; frequency may be an array");

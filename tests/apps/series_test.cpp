@@ -460,6 +460,35 @@ TEST_F(Series, FieldsGoOnFromPatternsThatWereTurned) {
   EXPECT_FALSE(says_turn("again.vtp"));
 }
 
+/// Noise of its own in every step.
+TEST_F(Series, FieldsWithAMemoryJumpLess) {
+  const Mesh mesh = make_shape("trefoil,resolution=48");
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  write_mesh(folder / "knot.obj", mesh);
+  std::mt19937 random(3);
+  std::normal_distribution<float> any(0, 0.5f);
+  for (int step = 0; step < 6; ++step) {
+    std::vector<Vec3> field = field_of_step(mesh, step);
+    for (std::size_t v = 0; v < field.size(); ++v) {
+      const float angle = any(random);
+      field[v] = std::cos(angle) * field[v] + std::sin(angle) * normals[v].cross(field[v]);
+    }
+    write_field(folder / numbered("f", step, ".csv"), field);
+  }
+  const auto steps = [&](const std::string& memory) {
+    Arguments options = {"animate",        "knot.obj", "--series",  "f%04d.csv",
+                         "--field-detail", "0.3",      "--stripes", "25"};
+    if (!memory.empty()) options.insert(options.end(), {"--field-memory", memory});
+    const Json frames = report(options)["frames"];
+    double sum = 0;
+    for (std::size_t f = 2; f < frames.size(); ++f) sum += frames[f]["phase_step"].get<double>();
+    return sum / static_cast<double>(frames.size() - 2);
+  };
+  const double without = steps("");
+  EXPECT_EQ(steps("0"), without);
+  EXPECT_LT(steps("4"), 0.75 * without);
+}
+
 struct SeriesErrors : Series {
   void SetUp() override {
     Series::SetUp();
@@ -525,6 +554,9 @@ TEST_F(SeriesErrors, WrongUsageEndsWithCodeTwo) {
   };
   refused("--scene", csv, {"--scene", "zoom"});
   refused("--frames", csv, {"--frames", "4"});
+  refused("--field-memory", csv, {"--field-memory", "1"});
+  refused("--field-detail", {"animate", "shape:sphere"}, {"--field-detail", "1"});
+  refused("--field-memory", {"animate", "shape:sphere"}, {"--field-memory", "1"});
   refused("--field", csv, {"--field", "smooth"});
   refused("--direction", csv, {"--direction", "1,0,0"});
   refused("--device", csv, {"--device", "gpu"});

@@ -210,6 +210,37 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfTheInput) {
   }
 }
 
+/// Rank 0 sees the whole.
+TEST_F(MpiToolFields, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
+  write_mesh_with_arrays();
+  write_rows("weights.csv", "a,b,c,d\n", mesh.vertex_count(), 4);
+  write_rows("named.csv", "velocity_x,velocity_y,velocity_z,frequency\n", mesh.vertex_count(), 4);
+  write_rows("wind.csv", "east,north,up\n", mesh.vertex_count(), 3);
+  const Words of_cells = {"--field", "array:flow", "--stripes", "8", "--field-detail", "1"};
+  const auto with = [](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const std::vector<std::string> seen = {"agreement"};
+  expect_agreement("in.vtp", of_cells, seen);
+  expect_agreement("in.vtp", with(of_cells, {"--field-weight", "array:load", "--along"}), seen);
+  expect_agreement("in.vtp", with(of_cells, {"--field-weight", "weights.csv:d", "--fill", "1"}),
+                   seen);
+  expect_agreement("in.vtp", with(of_cells, {"--field-singularities", "6", "--field-arrows"}),
+                   seen);
+  expect_agreement("in.vtp", with(of_cells, {"--frequency-by", "array:density"}), seen);
+  expect_agreement("in.vtp",
+                   {"--field", "array:stress", "--frequency", "array:density", "--field-detail",
+                    "0.5", "--frequency-detail", "0.5"},
+                   seen);
+  expect_agreement("in.vtp", {"--field", "named.csv:velocity", "--field-detail", "2"}, seen);
+  expect_agreement("in.vtp", {"--field", "named.csv:velocity", "--frequency-detail", "1"}, {});
+  expect_agreement("in.vtp", {"--field", "wind.csv", "--stripes", "8", "--field-detail", "1"},
+                   seen);
+  const auto mpi = report("mpi.json");
+  EXPECT_GT(mpi["field_turned_median_deg"], 10);
+}
+
 /// Of a finer mesh with arrays of its own, from which some vertices are too far.
 TEST_F(MpiToolFields, TakesArraysOfAnotherMesh) {
   write_mesh_with_arrays();

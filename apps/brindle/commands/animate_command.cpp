@@ -90,13 +90,16 @@ constexpr const char* kFieldOptions[] = {
     "--field",         "--curvature-direction", "--curvature-anchor", "--feature-anchor",
     "--feature-angle", "--feature-radius",      "--strokes",          "--rotate",
     "--tensor",        "--frequency-by",        "--frequency-range",  "--field-mesh",
-    "--max-distance"};
+    "--max-distance",  "--field-detail",        "--field-weight",     "--fill",
+    "--field-arrows",  "--field-singularities", "--frequency-detail", "--field-memory"};
 
 void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   AnimationOptions& animation = arguments.animation;
   add_named_option(app, "--scene", animation.scene.kind, parse_scene_kind);
   app.add_option("--frames", animation.frames);
   add_wave_options(app, arguments.waves);
+  add_parsed_option(app, "--field-memory", arguments.waves.detail.memory,
+                    parse_not_negative_number);
   describe_options(app, PatternJob::animate);
   for (const char* option : kFieldOptions) {
     CLI::Option* added = app.get_option(option);
@@ -173,9 +176,7 @@ std::vector<UsedFile> inputs_of(const AnimateArguments& arguments,
   }
   for (const TimedFile& step : series->files()) inputs.push_back({"--series", step.file});
   inputs.push_back({"--series", arguments.series.name});
-  const std::string& field_mesh = arguments.waves.arrays.mesh;
-  if (!field_mesh.empty()) inputs.push_back({"--field-mesh", field_mesh});
-  if (!arguments.waves.strokes.empty()) inputs.push_back({"--strokes", arguments.waves.strokes});
+  for (UsedFile& file : field_files(arguments.waves)) inputs.push_back(std::move(file));
   return inputs;
 }
 

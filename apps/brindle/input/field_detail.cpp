@@ -17,10 +17,9 @@ constexpr const char* kLength = "length";
 constexpr const char* kAnisotropy = "anisotropy";
 
 std::string parse_weight_value(const std::string& option, const std::string& text) {
-  const bool is_own = text == kLength || text == kAnisotropy;
   if (is_array(text)) {
     parse_array(option, text);
-  } else if (!is_own && value_file(text).empty()) {
+  } else if (!is_own_weight(text) && value_file(text).empty()) {
     wrong_usage(option, "one of array:NAME|FILE.csv[:COLUMN]|length|anisotropy", text);
   }
   return text;
@@ -32,12 +31,6 @@ float parse_periods(const std::string& option, const std::string& text) {
   return periods;
 }
 
-std::vector<float> numbers_of_triangles(const DataArray& array) {
-  std::vector<float> values;
-  for (const double number : doubles_of(array.view())) values.push_back(static_cast<float>(number));
-  return values;
-}
-
 }  // namespace
 
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
@@ -46,12 +39,23 @@ void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
   add_parsed_option(app, "--fill", choice.fill, parse_not_negative_number);
   app.add_flag("--field-arrows", choice.arrows);
   app.add_option("--field-singularities", choice.singularities);
+  add_parsed_option(app, "--frequency-detail", choice.frequency_periods, parse_periods);
+}
+
+bool is_own_weight(const std::string& weight) {
+  return weight.empty() || weight == kLength || weight == kAnisotropy;
+}
+
+std::vector<float> numbers_of_triangles(const DataArray& array) {
+  std::vector<float> values;
+  for (const double number : doubles_of(array.view())) values.push_back(static_cast<float>(number));
+  return values;
 }
 
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
                          const FieldDetailChoice& choice, bool of_triangles) {
   const std::string& weight = choice.weight;
-  if (weight.empty() || weight == kLength || weight == kAnisotropy) return {weight, {}};
+  if (is_own_weight(weight)) return {weight, {}};
   if (of_triangles && is_array(weight)) {
     const ArraySource::PerVertex found = arrays.array(parse_array(kWeight, weight));
     if (found.of_cells && found.of_cells->components == 1) {
@@ -67,7 +71,15 @@ FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross) {
   options.periods = choice.periods;
   options.symmetry = cross ? 4 : choice.arrows ? 1 : 2;
   if (choice.fill) options.fill = *choice.fill;
+  options.memory = choice.memory;
   if (choice.singularities) options.singularities = static_cast<std::size_t>(*choice.singularities);
+  return options;
+}
+
+FrequencyDetailOptions frequency_detail_options(const FieldDetailChoice& choice) {
+  FrequencyDetailOptions options;
+  options.periods = choice.frequency_periods;
+  if (choice.fill) options.fill = *choice.fill;
   return options;
 }
 

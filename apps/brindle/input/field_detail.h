@@ -20,10 +20,19 @@ struct FieldDetailChoice {
   std::optional<float> fill;  ///< how far holes are filled, in periods
   bool arrows = false;        ///< vectors have a sign
   std::optional<int> singularities;  ///< at most so many; nothing: all stay
+  float memory = 0;                  ///< of the step before, in a series
+  float frequency_periods = 0;       ///< the same scale for frequencies; 0: as they are
 };
 
-/// --field-detail, --field-weight, --fill, --field-arrows and --field-singularities.
+/// --field-detail, --field-weight, --fill, --field-arrows, --field-singularities and
+/// --frequency-detail.
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
+
+/// Whether a weight follows from the data themselves: "", "length" or "anisotropy".
+bool is_own_weight(const std::string& weight);
+
+/// Rows of one number.
+std::vector<float> numbers_of_triangles(const DataArray& array);
 
 /// What data count by that are per vertex or, some, per triangle. Throws Error for arrays and
 /// columns as `vertex_values` does.
@@ -32,5 +41,7 @@ FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
 
 /// The options of the library's filter for waves of lines, or of crosses.
 FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross);
+
+FrequencyDetailOptions frequency_detail_options(const FieldDetailChoice& choice);
 
 }  // namespace brindle::tool

@@ -9,6 +9,7 @@
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
@@ -78,9 +79,7 @@ Field file_field(const Surface& surface, const WaveOptions& options, const FileD
     Field field = array_field(surface, array, options.arrays);
     if (!csv->frequency) return field;
     field.frequencies = frequencies_of(*csv->frequency, field.directions);
-    field.with_gaps = field.frequencies;
-    field.missing.without_frequency =
-        drop_waves_without_frequency(field.directions, field.frequencies);
+    field.may_have_gaps = true;
     return field;
   }
   if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
@@ -165,39 +164,62 @@ DataArray frequency_values(const Surface& surface, const ArrayOptions& options,
   return make_data_array(values.title, 1, values.values);
 }
 
-// What options say goes before what the field says.
-void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
-                        const ArraySource& arrays, Field& field) {
+/// What options say of frequencies goes before what the field says; nothing: it has none.
+std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const WaveOptions& options,
+                                                 const FileData& data, const ArraySource& arrays,
+                                                 const Field& field) {
   const ArrayOptions& wanted = options.arrays;
-  if (wanted.frequency.empty() && wanted.frequency_by.empty()) {
-    if (!field.frequencies.empty() && !options.stripes && !options.frequency) return;
-    field.frequencies = constant_frequency_field(constant_frequency(surface.mesh, options),
-                                                 surface.mesh.vertex_count());
-  } else if (!wanted.frequency.empty()) {
-    field.frequencies = frequencies_of(arrays.array(wanted.frequency).array, field.directions);
-  } else {
-    field.frequencies = frequencies_by(surface, frequency_values(surface, wanted, data, arrays),
-                                       constant_frequency(surface.mesh, options), wanted.range);
+  if (!wanted.frequency.empty()) {
+    return frequencies_of(arrays.array(wanted.frequency).array, field.directions);
   }
-  field.frequencies_v.clear();
+  if (!wanted.frequency_by.empty()) {
+    return frequencies_by(surface, frequency_values(surface, wanted, data, arrays),
+                          constant_frequency(surface.mesh, options), wanted.range);
+  }
+  if (!field.frequencies.empty() && !options.stripes && !options.frequency) return std::nullopt;
+  FrequencyField constant = constant_frequency_field(constant_frequency(surface.mesh, options),
+                                                     surface.mesh.vertex_count());
+  // Where a field file has no frequency it has no wave.
+  for (std::size_t v = 0; v < field.frequencies.size(); ++v) {
+    if (!std::isfinite(field.frequencies[v])) constant[v] = field.frequencies[v];
+  }
+  return constant;
 }
 
-// Waves of arrays that are not everywhere.
-void drop_waves(const ArrayOptions& options, Field& field) {
-  if (options.frequency.empty() && options.frequency_by.empty()) return;
-  field.missing.without_frequency =
-      drop_waves_without_frequency(field.directions, field.frequencies);
+void see_frequencies_at_detail(const Surface& surface, const WaveOptions& options, Field& field,
+                               WavesAndCrossing& made, const Progress& progress) {
+  const FrequencyDetailOptions wanted = frequency_detail_options(options.detail);
+  DetailedFrequencies seen = detailed_frequencies(surface, field.frequencies, wanted, progress);
+  field.frequencies = std::move(seen.frequencies);
+  made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
+  if (field.frequencies_v.empty()) return;
+  field.frequencies_v =
+      detailed_frequencies(surface, field.frequencies_v, wanted, progress).frequencies;
 }
 
-/// The frequencies that waves have, and 0 where there can be none: where the array of frequencies
-/// has none, and too far from the field's mesh.
-FrequencyField places_of_waves(const FrequencyField& with_gaps, const ArraySource& arrays,
-                               const Field& field) {
-  FrequencyField frequencies = field.frequencies;
+/// The frequencies of all waves, NaN where there is none. Throws CLI::ValidationError for
+/// --frequency-detail if there is one for all vertices.
+void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
+                        Field& field, WavesAndCrossing& made, const Progress& progress) {
+  const bool field_says = !field.frequencies.empty();
+  if (auto chosen = chosen_frequencies(surface, options, data, *field.arrays, field)) {
+    field.frequencies = std::move(*chosen);
+    field.frequencies_v.clear();
+  }
+  for (FrequencyField* frequencies : {&field.frequencies, &field.frequencies_v}) {
+    for (float& frequency : *frequencies) frequency *= options.frequency_factor;
+  }
+  if (options.detail.frequency_periods == 0) return;
+  if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
+  see_frequencies_at_detail(surface, options, field, made, progress);
+}
+
+/// The frequencies that waves have, and 0 where there can be none: where there is no frequency, and
+/// too far from the field's mesh.
+FrequencyField places_of_waves(const FrequencyField& with_gaps, const ArraySource& arrays) {
+  FrequencyField frequencies = with_gaps;
   for (Index v = 0; v < frequencies.size(); ++v) {
-    const bool is_gap = !std::isfinite(with_gaps[v]) ||
-                        (!field.with_gaps.empty() && !std::isfinite(field.with_gaps[v]));
-    if (is_gap || !arrays.is_near(v)) frequencies[v] = 0;
+    if (!std::isfinite(frequencies[v]) || !arrays.is_near(v)) frequencies[v] = 0;
   }
   return frequencies;
 }
@@ -206,8 +228,10 @@ void see_at_detail(const Surface& surface, const WaveOptions& options,
                    const FrequencyField& frequencies, Field& field, WavesAndCrossing& made,
                    const Progress& progress) {
   FieldDetail detail(surface, detail_options(options.detail, options.cross), progress.part(0, 0.5));
-  DetailedField seen = detail.frame(field.measured, frequencies, {}, progress.part(0.5, 1));
+  DetailedField seen =
+      detail.frame(field.measured, frequencies, {field.last, {}}, progress.part(0.5, 1));
   field.directions = std::move(seen.directions);
+  if (options.detail.memory > 0) made.seen_field = field.directions;
   made.agreement = std::move(seen.agreement);
   made.detail = detail.figures();
   const std::size_t others =
@@ -230,6 +254,7 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
           measured_field(field.data, field.directions,
                          field_weight(source, *arrays, options.detail, field.data.of_triangles));
     });
+    field.last = last.directions;
   }
   field.arrays = std::move(arrays);
   return field;
@@ -244,24 +269,25 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
                             const FileData& data, BaseField field, const Progress& progress) {
   const ArraySource& arrays = *field.arrays;
   field.missing.too_far = arrays.drop_too_far(field.directions);
-  choose_frequencies(surface, options, data, arrays, field);
-  const FrequencyField with_gaps = field.frequencies;
-  drop_waves(options.arrays, field);
+  WavesAndCrossing made;
+  choose_frequencies(surface, options, data, field, made, progress.part(0, 0.3));
+  const FrequencyField places = places_of_waves(field.frequencies, arrays);
+  if (field.may_have_gaps || says_frequencies(options)) {
+    field.missing.without_frequency =
+        drop_waves_without_frequency(field.directions, field.frequencies);
+  }
   const auto everywhere = [&](float frequency) {
-    return constant_frequency_field(frequency, surface.mesh.vertex_count());
+    return constant_frequency_field(options.frequency_factor * frequency,
+                                    surface.mesh.vertex_count());
   };
   if (options.frequency_v) field.frequencies_v = everywhere(*options.frequency_v);
   if (options.stripes_v) {
     field.frequencies_v =
         everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
   }
-  for (float& frequency : field.frequencies) frequency *= options.frequency_factor;
-  for (float& frequency : field.frequencies_v) frequency *= options.frequency_factor;
-  WavesAndCrossing made;
   // Of a field without any direction, the waves' figures say why.
   if (options.detail.periods > 0 && has_data(field.measured)) {
-    see_at_detail(surface, options, places_of_waves(with_gaps, arrays, field), field, made,
-                  progress);
+    see_at_detail(surface, options, places, field, made, progress.part(0.3, 1));
   }
   const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180;
   if (turn != 0) field.directions = rotated(field.directions, surface.normals, turn);

@@ -39,24 +39,27 @@ struct WavesAndCrossing {
   std::string notes;                    ///< lines for the user
   std::optional<FieldStep> field_step;  ///< of a smooth field that went on from a last one
   std::optional<FieldDetailFigures> detail = {};  ///< of a field at the scale of its stripes
+  std::optional<FrequencyDetailReport> frequency_detail = {};  ///< of frequencies at that scale
   std::vector<float> agreement = {};  ///< of its data: one per vertex; empty without detail
+  DirectionField seen_field = {};     ///< before it was turned, for the next step's --field-memory
 };
 
 /// A direction field before it is turned and gets the frequencies that options ask for.
 struct FoundField {
   DirectionField directions;
-  FrequencyField frequencies;    ///< empty if the field says nothing of them
+  FrequencyField frequencies;    ///< empty if the field says nothing of them; NaN in gaps
   FrequencyField frequencies_v;  ///< the same of crossing stripes
   std::optional<std::size_t> rows_nonfinite = {};
   MissingWaves missing = {};
   std::string notes = {};
+  bool may_have_gaps = false;  ///< `frequencies`, those of a file
 };
 
 /// What takes long, and need not be made again for other frequencies.
 struct BaseField : FoundField {
   FieldData data = {};                 ///< what it was made of, if it was measured
   MeasuredField measured = {};         ///< the same, weighted; empty if it was not
-  FrequencyField with_gaps = {};       ///< of a field file's frequencies: NaN where it has none
+  DirectionField last = {};            ///< of the step before, if it counts beside the data
   std::optional<FieldStep> step = {};  ///< as WavesAndCrossing has it
   /// Of the surface's file or another one; refers to the surface and the data.
   std::shared_ptr<const ArraySource> arrays = {};
@@ -64,7 +67,8 @@ struct BaseField : FoundField {
 
 /// What a smooth field goes on from.
 struct LastDirections {
-  DirectionField directions;  ///< one per vertex, as `SmoothFieldOptions::last` has them; or none
+  DirectionField directions;  ///< one per vertex, as `SmoothFieldOptions::last` has them; or none.
+                              ///< Of measured fields: what --field-memory mixes with the data
   bool same_surface = false;  ///< nothing has moved since: they are the field
   std::string notes = {};     ///< lines about them
 };

@@ -162,6 +162,8 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
       noted_waves(prepared.surface, result.waves, source_of(waves), listener, made.missing);
   result.figures.measured = is_measured(waves);
   result.figures.detail = made.detail;
+  result.figures.frequency_detail = made.frequency_detail;
+  result.seen_field = std::move(made.seen_field);
   result.agreement = std::move(made.agreement);
   result.field_milliseconds = watch.lap();
   return result;
@@ -184,12 +186,14 @@ Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, Job
   check_own_arrays(surface, waves);
   Preparation result = prepare_surface(surface, listener);
   const bool smooth = is_smooth(waves);
-  const LastDirections last = find_last && smooth ? find_last(result) : LastDirections();
+  const LastDirections last =
+      find_last && goes_on_from_last(waves) ? find_last(result) : LastDirections();
   listener.note(last.notes);
   Stopwatch watch;
   BaseField field = prepare_field(result, surface, waves, listener, last);
-  if (smooth) result.smooth_field = field.directions;
+  if (smooth) result.kept_field = field.directions;
   PreparedWaves made = prepare_waves(result, surface, waves, std::move(field), listener, viewpoint);
+  if (!smooth) result.kept_field = std::move(made.seen_field);
   made.field_milliseconds = watch.lap();
   take_waves(std::move(made), result);
   return result;

@@ -35,12 +35,12 @@ struct Preparation : PreparationFigures {
   /// to one, the first; -1 of those that were added.
   std::vector<std::int64_t> original_ids;
   std::size_t vertices_not_finite = 0;  ///< moved to the others' centroid
-  DirectionField smooth_field;          ///< before it was turned; empty if the field is not smooth
+  DirectionField kept_field;  ///< before it was turned, if that of a next step may go on from it
   /// What the smooth field went on from, if that was read from a file.
   std::shared_ptr<const KeptPattern> previous = nullptr;
 };
 
-/// Finds what the smooth field of a surface, which has no waves yet, goes on from.
+/// Finds what the field of a surface, which has no waves yet, goes on from.
 using FindLastDirections = std::function<LastDirections(Preparation& surface)>;
 
 /// `Preparation::original_ids` of a surface that was read or made.
@@ -48,7 +48,8 @@ std::vector<std::int64_t> original_ids_of(const LoadedSurface& loaded);
 
 /// Loads the mesh and makes its waves. Notes what had to be repaired and what is
 /// probably not meant. Pictures, if there are any, are taken from `viewpoint`. Throws Error if no
-/// vertex has a wave, and what `find_last` throws, which is asked for smooth fields alone.
+/// vertex has a wave, and what `find_last` throws, which is asked for fields that go on
+/// from a last one.
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, JobListener& listener,
                     const std::optional<Viewpoint>& viewpoint = std::nullopt,
                     const FindLastDirections& find_last = {});
@@ -73,6 +74,7 @@ struct PreparedWaves {
   float turn_deg = 0;  ///< by which waves are turned from their field
   double field_milliseconds = 0;
   std::vector<float> agreement;  ///< of a measured field's data, one per vertex; mostly empty
+  DirectionField seen_field;     ///< as WavesAndCrossing has it
 };
 
 /// Those of a base field that is there already, whose time does not count.

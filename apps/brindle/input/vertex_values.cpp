@@ -24,9 +24,21 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool is_csv(const std::string& text) { return csv_field_name(text).path.ends_with(".csv"); }
 
-/// One number per row; of vectors their lengths.
-std::vector<float> scalars_of(const std::string& option, const DataArray& array,
-                              std::size_t vertices, const std::string& file) {
+/// Of files whose rows stand for other vertices, those of the vertices that are used.
+DataArray rows_of_vertices(const DataArray& column, std::size_t vertices,
+                           std::span<const Index> vertex_of_row) {
+  if (vertex_of_row.size() != column.rows() || column.rows() == vertices) return column;
+  std::vector<Index> row_of_vertex(vertices, 0);
+  for (std::size_t row = column.rows(); row-- > 0;) {
+    row_of_vertex[vertex_of_row[row]] = static_cast<Index>(row);
+  }
+  return rows_of(column, row_of_vertex);
+}
+
+}  // namespace
+
+std::vector<float> scalar_values(const std::string& option, const DataArray& array,
+                                 std::size_t vertices, const std::string& file) {
   if (array.rows() != vertices) {
     throw Error(file + ": '" + array.name + "' has " + std::to_string(array.rows()) +
                 " rows for the " + std::to_string(vertices) + " vertices of the mesh");
@@ -46,19 +58,6 @@ std::vector<float> scalars_of(const std::string& option, const DataArray& array,
   return values;
 }
 
-/// Of files whose rows stand for other vertices, those of the vertices that are used.
-DataArray rows_of_vertices(const DataArray& column, std::size_t vertices,
-                           std::span<const Index> vertex_of_row) {
-  if (vertex_of_row.size() != column.rows() || column.rows() == vertices) return column;
-  std::vector<Index> row_of_vertex(vertices, 0);
-  for (std::size_t row = column.rows(); row-- > 0;) {
-    row_of_vertex[vertex_of_row[row]] = static_cast<Index>(row);
-  }
-  return rows_of(column, row_of_vertex);
-}
-
-}  // namespace
-
 VertexValues csv_values(const std::string& option, const std::string& text, std::size_t vertices,
                         std::span<const Index> vertex_of_row) {
   const CsvFieldName name = csv_field_name(text);
@@ -70,7 +69,7 @@ VertexValues csv_values(const std::string& option, const std::string& text, std:
   const std::string column = name.array.empty() ? arrays.points.front().name : name.array;
   const DataArray array =
       rows_of_vertices(array_named(arrays, column, name.path), vertices, vertex_of_row);
-  return {scalars_of(option, array, vertices, name.path), column};
+  return {scalar_values(option, array, vertices, name.path), column};
 }
 
 namespace {
@@ -80,7 +79,7 @@ VertexValues array_values(const std::string& option, const std::string& text,
   const std::string name = parse_array(option, text);
   const ArraySource arrays(source.surface, source.arrays, source.file, source.options);
   const DataArray array = arrays.array(name).array;
-  return {scalars_of(option, array, source.surface.mesh.vertex_count(), source.file), name};
+  return {scalar_values(option, array, source.surface.mesh.vertex_count(), source.file), name};
 }
 
 VertexValues distances_to(const Vec3& place, const Surface& surface, std::string title) {

@@ -47,6 +47,11 @@ void check_value_name(const std::string& option, const std::string& text);
 VertexValues csv_values(const std::string& option, const std::string& text, std::size_t vertices,
                         std::span<const Index> vertex_of_row);
 
+/// The numbers of an array that has one a row, or the lengths of its vectors; a row per vertex, NaN
+/// where it is not finite. Throws as `vertex_values` does.
+std::vector<float> scalar_values(const std::string& option, const DataArray& array,
+                                 std::size_t vertices, const std::string& file);
+
 /// The file that `text` names values of; empty if it names none.
 std::string value_file(const std::string& text);
 

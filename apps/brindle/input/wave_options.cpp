@@ -59,6 +59,10 @@ float turn_deg(const WaveOptions& options) {
   return options.rotate_deg + (options.along ? 90.0f : 0.0f);
 }
 
+bool goes_on_from_last(const WaveOptions& options) {
+  return is_smooth(options) || (is_measured(options) && options.detail.memory > 0);
+}
+
 bool is_field_file(const WaveOptions& options) {
   return !options.direction && !is_array(options.field) &&
          std::find(kMadeFields.begin(), kMadeFields.end(), options.field) == kMadeFields.end();
@@ -77,11 +81,26 @@ bool needs_own_arrays(const WaveOptions& options) {
                                  is_array(arrays.frequency_by) || is_array(options.detail.weight));
 }
 
+bool says_frequencies(const WaveOptions& options) {
+  return !options.arrays.frequency.empty() || !options.arrays.frequency_by.empty();
+}
+
+void refuse_frequency_detail() {
+  throw CLI::ValidationError("--frequency-detail",
+                             std::string("has no effect here: ") + kSameFrequency);
+}
+
+bool may_vary(const WaveOptions& options) {
+  if (says_frequencies(options)) return true;
+  return is_field_file(options) && !options.stripes && !options.frequency;
+}
+
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
   check_array_options(command, options.arrays, options.field);
   refuse_usage(command, [&](const IsGiven& given) {
-    check_field_detail(given, options.detail.periods, is_measured(options), options.cross);
+    check_field_detail(given, {options.detail.periods, options.detail.frequency_periods,
+                               is_measured(options), options.cross, may_vary(options)});
   });
   if (options.cross) {
     refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");

@@ -52,8 +52,20 @@ float turn_deg(const WaveOptions& options);
 /// as it is.
 bool is_measured(const WaveOptions& options);
 
+/// Whether the field of a next step goes on from this one's: it is smooth, or has a memory.
+bool goes_on_from_last(const WaveOptions& options);
+
 /// Whether the field comes from a file of its own.
 bool is_field_file(const WaveOptions& options);
+
+/// Whether an option says a frequency for every vertex.
+bool says_frequencies(const WaveOptions& options);
+
+/// Throws CLI::ValidationError: there is one for all.
+[[noreturn]] void refuse_frequency_detail();
+
+/// Whether vertices may have different frequencies: those of an array, a file or a value.
+bool may_vary(const WaveOptions& options);
 
 /// What a message calls the field: "the field 'wind.csv'".
 std::string source_of(const WaveOptions& options);

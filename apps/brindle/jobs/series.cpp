@@ -75,12 +75,13 @@ Preparation Series::prepare_step(ProgressDisplay& display) const {
   return prepare(surface_, waves_, display, viewpoint_, find_last);
 }
 
-/// Keeps what the next smooth field goes on from.
+/// Keeps what the next field goes on from.
 void Series::keep(const SeriesStep& step) {
-  if (fields_ || !is_smooth(waves_) || !smooth_fields_.follow) return;
+  if (!goes_on_from_last(waves_)) return;
+  if (is_smooth(waves_) && (fields_ || !smooth_fields_.follow)) return;
   const Preparation& prepared = step.prepared;
   last_ = KeptField{step.source.file.string(), prepared.surface.mesh,  prepared.surface.normals,
-                    prepared.smooth_field,     prepared.arrays.points, mean_period(prepared.waves)};
+                    prepared.kept_field,       prepared.arrays.points, mean_period(prepared.waves)};
 }
 
 SeriesStep Series::read(ProgressDisplay& display) {

@@ -53,12 +53,12 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
               missing_in(path),
               points ? std::vector<float>() : branches_at_vertices(surface.mesh, pattern.corners));
     if (!points) add_cells(own.cells, path, pattern, "");
+    add_agreement(own.points, made.data.agreement);
   }
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) {
     own.points.push_back(make_data_array("original_id", 1, made.data.original_ids));
     add_turn(own.points, made.data.turn_deg, surface.mesh.vertex_count());
-    add_agreement(own.points, made.data.agreement);
   }
   const DataArrays arrays =
       fitted(path, joined(std::move(own), without_turn(made.data.arrays)), listener);
@@ -81,13 +81,13 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
   }
   DataArrays own = textured_arrays(textured, made.surface, patterns, missing_in(path));
   if (is_gltf(path)) own.cells.clear();
+  if (holds_waves(path) && !made.data.agreement.empty()) {
+    add_agreement(own.points, carried_values(textured, made.data.agreement, 1));
+  }
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) {
     own.points.push_back(carried_ids(textured, made.data.original_ids));
     add_turn(own.points, made.data.turn_deg, textured.mesh.vertex_count());
-    if (!made.data.agreement.empty()) {
-      add_agreement(own.points, carried_values(textured, made.data.agreement, 1));
-    }
   }
   const DataArrays input = carried_arrays(textured, without_turn(made.data.arrays));
   const DataArrays arrays = fitted(path, joined(std::move(own), input), listener);

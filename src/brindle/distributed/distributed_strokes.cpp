@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/distributed/part_of_whole.h"
 #include "brindle/distributed/rank_surface.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/geometry/feature_edges.h"
@@ -20,24 +21,11 @@
 namespace brindle {
 namespace {
 
-struct SentCorner {
-  std::uint64_t id;
-  std::array<float, 3> position, normal;
-};
-
-struct SentTriangle {
-  std::uint64_t number;  ///< in the whole; 0 where triangles have none
-  std::array<SentCorner, 3> corners;
-};
-
 struct SentAnchor {
   std::uint64_t id;
   std::array<float, 3> direction;
   float weight;
 };
-
-std::array<float, 3> floats_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 vector_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 double squared_distance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                         const Eigen::Vector3d& b) {
@@ -73,19 +61,11 @@ class NearTriangles {
   }
 
   std::vector<SentTriangle> triangles() const {
-    const std::vector<std::uint64_t> ids = known_ids(surface_);
-    std::vector<SentTriangle> sent;
-    for (std::size_t t = 0; t < near_.size(); ++t) {
-      if (!near_[t]) continue;
-      SentTriangle& triangle = sent.emplace_back();
-      triangle.number = surface_.triangle_numbers.empty() ? 0 : surface_.triangle_numbers[t];
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Index v = surface_.mesh.triangles[t][c];
-        triangle.corners[c] = {ids[v], floats_of(surface_.mesh.positions[v]),
-                               floats_of(surface_.normals[v])};
-      }
+    std::vector<Index> sent;
+    for (Index t = 0; t < near_.size(); ++t) {
+      if (near_[t] != 0) sent.push_back(t);
     }
-    return sent;
+    return sent_triangles(surface_, sent);
   }
 
  private:
@@ -112,41 +92,6 @@ class NearTriangles {
   std::vector<std::uint8_t> near_, own_;  // by triangle, and by vertex of these
   std::optional<NearestOnMesh> nearest_;
 };
-
-/// A part of the whole, in its order.
-struct PartOfWhole {
-  Surface surface;
-  std::vector<std::uint64_t> ids;  ///< ascending
-};
-
-PartOfWhole part_of(std::vector<SentTriangle> triangles, const Eigen::Vector3d& origin) {
-  std::ranges::stable_sort(triangles, {}, &SentTriangle::number);
-  std::vector<std::pair<std::uint64_t, SentCorner>> corners;
-  for (const SentTriangle& triangle : triangles) {
-    for (const SentCorner& corner : triangle.corners) corners.emplace_back(corner.id, corner);
-  }
-  const auto id_of = [](const auto& corner) { return corner.first; };
-  std::ranges::sort(corners, {}, id_of);
-  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
-  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
-  PartOfWhole part;
-  part.surface.mesh.origin = origin;
-  for (const auto& [id, corner] : corners) {
-    part.ids.push_back(id);
-    part.surface.mesh.positions.push_back(vector_of(corner.position));
-    part.surface.normals.push_back(vector_of(corner.normal));
-  }
-  for (const SentTriangle& triangle : triangles) {
-    Triangle& own = part.surface.mesh.triangles.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto place = std::ranges::lower_bound(part.ids, triangle.corners[c].id);
-      own[c] = static_cast<Index>(place - part.ids.begin());
-    }
-  }
-  part.surface.neighborhood =
-      std::make_shared<const Adjacency>(vertex_neighborhood(part.surface.mesh));
-  return part;
-}
 
 struct SentEdge {
   std::array<std::uint64_t, 2> ids;  ///< the lower one first

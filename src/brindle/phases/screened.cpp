@@ -20,17 +20,13 @@ class ScreenedSystem {
       : graph_(graph),
         options_(options),
         own_(std::min(options.own, graph.node_count())),
-        diagonal_(own_) {
+        diagonal_(own_),
+        inverse_(own_),
+        reflects_(std::ranges::find(graph.reflecting, std::uint8_t{1}) != graph.reflecting.end()) {
     parallel_for(own_, [&](std::size_t begin, std::size_t end) {
       for (Index i = static_cast<Index>(begin); i < end; ++i) {
-        diagonal_[i] = screening[i];
-        if (!options.degrees.empty()) {
-          diagonal_[i] += options.degrees[i];
-          continue;
-        }
-        for (Index e = offsets()[i]; e < offsets()[i + 1]; ++e) {
-          diagonal_[i] += std::abs(graph_.coupling[e]);
-        }
+        diagonal_[i] = screening[i] + (options.degrees.empty() ? degree(i) : options.degrees[i]);
+        inverse_[i] = diagonal_[i] > 0 ? 1 / diagonal_[i] : 0;
       }
     });
   }
@@ -44,16 +40,21 @@ class ScreenedSystem {
   /// What neighbours and the diagonal make of a node's value; those of other ranks must be there.
   Complex row(Index i, std::span<const Complex> u) const {
     Complex sum = diagonal_[i] * u[i];
-    for (Index e = offsets()[i]; e < offsets()[i + 1]; ++e) {
+    const Index end = offsets()[i + 1];
+    if (!reflects_) {
+      for (Index e = offsets()[i]; e < end; ++e) {
+        sum -= graph_.coupling[e] * u[graph_.adjacency->neighbors[e]];
+      }
+      return sum;
+    }
+    for (Index e = offsets()[i]; e < end; ++e) {
       const Complex& other = u[graph_.adjacency->neighbors[e]];
       sum -= graph_.coupling[e] * (graph_.reflecting[e] ? std::conj(other) : other);
     }
     return sum;
   }
 
-  Complex preconditioned(Index i, const Complex& residual) const {
-    return diagonal_[i] > 0 ? residual / diagonal_[i] : Complex(0);
-  }
+  Complex preconditioned(Index i, const Complex& residual) const { return inverse_[i] * residual; }
 
   /// The sum of `of(i)` over the own nodes of all ranks.
   template <class Of>
@@ -69,10 +70,17 @@ class ScreenedSystem {
  private:
   std::span<const Index> offsets() const { return graph_.adjacency->offsets; }
 
+  float degree(Index i) const {
+    float sum = 0;
+    for (Index e = offsets()[i]; e < offsets()[i + 1]; ++e) sum += std::abs(graph_.coupling[e]);
+    return sum;
+  }
+
   const PhaseGraph& graph_;
   const ScreenedOptions& options_;
   std::size_t own_;
-  std::vector<float> diagonal_;
+  std::vector<float> diagonal_, inverse_;  ///< 0 where the diagonal is
+  bool reflects_;                          ///< whether any edge does
 };
 
 template <class Change>

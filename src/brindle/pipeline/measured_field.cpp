@@ -13,12 +13,12 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/areas.h"
-#include "brindle/geometry/cotangent_weights.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/phases/screened.h"
 #include "brindle/pipeline/opposite_singularities.h"
 #include "brindle/pipeline/period_walk.h"
+#include "brindle/pipeline/scale_check.h"
+#include "brindle/pipeline/surface_elements.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/field_index.h"
 #include "brindle/waves/orientation.h"
@@ -26,12 +26,10 @@
 namespace brindle {
 namespace {
 
-/// Edges across obtuse angles carry this much, so that nothing falls apart.
-constexpr float kLeastCotangent = 0.01f;
-
 /// The residual that is left, as a share of the data: directions then are off by some hundredths of
-/// a degree. What is far from all data asks for more.
-constexpr float kTolerance = 5e-3f, kToleranceInHoles = 5e-4f;
+/// a degree, in frames that go on from the last one by a tenth. What is far from all data asks for
+/// more.
+constexpr float kTolerance = 5e-3f, kToleranceInFrames = 1e-2f, kToleranceInHoles = 5e-4f;
 constexpr int kMostIterations = 2000;
 
 constexpr float kFarthestPair = 64;  // in periods
@@ -43,10 +41,8 @@ void require(bool holds, const std::string& message) {
 bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
 
 void check(const FieldDetailOptions& options) {
-  require(options.periods > 0 && options.periods <= 100,
-          "the detail must be a number of periods above 0, and 100 at most");
+  check_scale("measured field", options.periods, options.fill);
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
-  require(is_strength(options.fill), "holes are filled for a finite number of periods, 0 or above");
   require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
 }
 
@@ -62,47 +58,6 @@ void check_field(const MeasuredField& field, std::size_t places, const std::stri
   count(field.confidence.size(), "confidences");
   require(std::ranges::all_of(field.confidence, is_strength),
           "confidences must be finite numbers of 0 or above");
-}
-
-/// What a vertex of a mesh without triangles stands for: neighbours fill a disc evenly.
-std::vector<float> point_areas(const Surface& surface) {
-  std::vector<float> areas(surface.mesh.vertex_count());
-  parallel_for(areas.size(), [&](std::size_t begin, std::size_t end) {
-    for (Index i = static_cast<Index>(begin); i < end; ++i) {
-      const auto row = surface.neighborhood->of(i);
-      float squares = 0;
-      for (const Index j : row) {
-        squares += (surface.mesh.positions[j] - surface.mesh.positions[i]).squaredNorm();
-      }
-      const auto count = static_cast<float>(row.size());
-      if (count > 0) areas[i] = 2 * std::numbers::pi_v<float> * squares / (count * count);
-    }
-  });
-  return areas;
-}
-
-/// Stiffnesses of edges between points, such that the energy of a field with an even gradient is
-/// that of its area: 4 A / (sum of squared lengths) at each end.
-std::vector<float> point_stiffness(const Adjacency& neighborhood) {
-  std::vector<float> stiffness(neighborhood.directed_edge_count());
-  const auto half = [&](Index i) {
-    const auto count = static_cast<float>(neighborhood.of(i).size());
-    return 4 * std::numbers::pi_v<float> / (count * count);
-  };
-  parallel_for(neighborhood.node_count(), [&](std::size_t begin, std::size_t end) {
-    for (Index i = static_cast<Index>(begin); i < end; ++i) {
-      for (Index e = neighborhood.offsets[i]; e < neighborhood.offsets[i + 1]; ++e) {
-        stiffness[e] = half(i) + half(neighborhood.neighbors[e]);
-      }
-    }
-  });
-  return stiffness;
-}
-
-std::vector<float> mesh_stiffness(const Surface& surface, const Progress& progress) {
-  std::vector<float> stiffness = edge_cotangents(surface.mesh, *surface.neighborhood, progress);
-  for (float& value : stiffness) value = std::max(value, kLeastCotangent);
-  return stiffness;
 }
 
 /// A value for people: the angle by which a direction was turned, and the area it stands for.
@@ -154,38 +109,16 @@ struct FieldDetail::State {
     check_positions(surface.mesh.positions);
     require(!options.singularities || !surface.mesh.triangles.empty(),
             "points have no triangles that a field could turn round");
-    const bool has_triangles = !surface.mesh.triangles.empty();
-    const std::vector<float> stiffness = has_triangles
-                                             ? mesh_stiffness(surface, progress.part(0, 0.5))
-                                             : point_stiffness(*surface.neighborhood);
+    const std::vector<float> stiffness = edge_stiffness(surface, progress.part(0, 0.5));
     graph = build_weighted_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
                                            stiffness, progress.part(0.5, 1));
-    degrees.resize(count());
-    parallel_for(count(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto first = stiffness.begin() + surface.neighborhood->offsets[i];
-        const auto last = stiffness.begin() + surface.neighborhood->offsets[i + 1];
-        degrees[i] = std::accumulate(first, last, 0.0f);
-      }
-    });
+    degrees = stiffness_sums(*surface.neighborhood, stiffness);
     bases.resize(count());
     parallel_for(count(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) bases[i] = tangent_basis(surface.normals[i]);
     });
-    if (!has_triangles) {
-      areas = point_areas(surface);
-      return;
-    }
-    triangle_areas.resize(surface.mesh.triangle_count());
-    parallel_for(triangle_areas.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t) {
-        triangle_areas[t] = triangle_area(surface.mesh, surface.mesh.triangles[t]);
-      }
-    });
-    areas.resize(count());
-    for (std::size_t t = 0; t < triangle_areas.size(); ++t) {
-      for (const Index v : surface.mesh.triangles[t]) areas[v] += triangle_areas[t] / 3;
-    }
+    triangle_areas = areas_of_triangles(surface.mesh);
+    areas = areas_of_vertices(surface, triangle_areas);
   }
 
   std::size_t count() const { return surface.mesh.vertex_count(); }
@@ -314,7 +247,9 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
     if (u[i] != Complex(0)) start[i] = u[i];
   }
   ScreenedOptions solving = {.max_iterations = kMostIterations,
-                             .tolerance = has_holes ? kToleranceInHoles : kTolerance,
+                             .tolerance = has_holes   ? kToleranceInHoles
+                                          : u.empty() ? kTolerance
+                                                      : kToleranceInFrames,
                              .of_anchors = true,
                              .degrees = degrees,
                              .progress = options.singularities ? progress.part(0, 0.5) : progress};
@@ -325,8 +260,9 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
 }
 
 /// How far every vertex is from the next datum, along edges, in periods; infinitely far beyond
-/// what is filled.
+/// what is filled. Nothing where there are no holes.
 std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
+  if (std::ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
   std::vector<float> distance(count(), std::numeric_limits<float>::infinity());
   std::vector<Index> borders;
   const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
@@ -412,15 +348,19 @@ void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& p
 
 DetailedField FieldDetail::State::seen(std::span<const float> frequencies,
                                        const Progress& progress) const {
-  DetailedField field{directions_of(u, surface.normals, options.symmetry),
-                      std::vector<float>(count())};
+  DetailedField field{DirectionField(count()), std::vector<float>(count())};
   const std::vector<float> distance = distances(frequencies);
-  for (Index i = 0; i < count(); ++i) {
-    const float length = std::abs(u[i]);
-    const bool has_wave = frequencies[i] > 0 && length > 0 && distance[i] <= options.fill;
-    if (!has_wave) field.directions[i] = Vec3::Zero();
-    if (!field.directions[i].isZero(0)) field.agreement[i] = std::min(length, 1.0f);
-  }
+  parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      field.directions[i] = Vec3::Zero();
+      const bool is_near = distance.empty() || distance[i] <= options.fill;
+      const bool has_wave = frequencies[i] > 0 && u[i] != Complex(0) && is_near;
+      if (!has_wave || surface.normals[i].isZero(0)) continue;
+      const Complex root = unit_root(u[i], options.symmetry);
+      field.directions[i] = root.real() * bases[i].x + root.imag() * bases[i].y;
+      field.agreement[i] = std::min(std::sqrt(std::norm(u[i])), 1.0f);
+    }
+  });
   if (options.symmetry % 2 == 0) sign_like_last(field.directions, progress);
   return field;
 }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "brindle/base/formatted.h"
+
 namespace brindle {
 
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
@@ -21,6 +23,14 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
   add(wave_warnings(figures, words));
   add(branch_warnings(figures, pattern.quality.branches, surface.mesh.triangle_count(), words));
   return result;
+}
+
+std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
+                                         const WarningWords& words) {
+  if (figures.singularities_too_many == 0) return {};
+  return {formatted("%zu singularities of the field are left, %zu more than ",
+                    figures.singularities, figures.singularities_too_many) +
+          words.singularities + " asks for: no pair of opposite ones undoes them"};
 }
 
 }  // namespace brindle

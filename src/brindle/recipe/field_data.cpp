@@ -49,6 +49,10 @@ std::vector<float> weights_of(const FieldData& data, const FieldWeight& weight) 
   throw RefusedOption(kWeightOption, "the field is no tensor: it has no anisotropy");
 }
 
+Eigen::Vector3d place_of(const Mesh& mesh, std::size_t vertex) {
+  return mesh.origin + mesh.positions[vertex].cast<double>();
+}
+
 }  // namespace
 
 MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
@@ -76,20 +80,25 @@ bool has_data(const MeasuredField& measured) {
 }
 
 DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north) {
+  return globe_vectors(mesh, east_north, globe_radii(mesh));
+}
+
+GlobeRadii globe_radii(const Mesh& mesh) {
+  GlobeRadii radii;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    radii.nearest = std::min(radii.nearest, place_of(mesh, v).norm());
+    radii.farthest = std::max(radii.farthest, place_of(mesh, v).norm());
+  }
+  return radii;
+}
+
+DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north, const GlobeRadii& of_whole) {
   check_rows_per_vertex(east_north, mesh.vertex_count());
   if (east_north.components != 2) {
     throw Error("array '" + east_north.name + "' has " + std::to_string(east_north.components) +
                 " numbers in a row; vectors on a globe have 2, towards the east and the north");
   }
-  const auto place = [&](std::size_t v) -> Eigen::Vector3d {
-    return mesh.origin + mesh.positions[v].cast<double>();
-  };
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    nearest = std::min(nearest, place(v).norm());
-    farthest = std::max(farthest, place(v).norm());
-  }
-  if (!(farthest < 2 * nearest)) {
+  if (!(of_whole.farthest < 2 * of_whole.nearest)) {
     throw Error(
         "the columns 'east' and 'north' are of a globe around 0,0,0, or a part of one, and "
         "the mesh is neither; give vectors of x, y and z, or move the mesh");
@@ -97,7 +106,7 @@ DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north) {
   const std::vector<double> numbers = doubles_of(east_north.view());
   std::vector<double> vectors;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Eigen::Vector3d up = place(v).normalized();
+    const Eigen::Vector3d up = place_of(mesh, v).normalized();
     const Eigen::Vector3d east = Eigen::Vector3d(-up.y(), up.x(), 0).normalized();
     const Eigen::Vector3d vector = numbers[2 * v] * east + numbers[2 * v + 1] * up.cross(east);
     const bool is_pole = up.head<2>().norm() < 1e-6;

@@ -1,6 +1,7 @@
 /// What a measured field was made of, and how much every datum counts.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,15 @@ bool has_data(const MeasuredField& measured);
 /// north. Throws Error for other rows, and for a mesh that is no part of such a globe: whose
 /// vertices are not all about as far from the origin, to a factor of 2.
 DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north);
+
+/// How far vertices are from the origin.
+struct GlobeRadii {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+};
+GlobeRadii globe_radii(const Mesh& mesh);
+
+/// The same of a part of a mesh whose vertices are so far from the origin.
+DataArray globe_vectors(const Mesh& part, const DataArray& east_north, const GlobeRadii& of_whole);
 
 /// Numbers of triangles: those of their corners on average.
 std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);

@@ -114,18 +114,22 @@ void check_smooth_field(const IsGiven& given, float curvature_anchor, float feat
   }
 }
 
-void check_field_detail(const IsGiven& given, float periods, bool measured, bool cross) {
-  if (!measured) {
-    refuse_given(
-        given,
-        {"--field-detail", "--field-weight", "--fill", "--field-arrows", "--field-singularities"},
-        "the field was not measured; it is for arrays, files and raw-curvature");
+void check_field_detail(const IsGiven& given, const DetailRequest& wanted) {
+  if (!wanted.measured) {
+    refuse_given(given,
+                 {"--field-detail", "--field-weight", "--field-arrows", "--field-singularities"},
+                 "the field was not measured; it is for arrays, files and raw-curvature");
   }
-  if (periods == 0) {
-    refuse_given(given, {"--field-weight", "--fill", "--field-arrows", "--field-singularities"},
+  if (!wanted.varies) refuse_given(given, {"--frequency-detail"}, kSameFrequency);
+  if (wanted.periods == 0) {
+    refuse_given(given,
+                 {"--field-weight", "--field-arrows", "--field-singularities", "--field-memory"},
                  "the field is taken as it is given; add --field-detail");
   }
-  if (cross) refuse_given(given, {"--field-arrows"}, "a cross has no sign");
+  if (wanted.periods == 0 && wanted.frequency_periods == 0) {
+    refuse_given(given, {"--fill"}, "nothing is filled; add --field-detail or --frequency-detail");
+  }
+  if (wanted.cross) refuse_given(given, {"--field-arrows"}, "a cross has no sign");
 }
 
 void check_triangle_options(const IsGiven& given) {

@@ -63,7 +63,18 @@ void check_making(const MakingOptions& options, Solver solver);
 void check_smooth_field(const IsGiven& given, float curvature_anchor, float feature_anchor);
 
 /// Of fields that are not measured, or are not seen at the scale of `periods` of their stripes.
-void check_field_detail(const IsGiven& given, float periods, bool measured, bool cross);
+struct DetailRequest {
+  float periods = 0;            ///< --field-detail
+  float frequency_periods = 0;  ///< --frequency-detail
+  bool measured = false;        ///< the field was
+  bool cross = false;
+  bool varies = false;  ///< the frequency may be another one at every vertex
+};
+void check_field_detail(const IsGiven& given, const DetailRequest& wanted);
+
+/// --frequency-detail where it has no effect.
+inline constexpr const char* kSameFrequency =
+    "the frequency is the same everywhere; it is for frequencies of arrays and files";
 
 /// What needs triangles, of points: of fields and waves, and of stripes.
 void check_triangle_options(const IsGiven& given);

@@ -169,6 +169,10 @@ nlohmann::ordered_json to_json(const WaveReport& waves,
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
   json.update(to_json(waves.missing));
   if (waves.detail) json.update(to_json(*waves.detail));
+  if (waves.frequency_detail) {
+    json["frequency_changed_median"] = waves.frequency_detail->changed_median;
+    json["frequencies_filled"] = waves.frequency_detail->filled;
+  }
   return json;
 }
 
@@ -187,6 +191,10 @@ void print_waves(std::ostream& out, const WaveReport& waves) {
     out << formatted("no wave   at %zu of %zu vertices\n", waves.without_wave, waves.used);
   }
   if (waves.detail) print_detail(out, *waves.detail);
+  if (waves.frequency_detail) {
+    out << formatted("frequency changed by %.2f %% at the median, %zu vertices filled\n",
+                     100 * waves.frequency_detail->changed_median, waves.frequency_detail->filled);
+  }
 }
 
 nlohmann::ordered_json to_json(const Report& report) {

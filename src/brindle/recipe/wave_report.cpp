@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brindle/base/formatted.h"
+#include "brindle/pattern_warnings.h"
 
 namespace brindle {
 namespace {
@@ -41,6 +42,7 @@ WarningWords words_of_options(const std::string& source) {
   words.subdivide = "--subdivide";
   words.field = "--field";
   words.detail = "--field-detail 1";
+  words.singularities = "--field-singularities";
   words.source = source;
   return words;
 }
@@ -54,11 +56,8 @@ void check_wave_report(const WaveReport& figures, const std::string& source) {
 std::string warnings(const WaveReport& figures, const std::string& source) {
   std::string text;
   for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
-  if (figures.detail && figures.detail->singularities_too_many > 0) {
-    text += warning_lines({formatted(
-        "%zu singularities of the field are left, %zu more than --field-singularities asks for: no "
-        "pair of opposite ones undoes them",
-        figures.detail->singularities, figures.detail->singularities_too_many)});
+  if (figures.detail) {
+    text += warning_lines(detail_warnings(*figures.detail, words_of_options(source)));
   }
   WaveFigures unexplained = figures;
   unexplained.without_wave -= figures.missing.total();

@@ -32,11 +32,18 @@ struct MissingWaves {
   }
 };
 
+/// What --frequency-detail did.
+struct FrequencyDetailReport {
+  double changed_median = 0;  ///< as DetailedFrequencies has it
+  std::size_t filled = 0;     ///< the same
+};
+
 /// The library's figures, and why waves are missing.
 struct WaveReport : WaveFigures {
   MissingWaves missing;
   bool measured = false;                          ///< the field may have noise
   std::optional<FieldDetailFigures> detail = {};  ///< of one seen at the scale of its stripes
+  std::optional<FrequencyDetailReport> frequency_detail = {};  ///< of frequencies seen so
 };
 
 /// What options are called, for waves that come from `source`: "the field 'wind.csv'".

@@ -186,8 +186,8 @@ constexpr OptionInfo kWaveRows[] = {
      .slider = {0, 10},
      .stale = OptionStage::waves,
      .jobs = kAll,
-     .help = "--field-detail: how far holes in the data are filled; no wave farther away (default "
-             "2)"},
+     .help = "--field-detail, --frequency-detail: how far holes in the data are filled; no wave "
+             "farther away (default 2)"},
     {.name = "field-arrows",
      .group = "Field",
      .kind = OptionKind::flag,
@@ -205,6 +205,16 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "--field-detail: undo pairs of singularities, the nearest first, until at most N are "
              "left, or those that no pair undoes; elsewhere the field stays (default: all stay)"},
+    {.name = "field-memory",
+     .group = "Field",
+     .kind = OptionKind::number,
+     .form = "M",
+     .standard = "0",
+     .range = kNotNegative,
+     .slider = {0, 10},
+     .jobs = kAnimate,
+     .help = "--field-detail: how much the field of the step before counts beside the data of a step, so "
+             "that noise does not make it jump (default 0: not at all; 1: as much)"},
 
     // Stripes
     {.name = "stripes",
@@ -231,6 +241,18 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "stripes per unit length, instead of --stripes, everywhere or in an array; all go "
              "before the frequencies of a field file"},
+    {.name = "frequency-detail",
+     .group = "Stripes",
+     .kind = OptionKind::number,
+     .form = "P",
+     .unit = "periods",
+     .standard = "0",
+     .range = {.least = 0, .most = 100},
+     .slider = {0, 4},
+     .stale = OptionStage::waves,
+     .jobs = kAll,
+     .help = "see frequencies of arrays and files at the scale of P periods of their stripes, "
+             "without noise and with holes filled as far as --fill (default 0: as they are)"},
     {.name = "stripe-width",
      .group = "Stripes",
      .kind = OptionKind::number,

@@ -116,6 +116,30 @@ Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) 
   return elementary::polar(1.0f, static_cast<float>(symmetry) * theta);
 }
 
+namespace {
+
+/// Of a unit number the root whose real part is not below 0.
+Complex principal_root(const Complex& u) {
+  if (u.real() >= 0) {
+    const float real = std::sqrt((1 + u.real()) / 2);
+    return {real, u.imag() / (2 * real)};
+  }
+  const float imaginary = std::copysign(std::sqrt((1 - u.real()) / 2), u.imag());
+  return {u.imag() / (2 * imaginary), imaginary};
+}
+
+}  // namespace
+
+Complex unit_root(const Complex& u, int symmetry) {
+  if (u == Complex(0)) return 1;
+  if (symmetry != 1 && symmetry != 2 && symmetry != 4) {
+    return elementary::polar(1.0f, elementary::arg(u) / static_cast<float>(symmetry));
+  }
+  Complex root = u / std::sqrt(std::norm(u));
+  for (int n = symmetry; n > 1; n /= 2) root = principal_root(root);
+  return root;
+}
+
 DirectionField directions_of(std::span<const Complex> u, std::span<const Vec3> normals,
                              int symmetry, const Progress& progress) {
   DirectionField directions(u.size());

@@ -37,6 +37,9 @@ PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjac
 /// u = exp(i N theta) of a tangent direction; zero for a zero direction.
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry);
 
+/// exp(i arg(u) / N), of 1, 2 and 4 without any angle; 1 if u is 0.
+Complex unit_root(const Complex& u, int symmetry);
+
 /// One of the N directions that each u stands for: theta = arg(u) / N. Zero where the normal is.
 DirectionField directions_of(std::span<const Complex> u, std::span<const Vec3> normals,
                              int symmetry, const Progress& progress = {});

@@ -1,0 +1,73 @@
+#include "piece_detail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brindle/recipe/field_data.h"
+#include "cli/command_line.h"
+#include "first_rank.h"
+#include "input/field_detail.h"
+#include "input/vertex_values.h"
+#include "piece_rows.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr const char* kWeight = "--field-weight";
+
+FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
+                         const ReadPiece& read, const FieldDetailChoice& choice,
+                         const PieceField& field) {
+  const bool of_triangles = ranks.any(field.data.of_triangles);
+  if (is_own_weight(choice.weight)) return {choice.weight, {}};
+  std::vector<float> values;
+  if (is_array(choice.weight)) {
+    const ArrayAtVertices found = field.arrays->array(parse_array(kWeight, choice.weight));
+    if (of_triangles && found.of_cells && found.of_cells->components == 1) {
+      return {"", numbers_of_triangles(*found.of_cells)};
+    }
+    ranks.together([&] {
+      values = scalar_values(kWeight, found.array, read.piece.mesh.vertex_count(), read.file);
+    });
+  } else {
+    const auto rows = piece_rows(ranks, read, kWeight, value_file(choice.weight), [&] {
+      const VertexValues read_values =
+          csv_values(kWeight, choice.weight, surface.vertex_count(), read.vertex_of_row);
+      return std::vector<DataArray>{make_data_array("weight", 1, read_values.values)};
+    });
+    values = numbers_of_triangles(rows[0]);
+  }
+  return {"", of_triangles ? corner_means(read.piece.mesh, values) : std::move(values)};
+}
+
+}  // namespace
+
+void see_piece_at_detail(Communicator& ranks, const DistributedSurface& surface,
+                         const ReadPiece& read, const WaveOptions& options,
+                         const FrequencyField& frequencies, PieceField& field,
+                         WavesAndCrossing& made, const Progress& progress) {
+  if (options.detail.periods == 0) return;
+  const FieldWeight weight = piece_weight(ranks, surface, read, options.detail, field);
+  MeasuredField measured;
+  together_as_used(ranks, [&] {
+    refuse_usage([&] { measured = measured_field(field.data, field.directions, weight); });
+  });
+  if (!ranks.any(has_data(measured))) return;  // figures of the waves say why
+  FrequencyField places = frequencies;
+  for (Index v = 0; v < places.size(); ++v) {
+    if (!std::isfinite(places[v]) || !field.arrays->is_near(v)) places[v] = 0;
+  }
+  DistributedDetail seen = detailed_field(surface, measured, places,
+                                          detail_options(options.detail, false), {}, progress);
+  field.directions = std::move(seen.field.directions);
+  made.agreement = std::move(seen.field.agreement);
+  made.detail = seen.figures;
+  const std::size_t others =
+      field.missing.without_frequency.value_or(0) + field.missing.too_far.value_or(0);
+  field.missing.unfilled = made.detail->unfilled - std::min(others, made.detail->unfilled);
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,112 @@
+// Measured fields frame by frame.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "brindle/error.h"
+#include "brindle/measured_field.h"
+#include "job.h"
+#include "pattern_data.h"
+#include "words.h"
+
+namespace brindle::python {
+namespace {
+
+struct FieldDetailData {
+  SurfacePointer surface;
+  FieldDetail detail;
+  DirectionField last;  ///< of the frame before; empty in the first one
+  std::atomic<bool> busy{false};
+
+  FieldDetailData(SurfacePointer on, const FieldDetailOptions& options)
+      : surface(std::move(on)), detail(surface->surface, options) {}
+};
+
+std::unique_ptr<FieldDetailData> make_field_detail(const SurfacePointer& surface, float periods,
+                                                   int symmetry, float fill,
+                                                   std::optional<int> singularities, float memory) {
+  FieldDetailOptions options;
+  options.periods = periods;
+  options.symmetry = symmetry;
+  options.fill = fill;
+  options.memory = memory;
+  if (singularities && *singularities < 0) {
+    throw Error("singularities: give a number of 0 or above");
+  }
+  if (singularities) options.singularities = static_cast<std::size_t>(*singularities);
+  return std::make_unique<FieldDetailData>(surface, options);
+}
+
+/// A row per vertex, or per triangle.
+MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::handle confidence) {
+  const Mesh& mesh = surface.surface.mesh;
+  MeasuredField measured;
+  measured.directions = vectors_of(table_of(vectors, "vectors").view, "vectors");
+  measured.of_triangles = measured.directions.size() != mesh.vertex_count() &&
+                          measured.directions.size() == mesh.triangle_count();
+  for (Vec3& vector : measured.directions) {
+    vector = vector.allFinite() ? Vec3(vector.stableNormalized()) : Vec3(Vec3::Zero());
+  }
+  if (confidence.is_none()) return measured;
+  measured.confidence = numbers_of(table_of(confidence, "confidence").view, "confidence");
+  for (float& number : measured.confidence) {
+    if (!std::isfinite(number)) number = 0;
+  }
+  return measured;
+}
+
+py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::handle frequencies,
+                             py::handle confidence, py::handle last, const py::object& progress) {
+  const OneAtATime alone(data.busy, "this detail");
+  const std::size_t vertices = data.surface->surface.mesh.vertex_count();
+  const MeasuredField measured = measured_of(*data.surface, vectors, confidence);
+  const Table table = table_of(frequencies, "frequencies");
+  FrequencyField waves = numbers_of(table.view, "frequencies");
+  if (table.is_number) waves.assign(vertices, waves.front());
+  for (float& frequency : waves) {
+    if (!std::isfinite(frequency)) frequency = 0;
+  }
+  MeasuredField before{data.last, {}};
+  if (!last.is_none()) before.directions = vectors_of(table_of(last, "last").view, "last");
+  DetailedField seen;
+  Job(progress).run(
+      [&](const Progress& reports) { seen = data.detail.frame(measured, waves, before, reports); });
+  data.last = seen.directions;
+  return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.agreement)));
+}
+
+py::dict figures_of_detail(FieldDetailData& data) {
+  const OneAtATime alone(data.busy, "this detail");
+  const FieldDetailFigures figures = data.detail.figures();
+  py::dict result;
+  result["field_turned_mean_deg"] = figures.turned_mean_deg;
+  result["field_turned_median_deg"] = figures.turned_median_deg;
+  result["field_turned_p95_deg"] = figures.turned_p95_deg;
+  result["field_turned_share_over_20deg"] = figures.turned_share_over_20deg;
+  result["field_singularities_of_data"] = figures.singularities_of_data;
+  result["field_singularities"] = figures.singularities;
+  result["vertices_with_data"] = figures.data;
+  result["vertices_filled"] = figures.filled;
+  result["vertices_unfilled"] = figures.unfilled;
+  return result;
+}
+
+}  // namespace
+
+void bind_field_detail(py::module_& module) {
+  py::class_<FieldDetailData>(module, "FieldDetail")
+      .def(py::init(&make_field_detail), py::arg("surface").none(false), py::arg("periods"),
+           py::arg("symmetry"), py::arg("fill"), py::arg("singularities"), py::arg("memory"))
+      .def_property_readonly("surface", [](const FieldDetailData& data) { return data.surface; })
+      .def("frame", field_detail_frame, py::arg("vectors"), py::arg("frequencies"),
+           py::arg("confidence"), py::arg("last"), py::arg("progress"))
+      .def("figures", figures_of_detail);
+}
+
+}  // namespace brindle::python
