@@ -54,7 +54,7 @@ struct WarningWords {
   std::string source = "the field";                      ///< where directions come from
   std::string detail = "FieldDetail";  ///< what sees measured fields at the scale of stripes
   std::string singularities = "FieldDetailOptions::singularities";  ///< of their number
-  std::string join = "join them with make_repaired_mesh";  ///< vertices at one place
+  std::string join = "join them with make_repaired_mesh";           ///< vertices at one place
 };
 
 /// What is probably not meant, a sentence each without a full stop: waves missing at more than a

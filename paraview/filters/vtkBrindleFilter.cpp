@@ -97,7 +97,8 @@ struct vtkBrindleFilter::State {
   /// start does not depend on what was shown before.
   brindle::DirectionField remembered(const bp::PatternSurface& surface,
                                      const bp::WaveSettings& settings, const Step& step) {
-    if (settings.memory == 0 || settings.detail == 0 || memory.surface.surface == nullptr) return {};
+    if (settings.memory == 0 || settings.detail == 0 || memory.surface.surface == nullptr)
+      return {};
     if (step.repeats && memory.surface.surface == surface.surface) return memory.before;
     if (!step.goes_on || !bp::same_connectivity_everywhere(memory.surface, surface)) return {};
     const brindle::Surface& before = *memory.surface.surface;

@@ -50,8 +50,11 @@ MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::ha
   measured.directions = vectors_of(table_of(vectors, "vectors").view, "vectors");
   measured.of_triangles = measured.directions.size() != mesh.vertex_count() &&
                           measured.directions.size() == mesh.triangle_count();
-  for (Vec3& vector : measured.directions) {
-    vector = vector.allFinite() ? Vec3(vector.stableNormalized()) : Vec3(Vec3::Zero());
+  const std::vector<Vec3>& normals = surface.surface.normals;
+  for (std::size_t i = 0; i < measured.directions.size(); ++i) {
+    Vec3& vector = measured.directions[i];
+    vector = measured.of_triangles || i >= normals.size() ? Vec3(vector.stableNormalized())
+                                                          : direction_of(vector, normals[i]);
   }
   if (confidence.is_none()) return measured;
   measured.confidence = numbers_of(table_of(confidence, "confidence").view, "confidence");

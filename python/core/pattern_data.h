@@ -95,6 +95,9 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
                  py::handle frequency, const FieldOrigin& origin,
                  std::span<const Complex> phases = {});
 
+/// The direction of a vector of any length; unit tangent vectors stay as they are.
+Vec3 direction_of(const Vec3& vector, const Vec3& normal);
+
 /// Frequencies of an array at the scale that the origin asks for, those that are not finite filled.
 brindle::DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                               const FieldOrigin& origin);

@@ -38,9 +38,7 @@ DirectionField directions_of(const SurfaceData& data, py::handle given,
   std::size_t nonfinite = 0;
   for (std::size_t v = 0; v < vectors.size(); ++v) {
     nonfinite += vectors[v].allFinite() ? 0 : 1;
-    directions[v] = is_direction(vectors[v], normals[v]) && !normals[v].isZero(0)
-                        ? vectors[v]
-                        : tangent_direction(vectors[v], normals[v]);
+    directions[v] = direction_of(vectors[v], normals[v]);
   }
   if (nonfinite > 0) prepared.field_rows_nonfinite = nonfinite;
   return directions;
@@ -120,6 +118,11 @@ void see_at_detail(const Surface& surface, const FieldOrigin& origin,
 }
 
 }  // namespace
+
+Vec3 direction_of(const Vec3& vector, const Vec3& normal) {
+  if (is_direction(vector, normal) && !normal.isZero(0)) return vector;
+  return tangent_direction(vector, normal);
+}
 
 DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                      const FieldOrigin& origin) {

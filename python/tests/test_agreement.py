@@ -114,6 +114,12 @@ REQUESTS = [
      stripes(directions="stress", field_detail=1, along=True)),
     ("stripe", "field.vtp", "--field array:velocity --field-detail 1 --frequency array:speed",
      stripes(directions="velocity", field_detail=1, frequency="speed")),
+    ("stripe", "field.vtp", "--field array:velocity --frequency array:speed --frequency-detail 1 --fill 1",
+     stripes(directions="velocity", frequency="speed", frequency_detail=1, fill=1)),
+    ("stripe", "field.vtp", "--field array:velocity --field-detail 1 --frequency-by array:speed "
+     "--frequency-detail 0.5 --texture dots",
+     lambda s: brindle.texture(s, "velocity", field_detail=1, frequency=s.frequencies_by("speed"),
+                               frequency_detail=0.5)),
     ("stripe", "field.vtp", "--field array:velocity --cross --field-detail 1",
      lambda s: brindle.crosses(s, "velocity", field_detail=1)),
     ("stripe", "field.vtp", "--field array:velocity --texture dots --field-detail 1",

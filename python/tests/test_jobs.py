@@ -275,6 +275,63 @@ def test_fields_follow_anchors(torus):
     assert abs(got[vertex] @ wish) > 0.9
 
 
+def test_measured_fields_frame_by_frame(torus):
+    truth = torus.smooth_field()
+    across = np.cross(torus.normals, truth)
+    frequency = torus.frequency_of(12)
+    chance = np.random.default_rng(1)
+
+    def noisy():
+        angle = chance.normal(0, 0.5, torus.vertex_count)[:, None]
+        vectors = (np.cos(angle) * truth + np.sin(angle) * across).astype(np.float32)
+        vectors[::9] = np.nan
+        return vectors
+
+    def angle_between(a, b):
+        return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(1)), 0, 1))).mean()
+
+    detail, remembers = brindle.FieldDetail(torus, 0.7), brindle.FieldDetail(torus, 0.7, memory=3)
+    with pytest.raises(brindle.Error):
+        detail.figures
+    steps = []
+    for animator in (detail, remembers):
+        fields = [animator.frame(noisy(), frequency)[0] for _ in range(5)]
+        steps.append(angle_between(fields[-1], fields[-2]))
+        assert angle_between(fields[-1], truth) < 12  # of 23 in the data
+    assert steps[1] < 0.7 * steps[0]
+    assert detail.figures["vertices_filled"] == len(truth[::9])
+    # One frame is what stripes see.
+    data = noisy()
+    p = brindle.stripes(torus, data, stripes=12, field_detail=0.7)
+    field, agreement = brindle.FieldDetail(torus, 0.7).frame(data, frequency)
+    np.testing.assert_array_equal(p.directions, field)
+    np.testing.assert_array_equal(p.point_data["agreement"], agreement)
+    # What counts nothing is no datum, whatever it is; so are triangles' vectors taken.
+    wrong = np.where(np.arange(len(truth))[:, None] % 9 == 0, np.float32(7), data)
+    weights = (np.arange(len(truth)) % 9 != 0).astype(float)
+    again, _ = brindle.FieldDetail(torus, 0.7).frame(wrong, frequency, confidence=weights)
+    np.testing.assert_allclose(again, field, atol=1e-5)
+    of_triangles, _ = detail.frame(truth[np.array(torus.triangles)[:, 0]], frequency)
+    assert of_triangles.shape == truth.shape
+    for wishes in ({"periods": 0}, {"fill": -1}, {"singularities": -1}, {"memory": -1}):
+        with pytest.raises(brindle.Error):
+            brindle.FieldDetail(torus, **wishes)
+    with pytest.raises(brindle.Error, match="entries|directions"):
+        detail.frame(truth[:5], frequency)
+
+
+def test_vectors_on_a_globe():
+    globe = brindle.shape("sphere")
+    places = np.array(globe.vertices)
+    vectors = globe.globe_vectors(np.tile([3.0, 4.0], (globe.vertex_count, 1)))
+    known = np.isfinite(vectors[:, 0])
+    np.testing.assert_allclose(np.linalg.norm(vectors[known], axis=1), 5, rtol=1e-5)
+    np.testing.assert_allclose((vectors * places)[known].sum(1), 0, atol=1e-4)
+    assert (vectors[known, 2] > 0).all()  # the north is up
+    with pytest.raises(brindle.Error, match="globe"):
+        brindle.shape("torus").globe_vectors(np.zeros((brindle.shape("torus").vertex_count, 2)))
+
+
 def run_program(program):
     return subprocess.run([sys.executable, "-c", textwrap.dedent(program)], capture_output=True, text=True,
                           env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})

@@ -213,7 +213,8 @@ constexpr OptionInfo kWaveRows[] = {
      .range = kNotNegative,
      .slider = {0, 10},
      .jobs = kAnimate,
-     .help = "--field-detail: how much the field of the step before counts beside the data of a step, so "
+     .help = "--field-detail: how much the field of the step before counts beside the data of a "
+             "step, so "
              "that noise does not make it jump (default 0: not at all; 1: as much)"},
 
     // Stripes
