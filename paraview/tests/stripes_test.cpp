@@ -108,7 +108,7 @@ TEST(BrindleStripes, CountsDataOfCellsAsTheyAreAndByTheirWeights) {
     if (t % 2 == 0) vector = -vector;
     if (t % 5 == 0) vector = Vec3(1, 2, 3);  // counts nothing
     weights->InsertNextValue(t % 5 == 0 ? 0 : 2);
-    measured.directions.push_back(vector.normalized());
+    measured.directions.push_back(vector.cast<double>().stableNormalized().cast<float>());
     measured.confidence.push_back(t % 5 == 0 ? 0.0f : 2.0f);
     return vector;
   });
