@@ -167,7 +167,10 @@ struct FieldDetail::State {
   /// What the weights are divided by, so that the mean confidence of data is 1.
   static double mean_confidence(const Sums& sums) {
     const auto sum = [](const std::vector<float>& values) {
-      return std::accumulate(values.begin(), values.end(), 0.0);
+      return parallel_sum<double>(values.size(), [&](std::size_t begin, std::size_t end) {
+        return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                               values.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+      });
     };
     const double area = sum(sums.area);
     return area > 0 ? sum(sums.weight) / area : 1;
@@ -196,7 +199,7 @@ struct FieldDetail::State {
   VertexTriangles around;
 
   // Of the last frame.
-  std::shared_ptr<const MeasuredField> measured_;
+  std::optional<MeasuredField> measured_;
   Sums data;
   std::vector<Complex> u;
   DirectionField directions;
@@ -239,13 +242,11 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
         screening[i] += square * options.memory * before.weight[i];
       }
       if (screening[i] > 0) start[i] = graph.anchor[i] / screening[i];
+      // What the last frame found is nearer, where it found anything.
+      if (!u.empty() && u[i] != Complex(0)) start[i] = u[i];
     }
   });
   const bool has_holes = std::ranges::find(screening, 0.0f) != screening.end();
-  // What the last frame found is nearer, where it found anything.
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    if (u[i] != Complex(0)) start[i] = u[i];
-  }
   ScreenedOptions solving = {.max_iterations = kMostIterations,
                              .tolerance = has_holes   ? kToleranceInHoles
                                           : u.empty() ? kTolerance
@@ -375,7 +376,7 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
   const bool is_any = std::ranges::any_of(data.weight, [](float w) { return w > 0; });
   require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
   DetailedField field = seen(frequencies, progress.part(0.8, 1));
-  measured_ = std::make_shared<const MeasuredField>(measured);
+  measured_ = measured;
   directions = field.directions;
   return field;
 }
@@ -422,7 +423,7 @@ DetailedField FieldDetail::frame(const MeasuredField& measured, std::span<const 
 
 FieldDetailFigures FieldDetail::figures() const {
   const State& state = *state_;
-  require(state.measured_ != nullptr, "there is no frame yet that figures could be of");
+  require(state.measured_.has_value(), "there is no frame yet that figures could be of");
   FieldDetailFigures figures;
   tell_turns(state.turns(), figures);
   std::vector<Complex> before(state.count());
