@@ -13,12 +13,15 @@
 #include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/corner_phases.h"
 #include "brindle/curve_measures.h"
 #include "brindle/distributed/joined_measures.h"
 #include "brindle/distributed/shifted_phases.h"
+#include "brindle/distributed/whole_on_first.h"
 #include "brindle/files.h"
 #include "brindle/files/vtp_rows.h"
 #include "brindle/points/point_tree.h"
+#include "brindle/recipe/making.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
@@ -65,6 +68,7 @@ struct JoinedFamily {
   std::optional<CurveSpacing> spacing{};  ///< of all curves
   bool yields = false;                    ///< whether frequencies do
   std::optional<CurveCoverage> coverage{};
+  MakingFigures loops{};  ///< of the whole surface, and how the pattern winds round them
 };
 
 /// One of U and V as a rank has it.
@@ -180,6 +184,7 @@ nlohmann::ordered_json to_json(const JoinedFamily& family) {
     json["coverage"] = family.coverage->once;
     json["covered_twice"] = family.coverage->twice;
   }
+  add_to_json(family.loops, json);
   return json;
 }
 
@@ -191,7 +196,8 @@ void print(std::ostream& out, const JoinedFamily& family) {
       << "          " << line_of_ends(family.ends)
       << lines_of({family.curves.joined_ends, family.curves.ends_at_neighbors, family.short_curves,
                    family.jogs},
-                  "          ");
+                  "          ")
+      << lines_of(family.loops);
 }
 
 void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communicator& ranks) {
@@ -262,6 +268,26 @@ void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
   if (!arguments.report.empty()) print_written(std::cout, arguments.report);
 }
 
+/// Collective. The loops of the whole and the windings of a pattern, on rank 0.
+MakingFigures loops_of(Communicator& ranks, const WholeOnFirst& whole, const SolvedPattern& solved,
+                       PhaseShiftKind phase_shift) {
+  StripePattern pattern;
+  const std::vector<SentVector> directions = sent_vectors(solved.waves.directions);
+  pattern.waves.directions = received_vectors(whole.of_vertices(std::span(directions)));
+  pattern.waves.frequencies = whole.of_vertices(std::span(solved.waves.frequencies));
+  pattern.solution.z = whole.of_vertices(std::span(solved.z));
+  pattern.phase_shift = phase_shift;
+  MakingFigures figures;
+  ranks.together([&] {
+    if (!whole.is_first()) return;
+    const Mesh& mesh = whole.surface().mesh;
+    pattern.waves.positions = mesh.positions;
+    pattern.corners = corner_phases(mesh.triangles, pattern.waves, pattern.solution.z, phase_shift);
+    measure_windings(whole.surface(), pattern, figures);
+  });
+  return figures;
+}
+
 /// What is made of the curves of all ranks.
 struct MadeCurves {
   std::vector<JoinedFamily> joined;  ///< on rank 0, unless pieces are written
@@ -272,8 +298,14 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
                        const MpiCurvesArguments& arguments, ProgressDisplay& display) {
   MadeCurves made;
   std::vector<CutFamily> families;
+  std::optional<WholeOnFirst> whole;
+  if (!writes_pieces(arguments)) whole.emplace(patterns.surface->rank_surface());
   for (const auto& [name, solved] : {std::pair("u", &patterns.u), std::pair("v", &patterns.v)}) {
     if (!*solved) continue;
+    MakingFigures loops;
+    if (whole) {
+      loops = loops_of(ranks, *whole, **solved, arguments.solving.stripes.phase_shift);
+    }
     const std::size_t jogs =
         arguments.offset == 0
             ? 0
@@ -288,6 +320,7 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
     }
     made.joined.push_back(join_family(families.back(), patterns, **solved, arguments));
     made.joined.back().jogs = jogs;
+    made.joined.back().loops = std::move(loops);
     made.report[name] = to_json(made.joined.back());
     add_frequency_change(**solved, "frequency_change", made.report[name]);
     if (made.joined.back().curves.lines.count() > 0) continue;

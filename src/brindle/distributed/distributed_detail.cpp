@@ -1,121 +1,15 @@
-#include <cstdint>
-#include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "brindle/distributed/part_of_whole.h"
 #include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/whole_on_first.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
 
 namespace brindle {
 namespace {
-
-constexpr Index kNone = ~Index{0};
-
-/// The whole surface on rank 0, and what belongs to its vertices and triangles.
-class WholeOnFirst {
- public:
-  /// Collective.
-  explicit WholeOnFirst(const RankSurface& surface) : surface_(surface), ranks_(*surface.ranks) {
-    std::vector<Index> all(surface.mesh.triangle_count());
-    std::iota(all.begin(), all.end(), Index{0});
-    const std::vector<SentTriangle> own = sent_triangles(surface, all);
-    auto sent = joined<SentTriangle>(ranks_.gather(std::as_bytes(std::span(own))));
-    const std::vector<std::uint64_t> ids = own_ids(surface);
-    const auto of_ranks = ranks_.gather(std::as_bytes(std::span(ids)));
-    ranks_.together([&] {
-      if (!is_first()) return;
-      for (const SentTriangle& triangle : sent) numbers_.push_back(triangle.number);
-      part_ = part_of(std::move(sent), surface.mesh.origin, joined<std::uint64_t>(of_ranks));
-      for (const std::vector<std::byte>& of_rank : of_ranks) {
-        std::vector<Index>& places = places_.emplace_back();
-        for (const std::uint64_t id : joined<std::uint64_t>({of_rank})) {
-          places.push_back(place_of(id));
-        }
-      }
-    });
-    places_.resize(static_cast<std::size_t>(ranks_.size()));
-  }
-
-  bool is_first() const { return ranks_.rank() == 0; }
-  const Surface& surface() const { return part_.surface; }
-
-  /// Collective. What owners have at vertices of their pieces, on rank 0.
-  template <class T>
-  std::vector<T> of_vertices(std::span<const T> of_piece) {
-    std::vector<T> own(surface_.graph.own);
-    for (std::size_t p = 0; p < of_piece.size(); ++p) {
-      const Index v = surface_.vertex_of_piece[p];
-      if (v < own.size()) own[v] = of_piece[p];
-    }
-    const auto of_ranks = ranks_.gather(std::as_bytes(std::span(own)));
-    std::vector<T> whole(part_.ids.size());
-    for (std::size_t r = 0; r < of_ranks.size(); ++r) {
-      const std::vector<T> rows = joined<T>({of_ranks[r]});
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (places_[r][i] != kNone) whole[places_[r][i]] = rows[i];
-      }
-    }
-    return whole;
-  }
-
-  /// Collective. The same at triangles.
-  template <class T>
-  std::vector<T> of_triangles(std::span<const T> of_piece) {
-    std::vector<T> own;
-    for (const Index t : surface_.triangle_of_piece) own.push_back(of_piece[t]);
-    const auto rows = joined<T>(ranks_.gather(std::as_bytes(std::span(own))));
-    std::vector<Index> order(rows.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::stable_sort(order, {}, [&](Index t) { return numbers_[t]; });
-    std::vector<T> whole;
-    for (const Index t : order) whole.push_back(rows[t]);
-    return whole;
-  }
-
-  /// Collective. What rank 0 has, at the vertices of the piece; nothing where no triangle is.
-  template <class T>
-  std::vector<T> to_pieces(const std::vector<T>& whole) {
-    std::vector<std::vector<T>> to(static_cast<std::size_t>(ranks_.size()));
-    for (std::size_t r = 0; r < to.size(); ++r) {
-      for (const Index place : places_[r]) to[r].push_back(place == kNone ? T{} : whole[place]);
-    }
-    std::vector<T> by_vertex = std::move(ranks_.swap_lists(to)[0]);
-    by_vertex.resize(surface_.vertex_count());
-    surface_.exchange_all(std::span(by_vertex));
-    return surface_.to_piece(std::span<const T>(by_vertex));
-  }
-
- private:
-  Index place_of(std::uint64_t id) const {
-    const auto place = std::ranges::lower_bound(part_.ids, id);
-    const bool is_there = place != part_.ids.end() && *place == id;
-    return is_there ? static_cast<Index>(place - part_.ids.begin()) : kNone;
-  }
-
-  const RankSurface& surface_;
-  Communicator& ranks_;
-  // All of rank 0 alone.
-  PartOfWhole part_;
-  std::vector<std::uint64_t> numbers_;      ///< of triangles, rank by rank
-  std::vector<std::vector<Index>> places_;  ///< in the part, of every rank's own vertices
-};
-
-std::vector<SentVector> sent(std::span<const Vec3> vectors) {
-  std::vector<SentVector> result;
-  for (const Vec3& vector : vectors) result.push_back(floats_of(vector));
-  return result;
-}
-
-DirectionField received(const std::vector<SentVector>& vectors) {
-  DirectionField result;
-  for (const SentVector& vector : vectors) result.push_back(vector_of(vector));
-  return result;
-}
 
 void check_piece(const RankSurface& surface, const MeasuredField& field, const std::string& what) {
   const std::size_t places =
@@ -138,7 +32,7 @@ MeasuredField whole_field(Communicator& ranks, WholeOnFirst& whole, const Measur
     const std::span<const T> all(rows);
     return field.of_triangles ? whole.of_triangles(all) : whole.of_vertices(all);
   };
-  field.directions = received(gathered(sent(piece.directions)));
+  field.directions = received_vectors(gathered(sent_vectors(piece.directions)));
   if (ranks.any(!piece.confidence.empty())) {
     std::vector<float> confidence = piece.confidence;
     confidence.resize(piece.directions.size(), 1);  // of a rank that has no vertex at all
@@ -176,7 +70,7 @@ DistributedDetail detailed_field(const DistributedSurface& distributed,
     figures.push_back(detail.figures());
   });
   DistributedDetail result;
-  result.field.directions = received(whole.to_pieces(sent(found.directions)));
+  result.field.directions = received_vectors(whole.to_pieces(sent_vectors(found.directions)));
   result.field.agreement = whole.to_pieces(found.agreement);
   result.figures = ranks.of_first(figures)[0];
   return result;
@@ -200,13 +94,6 @@ DetailedFrequencies detailed_frequencies(const DistributedSurface& distributed,
   });
   DetailedFrequencies result;
   result.frequencies = whole.to_pieces(found.frequencies);
-  for (std::size_t p = 0; p < frequencies.size(); ++p) {
-    // What no triangle uses is as it was.
-    if (surface.vertex_of_piece[p] < surface.graph.own &&
-        surface.graph.adjacency->of(surface.vertex_of_piece[p]).empty()) {
-      result.frequencies[p] = frequencies[p];
-    }
-  }
   result.filled = ranks.greatest(found.filled);
   result.changed_median = ranks.greatest(found.changed_median);
   return result;
