@@ -1,11 +1,10 @@
 #include "piece_detail.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "brindle/arrays.h"
 #include "brindle/recipe/field_data.h"
 #include "cli/command_line.h"
 #include "first_rank.h"
@@ -27,7 +26,7 @@ FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
   if (is_array(choice.weight)) {
     const ArrayAtVertices found = field.arrays->array(parse_array(kWeight, choice.weight));
     if (of_triangles && found.of_cells && found.of_cells->components == 1) {
-      return {"", numbers_of_triangles(*found.of_cells)};
+      return {"", numbers_of(found.of_cells->view(), kWeight)};
     }
     ranks.together([&] {
       values = scalar_values(kWeight, found.array, read.piece.mesh.vertex_count(), read.file);
@@ -38,7 +37,7 @@ FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
           csv_values(kWeight, choice.weight, surface.vertex_count(), read.vertex_of_row);
       return std::vector<DataArray>{make_data_array("weight", 1, read_values.values)};
     });
-    values = numbers_of_triangles(rows[0]);
+    values = numbers_of(rows[0].view(), kWeight);
   }
   return {"", of_triangles ? corner_means(read.piece.mesh, values) : std::move(values)};
 }
@@ -56,18 +55,15 @@ void see_piece_at_detail(Communicator& ranks, const DistributedSurface& surface,
     refuse_usage([&] { measured = measured_field(field.data, field.directions, weight); });
   });
   if (!ranks.any(has_data(measured))) return;  // figures of the waves say why
-  FrequencyField places = frequencies;
-  for (Index v = 0; v < places.size(); ++v) {
-    if (!std::isfinite(places[v]) || !field.arrays->is_near(v)) places[v] = 0;
-  }
-  DistributedDetail seen = detailed_field(surface, measured, places,
-                                          detail_options(options.detail, false), {}, progress);
+  const FrequencyField places =
+      places_of_waves(frequencies, [&](Index v) { return field.arrays->is_near(v); });
+  DistributedDetail seen =
+      detailed_field(surface, measured, places,
+                     detail_options(options.detail, symmetry_of(options)), {}, progress);
   field.directions = std::move(seen.field.directions);
   made.agreement = std::move(seen.field.agreement);
   made.detail = seen.figures;
-  const std::size_t others =
-      field.missing.without_frequency.value_or(0) + field.missing.too_far.value_or(0);
-  field.missing.unfilled = made.detail->unfilled - std::min(others, made.detail->unfilled);
+  field.missing.unfilled = unfilled_alone(*made.detail, field.missing);
 }
 
 }  // namespace brindle::tool

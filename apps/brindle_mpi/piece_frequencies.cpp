@@ -74,10 +74,7 @@ FrequencyField chosen_frequencies(Communicator& ranks, const DistributedSurface&
     return field.frequencies;
   }
   FrequencyField constant = constant_frequency_field(frequency, field.directions.size());
-  // Where a field file has no frequency it has no wave.
-  for (std::size_t v = 0; v < field.frequencies.size(); ++v) {
-    if (!std::isfinite(field.frequencies[v])) constant[v] = field.frequencies[v];
-  }
+  keep_gaps(field.frequencies, constant);
   return constant;
 }
 

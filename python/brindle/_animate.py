@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
@@ -190,4 +191,4 @@ class FieldDetail:
         """Of the last frame, by the keys of reports: by how many degrees it was turned from its
         data, how many singularities data and field have, vertices with data, filled and not.
         Raises Error before the first frame."""
-        return dict(self._core.figures())
+        return json.loads(self._core.figures())

@@ -1,5 +1,4 @@
 // Measured fields frame by frame.
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -8,9 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "arrays.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
+#include "brindle/recipe/json_text.h"
+#include "brindle/recipe/report.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -84,20 +87,13 @@ py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::hand
   return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.agreement)));
 }
 
-py::dict figures_of_detail(FieldDetailData& data) {
+/// As text, which Python reads: the keys are those of reports.
+std::string figures_of_detail(FieldDetailData& data) {
   const OneAtATime alone(data.busy, "this detail");
   const FieldDetailFigures figures = data.detail.figures();
-  py::dict result;
-  result["field_turned_mean_deg"] = figures.turned_mean_deg;
-  result["field_turned_median_deg"] = figures.turned_median_deg;
-  result["field_turned_p95_deg"] = figures.turned_p95_deg;
-  result["field_turned_share_over_20deg"] = figures.turned_share_over_20deg;
-  result["field_singularities_of_data"] = figures.singularities_of_data;
-  result["field_singularities"] = figures.singularities;
-  result["vertices_with_data"] = figures.data;
-  result["vertices_filled"] = figures.filled;
-  result["vertices_unfilled"] = figures.unfilled;
-  return result;
+  nlohmann::ordered_json json = brindle::to_json(figures);
+  json["field_singularities"] = figures.singularities;
+  return brindle::json_text(json);
 }
 
 }  // namespace

@@ -91,17 +91,15 @@ FrequencyField frequencies_per_vertex(const Surface& surface, const Table& table
 /// The field at the scale of its stripes, turned by what the origin says. `with_gaps` are not
 /// finite where there can be no wave.
 void see_at_detail(const Surface& surface, const FieldOrigin& origin,
-                   std::span<const float> with_gaps, WavesIn& in) {
+                   const FrequencyField& with_gaps, WavesIn& in) {
   brindle::FieldWeight weight = origin.weight;
   if (origin.data.of_triangles && weight.values.size() == surface.mesh.vertex_count()) {
     weight.values = brindle::corner_means(surface.mesh, weight.values);
   }
   const MeasuredField measured = brindle::measured_field(origin.data, in.waves.directions, weight);
   if (!brindle::has_data(measured)) return;  // figures of the waves say why
-  FrequencyField frequencies = in.waves.frequencies;
-  for (std::size_t v = 0; v < frequencies.size(); ++v) {
-    if (!std::isfinite(with_gaps[v])) frequencies[v] = 0;
-  }
+  const FrequencyField frequencies =
+      brindle::places_of_waves(with_gaps, [](Index) { return true; });
   const auto seen = until_interrupted([&](const Progress& progress) {
     FieldDetail detail(surface, origin.detail, progress.part(0, 0.5));
     DetailedField field = detail.frame(measured, frequencies, {}, progress.part(0.5, 1));
@@ -113,8 +111,7 @@ void see_at_detail(const Surface& surface, const FieldOrigin& origin,
   in.prepared.agreement = seen.first.agreement;
   in.prepared.figures.detail = seen.second;
   brindle::MissingWaves& missing = in.prepared.figures.missing;
-  const std::size_t others = missing.without_frequency.value_or(0);
-  missing.unfilled = seen.second.unfilled - std::min(others, seen.second.unfilled);
+  missing.unfilled = brindle::unfilled_alone(seen.second, missing);
 }
 
 }  // namespace
@@ -142,7 +139,7 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
   in.waves.directions = directions_of(surface, directions, in.prepared);
   in.waves.positions = mesh.positions;
   if (!phases.empty()) drop_waves_without_phase(phases, in.waves.directions);
-  FrequencyField with_gaps(mesh.vertex_count());  // not finite where there can be no wave
+  FrequencyField with_gaps;  // not finite where there can be no wave
   if (!frequency.is_none()) {
     const Table table = table_of(frequency, "frequency");
     in.waves.frequencies =
@@ -155,6 +152,7 @@ WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle s
     in.waves.frequencies = constant_frequency_field(
         frequency_of_stripes(number_of(table), bounding_box(mesh).diagonal()), mesh.vertex_count());
   }
+  if (with_gaps.empty()) with_gaps = in.waves.frequencies;
   if (origin.detail.periods > 0) {
     saying_in_pythons_words([&] { see_at_detail(surface.surface, origin, with_gaps, in); });
   }

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/array_numbers.h"
+#include "brindle/arrays.h"
 #include "brindle/recipe/refusals.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
@@ -46,12 +46,6 @@ bool is_own_weight(const std::string& weight) {
   return weight.empty() || weight == kLength || weight == kAnisotropy;
 }
 
-std::vector<float> numbers_of_triangles(const DataArray& array) {
-  std::vector<float> values;
-  for (const double number : doubles_of(array.view())) values.push_back(static_cast<float>(number));
-  return values;
-}
-
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
                          const FieldDetailChoice& choice, bool of_triangles) {
   const std::string& weight = choice.weight;
@@ -59,17 +53,17 @@ FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
   if (of_triangles && is_array(weight)) {
     const ArraySource::PerVertex found = arrays.array(parse_array(kWeight, weight));
     if (found.of_cells && found.of_cells->components == 1) {
-      return {"", numbers_of_triangles(*found.of_cells)};
+      return {"", numbers_of(found.of_cells->view(), kWeight)};
     }
   }
   std::vector<float> values = vertex_values(kWeight, weight, source).values;
   return {"", of_triangles ? corner_means(source.surface.mesh, values) : std::move(values)};
 }
 
-FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross) {
+FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry) {
   FieldDetailOptions options;
   options.periods = choice.periods;
-  options.symmetry = cross ? 4 : choice.arrows ? 1 : 2;
+  options.symmetry = symmetry;
   if (choice.fill) options.fill = *choice.fill;
   options.memory = choice.memory;
   if (choice.singularities) options.singularities = static_cast<std::size_t>(*choice.singularities);

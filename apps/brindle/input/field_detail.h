@@ -31,16 +31,13 @@ void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
 /// Whether a weight follows from the data themselves: "", "length" or "anisotropy".
 bool is_own_weight(const std::string& weight);
 
-/// Rows of one number.
-std::vector<float> numbers_of_triangles(const DataArray& array);
-
 /// What data count by that are per vertex or, some, per triangle. Throws Error for arrays and
 /// columns as `vertex_values` does.
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
                          const FieldDetailChoice& choice, bool of_triangles);
 
-/// The options of the library's filter for waves of lines, or of crosses.
-FieldDetailOptions detail_options(const FieldDetailChoice& choice, bool cross);
+/// The options of the library's filter for a field with so many directions alike.
+FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry);
 
 FrequencyDetailOptions frequency_detail_options(const FieldDetailChoice& choice);
 

@@ -54,9 +54,7 @@ DirectionField carry_field(const KeptField& last, const std::string& name,
                                            {name, surface.mesh, prepared.arrays.points}, options);
   const LastField field{last.mesh, last.normals, last.directions};
   if (match.by != Matching::position) return matched_directions(field, surface, match.counterparts);
-  const int symmetry = waves.detail.periods > 0 ? detail_options(waves.detail, waves.cross).symmetry
-                                                : symmetry_of(waves);
-  return carried_directions(field, surface, symmetry, last.period);
+  return carried_directions(field, surface, symmetry_of(waves), last.period);
 }
 
 }  // namespace brindle::tool

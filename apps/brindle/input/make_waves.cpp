@@ -1,7 +1,6 @@
 #include "input/make_waves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -9,7 +8,7 @@
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/recipe/refusals.h"
+#include "brindle/recipe/field_data.h"
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
@@ -179,10 +178,7 @@ std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const W
   if (!field.frequencies.empty() && !options.stripes && !options.frequency) return std::nullopt;
   FrequencyField constant = constant_frequency_field(constant_frequency(surface.mesh, options),
                                                      surface.mesh.vertex_count());
-  // Where a field file has no frequency it has no wave.
-  for (std::size_t v = 0; v < field.frequencies.size(); ++v) {
-    if (!std::isfinite(field.frequencies[v])) constant[v] = field.frequencies[v];
-  }
+  keep_gaps(field.frequencies, constant);
   return constant;
 }
 
@@ -214,29 +210,18 @@ void choose_frequencies(const Surface& surface, const WaveOptions& options, cons
   see_frequencies_at_detail(surface, options, field, made, progress);
 }
 
-/// The frequencies that waves have, and 0 where there can be none: where there is no frequency, and
-/// too far from the field's mesh.
-FrequencyField places_of_waves(const FrequencyField& with_gaps, const ArraySource& arrays) {
-  FrequencyField frequencies = with_gaps;
-  for (Index v = 0; v < frequencies.size(); ++v) {
-    if (!std::isfinite(frequencies[v]) || !arrays.is_near(v)) frequencies[v] = 0;
-  }
-  return frequencies;
-}
-
 void see_at_detail(const Surface& surface, const WaveOptions& options,
                    const FrequencyField& frequencies, Field& field, WavesAndCrossing& made,
                    const Progress& progress) {
-  FieldDetail detail(surface, detail_options(options.detail, options.cross), progress.part(0, 0.5));
+  FieldDetail detail(surface, detail_options(options.detail, symmetry_of(options)),
+                     progress.part(0, 0.5));
   DetailedField seen =
       detail.frame(field.measured, frequencies, {field.last, {}}, progress.part(0.5, 1));
   field.directions = std::move(seen.directions);
   if (options.detail.memory > 0) made.seen_field = field.directions;
   made.agreement = std::move(seen.agreement);
   made.detail = detail.figures();
-  const std::size_t others =
-      field.missing.without_frequency.value_or(0) + field.missing.too_far.value_or(0);
-  field.missing.unfilled = made.detail->unfilled - std::min(others, made.detail->unfilled);
+  field.missing.unfilled = unfilled_alone(*made.detail, field.missing);
 }
 
 }  // namespace
@@ -271,7 +256,8 @@ WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
   field.missing.too_far = arrays.drop_too_far(field.directions);
   WavesAndCrossing made;
   choose_frequencies(surface, options, data, field, made, progress.part(0, 0.3));
-  const FrequencyField places = places_of_waves(field.frequencies, arrays);
+  const FrequencyField places =
+      places_of_waves(field.frequencies, [&](Index v) { return arrays.is_near(v); });
   if (field.may_have_gaps || says_frequencies(options)) {
     field.missing.without_frequency =
         drop_waves_without_frequency(field.directions, field.frequencies);

@@ -53,7 +53,10 @@ float curvature_anchor(const WaveOptions& options) {
 
 bool is_measured(const WaveOptions& options) { return !options.direction && !is_smooth(options); }
 
-int symmetry_of(const WaveOptions& options) { return options.cross ? 4 : 2; }
+int symmetry_of(const WaveOptions& options) {
+  if (options.cross) return 4;
+  return options.detail.arrows ? 1 : 2;
+}
 
 float turn_deg(const WaveOptions& options) {
   return options.rotate_deg + (options.along ? 90.0f : 0.0f);

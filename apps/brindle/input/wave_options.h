@@ -42,7 +42,7 @@ struct WaveOptions {
 bool is_smooth(const WaveOptions& options);
 float curvature_anchor(const WaveOptions& options);
 
-/// How many directions of the smooth field are alike: 2 of lines, 4 of crosses.
+/// How many directions of the field are alike: 1 of arrows, 2 of lines, 4 of crosses.
 int symmetry_of(const WaveOptions& options);
 
 /// Degrees that waves are turned by against their field: --rotate and --along.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -264,19 +265,8 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
 /// what is filled. Nothing where there are no holes.
 std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
   if (std::ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
-  std::vector<float> distance(count(), std::numeric_limits<float>::infinity());
-  std::vector<Index> borders;
   const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
-  for (Index i = 0; i < count(); ++i) {
-    if (is_hole(i)) continue;
-    distance[i] = 0;
-    if (std::ranges::any_of(surface.neighborhood->of(i), is_hole)) borders.push_back(i);
-  }
-  PeriodWalk(surface, frequencies).from(borders, options.fill, [&](Index i, float far) {
-    distance[i] = std::min(distance[i], far);
-    return true;
-  });
-  return distance;
+  return periods_from_data(surface, frequencies, std::not_fn(is_hole), is_hole, options.fill);
 }
 
 /// The singularities of `u`, and the nearest pairs of them: as many as bring them down to what the

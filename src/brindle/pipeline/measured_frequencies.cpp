@@ -94,21 +94,11 @@ class Logarithms {
 
   /// How far every vertex is from the next datum, in periods; infinitely far beyond `reach`.
   std::vector<float> distances(float reach) const {
-    std::vector<float> distance(count(), std::numeric_limits<float>::infinity()), all(count());
-    std::vector<Index> borders;
-    for (Index i = 0; i < count(); ++i) {
-      all[i] = frequency(i);
-      if (!is_datum(i)) continue;
-      distance[i] = 0;
-      if (std::ranges::any_of(surface_.neighborhood->of(i), [&](Index j) { return is_hole(j); })) {
-        borders.push_back(i);
-      }
-    }
-    PeriodWalk(surface_, all).from(borders, reach, [&](Index i, float far) {
-      distance[i] = std::min(distance[i], far);
-      return true;
-    });
-    return distance;
+    std::vector<float> all(count());
+    for (Index i = 0; i < count(); ++i) all[i] = frequency(i);
+    return periods_from_data(
+        surface_, all, [&](Index i) { return is_datum(i); }, [&](Index i) { return is_hole(i); },
+        reach);
   }
 
  private:

@@ -1,6 +1,7 @@
 /// Walks along edges whose lengths are counted in periods of the stripes.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -59,5 +60,24 @@ class PeriodWalk {
   std::vector<Index> reached_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next_;
 };
+
+/// How far every vertex is from the next datum, in periods; infinitely far beyond `reach`. A
+/// vertex may be neither datum nor hole.
+template <class IsDatum, class IsHole>
+std::vector<float> periods_from_data(const Surface& surface, std::span<const float> frequencies,
+                                     const IsDatum& is_datum, const IsHole& is_hole, float reach) {
+  std::vector<float> distance(frequencies.size(), std::numeric_limits<float>::infinity());
+  std::vector<Index> borders;
+  for (Index i = 0; i < frequencies.size(); ++i) {
+    if (!is_datum(i)) continue;
+    distance[i] = 0;
+    if (std::ranges::any_of(surface.neighborhood->of(i), is_hole)) borders.push_back(i);
+  }
+  PeriodWalk(surface, frequencies).from(borders, reach, [&](Index i, float far) {
+    distance[i] = std::min(distance[i], far);
+    return true;
+  });
+  return distance;
+}
 
 }  // namespace brindle

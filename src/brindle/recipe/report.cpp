@@ -35,17 +35,6 @@ nlohmann::ordered_json to_json(const MissingWaves& missing) {
   return json;
 }
 
-nlohmann::ordered_json to_json(const FieldDetailFigures& detail) {
-  return {{"field_turned_mean_deg", detail.turned_mean_deg},
-          {"field_turned_median_deg", detail.turned_median_deg},
-          {"field_turned_p95_deg", detail.turned_p95_deg},
-          {"field_turned_share_over_20deg", detail.turned_share_over_20deg},
-          {"field_singularities_of_data", detail.singularities_of_data},
-          {"vertices_with_data", detail.data},
-          {"vertices_filled", detail.filled},
-          {"vertices_unfilled", detail.unfilled}};
-}
-
 void print_detail(std::ostream& out, const FieldDetailFigures& detail) {
   out << formatted(
       "field     turned by %.2f degrees (median %.2f, 95 %% below %.1f, above 20 in %.1f %%), "
@@ -296,6 +285,17 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
                      quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
                      100 * quality.spacing_error_mean);
   }
+}
+
+nlohmann::ordered_json to_json(const FieldDetailFigures& detail) {
+  return {{"field_turned_mean_deg", detail.turned_mean_deg},
+          {"field_turned_median_deg", detail.turned_median_deg},
+          {"field_turned_p95_deg", detail.turned_p95_deg},
+          {"field_turned_share_over_20deg", detail.turned_share_over_20deg},
+          {"field_singularities_of_data", detail.singularities_of_data},
+          {"vertices_with_data", detail.data},
+          {"vertices_filled", detail.filled},
+          {"vertices_unfilled", detail.unfilled}};
 }
 
 nlohmann::ordered_json to_json(const SampleSpacing& spacing) {

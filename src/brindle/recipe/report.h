@@ -82,6 +82,10 @@ std::string_view kind_of(const Mesh& mesh);
 nlohmann::ordered_json to_json(const WaveReport& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
 
+/// What became of a measured field: keys of a report, all but how many singularities it has, which
+/// a report counts for every field.
+nlohmann::ordered_json to_json(const FieldDetailFigures& detail);
+
 /// How evenly samples lie, for the key "nearest_neighbour".
 nlohmann::ordered_json to_json(const SampleSpacing& spacing);
 

@@ -1,5 +1,6 @@
 #include "brindle/recipe/wave_report.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,11 @@ std::string warning_lines(const std::vector<std::string>& sentences) {
 }
 
 }  // namespace
+
+std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves& missing) {
+  const std::size_t others = missing.without_frequency.value_or(0) + missing.too_far.value_or(0);
+  return detail.unfilled - std::min(others, detail.unfilled);
+}
 
 WarningWords words_of_options(const std::string& source) {
   WarningWords words;

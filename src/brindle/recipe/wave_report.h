@@ -32,6 +32,10 @@ struct MissingWaves {
   }
 };
 
+/// Those that are too far from all data of a field whose holes were filled, and not without a wave
+/// for another reason that `missing` knows.
+std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves& missing);
+
 /// What --frequency-detail did.
 struct FrequencyDetailReport {
   double changed_median = 0;  ///< as DetailedFrequencies has it
