@@ -37,23 +37,25 @@ struct Slack {
 struct FrequencyChange {
   double ratio_min = 1;  ///< the frequency chosen over the one asked for
   double ratio_max = 1;
-  double ratio_mean = 1;
+  double ratio_mean = 1;       ///< weighted by area
   double share_at_bounds = 0;  ///< of the vertices, between 0 and 1
   int sweeps = 0;              ///< over all vertices
   double residual = 0;  ///< length of the projected gradient, over that after the first sweep
 };
 
-/// Finds the frequency g between bounds around the frequency f asked for with which g d is as
-/// nearly the gradient of a phase as it can be: its curl is what makes branches. It minimises
+/// Finds the frequency g = f exp(x) between bounds around the frequency f asked for with which g d
+/// is as nearly the gradient of a phase as it can be: its curl is what makes branches. It minimises
 ///
-///     sum_T w_T / A_T (sum_m C_Tm g_m)^2 + eta Dirichlet(g) + mu sum_i M_i (g_i - f_i)^2
+///     sum_T w_T / A_T (c_T + sum_m (c_Tm - c_T / 3) x_m)^2
+///       + eta sum_T A_T |f_T grad x|^2 + mu sum_i w_i M_i (f_i x_i)^2,   |x_i| <= log(1 + S_i)
 ///
-/// where sum_m C_Tm g_m is the circulation of g d around triangle T (compare the curl correction in
-/// Ray et al., Periodic global parameterization, 2006), by multigrid between the bounds. Results
-/// are bit-identical for any number of threads. Turning a direction round changes nothing.
-/// Triangles whose corners have no common orientation have no circulation, and those with a corner
-/// without a wave take no part; a vertex without any other keeps its frequency. Points take the
-/// triangles that they make with their neighbours.
+/// where c_T = sum_m c_Tm is the circulation of f d around triangle T (compare the curl correction
+/// in Ray et al., Periodic global parameterization, 2006), by multigrid between the bounds: that of
+/// g d over g, which does not know how large g is. The mean of g / f, weighted by area, then is
+/// made 1, and about 1 where it is calm. Results are bit-identical for any number of threads.
+/// Turning a direction round changes nothing. Triangles whose corners have no common orientation
+/// have no circulation, and those with a corner without a wave take no part; a vertex without any
+/// other keeps its frequency. Points take the triangles that they make with their neighbours.
 class YieldingFrequency {
  public:
   /// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the

@@ -97,7 +97,8 @@ TEST_F(SlackTest, LeavesFewerBranchesAndSaysWhatItDid) {
   EXPECT_LT(slack["angle_error_mean_deg"], plain["angle_error_mean_deg"]);
   const Json& change = slack["frequency_change"];
   EXPECT_NEAR(change["ratio_min"].get<double>(), 0.8, 1e-4);
-  EXPECT_NEAR(change["ratio_max"].get<double>(), 1.25, 1e-4);
+  EXPECT_LE(change["ratio_max"].get<double>(), 1.25 + 1e-4);
+  EXPECT_NEAR(change["ratio_mean"].get<double>(), 1, 1e-4);
   EXPECT_GT(change["share_at_bounds"], 0);
   EXPECT_GT(change["spacing_error_wanted_mean"], slack["spacing_error_mean"]);
   EXPECT_GT(slack["milliseconds"]["frequency"], 0);

@@ -75,6 +75,16 @@ TEST(Elementary, PowersAndLogarithmsAreExactToTheLastPlaces) {
   }
 }
 
+TEST(Elementary, FastPowersAreExactToTwoUnitsOfAFloat) {
+  for (float x = -80; x <= 80; x += 0.00097f) {
+    const long double exact = std::exp(static_cast<long double>(x));
+    const float nearest = static_cast<float>(exact);
+    const float unit = std::nextafter(nearest, std::numeric_limits<float>::infinity()) - nearest;
+    ASSERT_LT(std::abs(elementary::fast_exp(x) - exact), 2 * static_cast<long double>(unit)) << x;
+  }
+  EXPECT_EQ(elementary::fast_exp(0), 1);
+}
+
 TEST(Elementary, EndsAreThoseOfTheStandardLibrary) {
   const double numbers[] = {0.0,    -0.0,   1.0,       -1.0,       1e308,
                             -1e308, 1e-320, kInfinity, -kInfinity, kNan};

@@ -60,54 +60,6 @@ Eigen::VectorXd ratios_alone(const WavySurface& whole, const WaveSet& waves, con
   return x;
 }
 
-/// A problem that is solved exactly, in double precision.
-struct Solved {
-  LeastSquares problem;
-  Eigen::VectorXd upper, x;
-  double energy = 0;
-
-  Solved(const WavySurface& whole, const WaveSet& waves, const Slack& slack = kSlack)
-      : problem(least_squares(whole.mesh, waves, weights_of(whole.mesh, slack.calm))),
-        upper(most_of(whole.mesh.vertex_count(), slack)),
-        x(bounded_minimum(problem, upper.cwiseInverse(), upper)),
-        energy(problem.energy(x)) {}
-
-  static std::vector<double> weights_of(const Mesh& mesh, const std::vector<float>& calm) {
-    std::vector<double> weights;
-    for (const auto& [a, b, c] : mesh.triangles) {
-      if (calm.empty()) break;
-      weights.push_back(1 + 9 * static_cast<double>(std::max({calm[a], calm[b], calm[c]})));
-    }
-    return weights;
-  }
-  static Eigen::VectorXd most_of(std::size_t vertices, const Slack& slack) {
-    Eigen::VectorXd most(static_cast<Eigen::Index>(vertices));
-    for (std::size_t v = 0; v < vertices; ++v) {
-      const auto s =
-          static_cast<double>(slack.by_vertex.empty() ? slack.everywhere : slack.by_vertex[v]);
-      const double calm = slack.calm.empty() ? 0 : static_cast<double>(slack.calm[v]);
-      most[static_cast<Eigen::Index>(v)] = 1 + s * (1 + 2 * calm);
-    }
-    return most;
-  }
-};
-
-/// The solver ends where a cycle gains less than this share of the energy.
-constexpr double kTolerance = 1e-3;
-
-/// Bounds hold to the last digit of a float, and the energy is the least but for the tolerance.
-/// What holds frequencies to those asked for is a part of the energy, which is convex: so they are
-/// as near to the exact ones as that part says.
-void expect_least(const Solved& exact, const Eigen::VectorXd& x) {
-  EXPECT_LE(x.cwiseQuotient(exact.upper).maxCoeff(), 1 + 1e-6);
-  EXPECT_GE(x.cwiseProduct(exact.upper).minCoeff(), 1 - 1e-6);
-  const double rounding = 1e-7 * exact.problem.constant;
-  const double most = kTolerance * exact.energy + rounding;
-  EXPECT_LE(exact.problem.energy(x) - exact.energy, most);
-  EXPECT_GE(exact.problem.energy(x) - exact.energy, -most);
-  EXPECT_LE(exact.problem.right.dot((x - exact.x).cwiseAbs2()), most);
-}
-
 TEST(DistributedFrequency, OfOneRankHasTheBitsOfTheLibrary) {
   if (rank_count() > 1) GTEST_SKIP() << "of one rank";
   const Parts parts(wavy_surface("molecule,resolution=40", kAxis, 40));
@@ -153,9 +105,14 @@ TEST(DistributedFrequency, OfOneRankMeasuresWhatThePatternSays) {
   EXPECT_EQ(quality.spacing_error_wanted_mean, pattern.quality.spacing_error_wanted_mean);
 }
 
+/// Weighted by area.
+double mean_of(const LeastFrequencies& exact, const Eigen::VectorXd& x) {
+  return exact.problem.mass.dot(x) / exact.problem.mass.sum();
+}
+
 /// What all triangles and vertices are measured with.
 struct Scale {
-  double unit = 0, faithfulness = 0;
+  double unit = 0, faithfulness = 0, constant = 0;
 };
 
 Scale scale_of(const FrequencyTriangles& triangles, const Adjacency& adjacency,
@@ -164,7 +121,9 @@ Scale scale_of(const FrequencyTriangles& triangles, const Adjacency& adjacency,
   FrequencyTerms terms;
   terms.triangles.resize(rows.triangles().corners.size());
   rows.set_terms(input, peers, terms);
-  return {static_cast<double>(terms.unit), static_cast<double>(terms.faithfulness)};
+  double constant = terms.constant;
+  if (peers != nullptr) peers->sum({&constant, 1});
+  return {static_cast<double>(terms.unit), static_cast<double>(terms.faithfulness), constant};
 }
 
 TEST(DistributedFrequency, CountsEveryTriangleAndVertexOnce) {
@@ -195,13 +154,14 @@ TEST(DistributedFrequency, CountsEveryTriangleAndVertexOnce) {
                                  {own.mesh.positions, directions, frequencies}, &peers);
     EXPECT_NEAR(scale.unit, expected.unit, 1e-6 * expected.unit);
     EXPECT_NEAR(scale.faithfulness, expected.faithfulness, 1e-5 * expected.faithfulness);
+    EXPECT_NEAR(scale.constant, expected.constant, 1e-5 * expected.constant);
   }
 }
 
 TEST(DistributedFrequency, HasLeastEnergyHoweverASurfaceIsCut) {
   for (const char* shape : {"torus,resolution=36", "box,resolution=10"}) {
     const WavySurface whole = wavy_surface(shape, kAxis, 20);
-    const Solved exact(whole, whole.waves);
+    const LeastFrequencies exact(whole.mesh, whole.waves, kSlack);
     expect_least(exact, ratios_alone(whole, whole.waves, kSlack));
     for (const Cut& cut : kCuts) {
       for (const std::size_t gather_below :
@@ -218,7 +178,7 @@ TEST(DistributedFrequency, HasLeastEnergyHoweverASurfaceIsCut) {
         expect_least(exact, x);
         EXPECT_NEAR(frame.frequency_change.ratio_min, x.minCoeff(), 1e-6);
         EXPECT_NEAR(frame.frequency_change.ratio_max, x.maxCoeff(), 1e-6);
-        EXPECT_NEAR(frame.frequency_change.ratio_mean, x.mean(), 1e-6);
+        EXPECT_NEAR(frame.frequency_change.ratio_mean, mean_of(exact, x), 1e-6);
         EXPECT_LT(frame.frequency_change.residual, 0.05);
       }
     }
@@ -237,7 +197,7 @@ TEST(DistributedFrequency, TakesAnyTopology) {
         tangent_direction(Vec3(std::cos(angle), 0.4f, std::sin(2 * angle)), whole.normals[v]);
   }
   whole.waves.directions[7].setZero();
-  const Solved exact(whole, whole.waves);
+  const LeastFrequencies exact(whole.mesh, whole.waves, kSlack);
   for (const Cut& cut : kCuts) {
     SCOPED_TRACE(cut.name);
     const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
@@ -266,8 +226,7 @@ TEST(DistributedFrequency, KeepsToSlackAndCalmOfTheOwners) {
     slack.by_vertex.push_back(p.x() > 0 ? 0.3f : 0.0f);
     slack.calm.push_back(p.z() > 0 ? 1.0f : 0.0f);
   }
-  const Solved exact(whole, whole.waves, slack);
-  expect_least(exact, ratios_alone(whole, whole.waves, slack));
+  const Eigen::VectorXd alone = ratios_alone(whole, whole.waves, slack);
   const Parts parts(whole);
   const DistributedSurface surface = parts.surface();
   Slack of_piece;
@@ -282,7 +241,14 @@ TEST(DistributedFrequency, KeepsToSlackAndCalmOfTheOwners) {
   DistributedStripeAnimator animator(surface, options);
   const FrameResult frame = animator.frame(frame_of(parts.of_piece(whole.waves)));
   const Eigen::VectorXd x = ratios(parts, surface, frame.frequencies, whole.waves);
-  expect_least(exact, x);
+  for (Eigen::Index v = 0; v < x.size(); ++v) {
+    const auto i = static_cast<std::size_t>(v);
+    const double most = 1 + static_cast<double>(slack.by_vertex[i] * (1 + 2 * slack.calm[i]));
+    EXPECT_LE(x[v], most * (1 + 1e-6));
+    EXPECT_GE(x[v], (1 - 1e-6) / most);
+  }
+  // Cycles end where they gain little, which leaves them apart by this much in smooth changes.
+  EXPECT_LT((x - alone).cwiseAbs().mean(), 0.01);
   EXPECT_GT(x.maxCoeff(), 1.2);
 
   // What ranks report is what the library says of the same phases.
@@ -331,7 +297,7 @@ TEST(DistributedFrequency, FramesKeepUpWithFieldsThatTurn) {
     const WaveSet waves = turned_by(parts.whole, 0.02f * static_cast<float>(n));
     const FrameResult frame = animator.frame(frame_of(parts.of_piece(waves)));
     EXPECT_LE(frame.frequency_change.sweeps, n == 0 ? 80 : 6);
-    expect_least(Solved(parts.whole, waves),
+    expect_least(LeastFrequencies(parts.whole.mesh, waves, kSlack),
                  ratios(parts, surface, frame.frequencies, parts.whole.waves));
   }
   const WaveSet last = parts.of_piece(turned_by(parts.whole, 0.02f * 7));
@@ -352,7 +318,10 @@ TEST(DistributedFrequency, LeavesAsFewBranchesAsOneProcess) {
     options.slack = kSlack;
     alone += stripe_pattern(make_surface(whole.mesh), whole.waves, options).quality.branches;
     const LeastSquares problem = least_squares(whole.mesh, whole.waves);
-    const double energy = problem.energy(ratios_alone(whole, whole.waves, kSlack));
+    const auto energy_of = [&](const Eigen::VectorXd& x) {
+      return problem.energy((x.array().log() + 1).matrix());
+    };
+    const double energy = energy_of(ratios_alone(whole, whole.waves, kSlack));
     const Parts parts(whole);
     const DistributedSurface surface = parts.surface();
     for (const float slack : {0.0f, kSlack}) {
@@ -363,7 +332,7 @@ TEST(DistributedFrequency, LeavesAsFewBranchesAsOneProcess) {
       (slack > 0 ? yielding : plain) += animator.measure().quality.branches;
       if (slack == 0) continue;
       const auto x = ratios(parts, surface, frame.frequencies, whole.waves);
-      EXPECT_NEAR(problem.energy(x), energy, 10 * kTolerance * energy);
+      EXPECT_NEAR(energy_of(x), energy, 0.02 * energy);
     }
   }
   if (rank() == 0) std::printf("%zu branches, %zu in one process\n", yielding, alone);

@@ -43,6 +43,7 @@ std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& 
   setting->slack = slack_by_vertex(of_vertices, surface.vertex_count());
   setting->slack.resize(surface.graph.node_count());
   exchange(*surface.ranks, surface.graph.halo, std::span(setting->slack));
+  setting->calm = of_vertices.calm;
   setting->triangles = frequency_triangles(surface);
   setting->triangles.weights = calm_weights(setting->triangles.corners, of_vertices.calm);
   setting->adjacency = surface.graph.adjacency;

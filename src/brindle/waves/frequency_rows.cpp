@@ -13,15 +13,16 @@ namespace {
 constexpr float kSmoothness = 0.03f;  ///< eta
 /// mu times the square of the radius of gyration. That radius is about 0.29 of the diagonal for
 /// spheres and squares, and the same however a surface is turned.
-constexpr double kFaithfulness = 1;
+constexpr double kFaithfulness = 0.25;
 
-/// Areas and their moments.
+/// Areas and their moments, and the squares of circulations.
 struct Moments {
   double area = 0, square = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  double circulation = 0;
 
   Moments operator+(const Moments& o) const {
-    return {area + o.area, square + o.square, first + o.first};
+    return {area + o.area, square + o.square, first + o.first, circulation + o.circulation};
   }
   void add(float triangle_area, const Vec3& at) {
     const double a = triangle_area;
@@ -30,7 +31,7 @@ struct Moments {
     square += a * at.cast<double>().squaredNorm();
   }
   std::array<double, 5> numbers() const { return {area, square, first[0], first[1], first[2]}; }
-  static Moments of(const std::array<double, 5>& n) { return {n[0], n[1], {n[2], n[3], n[4]}}; }
+  static Moments of(const std::array<double, 5>& n) { return {n[0], n[1], {n[2], n[3], n[4]}, 0}; }
   double square_of_gyration() const {
     return area > 0 ? std::max(0.0, (square - first.squaredNorm() / area) / area) : 0;
   }
@@ -100,32 +101,38 @@ TriangleLanes gathered(const FrequencyTriangles& triangles, std::size_t first, s
 
 /// What triangles add, side by side.
 struct TermLanes {
-  std::array<Lanes, 3> diagonal, beside;
-  Lanes area;
+  std::array<Lanes, 3> beside, pull;
+  Lanes area, weight, circulation;  ///< its square
 
   TriangleTerms at(int l) const {
-    return {{diagonal[0][l], diagonal[1][l], diagonal[2][l]},
-            {beside[0][l], beside[1][l], beside[2][l]},
-            area[l] / 3};
+    return {{beside[0][l], beside[1][l], beside[2][l]},
+            {pull[0][l], pull[1][l], pull[2][l]},
+            area[l] / 3,
+            weight[l] * area[l] / 3};
   }
 };
 
+/// The circulation of g d over the triangle's mean g, to first order in the logarithms of g / f:
+/// what it is where g is f, and how it grows where they differ.
 TermLanes terms_of(const TriangleLanes& lanes) {
   const TriangleShapes shapes = triangle_shapes(lanes.corners);
   const std::array<Lanes, 3> coefficient = circulation_coefficients(shapes, lanes.directions);
   const Lanes root = square_root(lanes.weight / divisor(shapes.area));
   std::array<Lanes, 3> c;
   for (int m = 0; m < 3; ++m) c[m] = root * coefficient[m] * lanes.f[m];
+  const Lanes whole = c[0] + c[1] + c[2];
+  for (int m = 0; m < 3; ++m) c[m] -= whole / 3;
+  const std::array<Lanes, 3>& f = lanes.f;
+  const Lanes stiffness = kSmoothness * (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]) / 3;
   TermLanes terms;
   for (int m = 0; m < 3; ++m) {
     const int next = (m + 1) % 3, previous = (m + 2) % 3;
-    const std::array<Lanes, 3>& f = lanes.f;
-    const Lanes joined = shapes.half_cotangent[next] + shapes.half_cotangent[previous];
-    terms.diagonal[m] = c[m] * c[m] + kSmoothness * joined * f[m] * f[m];
-    terms.beside[m] =
-        c[next] * c[previous] - kSmoothness * shapes.half_cotangent[m] * f[next] * f[previous];
+    terms.beside[m] = c[next] * c[previous] - stiffness * shapes.half_cotangent[m];
+    terms.pull[m] = -whole * c[m];
   }
   terms.area = shapes.area;
+  terms.weight = lanes.weight;
+  terms.circulation = whole * whole;
   return terms;
 }
 
@@ -243,6 +250,7 @@ void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers, Freq
         terms.triangles[t] = counts ? found.at(l) : TriangleTerms{};
         if (!counts || (!triangles_.counted.empty() && !triangles_.counted[t])) continue;
         moments.add(found.area[l], middle_of(lanes.corners, l));
+        moments.circulation += static_cast<double>(found.circulation[l]);
       }
     }
     return moments;
@@ -251,28 +259,34 @@ void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers, Freq
   const double square = over_all(peers, own_moments).square_of_gyration();
   terms.unit = unit;
   terms.faithfulness = static_cast<float>(square > 0 ? kFaithfulness / square : 0);
+  terms.constant = own_moments.circulation;
 }
 
 void FrequencyRows::set(const FrequencyTerms& terms, std::span<const float> wanted,
-                        BoundedMultigrid& multigrid) const {
+                        BoundedMultigrid& multigrid, std::span<RowMass> masses) const {
   const RowLevel& rows = levels_->levels[0];
   const std::span<float> values = multigrid.values(), diagonals = multigrid.diagonal();
   const std::span<float> right = multigrid.right();
   parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
     std::fill(values.begin() + rows.offsets[begin], values.begin() + rows.offsets[end], 0.0f);
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
-      float diagonal = 0, mass = 0;
+      float diagonal = 0, area = 0, faith = 0, pull = 0;
       for (const Corner& at : corners_.of(i)) {
         const TriangleTerms& term = terms.triangles[at.corner / 4];
         const Index m = at.corner % 4;
-        diagonal += term.diagonal[m];
-        mass += term.mass;
-        values[at.next] += term.beside[m == 0 ? 2 : m - 1];
-        values[at.previous] += term.beside[m == 2 ? 0 : m + 1];
+        const float to_next = term.beside[m == 0 ? 2 : m - 1];
+        const float to_previous = term.beside[m == 2 ? 0 : m + 1];
+        diagonal -= to_next + to_previous;
+        area += term.mass;
+        faith += term.faith;
+        pull += term.pull[m];
+        values[at.next] += to_next;
+        values[at.previous] += to_previous;
       }
       const float f = terms.unit * wanted[levels_->node_at[i]];
-      right[i] = terms.faithfulness * mass * f * f;
-      diagonals[i] = diagonal + right[i];
+      masses[i] = {area, terms.faithfulness * faith * f * f};
+      right[i] = pull + masses[i].pull;
+      diagonals[i] = diagonal + masses[i].pull;
     }
   });
 }

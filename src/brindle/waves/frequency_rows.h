@@ -23,12 +23,19 @@ struct FrequencyInput {
   std::span<const float> wanted;
 };
 
-/// What one triangle adds, in relative frequencies x_i = g_i / f_i. All zero where a corner has no
-/// wave.
+/// What one triangle adds, in logarithms of relative frequencies, x_i = 1 + log(g_i / f_i). Its
+/// rows sum to zero. All zero where a corner has no wave.
 struct alignas(32) TriangleTerms {
-  std::array<float, 3> diagonal{};  ///< at each corner
-  std::array<float, 3> beside{};    ///< between the two other corners
-  float mass = 0;                   ///< a third of the area
+  std::array<float, 3> beside{};  ///< between the two other corners
+  std::array<float, 3> pull{};    ///< on the right side of each corner
+  float mass = 0;                 ///< a third of the area
+  float faith = 0;                ///< the same times w_T: what holds frequencies to those asked for
+};
+
+/// What one row stands for.
+struct RowMass {
+  float area = 0;
+  float pull = 0;  ///< to the frequency asked for: mu times area and the square of the frequency
 };
 
 /// The terms of all triangles, and what makes them comparable.
@@ -36,6 +43,7 @@ struct FrequencyTerms {
   std::vector<TriangleTerms> triangles;
   float unit = 1;          ///< 1 / root mean square of the frequencies: they count in it
   float faithfulness = 0;  ///< mu
+  double constant = 0;  ///< what the triangles' squares are at x = 1, counted ones of this process
 };
 
 /// Triangles of a process, in any order.
@@ -68,9 +76,10 @@ class FrequencyRows {
   void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms,
                  const Progress& progress = {}) const;
 
-  /// Sets the matrix and the right side, but no bounds.
-  void set(const FrequencyTerms& terms, std::span<const float> wanted,
-           BoundedMultigrid& multigrid) const;
+  /// Sets the matrix and the right side for logarithms drawn to 0, but no bounds; and what rows
+  /// stand for, into `masses`.
+  void set(const FrequencyTerms& terms, std::span<const float> wanted, BoundedMultigrid& multigrid,
+           std::span<RowMass> masses) const;
 
  private:
   /// A triangle's corner at the row of its vertex.

@@ -71,6 +71,7 @@ std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, 
     triangles.corners = mesh.triangles;
   }
   progress.report(0.9);
+  setting->calm = slack.calm;
   triangles.weights = calm_weights(triangles.corners, slack.calm);
   return setting;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/waves/slack_check.h"
 
@@ -16,30 +17,39 @@ namespace {
 
 constexpr int kMostCycles = 40;
 constexpr int kMostFrameCycles = 3;
-constexpr double kSmallestGain = 1e-3;  ///< of a cycle, over the energy
+constexpr double kSmallestGain = 5e-4;  ///< of a cycle, over the energy
 constexpr float kCalmSlack = 2;         ///< slack that full calm adds, over S
 constexpr float kCalmWeight = 9;        ///< weight that it adds
 
 /// Whether a cycle gained so little that no other is worth its time.
 bool is_small(double gain, double energy) { return gain <= kSmallestGain * std::abs(energy); }
 
+/// Logarithms beyond it are bounds to no one, and the exponentials of all others are floats.
+constexpr float kMostLogarithm = 80;
+
+/// How far the mean of ratios may be from 1.
+constexpr double kMeanTolerance = 1e-5;
+
 struct ChangeSums {
-  double ratio = 0, count = 0, at_bounds = 0;
+  double ratio = 0, area = 0, count = 0, at_bounds = 0;
   float low = std::numeric_limits<float>::max(), high = 0;
   ChangeSums operator+(const ChangeSums& o) const {
-    return {ratio + o.ratio, count + o.count, at_bounds + o.at_bounds, std::min(low, o.low),
-            std::max(high, o.high)};
+    return {ratio + o.ratio,         area + o.area,        count + o.count,
+            at_bounds + o.at_bounds, std::min(low, o.low), std::max(high, o.high)};
   }
 };
 
 ChangeSums over_all(RowPeers* peers, const ChangeSums& own) {
   if (peers == nullptr) return own;
-  std::array<double, 3> sums = {own.ratio, own.count, own.at_bounds};
+  std::array<double, 4> sums = {own.ratio, own.area, own.count, own.at_bounds};
   peers->sum(sums);
   const double low = peers->least(static_cast<double>(own.low));
   const double high = -peers->least(-static_cast<double>(own.high));
-  return {sums[0], sums[1], sums[2], static_cast<float>(low), static_cast<float>(high)};
+  return {sums[0], sums[1], sums[2], sums[3], static_cast<float>(low), static_cast<float>(high)};
 }
+
+/// How far logarithms follow what they are drawn to, if nothing is known of it, and at least.
+constexpr float kUsualGain = 0.2f, kLeastGain = 0.02f;
 
 }  // namespace
 
@@ -71,8 +81,10 @@ void YieldingSolver::build(const FrequencyInput& input, const Progress& progress
   auto multigrid = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
   const std::size_t vertices = setting_->slack.size();
   reported_resize(terms_.triangles, built->triangles().corners.size(), progress.part(0.9, 1));
+  masses_.resize(built->own());
   next_.resize(vertices);
   frequencies_.resize(vertices);
+  relaxed_.reserve(vertices);
   kept_.reserve(vertices);
   rows_ = std::move(built);
   multigrid_ = std::move(multigrid);
@@ -82,8 +94,10 @@ void YieldingSolver::build(const FrequencyInput& input, const Progress& progress
 void YieldingSolver::set_bounds() {
   const std::span<float> lower = multigrid_->lower(), upper = multigrid_->upper();
   for (std::size_t place = 0; place < upper.size(); ++place) {
-    upper[place] = 1 + setting_->slack[rows_->levels()->node_at[place]];
-    lower[place] = 1 / upper[place];
+    const float most = 1 + setting_->slack[rows_->levels()->node_at[place]];
+    const float logarithm = std::min(elementary::log(most), kMostLogarithm);
+    upper[place] = 1 + logarithm;
+    lower[place] = 1 - logarithm;
   }
 }
 
@@ -91,6 +105,7 @@ void YieldingSolver::set_slack(const Slack& slack) {
   check_slack(slack, setting_->slack.size());
   auto setting = std::make_shared<YieldingSetting>(*setting_);
   setting->slack = slack_by_vertex(slack, setting->slack.size());
+  setting->calm = slack.calm;
   setting->triangles.weights = calm_weights(setting->triangles.corners, slack.calm);
   const bool weighs_as_before = setting->triangles.weights == setting_->triangles.weights;
   setting_ = std::move(setting);
@@ -113,16 +128,18 @@ void YieldingSolver::set_start(const Progress& progress) {
 
 /// Until cycles hardly lower the energy.
 void YieldingSolver::relax(const Progress& progress) {
-  const std::span<const float> right = multigrid_->right();
-  auto constant = parallel_sum<double>(right.size(), [&](std::size_t begin, std::size_t end) {
+  auto constant = parallel_sum<double>(masses_.size(), [&](std::size_t begin, std::size_t end) {
     double part = 0;
-    for (std::size_t i = begin; i < end; ++i) part += static_cast<double>(right[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const double to = 1 + static_cast<double>(target_ * calm_at(i));
+      part += to * to * static_cast<double>(masses_[i].pull);
+    }
     return part;
   });
+  constant += terms_.constant;
   if (peers_) peers_->sum({&constant, 1});
   const bool goes_far = starts_ || other_bounds_;
   const int most = goes_far ? kMostCycles : kMostFrameCycles;
-  change_ = {};
   // A cycle may make little of it and the next one much, above all at the beginning.
   const int enough = goes_far ? 2 : 1;
   int small_gains = 0;
@@ -151,33 +168,130 @@ void YieldingSolver::relax(const Progress& progress) {
   change_.residual = first_gradient > 0 ? gradient / first_gradient : 0;
 }
 
+float YieldingSolver::calm_at(std::size_t place) const {
+  return setting_->calm.empty() ? 0 : setting_->calm[rows_->levels()->node_at[place]];
+}
+
+/// Ratios of frequencies, if all logarithms are less by `shift` and stay between their bounds.
+RatioSums YieldingSolver::ratios(float shift) const {
+  BoundedMultigrid& m = *multigrid_;
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
+    RatioSums sums;
+    for (std::size_t place = begin; place < end; ++place) {
+      const float x = m.x()[place] - shift, lower = m.lower()[place], upper = m.upper()[place];
+      const auto area = static_cast<double>(masses_[place].area);
+      const auto calm = area * static_cast<double>(calm_at(place));
+      const auto ratio = static_cast<double>(elementary::fast_exp(std::clamp(x, lower, upper) - 1));
+      sums.ratio += area * ratio;
+      sums.free += x > lower && x < upper ? area * ratio : 0;
+      sums.area += area;
+      sums.calm_ratio += calm * ratio;
+      sums.calm_area += calm;
+    }
+    return sums;
+  };
+  return over_all(peers_.get(), parallel_sum<RatioSums>(rows_->own(), sums_of));
+}
+
+/// Makes all logarithms less by what gives their ratios a mean of 1: curl does not know how large
+/// frequencies are. Newton's steps, or halves of what is left where they lead out of it; there is
+/// an end, because all may keep what was asked for. What no triangle joins to others stays.
+RatioSums YieldingSolver::shift_to_mean() {
+  constexpr int kMostSteps = 40;
+  float shift = 0, low = -2 * kMostLogarithm, high = 2 * kMostLogarithm;
+  RatioSums sums = ratios(shift);
+  for (int step = 0; step < kMostSteps && std::abs(sums.mean() - 1) >= kMeanTolerance; ++step) {
+    const double excess = sums.mean() - 1;
+    (excess > 0 ? low : high) = shift;
+    const auto next = static_cast<float>(shift + excess * sums.area / sums.free);
+    shift = next > low && next < high ? next : (low + high) / 2;
+    sums = ratios(shift);
+  }
+  BoundedMultigrid& m = *multigrid_;
+  relaxed_.assign(m.x().begin(), m.x().end());
+  parallel_for(rows_->own(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) {
+      if (!(masses_[place].area > 0)) continue;
+      m.x()[place] = std::clamp(m.x()[place] - shift, m.lower()[place], m.upper()[place]);
+    }
+  });
+  if (peers_) {
+    peers_->start(0, m.x());
+    peers_->finish();
+  }
+  return sums;
+}
+
+void YieldingSolver::draw_calm_to(float target) {
+  const std::span<float> right = multigrid_->right();
+  const float change = target - target_;
+  target_ = target;
+  if (change == 0 || setting_->calm.empty()) return;
+  parallel_for(rows_->own(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) {
+      right[place] += change * calm_at(place) * masses_[place].pull;
+    }
+  });
+}
+
+/// Until the mean of all ratios is 1, and about 1 where it is calm: slack and weight are others
+/// there, and so what frequencies come to. What they are drawn to moves, the farther the less they
+/// follow; from frame to frame by one such step.
+void YieldingSolver::relax_to_means(const Progress& progress) {
+  constexpr int kMostRounds = 5;
+  constexpr float kSmallExcess = 0.02f;
+  const bool goes_far = starts_ || other_bounds_;
+  float step = 0, last = 0;
+  change_ = {};
+  for (int round = 0;; ++round) {
+    relax(setting_->calm.empty()
+              ? progress
+              : progress.part(1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1)));
+    const auto excess = static_cast<float>(shift_to_mean().calm_mean() - 1);
+    if (std::abs(excess) < kSmallExcess || round + 1 == kMostRounds) return;
+    const float gain = step == 0 ? kUsualGain : std::clamp((last - excess) / step, kLeastGain, 1.f);
+    step = excess / gain;
+    last = excess;
+    draw_calm_to(target_ - step);
+    if (!goes_far) return;
+    multigrid_->prepare();
+  }
+}
+
 /// Frequencies by vertex, and what has become of them.
 void YieldingSolver::take(std::span<const float> wanted) {
   BoundedMultigrid& m = *multigrid_;
   const std::vector<Index>& node_at = rows_->levels()->node_at;
   const std::size_t own = rows_->own();
+  const auto take_ratio = [&](std::size_t place) {
+    const Index vertex = node_at[place];
+    const float most = 1 + setting_->slack[vertex];
+    const float ratio = std::clamp(elementary::fast_exp(m.x()[place] - 1), 1 / most, most);
+    next_[vertex] = wanted[vertex] * ratio;
+    return ratio;
+  };
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     ChangeSums sums;
     for (std::size_t place = begin; place < end; ++place) {
+      const float ratio = take_ratio(place);
+      if (!(masses_[place].area > 0)) continue;
       const float x = m.x()[place];
-      next_[node_at[place]] = wanted[node_at[place]] * x;
-      if (!(m.diagonal()[place] > 0)) continue;
-      sums.ratio += static_cast<double>(x);
+      const auto area = static_cast<double>(masses_[place].area);
+      sums.ratio += area * static_cast<double>(ratio);
+      sums.area += area;
       sums.count += 1;
       sums.at_bounds += x <= m.lower()[place] || x >= m.upper()[place];
-      sums.low = std::min(sums.low, x);
-      sums.high = std::max(sums.high, x);
+      sums.low = std::min(sums.low, ratio);
+      sums.high = std::max(sums.high, ratio);
     }
     return sums;
   };
   const ChangeSums sums = over_all(peers_.get(), parallel_sum<ChangeSums>(own, sums_of));
-  for (std::size_t other = own; other < wanted.size(); ++other) {
-    next_[other] = wanted[other] * m.x()[other];
-  }
+  for (std::size_t other = own; other < wanted.size(); ++other) take_ratio(other);
   if (sums.count == 0) return;
   change_.ratio_min = static_cast<double>(sums.low);
   change_.ratio_max = static_cast<double>(sums.high);
-  change_.ratio_mean = sums.ratio / sums.count;
+  change_.ratio_mean = sums.area > 0 ? sums.ratio / sums.area : 1;
   change_.share_at_bounds = sums.at_bounds / sums.count;
 }
 
@@ -191,11 +305,13 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   report(0.2);
   rows_->set_terms(input, peers_.get(), terms_, inner(progress.part(0.2, 0.22)));
   report(0.22);
-  rows_->set(terms_, input.wanted, *multigrid_);
+  rows_->set(terms_, input.wanted, *multigrid_, masses_);
   report(0.24);
   multigrid_->prepare();
   set_start(inner(progress.part(0.24, 0.3)));
-  relax(progress.part(0.3, 0.95));
+  target_ = 0;
+  draw_calm_to(starts_ ? 0 : kept_target_);
+  relax_to_means(progress.part(0.3, 0.95));
   report(0.95);
   take(input.wanted);
   report(1);
@@ -203,8 +319,8 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
 }
 
 void YieldingSolver::keep() {
-  const std::span<const float> x = multigrid_->x();
-  kept_.assign(x.begin(), x.end());
+  std::swap(relaxed_, kept_);
+  kept_target_ = target_;
   std::swap(next_, frequencies_);
   settled_ = true;
   starts_ = false;

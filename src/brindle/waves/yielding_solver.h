@@ -1,6 +1,7 @@
 /// Frequencies that yield, for a surface in one process or the part that one of many has.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,6 +24,7 @@ std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<c
 /// What never changes. Vertices of other processes come after the own ones.
 struct YieldingSetting {
   std::vector<float> slack;  ///< by vertex
+  std::vector<float> calm;   ///< by vertex, from 0 to 1; empty: 0
   FrequencyTriangles triangles;
   std::shared_ptr<const Adjacency> adjacency;
 };
@@ -30,6 +32,19 @@ struct YieldingSetting {
 /// Of a whole surface. Throws Error as `check` does, and Cancelled if `progress` asks for it.
 std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
                                                         const Progress& progress = {});
+
+/// Areas times ratios: of all rows, of those that no bound holds, and of calm ones.
+struct RatioSums {
+  double ratio = 0, free = 0, area = 0, calm_ratio = 0, calm_area = 0;
+  RatioSums operator+(const RatioSums& o) const {
+    return {ratio + o.ratio, free + o.free, area + o.area, calm_ratio + o.calm_ratio,
+            calm_area + o.calm_area};
+  }
+  std::array<double, 5> numbers() const { return {ratio, free, area, calm_ratio, calm_area}; }
+  static RatioSums of(const std::array<double, 5>& n) { return {n[0], n[1], n[2], n[3], n[4]}; }
+  double mean() const { return area > 0 ? ratio / area : 1; }
+  double calm_mean() const { return calm_area > 0 ? calm_ratio / calm_area : 1; }
+};
 
 /// What YieldingFrequency is in one process. With peers all functions but `keep`, `frequencies` and
 /// `change` must be called by all of them, and `progress` has to throw for all or none.
@@ -59,6 +74,11 @@ class YieldingSolver {
   /// What is heard within a step: with peers nothing, whose steps need not be alike.
   Progress inner(const Progress& progress) const { return peers_ ? Progress() : progress; }
   void relax(const Progress& progress);
+  float calm_at(std::size_t place) const;
+  RatioSums ratios(float shift) const;
+  RatioSums shift_to_mean();
+  void draw_calm_to(float target);
+  void relax_to_means(const Progress& progress);
   void take(std::span<const float> wanted);
 
   std::shared_ptr<const YieldingSetting> setting_;
@@ -66,7 +86,9 @@ class YieldingSolver {
   std::unique_ptr<FrequencyRows> rows_;  ///< none before the first `solve`
   std::unique_ptr<BoundedMultigrid> multigrid_;
   FrequencyTerms terms_;
-  std::vector<float> kept_;                ///< x by place
+  std::vector<RowMass> masses_;
+  std::vector<float> relaxed_, kept_;      ///< x by place, before its shift to the mean
+  float target_ = 0, kept_target_ = 0;     ///< what logarithms are drawn to where it is calm
   std::vector<float> next_, frequencies_;  ///< by vertex, of the last `solve` and of what was kept
   FrequencyChange change_;
   bool settled_ = false;       ///< whether anything was kept since rows were built
