@@ -126,6 +126,7 @@ std::vector<Sample> many_samples() {
   const Surface& s = torus();
   for (Index v = 0; v < s.mesh.vertex_count() / 8; ++v) {
     Sample sample;
+    sample.barycentric = Vec3::Zero();
     sample.position = s.mesh.positions[v];
     sample.normal = s.normals[v];
     sample.direction_u = sample.direction_v = field()[v];

@@ -51,6 +51,7 @@ struct MpiCurvesArguments : PatternArguments, LineShape {
   TracedWaves lines = TracedWaves::u;
   float offset = 0;
   bool join = false;
+  float trim = 0;
   Length min_length;
   std::optional<Length> line_width;
 };
@@ -175,10 +176,9 @@ nlohmann::ordered_json to_json(const JoinedFamily& family) {
                                  {"points", lines.points.size()},
                                  {"length", lengths.closed_length + lengths.open_length},
                                  {"ends", ends_to_json(family.ends)},
-                                 {"joined_ends", family.curves.joined_ends},
-                                 {"ends_at_neighbours", family.curves.ends_at_neighbors},
                                  {"edges_with_jogs", family.jogs},
                                  {"lengths", tool::to_json(family.lengths)}};
+  add_ends(family.curves, json);
   if (family.spacing) add_spacing(*family.spacing, family.yields, json);
   if (family.coverage) {
     json["coverage"] = family.coverage->once;
@@ -194,9 +194,7 @@ void print(std::ostream& out, const JoinedFamily& family) {
                    family.curves.lines.count(), lengths.closed,
                    lengths.closed_length + lengths.open_length)
       << "          " << line_of_ends(family.ends)
-      << lines_of({family.curves.joined_ends, family.curves.ends_at_neighbors, family.short_curves,
-                   family.jogs},
-                  "          ")
+      << lines_of({family.curves, family.short_curves, family.jogs}, "          ")
       << lines_of(family.loops);
 }
 
@@ -204,7 +202,7 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (writes_pieces(arguments)) {
     refuse_given(
         command,
-        {"--min-length", "--simplify", "--resample", "--line-width", "--tube-radius",
+        {"--trim", "--min-length", "--simplify", "--resample", "--line-width", "--tube-radius",
          "--tube-sides"},
         "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
   } else if (!arguments.output.empty()) {
@@ -310,8 +308,8 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
         arguments.offset == 0
             ? 0
             : shift_phases(*patterns.surface, arguments.offset, (*solved)->waves, (*solved)->z);
-    families.push_back(
-        {name, piece_curves(patterns.piece(**solved, arguments), {.join = arguments.join})});
+    families.push_back({name, piece_curves(patterns.piece(**solved, arguments),
+                                           {.join = arguments.join, .trim = arguments.trim})});
     if (writes_pieces(arguments)) {
       made.report[name] = to_json(ranks, families.back(), **solved);
       made.report[name]["edges_with_jogs"] = jogs;
@@ -362,7 +360,7 @@ void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
   add_lines_option(command, arguments.lines);
   add_min_length_option(command, arguments.min_length);
   add_offset_option(command, arguments.offset);
-  add_join_option(command, arguments.join);
+  add_end_options(command, arguments.join, arguments.trim);
   add_line_shape_options(command, arguments);
   add_line_width_option(command, arguments.line_width);
   add_tube_options(command, arguments);

@@ -28,6 +28,8 @@ struct StripeCurves {
   std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
   std::size_t joined_ends = 0;                ///< that `CurveOptions::join` made go
   std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
+  std::size_t trimmed_ends = 0;               ///< that `CurveOptions::trim` cut back
+  std::size_t trimmed_away = 0;               ///< curves of which it left nothing
 
   /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
   std::array<std::size_t, kCurveEndKinds> end_counts() const;
@@ -38,6 +40,10 @@ struct CurveOptions {
   /// ends alone runs on into a neighbour, aslant over the surface, if there is one within two
   /// periods; that is an end of the same kind still.
   bool join = false;
+  /// Above 0, cuts curves that end in a branch or singularity back to where no curve beside them is
+  /// nearer than this share of the spacing 1/f (0 to 1; 0.6 leaves clean ends), and leaves out what
+  /// is then shorter than 1/f. Not together with `join`, whose ends run on into their neighbours.
+  float trim = 0;
 };
 
 /// The curves that are at least `length` long.

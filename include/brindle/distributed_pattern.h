@@ -52,8 +52,10 @@ struct PieceCurves {
   /// end on another rank has the same crossing, and its point has the same bits.
   std::vector<std::array<CurveEnd, 2>> ends;
   std::vector<std::array<std::optional<BorderCrossing>, 2>> borders;
-  std::vector<Vec3> forward;    ///< per point where the wave runs; zero where that is not known
-  std::vector<float> sizes;     ///< per point the length of the edge that it lies on
+  std::vector<Vec3> forward;       ///< per point where the wave runs; zero where that is not known
+  std::vector<float> sizes;        ///< per point the length of the edge that it lies on
+  std::vector<float> frequencies;  ///< chosen, per point
+  float trim = 0;               ///< CurveOptions::trim: whole curves are trimmed, cut ones are not
   std::size_t joined_ends = 0;  ///< as of StripeCurves, in this rank's triangles
   std::size_t ends_at_neighbors = 0;  ///< of this rank's ends
 };
@@ -61,11 +63,13 @@ struct PieceCurves {
 /// Collective. The stripes' centre lines in this rank's triangles. With `join`, where a curve runs
 /// on over a border, its way beyond is a curve of the other rank. Throws Error on all ranks for
 /// patterns whose parts do not match the piece.
+/// Collective. Throws Error on all ranks for options that contradict each other.
 PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options = {});
 
 /// Collective. All ranks' curves, whole, on rank 0; nothing elsewhere. Lines are sent, and no
 /// triangles. They are those of `brindle::stripe_curves` with the same phases: the same ends, and
-/// but for which of several points at one place are passed over, the same points. Of one rank they
+/// but for which of several points at one place are passed over, the same points; trimmed if
+/// `piece_curves` was asked for that. Of one rank they
 /// have its bits. Curves of more ranks than one may run the other way, and closed ones start
 /// elsewhere. Places on the mesh are not known; `sources` becomes of every point its number among
 /// the points of all ranks' `curves`, rank by rank.

@@ -50,7 +50,7 @@ void add_line_arrays(const brindle::Polylines& lines, vtkCellData& cells) {
 brindle::Polylines local_lines(const brindle::Surface& surface,
                                const brindle::StripePattern& pattern,
                                const bp::LineOptions& options) {
-  brindle::StripeCurves curves = brindle::stripe_curves(surface, pattern, {options.join});
+  brindle::StripeCurves curves = brindle::stripe_curves(surface, pattern, options.curves);
   if (options.minimum_length > 0) curves = brindle::longer_than(curves, options.minimum_length);
   return std::move(curves.lines);
 }
@@ -71,7 +71,8 @@ vtkBrindleCurves::vtkBrindleCurves() = default;
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
 void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
-  const bp::LineOptions options = {this->Join, this->MinimumLength};
+  const bp::LineOptions options = {{.join = this->Join, .trim = static_cast<float>(this->Trim)},
+                                   this->MinimumLength};
   run.ranks.together([&] {
     if (std::isfinite(options.minimum_length) && options.minimum_length >= 0) return;
     throw brindle::Error("Minimum Length must be 0 or above");
@@ -81,7 +82,9 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   const bp::InputSurface& input = *run.input;
   const auto report = [&] { run.progress(0.9, 1).report("arrays", 0); };
   // Of lines that are cut at borders nobody knows how long they are.
-  if (input.piece && (options.join || options.minimum_length > 0)) {
+  const bool whole_ones =
+      options.curves.join || options.curves.trim > 0 || options.minimum_length > 0;
+  if (input.piece && whole_ones) {
     const bp::WholeLines whole = bp::whole_lines(input, pattern, options);
     run.ranks.together([&] {
       report();

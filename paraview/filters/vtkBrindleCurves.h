@@ -6,7 +6,7 @@
 
 /// One polyline per stripe, with normals and the input's arrays at its points; per line whether it
 /// is closed, and its length. Over several ranks lines are cut at the borders, but for those that
-/// `Join` or `MinimumLength` asks for: these are whole, and on the first rank.
+/// `Join`, `Trim` or `MinimumLength` asks for: these are whole, and on the first rank.
 class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
  public:
   static vtkBrindleCurves* New();
@@ -15,6 +15,10 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
   /// Whether curves that end in one branch are joined, and others run on into a neighbour.
   vtkSetMacro(Join, bool);
   vtkGetMacro(Join, bool);
+  /// Ends at branches are cut back to where no neighbour is nearer than this share of the spacing;
+  /// 0 to 1, 0 leaves them. Not together with `Join`.
+  vtkSetMacro(Trim, double);
+  vtkGetMacro(Trim, double);
   /// Shorter curves are left out; 0 or above, in units of length.
   vtkSetMacro(MinimumLength, double);
   vtkGetMacro(MinimumLength, double);
@@ -30,5 +34,6 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
 
  private:
   bool Join = false;
+  double Trim = 0;
   double MinimumLength = 0;
 };

@@ -50,7 +50,7 @@ std::vector<Index> rows_of_longer(const Polylines& lines, const std::vector<Inde
 WholeLines whole_lines(const InputSurface& input, const StripePattern& pattern,
                        const LineOptions& options) {
   const RankPiece& piece = *input.piece;
-  const PieceCurves cut = piece_curves(piece.part_of(pattern), {options.join});
+  const PieceCurves cut = piece_curves(piece.part_of(pattern), options.curves);
   WholeLines whole;
   StripeCurves curves = joined_curves(piece.surface(), cut, &whole.rows);
   vtkSmartPointer<vtkPolyData> own;

@@ -14,7 +14,7 @@ class vtkPolyData;
 namespace brindle::paraview {
 
 struct LineOptions {
-  bool join = false;          ///< as CurveOptions has it
+  CurveOptions curves;
   double minimum_length = 0;  ///< shorter lines are left out
 };
 

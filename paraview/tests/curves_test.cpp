@@ -20,16 +20,16 @@ TEST(BrindleCurves, AreTheLibrarysCurves) {
   }));
   const Surface surface = make_surface(make_shape("torus,resolution=40"));
   const StripePattern pattern = expected(*data, surface, 12, 0);
-  for (const bool join : {false, true}) {
-    CurveOptions options;
-    options.join = join;
+  for (const CurveOptions& options :
+       {CurveOptions{}, CurveOptions{.join = true}, CurveOptions{.trim = 0.6f}}) {
     const StripeCurves curves = stripe_curves(surface, pattern, options);
     vtkNew<vtkBrindleCurves> filter;
     filter->SetInputData(data);
     filter->SetField(kArray);
     choose(*filter, 0, "v");
     filter->SetStripes(12);
-    filter->SetJoin(join);
+    filter->SetJoin(options.join);
+    filter->SetTrim(static_cast<double>(options.trim));
     filter->Update();
     vtkPolyData& output = *filter->GetOutput();
     ASSERT_EQ(output.GetNumberOfLines(), static_cast<vtkIdType>(curves.lines.count()));

@@ -229,6 +229,7 @@ def textured_stripes(stripes: Stripes) -> TexturedMesh: ...
 
 class CurveWishes:
     join: bool
+    trim: float
     offset: float
     min_length: float
     simplify: Optional[float]

@@ -135,10 +135,11 @@ class Curves:
         draw_curves(path_of(path), self, options)
 
 
-def curves_of(stripes: Stripes, join: bool, offset: float, min_length: float,
+def curves_of(stripes: Stripes, join: bool, trim: float, offset: float, min_length: float,
               simplify: Optional[float], resample: Optional[float]) -> Curves:
     wishes = _core.CurveWishes()
     wishes.join = flag(join, "join")
+    wishes.trim = number(trim, "trim")
     wishes.offset = number(offset, "offset")
     wishes.min_length = number(min_length, "min_length")
     if simplify is not None:

@@ -41,6 +41,7 @@ constexpr double kEdges = 0.1, kLifted = 0.3, kTraced = 0.7, kResampled = 0.5;
 
 struct CurveWishes {
   bool join = false;
+  float trim = 0;
   float offset = 0;
   float min_length = 0;
   std::optional<float> simplify, resample;
@@ -80,8 +81,9 @@ CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
     made->jogs = shift_phases(*surface.neighborhood, wishes.offset, waves, z);
     const WavePattern pattern{surface.mesh, edges, surface.normals,
                               waves,        z,     stripes.pattern.phase_shift};
-    made->curves = stripe_curves(LiftedWaves(pattern, progress.part(kEdges, kLifted)),
-                                 {.join = wishes.join}, progress.part(kLifted, kTraced));
+    made->curves =
+        stripe_curves(LiftedWaves(pattern, progress.part(kEdges, kLifted)),
+                      {.join = wishes.join, .trim = wishes.trim}, progress.part(kLifted, kTraced));
     shape_lines(*made, wishes, progress.part(kTraced, 1));
     return made;
   });
@@ -151,6 +153,8 @@ py::dict figures_of(const CurvesData& data) {
   result["ends"] = ends;
   result["joined_ends"] = data.curves.joined_ends;
   result["ends_at_neighbours"] = data.curves.ends_at_neighbors;
+  result["trimmed_ends"] = data.curves.trimmed_ends;
+  result["trimmed_away"] = data.curves.trimmed_away;
   result["edges_with_jogs"] = data.jogs;
   return result;
 }
@@ -327,6 +331,7 @@ void bind_curves(py::module_& module) {
   py::class_<CurveWishes>(module, "CurveWishes")
       .def(py::init<>())
       .def_readwrite("join", &CurveWishes::join)
+      .def_readwrite("trim", &CurveWishes::trim)
       .def_readwrite("offset", &CurveWishes::offset)
       .def_readwrite("min_length", &CurveWishes::min_length)
       .def_readwrite("simplify", &CurveWishes::simplify)

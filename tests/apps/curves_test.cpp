@@ -112,6 +112,14 @@ TEST_F(Curves, OptionsChangeTheLines) {
   EXPECT_EQ(longer.at("ends"), plain.at("ends")) << "ends are those of all curves";
   EXPECT_NE(report({"--offset", "0.25", "-o", "a.csv"}).at("u"), plain);
   EXPECT_LE(report({"--join"}).at("u").at("curves"), plain.at("curves"));
+  const std::string sphere = "shape:sphere,resolution=20";
+  const Json whole = report({"--stripes", "30"}, sphere).at("u");
+  const Json trimmed = report({"--stripes", "30", "--trim", "0.6"}, sphere).at("u");
+  EXPECT_LT(trimmed.at("length"), whole.at("length"));
+  EXPECT_GT(trimmed.at("trimmed_ends"), 0);
+  EXPECT_EQ(whole.at("trimmed_ends"), 0);
+  EXPECT_EQ(trimmed.at("curves").get<int>() + trimmed.at("trimmed_away").get<int>(),
+            whole.at("curves").get<int>());
   EXPECT_TRUE(report({"--lines", "v"}).contains("v"));
   EXPECT_FALSE(report({"--lines", "v"}).contains("u"));
 }
@@ -232,10 +240,12 @@ INSTANTIATE_TEST_SUITE_P(
     Curves, WrongCurves,
     testing::Values(Arguments{"--lines", "w"}, Arguments{"--offset", "half"},
                     Arguments{"--offset", "inf"}, Arguments{"--min-length", "-1"},
-                    Arguments{"--min-length", "1 %"}, Arguments{"--simplify", "nan"},
-                    Arguments{"--simplify", "%"}, Arguments{"--resample", "0"},
-                    Arguments{"--tube-radius", "0%"}, Arguments{"--tube-sides", "2"},
-                    Arguments{"--stripes-v", "0"}, Arguments{"--frequency-v", "-2"},
+                    Arguments{"--trim", "0"}, Arguments{"--trim", "1.2"},
+                    Arguments{"--trim", "0.6", "--join"}, Arguments{"--min-length", "1 %"},
+                    Arguments{"--simplify", "nan"}, Arguments{"--simplify", "%"},
+                    Arguments{"--resample", "0"}, Arguments{"--tube-radius", "0%"},
+                    Arguments{"--tube-sides", "2"}, Arguments{"--stripes-v", "0"},
+                    Arguments{"--frequency-v", "-2"},
                     Arguments{"--stripes-v", "2", "--frequency-v", "3"}, Arguments{"--field-v"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -267,8 +267,10 @@ TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
 
 TEST(DistributedCurves, OfOneRankHaveTheBitsOfTheLibrary) {
   if (rank_count() > 1) GTEST_SKIP() << "of one rank";
+  std::vector<CurveOptions> all(std::begin(kCurveOptions), std::end(kCurveOptions));
+  all.push_back({.trim = 0.6f});
   for (const Solved& solved : solved_surfaces()) {
-    for (const CurveOptions& options : kCurveOptions) {
+    for (const CurveOptions& options : all) {
       const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
       const SolvedPiece piece(solved, std::vector<int>(solved.whole.mesh.triangle_count(), 0));
       const StripeCurves joined =
@@ -280,6 +282,39 @@ TEST(DistributedCurves, OfOneRankHaveTheBitsOfTheLibrary) {
       EXPECT_EQ(joined.ends, expected.ends);
     }
   }
+}
+
+/// Whole curves are trimmed, wherever borders cut them.
+TEST(DistributedCurves, AreTrimmedAsThoseOfTheWhole) {
+  const CurveOptions options{.trim = 0.6f};
+  for (const Solved& solved : solved_surfaces()) {
+    const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices");
+      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
+      std::vector<Index> sources;
+      const StripeCurves joined =
+          joined_curves(piece.surface, piece_curves(piece.pattern(), options), &sources);
+      if (rank() != 0) continue;
+      EXPECT_EQ(joined.lines.count(), expected.lines.count());
+      EXPECT_EQ(joined.trimmed_ends, expected.trimmed_ends);
+      EXPECT_EQ(joined.trimmed_away, expected.trimmed_away);
+      EXPECT_EQ(joined.end_counts(), expected.end_counts());
+      EXPECT_EQ(sources.size(), joined.lines.points.size());
+      const auto length = [](const StripeCurves& curves) {
+        const CurveLengths lengths = curve_lengths(curves.lines);
+        return lengths.closed_length + lengths.open_length;
+      };
+      EXPECT_NEAR(length(joined), length(expected), 1e-4 * length(expected));
+    }
+  }
+}
+
+TEST(DistributedCurves, RefuseOptionsThatContradictEachOther) {
+  const Solved solved(wavy_surface("torus,resolution=20", kAxis, 10));
+  const SolvedPiece piece(solved, partition_by_curve(solved.whole.mesh, rank_count()));
+  EXPECT_THROW(piece_curves(piece.pattern(), {.join = true, .trim = 0.6f}), Error);
+  EXPECT_THROW(piece_curves(piece.pattern(), {.trim = 2}), Error);
 }
 
 // Where a joined curve's points come from.

@@ -170,6 +170,9 @@ std::vector<std::pair<std::string, Job>> jobs() {
       throw;
     }
   });
+  add("stripe_curves_trimmed", [](const Progress& progress) {
+    stripe_curves(torus(), pattern(), {.trim = 0.6f}, progress);
+  });
   add("stripe_curves", [](const Progress& progress) {
     stripe_curves(torus(), pattern(), {.join = true}, progress);
   });

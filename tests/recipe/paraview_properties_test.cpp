@@ -75,6 +75,7 @@ const std::vector<Property>& properties() {
       {"TimeAnchor", PatternJob::animate, {{"", "--lambda"}}},
       {"TextureCoordinates", PatternJob::stripe, {{"", "--uv"}}, "the representation draws them"},
       {"Join", PatternJob::curves, {{"", "--join"}}},
+      {"Trim", PatternJob::curves, {{"", "--trim"}}},
       {"MinimumLength", PatternJob::curves, {{"", "--min-length"}}},
   };
   return all;

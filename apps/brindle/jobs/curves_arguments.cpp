@@ -16,6 +16,12 @@ std::optional<TracedWaves> parse_traced(std::string_view name) {
   return std::nullopt;
 }
 
+float parse_share_of_spacing(const std::string& option, const std::string& text) {
+  const float share = parse_positive_number(option, text);
+  if (share > 1) wrong_usage(option, "a share of the spacing, above 0 and at most 1", text);
+  return share;
+}
+
 }  // namespace
 
 void add_lines_option(CLI::App& command, TracedWaves& traced) {
@@ -26,7 +32,10 @@ void add_min_length_option(CLI::App& command, Length& min_length) {
   add_parsed_option(command, "--min-length", min_length, parse_length);
 }
 
-void add_join_option(CLI::App& command, bool& join) { command.add_flag("--join", join); }
+void add_end_options(CLI::App& command, bool& join, float& trim) {
+  command.add_flag("--join", join);
+  add_parsed_option(command, "--trim", trim, parse_share_of_spacing);
+}
 
 void add_line_width_option(CLI::App& command, std::optional<Length>& line_width) {
   add_parsed_option(command, "--line-width", line_width, parse_positive_length);
@@ -51,7 +60,7 @@ namespace {
 void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
   add_lines_option(command, arguments.traced);
   add_offset_option(command, arguments.offset);
-  add_join_option(command, arguments.join);
+  add_end_options(command, arguments.join, arguments.trim);
   add_min_length_option(command, arguments.min_length);
   add_line_shape_options(command, arguments);
   add_line_width_option(command, arguments.line_width);

@@ -37,6 +37,7 @@ struct CurvesArguments : LineShape {
   TracedWaves traced = TracedWaves::u;
   float offset = 0;
   bool join = false;
+  float trim = 0;
   Length min_length;
   std::optional<Length> line_width;
   std::vector<std::string> outputs;
@@ -46,14 +47,14 @@ struct CurvesArguments : LineShape {
 
 enum class CurveOutput { lines, tubes, drawing, picture, report };
 
-/// Those that lines of many processes have, too: --lines, --min-length, --offset; --simplify and
-/// --resample; --line-width; --tube-radius and --tube-sides.
+/// Those that lines of many processes have, too: --lines, --min-length, --offset; --line-width;
+/// --join and --trim; --simplify and --resample; --tube-radius and --tube-sides.
 void add_lines_option(CLI::App& command, TracedWaves& traced);
 void add_min_length_option(CLI::App& command, Length& min_length);
 void add_offset_option(CLI::App& command, float& offset);
 
 void add_line_width_option(CLI::App& command, std::optional<Length>& line_width);
-void add_join_option(CLI::App& command, bool& join);
+void add_end_options(CLI::App& command, bool& join, float& trim);
 void add_line_shape_options(CLI::App& command, LineShape& shape);
 void add_tube_options(CLI::App& command, LineShape& shape);
 

@@ -29,7 +29,7 @@ std::string fewer_stripes(const WaveOptions& waves, double share) {
 StripeCurves traced_curves(const LiftedWaves& waves, const CurvesArguments& arguments,
                            const Progress& progress) {
   try {
-    return stripe_curves(waves, {.join = arguments.join}, progress);
+    return stripe_curves(waves, {.join = arguments.join, .trim = arguments.trim}, progress);
   } catch (const TooLarge& error) {
     throw Error(error.what() + fewer_stripes(arguments.waves, error.share()));
   }

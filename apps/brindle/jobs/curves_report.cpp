@@ -83,9 +83,14 @@ void print_spacing(std::ostream& out, const CurveFamily& family) {
 
 std::string lines_of(const CurveRemarks& remarks, const std::string& indent) {
   std::string lines;
-  if (remarks.joined_ends + remarks.ends_at_neighbors > 0) {
+  const StripeCurves& curves = remarks.curves;
+  if (curves.joined_ends + curves.ends_at_neighbors > 0) {
     lines += indent + formatted("%zu more ends joined in pairs, %zu run on into neighbours\n",
-                                remarks.joined_ends, remarks.ends_at_neighbors);
+                                curves.joined_ends, curves.ends_at_neighbors);
+  }
+  if (curves.trimmed_ends > 0) {
+    lines += indent + formatted("%zu ends trimmed; of %zu curves nothing is left\n",
+                                curves.trimmed_ends, curves.trimmed_away);
   }
   if (remarks.short_curves > 0) {
     lines += indent + formatted("%zu shorter curves left out\n", remarks.short_curves);
@@ -129,6 +134,13 @@ std::string line_of_ends(const CurveEnds& ends) {
       end(CurveEnd::no_wave), end(CurveEnd::nonmanifold));
 }
 
+void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json) {
+  json["joined_ends"] = curves.joined_ends;
+  json["ends_at_neighbours"] = curves.ends_at_neighbors;
+  json["trimmed_ends"] = curves.trimmed_ends;
+  json["trimmed_away"] = curves.trimmed_away;
+}
+
 nlohmann::ordered_json to_json(const CurveFamily& family) {
   const Polylines& lines = family.curves.lines;
   nlohmann::ordered_json json = {
@@ -142,9 +154,8 @@ nlohmann::ordered_json to_json(const CurveFamily& family) {
       {"points", lines.points.size()},
       {"length", total_length(lines)},
       {"ends", ends_to_json(family.ends)},
-      {"joined_ends", family.curves.joined_ends},
-      {"ends_at_neighbours", family.curves.ends_at_neighbors},
       {"edges_with_jogs", family.jogs}};
+  add_ends(family.curves, json);
   json["lengths"] = to_json(family.lengths);
   const bool yields = !family.pattern.frequencies_wanted.empty();
   if (family.spacing) add_spacing(*family.spacing, yields, json);
@@ -198,9 +209,7 @@ void print(std::ostream& out, const CurvesJob& job) {
                      family.name.c_str(), lines.count(), closed_count(lines), lines.points.size(),
                      total_length(lines))
         << "   " << line_of_ends(family.ends);
-    out << lines_of({family.curves.joined_ends, family.curves.ends_at_neighbors,
-                     family.short_curves, family.jogs},
-                    "   ");
+    out << lines_of({family.curves, family.short_curves, family.jogs}, "   ");
     print_measures(out, family);
     out << lines_of(family.making);
     if (family.spacing) print_spacing(out, family);

@@ -17,10 +17,15 @@ using CurveEnds = std::array<std::size_t, kCurveEndKinds>;
 nlohmann::ordered_json ends_to_json(const CurveEnds& ends);
 std::string line_of_ends(const CurveEnds& ends);
 
-/// Lines for people about curves of which ends were joined, which were left out, and which jog,
-/// each behind `indent`; empty if there is nothing to say.
+/// The keys of what became of ends: "joined_ends", "ends_at_neighbours", "trimmed_ends" and
+/// "trimmed_away".
+void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json);
+
+/// Lines for people about curves of which ends were joined or trimmed, which were left out, and
+/// which jog, each behind `indent`; empty if there is nothing to say.
 struct CurveRemarks {
-  std::size_t joined_ends = 0, ends_at_neighbors = 0, short_curves = 0, jogs = 0;
+  const StripeCurves& curves;
+  std::size_t short_curves = 0, jogs = 0;
 };
 std::string lines_of(const CurveRemarks& remarks, const std::string& indent);
 

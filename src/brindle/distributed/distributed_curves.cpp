@@ -7,6 +7,8 @@
 #include "brindle/distributed/rank_walks.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/error.h"
+#include "brindle/pattern/stripe_curves.h"
+#include "brindle/pattern/trimmed_ends.h"
 
 namespace brindle {
 namespace {
@@ -19,7 +21,7 @@ std::optional<BorderCrossing> border_crossing(const RankTriangles& triangles,
 }
 
 PieceCurves with_ids(const CutCurves& curves, const RankTriangles& triangles,
-                     const std::vector<Index>& triangle_of_piece) {
+                     const WavePattern& pattern, const std::vector<Index>& triangle_of_piece) {
   PieceCurves result;
   result.joined_ends = curves.joined_ends;
   result.ends_at_neighbors = curves.ends_at_neighbors;
@@ -39,6 +41,7 @@ PieceCurves with_ids(const CutCurves& curves, const RankTriangles& triangles,
     result.borders.push_back(
         {border_crossing(triangles, curve.cuts[0]), border_crossing(triangles, curve.cuts[1])});
   }
+  result.frequencies = frequencies_along(pattern, result.lines);
   for (TrianglePoint& place : result.lines.places) {
     place.triangle = triangle_of_piece[place.triangle];
   }
@@ -58,7 +61,7 @@ struct SentCurve {
 };
 struct SentPoint {
   Vec3 position, normal, forward;
-  float size = 0;
+  float size = 0, frequency = 0;
 };
 
 SentEnd sent_end(const PieceCurves& curves, std::size_t line, std::size_t e) {
@@ -101,7 +104,14 @@ class CurveJoiner {
   }
 
   /// Of every point of the joined curves the number among all points.
-  std::vector<Index> sources() { return std::move(sources_); }
+  const std::vector<Index>& sources() const { return sources_; }
+
+  /// At every point of the joined curves.
+  std::vector<float> frequencies() const {
+    std::vector<float> frequencies;
+    for (const Index source : sources_) frequencies.push_back(points_[source].frequency);
+    return frequencies;
+  }
 
  private:
   struct End {
@@ -178,6 +188,17 @@ class CurveJoiner {
   std::vector<Index> sources_;
 };
 
+StripeCurves trimmed(const StripeCurves& whole, const CurveJoiner& joiner, float least_gap,
+                     std::vector<Index>* sources) {
+  std::vector<Index> rows;
+  StripeCurves result = trimmed_ends(whole, joiner.frequencies(), least_gap, {}, &rows);
+  if (sources != nullptr) {
+    sources->clear();
+    for (const Index row : rows) sources->push_back(joiner.sources()[row]);
+  }
+  return result;
+}
+
 }  // namespace
 
 PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options) {
@@ -188,12 +209,15 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
   std::optional<LiftedWaves> lifted;
   CutCurves cut;
   surface.ranks->together([&] {
+    check_curve_options(options);
     lifted.emplace(wave_pattern(triangles, waves, pattern.phase_shift));
     cut = cut_stripe_curves(*lifted, beyond, options);
   });
   if (options.join) continue_ends(surface, triangles, *lifted, beyond, cut);
   PieceCurves curves;
-  surface.ranks->together([&] { curves = with_ids(cut, triangles, surface.triangle_of_piece); });
+  surface.ranks->together(
+      [&] { curves = with_ids(cut, triangles, lifted->pattern(), surface.triangle_of_piece); });
+  curves.trim = options.trim;
   return curves;
 }
 
@@ -207,8 +231,8 @@ StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves&
                     curves.lines.points_of(line).size()});
   }
   for (std::size_t i = 0; i < curves.lines.points.size(); ++i) {
-    points.push_back(
-        {curves.lines.points[i], curves.lines.normals[i], curves.forward[i], curves.sizes[i]});
+    points.push_back({curves.lines.points[i], curves.lines.normals[i], curves.forward[i],
+                      curves.sizes[i], curves.frequencies[i]});
   }
   auto all_curves = joined<SentCurve>(ranks.gather(std::as_bytes(std::span(sent))));
   auto all_points = joined<SentPoint>(ranks.gather(std::as_bytes(std::span(points))));
@@ -217,6 +241,7 @@ StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves&
     CurveJoiner joiner(std::move(all_curves), std::move(all_points));
     whole = joiner.join();
     if (sources != nullptr) *sources = joiner.sources();
+    if (curves.trim > 0 && ranks.rank() == 0) whole = trimmed(whole, joiner, curves.trim, sources);
   });
   whole.lines.origin = surface.rank_surface().mesh.origin;
   const std::size_t joined_ends = ranks.sum(curves.joined_ends);

@@ -77,18 +77,6 @@ float distance_to_curve(const Marks& marks, const Vec3& p, Index mark) {
   return least;
 }
 
-/// How much longer than the straight way an arc is that meets the normals at both its ends.
-float bending(const Vec3& way, const Vec3& normal, const Vec3& other) {
-  const Vec3 along = way.stableNormalized();
-  const auto tilt = [&](const Vec3& n, const Vec3& up) {
-    return elementary::atan2(n.dot(along), n.dot(up));
-  };
-  const Vec3 sum = normal + other;
-  const Vec3 up = (sum - sum.dot(along) * along).stableNormalized();
-  const float half = 0.5f * std::abs(tilt(normal, up) - tilt(other, up));
-  return half < 1e-3f ? 1.0f : half / elementary::sin(std::min(half, 1.5f));
-}
-
 /// The mean and both ends of some numbers.
 struct GapRange {
   double sum = 0;
@@ -231,7 +219,7 @@ class MarkTree {
       if (!beside || !alike) return;
       float& best = nearest[aside > 0];
       best = std::min(best, distance_to_curve(marks, p, other) *
-                                bending(way, normal, marks.lines.normals[other]));
+                                arc_over_chord(way, normal, marks.lines.normals[other]));
     }
 
     const Marks& marks;
@@ -309,6 +297,17 @@ CurveSpacing measured_spacing(const CurveMarks& marks, const MarkFrequencies& fr
 }
 
 }  // namespace
+
+float arc_over_chord(const Vec3& way, const Vec3& normal, const Vec3& other) {
+  const Vec3 along = way.stableNormalized();
+  const auto tilt = [&](const Vec3& n, const Vec3& up) {
+    return elementary::atan2(n.dot(along), n.dot(up));
+  };
+  const Vec3 sum = normal + other;
+  const Vec3 up = (sum - sum.dot(along) * along).stableNormalized();
+  const float half = 0.5f * std::abs(tilt(normal, up) - tilt(other, up));
+  return half < 1e-3f ? 1.0f : half / elementary::sin(std::min(half, 1.5f));
+}
 
 std::optional<CurveMarks> curve_marks(const StripeCurves& curves, float highest,
                                       std::size_t most_points, const Progress& progress) {

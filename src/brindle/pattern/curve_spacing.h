@@ -23,6 +23,10 @@ struct CurveSpacing {
   CurveGaps gaps;  ///< measured farther, for makers
 };
 
+/// How much longer than `way`, which is straight, an arc is that meets the normals at both its
+/// ends.
+float arc_over_chord(const Vec3& way, const Vec3& normal, const Vec3& other);
+
 /// As many points as a measurement takes unless told otherwise.
 inline constexpr std::size_t kMostSpacingPoints = 1'000'000;
 

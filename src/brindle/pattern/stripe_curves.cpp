@@ -18,6 +18,7 @@
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/end_walks.h"
+#include "brindle/pattern/trimmed_ends.h"
 #include "brindle/waves/orientation.h"
 
 namespace brindle {
@@ -34,6 +35,7 @@ constexpr Link kNonmanifold = 0xfffffffd;
 constexpr Link kCut = 0xfffffffc;  // goes on in a triangle that is not of this part
 constexpr Link kLastInnerEnd = 0xfffffff0;
 constexpr std::size_t kMostNodes = kFirstEnd / 2;
+constexpr double kTracedBeforeTrim = 0.8;  // of the time
 
 bool is_slot(Link link) { return link < kFirstEnd; }
 
@@ -569,11 +571,37 @@ std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
   return counts;
 }
 
+std::vector<float> frequencies_along(const WavePattern& pattern, const Polylines& lines) {
+  std::vector<float> frequencies(lines.points.size());
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    const auto& [triangle, barycentric] = lines.places[i];
+    for (std::size_t m = 0; m < 3; ++m) {
+      frequencies[i] += static_cast<float>(barycentric[m]) *
+                        pattern.waves.frequencies[pattern.mesh.triangles[triangle][m]];
+    }
+  }
+  return frequencies;
+}
+
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options,
                            const Progress& progress) {
-  StripeCurves curves = Tracer(waves, options, {}, progress).trace();
+  check_curve_options(options);
+  const bool trims = options.trim > 0;
+  StripeCurves curves =
+      Tracer(waves, options, {}, progress.part(0, trims ? kTracedBeforeTrim : 1)).trace();
   curves.lines.origin = waves.pattern().mesh.origin;
-  return curves;
+  if (!trims) return curves;
+  return trimmed_ends(curves, frequencies_along(waves.pattern(), curves.lines), options.trim,
+                      progress.part(kTracedBeforeTrim, 1));
+}
+
+void check_curve_options(const CurveOptions& options) {
+  if (!(options.trim >= 0 && options.trim <= 1)) {
+    throw Error("trim: ends are cut back to a share of the spacing from 0 to 1");
+  }
+  if (options.trim > 0 && options.join) {
+    throw Error("trim: ends that are joined run on into their neighbours; leave one of both out");
+  }
 }
 
 namespace {
@@ -596,6 +624,8 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
   StripeCurves longer;
   longer.joined_ends = curves.joined_ends;
   longer.ends_at_neighbors = curves.ends_at_neighbors;
+  longer.trimmed_ends = curves.trimmed_ends;
+  longer.trimmed_away = curves.trimmed_away;
   Polylines& lines = longer.lines;
   lines.origin = curves.lines.origin;
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "brindle/curves.h"
 #include "brindle/pattern/lifted_waves.h"
@@ -28,6 +29,12 @@ namespace brindle {
 /// crossings than an Index can count, and Cancelled if `progress` asks for it.
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {},
                            const Progress& progress = {});
+
+/// Of the waves, at points of lines on the mesh.
+std::vector<float> frequencies_along(const WavePattern& pattern, const Polylines& lines);
+
+/// Throws Error for a share of the spacing out of range, and for `trim` together with `join`.
+void check_curve_options(const CurveOptions& options);
 
 /// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
 /// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and

@@ -197,10 +197,11 @@ RatioSums YieldingSolver::ratios(float shift) const {
 /// frequencies are. Newton's steps, or halves of what is left where they lead out of it; there is
 /// an end, because all may keep what was asked for. What no triangle joins to others stays.
 RatioSums YieldingSolver::shift_to_mean() {
-  constexpr int kMostSteps = 40;
+  constexpr int kMostShiftSteps = 40;
   float shift = 0, low = -2 * kMostLogarithm, high = 2 * kMostLogarithm;
   RatioSums sums = ratios(shift);
-  for (int step = 0; step < kMostSteps && std::abs(sums.mean() - 1) >= kMeanTolerance; ++step) {
+  for (int step = 0; step < kMostShiftSteps && std::abs(sums.mean() - 1) >= kMeanTolerance;
+       ++step) {
     const double excess = sums.mean() - 1;
     (excess > 0 ? low : high) = shift;
     const auto next = static_cast<float>(shift + excess * sums.area / sums.free);

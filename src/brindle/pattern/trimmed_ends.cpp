@@ -1,0 +1,337 @@
+#include "brindle/pattern/trimmed_ends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+#include "brindle/error.h"
+#include "brindle/geometry/box_tree.h"
+#include "brindle/pattern/curve_spacing.h"
+
+namespace brindle {
+namespace {
+
+constexpr double kCutStep = 0.05;  // between places where an end may be cut, times 1/f
+/// A curve is not its own neighbour that far along itself, times 1/f.
+constexpr double kOwnStretch = 1.5;
+/// What lies before an end and runs the same way, each within half a right angle, goes on from it.
+constexpr float kAhead = 0.7f;
+/// An end is cut back for a hook, too: where it is turned by more against the curve one period
+/// before it, but no farther than this, times 1/f.
+constexpr float kStraight = 0.9f;                  // cosine
+constexpr double kLongestHook = 2 + kCutStep / 2;  // between two steps: rounding decides nothing
+constexpr double kDirection = 0.002;  // how long a piece of a curve has a direction, times 1/f
+constexpr float kSameSide = 0.3f;     // of the surface: cosine between the normals
+constexpr std::size_t kCurvesPerReport = 64;
+
+struct LineSegment {
+  Index line, from, to;
+};
+
+/// A place on a line.
+struct LinePlace {
+  Index segment_from;  ///< the point before it
+  float share;         ///< of the way to the point after it
+  Vec3 position, normal;
+  float frequency;
+};
+
+/// How much of a line goes at either end, in units of length.
+using CutLengths = std::array<double, 2>;
+
+class EndTrimmer {
+ public:
+  EndTrimmer(const StripeCurves& curves, std::span<const float> frequencies, float least_gap,
+             const Progress& progress)
+      : curves_(curves),
+        lines_(curves.lines),
+        frequencies_(frequencies),
+        least_gap_(least_gap),
+        segments_(segments_of(curves.lines)),
+        passed_(lengths_before(curves.lines)),
+        tree_(
+            segments_.size(), [&](Index number) { return box_of(number); }, progress) {}
+
+  CutLengths cuts(Index line) const {
+    CutLengths cuts{};
+    for (const std::size_t end : {0u, 1u}) {
+      if (is_inner(curves_.ends[line][end])) cuts[end] = cut_at(line, end);
+    }
+    return cuts;
+  }
+
+  /// Whether less than a period is left.
+  bool is_speck(Index line, const CutLengths& cuts) const {
+    const double left = length(line) - cuts[0] - cuts[1];
+    const double middle = std::clamp(cuts[0] + left / 2, 0.0, length(line));
+    return left * static_cast<double>(place_at(line, middle).frequency) < 1;
+  }
+
+  /// Of an open line.
+  double length(Index line) const { return passed_[lines_.offsets[line + 1] - 1]; }
+
+  /// At a length from an open line's first point.
+  LinePlace place_at(Index line, double length) const {
+    const Index first = lines_.offsets[line], last = lines_.offsets[line + 1] - 1;
+    const auto begin = passed_.begin();
+    const auto after = std::upper_bound(begin + first, begin + last, length);
+    const Index to = std::max(static_cast<Index>(after - begin), first + 1);
+    const Index from = to - 1;
+    const double size = passed_[to] - passed_[from];
+    const double share = size > 0 ? std::clamp((length - passed_[from]) / size, 0.0, 1.0) : 0;
+    const auto t = static_cast<float>(share);
+    const Vec3 normal = (1 - t) * lines_.normals[from] + t * lines_.normals[to];
+    return {from, t, lines_.points[from] + t * (lines_.points[to] - lines_.points[from]),
+            normal.stableNormalized(), (1 - t) * frequencies_[from] + t * frequencies_[to]};
+  }
+
+ private:
+  static bool is_inner(CurveEnd end) {
+    return end == CurveEnd::branch || end == CurveEnd::singularity;
+  }
+
+  static std::vector<LineSegment> segments_of(const Polylines& lines) {
+    std::vector<LineSegment> segments;
+    segments.reserve(lines.points.size());
+    for (Index line = 0; line < lines.count(); ++line) {
+      const Index first = lines.offsets[line], end = lines.offsets[line + 1];
+      for (Index i = first; i + 1 < end; ++i) segments.push_back({line, i, i + 1});
+      if (lines.closed[line]) segments.push_back({line, end - 1, first});
+    }
+    return segments;
+  }
+
+  static std::vector<double> lengths_before(const Polylines& lines) {
+    std::vector<double> passed(lines.points.size());
+    for (std::size_t line = 0; line < lines.count(); ++line) {
+      for (Index i = lines.offsets[line] + 1; i < lines.offsets[line + 1]; ++i) {
+        passed[i] =
+            passed[i - 1] + static_cast<double>((lines.points[i] - lines.points[i - 1]).norm());
+      }
+    }
+    return passed;
+  }
+
+  BoundingBox box_of(Index number) const {
+    const Vec3 &a = lines_.points[segments_[number].from], &b = lines_.points[segments_[number].to];
+    return {a.cwiseMin(b), a.cwiseMax(b)};
+  }
+
+  /// From an end as far as there is too little room or a hook; the whole length if there is nowhere
+  /// enough room.
+  double cut_at(Index line, std::size_t end) const {
+    const double whole = length(line);
+    std::optional<double> room;  // where it begins
+    for (double cut = 0; cut < whole;) {
+      const LinePlace place = from_end(line, end, cut);
+      const double period = 1 / static_cast<double>(place.frequency);
+      if (room && cut > *room + kLongestHook * period) break;
+      const double at = end == 0 ? cut : whole - cut;
+      if (!is_crowded(line, at, place, from_end(line, end, cut + period))) {
+        if (!is_turned(line, end, cut, period)) return cut;
+        if (!room) room = cut;
+      }
+      cut += kCutStep * period;
+    }
+    return room.value_or(whole);
+  }
+
+  LinePlace from_end(Index line, std::size_t end, double way) const {
+    const double whole = length(line);
+    return place_at(line, end == 0 ? std::min(way, whole) : std::max(whole - way, 0.0));
+  }
+
+  /// Whether a curve runs another way than one period before, but for how the surface bends. Single
+  /// segments may be too short to have a direction.
+  bool is_turned(Index line, std::size_t end, double cut, double period) const {
+    const auto towards_end = [&](double way) {
+      return Vec3(from_end(line, end, way).position -
+                  from_end(line, end, way + kDirection * period).position)
+          .stableNormalized();
+    };
+    const Vec3 normal = from_end(line, end, cut).normal;
+    const double before = std::min(cut + period, length(line) - kDirection * period);
+    const auto bend =
+        Eigen::Quaternionf::FromTwoVectors(from_end(line, end, before).normal, normal);
+    return towards_end(cut).dot(bend * towards_end(before)) < kStraight;
+  }
+
+  /// A place on a line that its neighbours may crowd.
+  struct Crowding {
+    Index line;
+    double at;  ///< length before it
+    const LinePlace& place;
+    Vec3 along;   ///< where the line has come from, away from that
+    float reach;  ///< neighbours that are nearer crowd it
+  };
+
+  /// Whether another curve beside a place is nearer than the least gap.
+  bool is_crowded(Index line, double at, const LinePlace& place, const LinePlace& before) const {
+    const Crowding crowding{line, at, place, (place.position - before.position).stableNormalized(),
+                            least_gap_ / place.frequency};
+    const auto square_of_reach = static_cast<double>(crowding.reach * crowding.reach);
+    bool crowded = false;
+    tree_.visit(
+        place.position.cast<double>(),
+        [&](const BoundingBox&, double square) { return !crowded && square < square_of_reach; },
+        [&](Index number) { crowded = crowded || crowds(segments_[number], crowding); });
+    return crowded;
+  }
+
+  bool crowds(const LineSegment& segment, const Crowding& crowding) const {
+    const LinePlace& place = crowding.place;
+    const Vec3& a = lines_.points[segment.from];
+    const Vec3 side = lines_.points[segment.to] - a;
+    const float square = side.squaredNorm();
+    const float t =
+        square > 0 ? std::clamp((place.position - a).dot(side) / square, 0.0f, 1.0f) : 0.0f;
+    if (segment.line == crowding.line) {
+      const double way_along =
+          passed_[segment.from] + static_cast<double>(t * side.norm()) - crowding.at;
+      if (std::abs(way_along) * static_cast<double>(place.frequency) < kOwnStretch) return false;
+    }
+    const Vec3 way = a + t * side - place.position;
+    const Vec3& normal = lines_.normals[t < 0.5f ? segment.from : segment.to];
+    if (normal.dot(place.normal) < kSameSide) return false;
+    const bool goes_on = std::abs(way.dot(crowding.along)) > kAhead * way.norm() &&
+                         std::abs(side.dot(crowding.along)) > kAhead * side.norm();
+    if (goes_on) return false;
+    return way.norm() * arc_over_chord(way, place.normal, normal) < crowding.reach;
+  }
+
+  const StripeCurves& curves_;
+  const Polylines& lines_;
+  std::span<const float> frequencies_;
+  float least_gap_;
+  std::vector<LineSegment> segments_;
+  std::vector<double> passed_;  // of every point from its line's first
+  BoxTree tree_;
+};
+
+/// Copies lines, or what is left of them.
+class LineCutter {
+ public:
+  LineCutter(const StripeCurves& from, const EndTrimmer& trimmer, StripeCurves& to,
+             std::vector<Index>* sources)
+      : from_(from), trimmer_(trimmer), to_(to), sources_(sources) {
+    to_.lines.origin = from.lines.origin;
+    to_.joined_ends = from.joined_ends;
+    to_.ends_at_neighbors = from.ends_at_neighbors;
+  }
+
+  void add(Index line, const CutLengths& cuts) {
+    const Polylines& lines = from_.lines;
+    Index first = lines.offsets[line], last = lines.offsets[line + 1] - 1;
+    if (cuts[0] > 0) first = add_cut(line, cuts[0]).segment_from + 1;
+    const bool cut_behind = cuts[1] > 0;
+    const LinePlace behind = trimmer_.place_at(line, trimmer_.length(line) - cuts[1]);
+    if (cut_behind) last = behind.segment_from;
+    for (Index i = first; i <= last; ++i) {
+      add_point(lines.points[i], lines.normals[i], i);
+      if (!lines.places.empty()) to_.lines.places.push_back(lines.places[i]);
+      if (!lines.arrivals.empty()) to_.lines.arrivals.push_back(lines.arrivals[i]);
+    }
+    if (cut_behind) add_last(behind);
+    to_.lines.offsets.push_back(static_cast<Index>(to_.lines.points.size()));
+    to_.lines.closed.push_back(lines.closed[line]);
+    to_.ends.push_back(from_.ends[line]);
+  }
+
+ private:
+  void add_point(const Vec3& position, const Vec3& normal, Index source) {
+    to_.lines.points.push_back(position);
+    to_.lines.normals.push_back(normal);
+    if (sources_ != nullptr) sources_->push_back(source);
+  }
+
+  /// Of the two points that a cut is between the nearer one.
+  void add_point(const LinePlace& place) {
+    add_point(place.position, place.normal, place.segment_from + (place.share < 0.5f ? 0 : 1));
+  }
+
+  std::optional<TrianglePoint> triangle_point(const LinePlace& place) const {
+    const Polylines& lines = from_.lines;
+    if (lines.arrivals.empty()) return std::nullopt;
+    TrianglePoint point = lines.places[place.segment_from];
+    for (std::size_t m = 0; m < 3; ++m) {
+      point.barycentric[m] += static_cast<double>(place.share) *
+                              (lines.arrivals[place.segment_from][m] - point.barycentric[m]);
+    }
+    return point;
+  }
+
+  LinePlace add_cut(Index line, double length) {
+    const LinePlace place = trimmer_.place_at(line, length);
+    add_point(place);
+    if (const auto point = triangle_point(place)) {
+      to_.lines.places.push_back(*point);
+      to_.lines.arrivals.push_back(from_.lines.arrivals[place.segment_from]);
+    }
+    return place;
+  }
+
+  /// The segment before it arrives there.
+  void add_last(const LinePlace& place) {
+    add_point(place);
+    const auto point = triangle_point(place);
+    if (!point) return;
+    to_.lines.arrivals.back() = point->barycentric;
+    to_.lines.places.push_back(*point);
+    to_.lines.arrivals.push_back(point->barycentric);
+  }
+
+  const StripeCurves& from_;
+  const EndTrimmer& trimmer_;
+  StripeCurves& to_;
+  std::vector<Index>* sources_;
+};
+
+void check_trim(const StripeCurves& curves, std::span<const float> frequencies, float least_gap) {
+  if (!(least_gap > 0 && least_gap <= 1)) {
+    throw Error("ends of curves: the least gap must be above 0 and at most 1 spacing");
+  }
+  if (frequencies.size() != curves.lines.points.size()) {
+    throw Error("ends of curves: every point needs a frequency");
+  }
+}
+
+}  // namespace
+
+StripeCurves trimmed_ends(const StripeCurves& curves, std::span<const float> frequencies,
+                          float least_gap, const Progress& progress, std::vector<Index>* sources) {
+  check_trim(curves, frequencies, least_gap);
+  const std::size_t count = curves.lines.count();
+  JobStages stages(progress, {{"boxes", 1}, {"ends", 3}});
+  const EndTrimmer trimmer(curves, frequencies, least_gap, stages.begin("boxes"));
+  std::vector<CutLengths> cuts(count);
+  parallel_for(
+      count, stages.begin("ends"),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t line = begin; line < end; ++line) {
+          if (!curves.lines.closed[line]) cuts[line] = trimmer.cuts(static_cast<Index>(line));
+        }
+      },
+      1, kCurvesPerReport);
+  StripeCurves result;
+  LineCutter cutter(curves, trimmer, result, sources);
+  if (sources != nullptr) sources->clear();
+  for (Index line = 0; line < count; ++line) {
+    const double cut = cuts[line][0] + cuts[line][1];
+    result.trimmed_ends += (cuts[line][0] > 0) + (cuts[line][1] > 0);
+    if (cut > 0 && trimmer.is_speck(line, cuts[line])) {
+      ++result.trimmed_away;
+      continue;
+    }
+    cutter.add(line, cuts[line]);
+  }
+  stages.finish();
+  return result;
+}
+
+}  // namespace brindle
