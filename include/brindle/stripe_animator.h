@@ -87,10 +87,10 @@ class StripeAnimator {
   StripeAnimator& operator=(StripeAnimator&&) noexcept;
 
   /// Solves for the next frame. The first frame has no last one and is solved from scratch.
-  /// `progress` hears of the first frame's frequencies and topology, and of cycles. Throws Error if
-  /// the input has not one entry per vertex, and for values that `stripe_pattern` refuses;
-  /// Cancelled if `progress` asks for it. Whatever it throws, the animator then is as it was before
-  /// the call.
+  /// `progress` hears of the first frame's frequencies and topology, and of cycles; a frame that it
+  /// can cancel keeps a second copy of the waves. Throws Error if the input has not one entry per
+  /// vertex, and for values that `stripe_pattern` refuses; Cancelled if `progress` asks for it.
+  /// Whatever it throws, the animator then is as it was before the call.
   FrameResult frame(const FrameInput& input, const Progress& progress = {});
 
   /// The energy of the last frame's phases, as `energy` of phase_graph.h defines it. Throws Error

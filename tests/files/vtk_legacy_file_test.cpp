@@ -89,6 +89,15 @@ TEST_F(VtkLegacyFile, ReadsEveryKindOfLegacyAttribute) {
   }
 }
 
+TEST_F(VtkLegacyFile, FilesThatListNoCellsArePoints) {
+  const std::string file =
+      "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+      "0 0 0 1 0 0 0 1 0\nPOLYGONS 0 0\n";
+  EXPECT_TELLS(error_of("a.vtk", file), "no triangles");
+  EXPECT_TRUE(is_point_file(folder / "a.vtk"));
+  EXPECT_EQ(read_points(folder / "a.vtk").cloud.positions.size(), 3u);
+}
+
 TEST_F(VtkLegacyFile, LegacyErrorsNameTheLine) {
   const std::string file = legacy(false, 4, {});
   const auto with = [&](const std::string& from, const std::string& to) {

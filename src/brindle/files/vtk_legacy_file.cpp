@@ -204,7 +204,7 @@ class VtkLegacyReader {
   /// Of each cell the number of its points and these, as the file has them.
   void cut_cells(VtkCells& cells, const DataArray& row, std::uint64_t count) {
     std::vector<std::int32_t> numbers(row.rows());
-    std::memcpy(numbers.data(), row.bytes.data(), row.bytes.size());
+    if (!numbers.empty()) std::memcpy(numbers.data(), row.bytes.data(), row.bytes.size());
     if (count > numbers.size()) fail("has fewer cells than it says");
     std::vector<std::uint64_t> ends;
     std::size_t at = 0, end = 0;

@@ -27,8 +27,8 @@ struct StripeAnimator::State {
   bool has_frame = false;         ///< whether a frame has come to its end
   bool is_sibling = false;        ///< whether the hierarchy was there before
   std::vector<SlicedWave> waves;  ///< of the last frame
-  /// Of the frame that is solved, if it may be taken back. One without cycles need not, where
-  /// nothing comes after it, and its waves replace the last ones at once: that saves memory.
+  /// Of the frame that is solved, if it may be taken back. One that nobody listens to need not,
+  /// where nothing comes after it, and its waves replace the last ones at once: that saves memory.
   std::vector<SlicedWave> cancellable_waves;
   bool may_be_taken_back = false;
   bool has_yielded = false;      ///< whether frequencies of the frame that is solved are new
@@ -83,7 +83,6 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
   check_edge_weights(options.edge_weights);
   state_->neighborhood = std::move(neighborhood);
   state_->options = options;
-  state_->may_be_taken_back = options.cycles > 0;
   state_->momentum.strength = SolverOptions().momentum;
 }
 
@@ -105,7 +104,7 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   return result;
 }
 
-/// Lets frames be taken back that have been solved. To be called before the first one.
+/// Lets frames be taken back that have been solved, from the next one on.
 void StripeAnimator::allow_take_back() { state_->may_be_taken_back = true; }
 
 /// The next frame, which `keep` or `take_back` must follow: until then, its phases are not the
@@ -114,6 +113,8 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   State& s = *state_;
   check_frame_input(input, s.neighborhood->node_count());
   check_values(input, *s.neighborhood, s.in_place);
+  // Who hears of progress can cancel, whatever the frame does.
+  if (heard.is_heard()) allow_take_back();
   s.has_yielded = s.has_iterated = false;
   if (!s.has_given() && s.has_last() && s.yielding.is_kept(input)) return unchanged_result();
   Stopwatch watch;
