@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(
     Curves, WrongCurves,
     testing::Values(Arguments{"--lines", "w"}, Arguments{"--offset", "half"},
                     Arguments{"--offset", "inf"}, Arguments{"--min-length", "-1"},
-                    Arguments{"--trim", "0"}, Arguments{"--trim", "1.2"},
+                    Arguments{"--trim", "-0.1"}, Arguments{"--trim", "1.2"},
                     Arguments{"--trim", "0.6", "--join"}, Arguments{"--min-length", "1 %"},
                     Arguments{"--simplify", "nan"}, Arguments{"--simplify", "%"},
                     Arguments{"--resample", "0"}, Arguments{"--tube-radius", "0%"},

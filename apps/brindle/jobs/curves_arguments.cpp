@@ -17,8 +17,8 @@ std::optional<TracedWaves> parse_traced(std::string_view name) {
 }
 
 float parse_share_of_spacing(const std::string& option, const std::string& text) {
-  const float share = parse_positive_number(option, text);
-  if (share > 1) wrong_usage(option, "a share of the spacing, above 0 and at most 1", text);
+  const float share = parse_number(option, text);
+  if (!(share >= 0 && share <= 1)) wrong_usage(option, "a share of the spacing, 0 to 1", text);
   return share;
 }
 
