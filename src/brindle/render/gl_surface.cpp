@@ -221,7 +221,7 @@ void GlSurface::draw(const ShaderProgram& program, const Camera& camera,
 
 void GlSurface::bind(const ShaderProgram& program, const Camera& camera,
                      const Eigen::Vector4f& tile) const {
-  constexpr std::array<const char*, kParts> kNames{
+  constexpr std::array<const char*, kParts> kPartNames{
       "triangle_vertices", "positions", "normals",  "waves", "phases",
       "triangle_colors",   "texture_u", "texture_v"};
   constexpr std::array<GLenum, kParts> kFormats{GL_RGB32UI, GL_RGB32F, GL_RGB32F, GL_RGBA32F,
@@ -233,7 +233,7 @@ void GlSurface::bind(const ShaderProgram& program, const Camera& camera,
   for (std::size_t part = 0; part < kParts; ++part) {
     const bool foreign = part == kPhases && foreign_phases_ != 0;
     glTextureBuffer(textures_[part], kFormats[part], foreign ? foreign_phases_ : buffers_[part]);
-    program.set(kNames[part], kFirstUnit + static_cast<int>(part));
+    program.set(kPartNames[part], kFirstUnit + static_cast<int>(part));
     glBindTextureUnit(kFirstUnit + static_cast<GLuint>(part), textures_[part]);
   }
 }

@@ -60,7 +60,7 @@ void blur(Grid& grid, int radius) {
 
 GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangle> triangles,
                            const Eigen::Matrix3f& axes) {
-  constexpr float kMargin = 0.3f;  // of the longer side
+  constexpr float kRoom = 0.3f;  // of the longer side
   GroundShadow shadow;
   if (points.empty()) return shadow;
   std::vector<Vec3> places;
@@ -71,7 +71,7 @@ GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangl
     upper = upper.cwiseMax(places.back());
   }
   const float side = std::max((upper - lower).head<2>().maxCoeff(), 1e-6f);
-  shadow.size = Eigen::Vector2f::Constant(side * (1 + 2 * kMargin));
+  shadow.size = Eigen::Vector2f::Constant(side * (1 + 2 * kRoom));
   shadow.lower = 0.5f * (lower + upper).head<2>() - 0.5f * shadow.size;
   shadow.height = lower.z();
   // What is near the ground has a sharper and darker shadow.
