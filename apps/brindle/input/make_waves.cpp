@@ -39,7 +39,7 @@ Field rows_field(const Surface& surface, const std::string& path,
 
 Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
   TensorField tensor = tensor_field_of(surface, array, options.tensor.value_or(TensorAxis::major));
-  Field field{std::move(tensor.directions), {}, {}};
+  Field field{{std::move(tensor.directions), {}, {}}};
   field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
   if (!options.tensor) {
     field.notes += "the array '" + array.name +
@@ -133,7 +133,7 @@ Field smooth_field(const Surface& surface, const WaveOptions& options, const Las
 Field make_field(const Surface& surface, const WaveOptions& options, const FileData& data,
                  const ArraySource& arrays, const LastDirections& last, const Progress& progress) {
   if (options.direction)
-    return {projected_direction_field(*options.direction, surface.normals), {}, {}};
+    return {{projected_direction_field(*options.direction, surface.normals), {}, {}}};
   if (is_smooth(options)) return smooth_field(surface, options, last, progress);
   if (options.field == "raw-curvature") {
     const auto curvatures = principal_curvatures(surface.mesh.positions, surface.normals,
@@ -141,7 +141,7 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
     DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
     // The solvers are faster where few neighbours run against each other.
     orient_alike(*surface.neighborhood, directions, progress.part(0.6, 1));
-    return {std::move(directions), {}, {}};
+    return {{std::move(directions), {}, {}}};
   }
   if (!is_array(options.field)) return file_field(surface, options, data);
   ArraySource::PerVertex found = arrays.array(parse_array("--field", options.field));
