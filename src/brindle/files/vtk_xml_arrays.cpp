@@ -131,8 +131,8 @@ bool VtkXmlArrays::holds_numbers(const pugi::xml_node& element) {
 }
 
 void VtkXmlArrays::fail(const std::string& what) const {
-  file_.fail_whole("array " + in_quotes(name_) + " " + what +
-                   "; the file is damaged or truncated, copy or export it again");
+  file_.fail_whole((name_.empty() ? "an array without a name" : "array " + in_quotes(name_)) + " " +
+                   what + "; the file is damaged or truncated, copy or export it again");
 }
 
 DataArray VtkXmlArrays::read(const pugi::xml_node& element, std::uint64_t rows) {
