@@ -35,6 +35,7 @@
 #include "brindle/texture_coordinates.h"
 #include "brindle/texture_pattern.h"
 #include "brindle/yielding_frequency.h"
+#include "gallery/gallery.h"
 
 namespace {
 
@@ -362,6 +363,15 @@ std::vector<Job> picture_jobs() {
   };
 }
 
+std::vector<Job> gallery_jobs() {
+  std::vector<Job> jobs;
+  for (const GalleryItem& item : gallery_items()) {
+    jobs.push_back(
+        {"data of " + item.name, [] {}, [&item](const Progress& p) { item.make(1, p); }});
+  }
+  return jobs;
+}
+
 bool is_asked_for(const std::string& name, int count, char** words) {
   if (count == 0) return true;
   return std::any_of(words, words + count,
@@ -371,7 +381,8 @@ bool is_asked_for(const std::string& name, int count, char** words) {
 void measure(const Job& job) {
   try {
     job.prepare();
-    if (!job.name.starts_with("make_shape")) job.run({});  // for what is made once
+    const bool makes_all = job.name.starts_with("make_shape") || job.name.starts_with("data of");
+    if (!makes_all) job.run({});  // for what is made once
     Gaps gaps;
     job.run(gaps.progress());
     gaps.end();
@@ -386,7 +397,8 @@ void measure(const Job& job) {
 int main(int argc, char** argv) {
   if (argc > 1) resolution = argv[1];
   std::printf("torus of %zu vertices\n", torus().mesh.vertex_count());
-  for (const auto& jobs : {shape_jobs(), field_jobs(), pattern_jobs(), picture_jobs()}) {
+  for (const auto& jobs :
+       {shape_jobs(), field_jobs(), pattern_jobs(), picture_jobs(), gallery_jobs()}) {
     for (const Job& job : jobs) {
       if (is_asked_for(job.name, argc - 2, argv + 2)) measure(job);
     }

@@ -78,7 +78,7 @@ struct WallValues {
   std::vector<float> stress, first, second, ratio, thickness, curvature_first, curvature_second;
 };
 
-WallValues values_of(const Mesh& mesh, const ImplicitFunction& wall) {
+WallValues values_of(const Mesh& mesh, const ImplicitFunction& wall, const Progress& progress) {
   const std::size_t count = mesh.vertex_count();
   WallValues values;
   values.stress.resize(6 * count);
@@ -87,39 +87,44 @@ WallValues values_of(const Mesh& mesh, const ImplicitFunction& wall) {
                                     &values.curvature_first, &values.curvature_second}) {
     array->resize(count);
   }
-  parallel_for(count, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const Point p = mesh.positions[v].cast<double>();
-      const LevelCurvature curvature = level_curvature(wall, p, kAveraged);
-      const double thickness = thickness_at(p);
-      const MembraneStress stress = membrane_stress(kAneurysmPressure, thickness, curvature.larger,
-                                                    curvature.smaller, kLeastCurvature);
-      const std::array<float, 6> tensor = stress_tensor(stress, curvature);
-      std::ranges::copy(tensor, values.stress.begin() + static_cast<std::ptrdiff_t>(6 * v));
-      values.directions[v] = curvature.larger_direction.cast<float>();
-      values.first[v] = static_cast<float>(stress.first);
-      values.second[v] = static_cast<float>(stress.second);
-      values.ratio[v] = static_cast<float>(stress.second / stress.first);
-      values.thickness[v] = static_cast<float>(thickness);
-      values.curvature_first[v] = static_cast<float>(curvature.larger);
-      values.curvature_second[v] = static_cast<float>(curvature.smaller);
-    }
-  });
+  parallel_for(
+      count, progress,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          const Point p = mesh.positions[v].cast<double>();
+          const LevelCurvature curvature = level_curvature(wall, p, kAveraged);
+          const double thickness = thickness_at(p);
+          const MembraneStress stress = membrane_stress(
+              kAneurysmPressure, thickness, curvature.larger, curvature.smaller, kLeastCurvature);
+          const std::array<float, 6> tensor = stress_tensor(stress, curvature);
+          std::ranges::copy(tensor, values.stress.begin() + static_cast<std::ptrdiff_t>(6 * v));
+          values.directions[v] = curvature.larger_direction.cast<float>();
+          values.first[v] = static_cast<float>(stress.first);
+          values.second[v] = static_cast<float>(stress.second);
+          values.ratio[v] = static_cast<float>(stress.second / stress.first);
+          values.thickness[v] = static_cast<float>(thickness);
+          values.curvature_first[v] = static_cast<float>(curvature.larger);
+          values.curvature_second[v] = static_cast<float>(curvature.smaller);
+        }
+      },
+      kParallelGrain, kFunctionSlice);
   return values;
 }
 
-std::vector<GalleryFile> make_aneurysm(double detail) { return {aneurysm_wall(detail)}; }
+std::vector<GalleryFile> make_aneurysm(double detail, const Progress& progress) {
+  return {aneurysm_wall(detail, nullptr, progress)};
+}
 
 }  // namespace
 
-GalleryFile aneurysm_wall(double detail, std::vector<Vec3>* directions) {
+GalleryFile aneurysm_wall(double detail, std::vector<Vec3>* directions, const Progress& progress) {
   const Wall wall = make_wall();
   GalleryFile file{"aneurysm.vtp", {}, {}, {}};
-  file.mesh =
-      isosurface(wall.function, {{-11, -6, -11}, {11, 6, 10}}, static_cast<float>(0.13 / detail));
+  file.mesh = isosurface(wall.function, {{-11, -6, -11}, {11, 6, 10}},
+                         static_cast<float>(0.13 / detail), progress.part(0, 0.9));
   for (const End& end : wall.ends)
     cut_open(file.mesh, end.at - 0.4 * end.outwards, end.outwards, 4);
-  WallValues values = values_of(file.mesh, wall.function);
+  WallValues values = values_of(file.mesh, wall.function, progress.part(0.9, 1));
   file.arrays.points = {make_data_array("stress", 6, values.stress),
                         make_data_array("first", 1, values.first),
                         make_data_array("second", 1, values.second),

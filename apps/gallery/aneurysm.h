@@ -9,7 +9,8 @@ namespace brindle {
 /// numbers; `first` and `second`, its eigenvalues; `ratio`, the second over the first; `thickness`;
 /// `curvature_first` and `curvature_second`, the principal curvatures that they follow from.
 /// `directions`, unless null, receives the unit direction of the first stress at every vertex.
-GalleryFile aneurysm_wall(double detail, std::vector<Vec3>* directions = nullptr);
+GalleryFile aneurysm_wall(double detail, std::vector<Vec3>* directions = nullptr,
+                          const Progress& progress = {});
 
 constexpr double kAneurysmPressure = 16;  ///< kPa, 120 mmHg
 

@@ -25,6 +25,6 @@ std::vector<PointCharge> charges_of_molecule();
 double potential_at(const Eigen::Vector3d& at, std::span<const PointCharge> charges);
 
 /// The surface, with `potential` per point.
-GalleryFile charged_molecule(double detail);
+GalleryFile charged_molecule(double detail, const Progress& progress = {});
 
 }  // namespace brindle

@@ -6,10 +6,10 @@
 namespace brindle {
 namespace {
 
-std::vector<GalleryFile> make_parts(double detail) {
+std::vector<GalleryFile> make_parts(double detail, const Progress& progress) {
   const auto edge = static_cast<float>(0.021 / detail);
-  GalleryFile file{"parts.vtp", flange_mesh(edge), {}, {}};
-  Mesh ball = windowed_ball_mesh(edge);
+  GalleryFile file{"parts.vtp", flange_mesh(edge, progress.part(0, 0.6)), {}, {}};
+  Mesh ball = windowed_ball_mesh(edge, progress.part(0.6, 1));
   translate(ball, {2.1f, 0.15f, 0.45f});
   append(ball, file.mesh);
   return {std::move(file)};

@@ -62,9 +62,9 @@ std::array<Point, 2> vortex_cores(int number) {
       on_surface({0.35 + 0.2 * elementary::sin(turn), -1.3, 0.15 - 0.25 * elementary::cos(turn)})};
 }
 
-Mesh vortex_pebble(double detail) {
+Mesh vortex_pebble(double detail, const Progress& progress) {
   return isosurface(pebble_function(), {Vec3::Constant(-1.6f), Vec3::Constant(1.6f)},
-                    static_cast<float>(0.035 / detail));
+                    static_cast<float>(0.035 / detail), progress);
 }
 
 GalleryFile vortex_step(int number, const Mesh& pebble) {
@@ -97,8 +97,8 @@ GalleryFile vortex_step(int number, const Mesh& pebble) {
   return file;
 }
 
-GalleryFile hare_flow(double detail) {
-  GalleryFile file{"flow.vtp", hare_mesh(static_cast<float>(0.022 / detail)), {}, {}};
+GalleryFile hare_flow(double detail, const Progress& progress) {
+  GalleryFile file{"flow.vtp", hare_mesh(static_cast<float>(0.022 / detail), progress), {}, {}};
   const std::vector<Vec3> normals = vertex_normals(file.mesh);
   Flow flow;
   for (std::size_t v = 0; v < normals.size(); ++v) {

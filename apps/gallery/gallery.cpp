@@ -83,11 +83,17 @@ bool is_still_picture(const GalleryPicture& picture) {
   return !picture.line.starts_with("animate ");
 }
 
-void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files) {
-  for (const GalleryFile& file : files) {
+void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files,
+                         const Progress& progress) {
+  const auto share = [&](std::size_t done) {
+    return static_cast<double>(done) / static_cast<double>(files.size());
+  };
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const GalleryFile& file = files[i];
     const std::filesystem::path path = std::filesystem::path(folder) / file.name;
     if (file.text.empty()) {
-      write_mesh(path, file.mesh, file.arrays.points, file.arrays.cells);
+      write_mesh(path, file.mesh, file.arrays.points, file.arrays.cells,
+                 progress.part(share(i), share(i + 1)));
     } else {
       write_file(path, [&](std::ostream& out) { out << file.text; });
     }

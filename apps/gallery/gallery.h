@@ -9,6 +9,7 @@
 
 #include "brindle/data_arrays.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace brindle {
 
@@ -35,8 +36,8 @@ struct GalleryPicture {
 struct GalleryItem {
   std::string name;
   std::string what;  ///< one line
-  /// The data. `detail` multiplies the number of edges along a length.
-  std::vector<GalleryFile> (*make)(double detail);
+  /// The data. `detail` multiplies the number of edges along a length. Throws Cancelled.
+  std::vector<GalleryFile> (*make)(double detail, const Progress& progress);
   std::vector<GalleryPicture> pictures;  ///< one at least; the first is drawn unless told otherwise
 };
 
@@ -59,7 +60,9 @@ bool has_place(const GalleryPicture& picture, std::string_view role);
 /// Whether it is one picture, which a session can have: not moving ones of `brindle animate`.
 bool is_still_picture(const GalleryPicture& picture);
 
-/// Writes files into a folder that exists. Throws Error if that fails.
-void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files);
+/// Writes files into a folder that exists. Throws Error if that fails, Cancelled between and in
+/// files.
+void write_gallery_files(const std::string& folder, std::span<const GalleryFile> files,
+                         const Progress& progress = {});
 
 }  // namespace brindle

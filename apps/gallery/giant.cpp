@@ -7,8 +7,8 @@ namespace {
 /// 0.8 million vertices at full detail.
 constexpr double kEdge = 0.0032;
 
-std::vector<GalleryFile> make_giant(double detail) {
-  return {{"giant.vtp", fine_hare_mesh(static_cast<float>(kEdge / detail)), {}, {}}};
+std::vector<GalleryFile> make_giant(double detail, const Progress& progress) {
+  return {{"giant.vtp", fine_hare_mesh(static_cast<float>(kEdge / detail), progress), {}, {}}};
 }
 
 }  // namespace

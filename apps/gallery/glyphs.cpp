@@ -34,11 +34,11 @@ std::string stress_field(const GalleryFile& wall, const std::vector<Vec3>& direc
   return text;
 }
 
-std::vector<GalleryFile> make_glyphs(double detail) {
+std::vector<GalleryFile> make_glyphs(double detail, const Progress& progress) {
   std::vector<Vec3> directions;
-  GalleryFile wall = aneurysm_wall(detail, &directions);
+  GalleryFile wall = aneurysm_wall(detail, &directions, progress.part(0, 0.6));
   GalleryFile field{"stress.csv", {}, {}, stress_field(wall, directions)};
-  return {hare_flow(detail), std::move(wall), std::move(field)};
+  return {hare_flow(detail, progress.part(0.6, 1)), std::move(wall), std::move(field)};
 }
 
 }  // namespace

@@ -63,13 +63,14 @@ ImplicitFunction hare() {
   return blended(std::move(all), 0.01);
 }
 
-Mesh hare_mesh(float edge_length) {
-  return isosurface(hare(), {{-1.1f, -0.7f, -0.1f}, {1.1f, 0.7f, 2.5f}}, edge_length);
+Mesh hare_mesh(float edge_length, const Progress& progress) {
+  return isosurface(hare(), {{-1.1f, -0.7f, -0.1f}, {1.1f, 0.7f, 2.5f}}, edge_length, progress);
 }
 
-Mesh fine_hare_mesh(float edge_length) {
-  Mesh mesh = subdivide(hare_mesh(4 * edge_length), 2);
-  settle(mesh, hare(), 0.1 * static_cast<double>(edge_length));
+Mesh fine_hare_mesh(float edge_length, const Progress& progress) {
+  Mesh mesh = hare_mesh(4 * edge_length, progress.part(0, 0.5));
+  mesh = subdivide(std::move(mesh), 2, progress.part(0.5, 0.6));
+  settle(mesh, hare(), 0.1 * static_cast<double>(edge_length), progress.part(0.6, 1));
   return mesh;
 }
 

@@ -6,10 +6,10 @@
 namespace brindle {
 
 ImplicitFunction hare();
-Mesh hare_mesh(float edge_length);
+Mesh hare_mesh(float edge_length, const Progress& progress = {});
 
 /// With every triangle of such a mesh cut into 16, whose vertices are on the surface, too: faster
 /// than to make it of short edges.
-Mesh fine_hare_mesh(float edge_length);
+Mesh fine_hare_mesh(float edge_length, const Progress& progress = {});
 
 }  // namespace brindle

@@ -4,8 +4,8 @@
 namespace brindle {
 namespace {
 
-std::vector<GalleryFile> make_figure(double detail) {
-  return {{"hare.vtp", hare_mesh(static_cast<float>(0.016 / detail)), {}, {}}};
+std::vector<GalleryFile> make_figure(double detail, const Progress& progress) {
+  return {{"hare.vtp", hare_mesh(static_cast<float>(0.016 / detail), progress), {}, {}}};
 }
 
 }  // namespace

@@ -95,22 +95,25 @@ LevelCurvature level_curvature(const ImplicitFunction& function, const Point& at
   return result;
 }
 
-void settle(Mesh& mesh, const ImplicitFunction& function, double step) {
+void settle(Mesh& mesh, const ImplicitFunction& function, double step, const Progress& progress) {
   constexpr int kSteps = 3;
-  parallel_for(mesh.vertex_count(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      Point p = mesh.positions[v].cast<double>();
-      for (int k = 0; k < kSteps; ++k) {
-        const double value = function(p);
-        Point slope;
-        for (int axis = 0; axis < 3; ++axis) {
-          slope[axis] = (function(p + step * Point::Unit(axis)) - value) / step;
+  parallel_for(
+      mesh.vertex_count(), progress,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          Point p = mesh.positions[v].cast<double>();
+          for (int k = 0; k < kSteps; ++k) {
+            const double value = function(p);
+            Point slope;
+            for (int axis = 0; axis < 3; ++axis) {
+              slope[axis] = (function(p + step * Point::Unit(axis)) - value) / step;
+            }
+            p -= value / std::max(slope.squaredNorm(), 1e-6) * slope;
+          }
+          mesh.positions[v] = p.cast<float>();
         }
-        p -= value / std::max(slope.squaredNorm(), 1e-6) * slope;
-      }
-      mesh.positions[v] = p.cast<float>();
-    }
-  });
+      },
+      kParallelGrain, kFunctionSlice);
 }
 
 void cut_open(Mesh& mesh, const Point& point, const Point& normal, double reach) {

@@ -43,9 +43,13 @@ struct LevelCurvature {
 LevelCurvature level_curvature(const ImplicitFunction& function, const Eigen::Vector3d& at,
                                double step);
 
+/// So many evaluations of them per vertex that reports come more often than elsewhere.
+constexpr std::size_t kFunctionSlice = 1 << 10;
+
 /// Moves vertices that are near to the surface onto it, by Newton's steps; slopes are differences
 /// over `step`.
-void settle(Mesh& mesh, const ImplicitFunction& function, double step);
+void settle(Mesh& mesh, const ImplicitFunction& function, double step,
+            const Progress& progress = {});
 
 /// Opens a closed mesh at a plane: drops what is beyond, where (p - point) * normal is above 0. The
 /// rim lies in the plane. Within `reach` of the point alone.

@@ -6,10 +6,10 @@
 namespace brindle {
 namespace {
 
-std::vector<GalleryFile> make_liver(double detail) {
-  return {{"vessels.vtp", liver_vessels_mesh(detail), {}, {}},
-          {"tumour.vtp", liver_tumour_mesh(detail), {}, {}},
-          {"needle.vtp", needle_mesh(detail), {}, {}}};
+std::vector<GalleryFile> make_liver(double detail, const Progress& progress) {
+  return {{"vessels.vtp", liver_vessels_mesh(detail, progress.part(0, 0.8)), {}, {}},
+          {"tumour.vtp", liver_tumour_mesh(detail, progress.part(0.8, 0.9)), {}, {}},
+          {"needle.vtp", needle_mesh(detail, progress.part(0.9, 1)), {}, {}}};
 }
 
 /// Ten stripes over the distance from the needle's tip, at least 8 mm, per millimetre.
@@ -28,10 +28,10 @@ GalleryPicture needle_picture(const std::string& name, const std::string& what,
           {"frequency", "width-range", "depth-cue"}};
 }
 
-std::vector<GalleryFile> make_nested(double detail) {
-  return {{"hull.vtp", liver_hull_mesh(detail), {}, {}},
-          {"vessels.vtp", liver_vessels_mesh(detail), {}, {}},
-          {"tumour.vtp", liver_tumour_mesh(detail), {}, {}}};
+std::vector<GalleryFile> make_nested(double detail, const Progress& progress) {
+  return {{"hull.vtp", liver_hull_mesh(detail, progress.part(0, 0.4)), {}, {}},
+          {"vessels.vtp", liver_vessels_mesh(detail, progress.part(0.4, 0.9)), {}, {}},
+          {"tumour.vtp", liver_tumour_mesh(detail, progress.part(0.9, 1)), {}, {}}};
 }
 
 }  // namespace

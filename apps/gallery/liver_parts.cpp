@@ -56,27 +56,28 @@ std::vector<Capsule> liver_vessels() {
   return grow_vessels(tree, places);
 }
 
-Mesh liver_hull_mesh(double detail) {
-  return isosurface(liver_hull(), kBody, static_cast<float>(1.9 / detail));
+Mesh liver_hull_mesh(double detail, const Progress& progress) {
+  return isosurface(liver_hull(), kBody, static_cast<float>(1.9 / detail), progress);
 }
 
-Mesh liver_tumour_mesh(double detail) {
+Mesh liver_tumour_mesh(double detail, const Progress& progress) {
   const Vec3 middle = kTumour.cast<float>();
   return isosurface(liver_tumour(),
                     {middle - Vec3::Constant(32.0f), middle + Vec3::Constant(32.0f)},
-                    static_cast<float>(0.9 / detail));
+                    static_cast<float>(0.9 / detail), progress);
 }
 
-Mesh liver_vessels_mesh(double detail) {
-  return capsule_surface(liver_vessels(), 0.45, static_cast<float>(1.0 / std::max(detail, 0.5)));
+Mesh liver_vessels_mesh(double detail, const Progress& progress) {
+  return capsule_surface(liver_vessels(), 0.45, static_cast<float>(1.0 / std::max(detail, 0.5)),
+                         progress);
 }
 
-Mesh needle_mesh(double detail) {
+Mesh needle_mesh(double detail, const Progress& progress) {
   const Point out = Point(0.45, -0.72, 0.62).normalized();
   const std::vector<Capsule> parts = {{Point::Zero(), 9 * out, 0.25, 1.5},
                                       {9 * out, 95 * out, 1.5, 1.5},
                                       {95 * out, 125 * out, 3.6, 4.2}};
-  return capsule_surface(parts, 0.2, static_cast<float>(0.6 / std::min(detail, 1.5)));
+  return capsule_surface(parts, 0.2, static_cast<float>(0.6 / std::min(detail, 1.5)), progress);
 }
 
 }  // namespace brindle

@@ -14,10 +14,10 @@ ImplicitFunction liver_tumour();
 std::vector<Capsule> liver_vessels();
 
 /// A needle whose tip is at the origin; it comes from the front, above.
-Mesh needle_mesh(double detail);
+Mesh needle_mesh(double detail, const Progress& progress = {});
 
-Mesh liver_hull_mesh(double detail);
-Mesh liver_tumour_mesh(double detail);
-Mesh liver_vessels_mesh(double detail);
+Mesh liver_hull_mesh(double detail, const Progress& progress = {});
+Mesh liver_tumour_mesh(double detail, const Progress& progress = {});
+Mesh liver_vessels_mesh(double detail, const Progress& progress = {});
 
 }  // namespace brindle

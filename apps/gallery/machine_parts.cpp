@@ -44,7 +44,7 @@ ImplicitFunction rib(double angle, double half_width, double from, double to, do
 
 }  // namespace
 
-Mesh flange_mesh(float edge_length) {
+Mesh flange_mesh(float edge_length, const Progress& progress) {
   constexpr double kFillet = 0.035, kBlend = 0.022;
   std::vector<ImplicitFunction> bodies = {rounded_disc(1, -0.12, 0.12, kFillet),
                                           rounded_disc(0.42, -0.1, 0.82, kFillet)};
@@ -61,17 +61,17 @@ Mesh flange_mesh(float edge_length) {
       part = without(part, endless_bar(place, Point::UnitZ(), 0.1), 0.015);
     }
   }
-  return isosurface(part, {{-1.05f, -1.05f, -0.2f}, {1.05f, 1.05f, 0.9f}}, edge_length);
+  return isosurface(part, {{-1.05f, -1.05f, -0.2f}, {1.05f, 1.05f, 0.9f}}, edge_length, progress);
 }
 
-Mesh windowed_ball_mesh(float edge_length) {
+Mesh windowed_ball_mesh(float edge_length, const Progress& progress) {
   const ImplicitFunction ball = [](const Point& p) { return p.norm() - 0.9; };
   const ImplicitFunction inside = [](const Point& p) { return p.norm() - 0.68; };
   ImplicitFunction part = without(ball, inside, 0.01);
   for (int axis = 0; axis < 3; ++axis) {
     part = without(part, endless_bar(Point::Zero(), Point::Unit(axis), 0.46), 0.02);
   }
-  return isosurface(part, {Vec3::Constant(-1.0f), Vec3::Constant(1.0f)}, edge_length);
+  return isosurface(part, {Vec3::Constant(-1.0f), Vec3::Constant(1.0f)}, edge_length, progress);
 }
 
 }  // namespace brindle

@@ -13,7 +13,9 @@ constexpr double kNanometres = 0.6;  // a unit of the built-in molecule
 
 MoleculeShape molecule_shape() { return {.atoms = 26, .seed = 5}; }
 
-std::vector<GalleryFile> make_charged_molecule(double detail) { return {charged_molecule(detail)}; }
+std::vector<GalleryFile> make_charged_molecule(double detail, const Progress& progress) {
+  return {charged_molecule(detail, progress)};
+}
 
 }  // namespace
 
@@ -39,10 +41,10 @@ double potential_at(const Eigen::Vector3d& at, std::span<const PointCharge> char
   return kBjerrumLength * sum;
 }
 
-GalleryFile charged_molecule(double detail) {
+GalleryFile charged_molecule(double detail, const Progress& progress) {
   MoleculeShape shape = molecule_shape();
   shape.resolution = std::max(2, static_cast<int>(60 * detail));
-  GalleryFile file{"molecule.vtp", make_molecule(shape), {}, {}};
+  GalleryFile file{"molecule.vtp", make_molecule(shape, progress), {}, {}};
   const std::vector<PointCharge> charges = charges_of_molecule();
   std::vector<float> potential;
   for (Vec3& position : file.mesh.positions) {

@@ -79,10 +79,11 @@ class VoxelFaces {
   std::map<Cell, Index> vertices_;
 };
 
-std::vector<GalleryFile> make_rough(double detail) {
+std::vector<GalleryFile> make_rough(double detail, const Progress& progress) {
   GalleryFile file{"rough.vtp", {}, {}, {}};
-  const std::array<Mesh, 4> meshes = {incomplete_mesh(detail), non_manifold_mesh(detail),
-                                      segmented_mesh(detail), noisy_mesh(detail)};
+  const std::array<Mesh, 4> meshes = {
+      incomplete_mesh(detail, progress.part(0, 0.6)), non_manifold_mesh(detail),
+      segmented_mesh(detail, progress.part(0.6, 1)), noisy_mesh(detail)};
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     Mesh mesh = meshes[k];
     const BoundingBox box = bounding_box(mesh);
@@ -94,8 +95,8 @@ std::vector<GalleryFile> make_rough(double detail) {
 
 }  // namespace
 
-Mesh incomplete_mesh(double detail) {
-  Mesh mesh = hare_mesh(static_cast<float>(0.026 / detail));
+Mesh incomplete_mesh(double detail, const Progress& progress) {
+  Mesh mesh = hare_mesh(static_cast<float>(0.026 / detail), progress);
   // Where a scanner did not look, and single triangles that it lost.
   const std::array<std::pair<Vec3, float>, 5> holes = {{{{0.5f, -0.2f, 0.55f}, 0.2f},
                                                         {{-0.25f, -0.5f, 0.55f}, 0.24f},
@@ -124,7 +125,7 @@ Mesh non_manifold_mesh(double detail) {
   return mesh;
 }
 
-Mesh segmented_mesh(double detail) {
+Mesh segmented_mesh(double detail, const Progress& progress) {
   const ImplicitFunction tumour =
       blended({ball({0, 0, 0}, 0.5), ball({0.3, 0.42, 0.25}, 0.34), ball({-0.3, 0.1, 0.45}, 0.32),
                ball({0.1, -0.45, -0.2}, 0.34), ball({-0.1, 0.3, -0.45}, 0.28),
@@ -135,6 +136,7 @@ Mesh segmented_mesh(double detail) {
   const int reach = static_cast<int>(std::ceil(1.3 / voxel));
   VoxelFaces faces(tumour, voxel);
   for (int x = -reach; x < reach; ++x) {
+    progress.report(static_cast<double>(x + reach) / (2 * reach));
     for (int y = -reach; y < reach; ++y) {
       for (int z = -reach; z < reach; ++z) faces.add({x, y, z});
     }

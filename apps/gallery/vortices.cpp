@@ -6,10 +6,12 @@
 namespace brindle {
 namespace {
 
-std::vector<GalleryFile> make_vortices(double detail) {
-  const Mesh pebble = vortex_pebble(detail);
+std::vector<GalleryFile> make_vortices(double detail, const Progress& progress) {
+  const Mesh pebble = vortex_pebble(detail, progress.part(0, 0.5));
+  const Progress steps_made = progress.part(0.5, 1);
   std::vector<GalleryFile> steps;
   for (int number = 0; number < kVortexSteps; ++number) {
+    steps_made.report(static_cast<double>(number) / kVortexSteps);
     steps.push_back(vortex_step(number, pebble));
   }
   return steps;

@@ -1,5 +1,6 @@
 #include "gallery/gallery.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -11,7 +12,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
+#include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "gallery/aneurysm.h"
 #include "gallery/charges.h"
@@ -45,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Gallery, EveryItem, testing::Range<std::size_t>(0, gall
 
 TEST_P(EveryItem, HasMeshesWithWholeArraysAndTheFilesThatItsPicturesName) {
   std::set<std::string> names;
-  for (const GalleryFile& file : item.make(0.25)) {
+  for (const GalleryFile& file : item.make(0.25, {})) {
     EXPECT_TRUE(names.insert(file.name).second) << file.name;
     if (!file.text.empty()) continue;
     Mesh mesh = file.mesh;
@@ -62,6 +65,22 @@ TEST_P(EveryItem, HasMeshesWithWholeArraysAndTheFilesThatItsPicturesName) {
       EXPECT_TRUE(names.contains(name)) << name;
     }
   }
+}
+
+TEST_P(EveryItem, TellsHowFarItsDataAreAndStopsWhenItIsTold) {
+  std::vector<double> fractions;
+  item.make(0.25, Progress([&](const ProgressReport& report) {
+              fractions.push_back(report.fraction);
+              return true;
+            }));
+  ASSERT_GT(fractions.size(), 8U);
+  EXPECT_TRUE(std::ranges::is_sorted(fractions));
+  EXPECT_GE(fractions.front(), 0);
+  EXPECT_LE(fractions.back(), 1);
+  std::size_t heard = 0;
+  const Progress half([&](const ProgressReport&) { return ++heard < fractions.size() / 2; });
+  EXPECT_THROW(item.make(0.25, half), Cancelled);
+  EXPECT_EQ(heard, fractions.size() / 2);
 }
 
 TEST(GalleryPicture, TakesWhatUsersHaveInstead) {

@@ -197,14 +197,14 @@ std::vector<UsedFile> inputs_of_gallery(const GalleryArguments& arguments) {
 }
 
 std::vector<fs::path> write_data(const std::string& folder, const GalleryItem& item,
-                                 const GalleryArguments& arguments) {
+                                 const GalleryArguments& arguments, const Progress& progress) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
     throw Error("cannot make the folder '" + shown(folder) + "': " + error.message() +
                 "; name one that can be written to");
   }
-  const std::vector<GalleryFile> files = item.make(arguments.detail);
+  const std::vector<GalleryFile> files = item.make(arguments.detail, progress.part(0, 0.8));
   std::vector<fs::path> paths;
   std::vector<UsedFile> outputs;
   if (!arguments.output.empty()) outputs.push_back({"--output", arguments.output});
@@ -213,7 +213,7 @@ std::vector<fs::path> write_data(const std::string& folder, const GalleryItem& i
     outputs.push_back({"--data", paths.back()});
   }
   check_files(inputs_of_gallery(arguments), outputs);
-  write_gallery_files(folder, files);
+  write_gallery_files(folder, files, progress.part(0.8, 1));
   return paths;
 }
 
@@ -239,7 +239,7 @@ void run_gallery(const CLI::App& command, const GalleryArguments& arguments) {
   {
     ProgressDisplay display(arguments.quiet);
     display.stage("data of " + item.name);
-    paths = write_data(folder, item, arguments);
+    paths = write_data(folder, item, arguments, display.progress());
   }
   if (!arguments.output.empty()) {
     std::vector<std::string> words = words_of(picture, arguments, folder, arguments.output);

@@ -67,7 +67,7 @@ fs::path provide_gallery_data(const GalleryItem& item, const fs::path& folder) {
                 "; set XDG_CACHE_HOME to one that can be written to");
   }
   try {
-    write_gallery_files(unfinished.string(), item.make(1));
+    write_gallery_files(unfinished.string(), item.make(1, {}));
     fs::rename(unfinished, data);
   } catch (const std::exception& failure) {
     fs::remove_all(unfinished, error);
