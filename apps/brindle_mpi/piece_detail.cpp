@@ -44,26 +44,16 @@ FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
 
 }  // namespace
 
-void see_piece_at_detail(Communicator& ranks, const DistributedSurface& surface,
-                         const ReadPiece& read, const WaveOptions& options,
-                         const FrequencyField& frequencies, PieceField& field,
-                         WavesAndCrossing& made, const Progress& progress) {
-  if (options.detail.periods == 0) return;
-  const FieldWeight weight = piece_weight(ranks, surface, read, options.detail, field);
+MeasuredField piece_measured(Communicator& ranks, const DistributedSurface& surface,
+                             const ReadPiece& read, const WaveOptions& options,
+                             const PieceField& field) {
   MeasuredField measured;
+  if (options.detail.periods == 0) return measured;
+  const FieldWeight weight = piece_weight(ranks, surface, read, options.detail, field);
   together_as_used(ranks, [&] {
     refuse_usage([&] { measured = measured_field(field.data, field.directions, weight); });
   });
-  if (!ranks.any(has_data(measured))) return;  // figures of the waves say why
-  const FrequencyField places =
-      places_of_waves(frequencies, [&](Index v) { return field.arrays->is_near(v); });
-  DistributedDetail seen =
-      detailed_field(surface, measured, places,
-                     detail_options(options.detail, symmetry_of(options)), {}, progress);
-  field.directions = std::move(seen.field.directions);
-  made.agreement = std::move(seen.field.agreement);
-  made.detail = seen.figures;
-  field.missing.unfilled = unfilled_alone(*made.detail, field.missing);
+  return measured;
 }
 
 }  // namespace brindle::tool

@@ -1,21 +1,19 @@
-/// Measured fields and frequencies of pieces at the scale of their stripes.
+/// Measured fields of pieces.
 #pragma once
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
-#include "input/make_waves.h"
+#include "brindle/measured_field.h"
 #include "input/wave_options.h"
 #include "mesh_pieces.h"
 #include "piece_fields.h"
 
 namespace brindle::tool {
 
-/// Collective. What `make_waves` makes of the whole's field, which was not turned: `frequencies`
-/// are NaN where there is no wave. Fills `made.detail` and `made.agreement`. Throws
+/// Collective. The data of a field with what they count by; nothing without --field-detail. Throws
 /// CLI::ValidationError on all ranks for weights that cannot be, and what the library throws.
-void see_piece_at_detail(Communicator& ranks, const DistributedSurface& surface,
-                         const ReadPiece& read, const WaveOptions& options,
-                         const FrequencyField& frequencies, PieceField& field,
-                         WavesAndCrossing& made, const Progress& progress);
+MeasuredField piece_measured(Communicator& ranks, const DistributedSurface& surface,
+                             const ReadPiece& read, const WaveOptions& options,
+                             const PieceField& field);
 
 }  // namespace brindle::tool

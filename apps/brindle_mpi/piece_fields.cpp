@@ -252,19 +252,4 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
   return field;
 }
 
-std::size_t drop_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                             DirectionField& directions, FrequencyField& frequencies) {
-  std::size_t dropped = 0;
-  for (std::size_t v = 0; v < frequencies.size(); ++v) {
-    dropped += surface.is_own()[v] != 0 && std::isnan(frequencies[v]) && !directions[v].isZero(0);
-  }
-  FrequencySum all;
-  for (const FrequencySum& of_rank : ranks.all(sum_of(frequencies, surface.is_own()))) {
-    all.sum += of_rank.sum;
-    all.count += of_rank.count;
-  }
-  drop_waves_without_frequency(directions, frequencies, all.mean());
-  return ranks.sum(dropped);
-}
-
 }  // namespace brindle::tool

@@ -35,9 +35,4 @@ struct PieceWaveOptions {
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
                             const ReadPiece& read, const PieceWaveOptions& wanted);
 
-/// Collective. Takes the wave from every vertex without a frequency on all ranks, gives it the mean
-/// of the others, and returns how many waves were taken.
-std::size_t drop_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                             DirectionField& directions, FrequencyField& frequencies);
-
 }  // namespace brindle::tool

@@ -81,16 +81,12 @@ FrequencyField chosen_frequencies(Communicator& ranks, const DistributedSurface&
 }  // namespace
 
 void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& surface,
-                              const ReadPiece& read, const WaveOptions& options, PieceField& field,
-                              WavesAndCrossing& made, const Progress& progress) {
+                              const ReadPiece& read, const WaveOptions& options,
+                              PieceField& field) {
   const bool field_says = ranks.any(!field.frequencies.empty());
   field.frequencies = chosen_frequencies(ranks, surface, read, options, field);
   if (options.detail.frequency_periods == 0) return;
   if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
-  DetailedFrequencies seen = detailed_frequencies(
-      surface, field.frequencies, frequency_detail_options(options.detail), progress);
-  field.frequencies = std::move(seen.frequencies);
-  made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
 }
 
 }  // namespace brindle::tool

@@ -12,9 +12,8 @@
 namespace brindle::tool {
 
 /// Collective. Gives a field the frequencies that the options ask for, NaN where there are none, as
-/// `make_waves` does; fills `made.frequency_detail`.
+/// `make_waves` does.
 void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& surface,
-                              const ReadPiece& read, const WaveOptions& options, PieceField& field,
-                              WavesAndCrossing& made, const Progress& progress);
+                              const ReadPiece& read, const WaveOptions& options, PieceField& field);
 
 }  // namespace brindle::tool

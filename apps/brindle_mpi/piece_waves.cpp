@@ -1,14 +1,16 @@
 #include "piece_waves.h"
 
-#include <numbers>
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed_pattern.h"
+#include "brindle/recipe/waves_of.h"
+#include "input/make_waves.h"
 #include "piece_detail.h"
 #include "piece_fields.h"
 #include "piece_frequencies.h"
 #include "piece_slack.h"
+#include "piece_surface.h"
 
 namespace brindle::tool {
 
@@ -36,23 +38,20 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   PieceWaves made;
   PieceField field = make_piece_field(ranks, surface, read, wanted);
   field.missing.too_far = field.arrays->drop_too_far(field.directions);
-  WavesAndCrossing seen;
-  choose_piece_frequencies(ranks, surface, read, options, field, seen, listener.progress());
-  const FrequencyField with_gaps = field.frequencies;
-  if (ranks.any(field.may_have_gaps) || says_frequencies(options)) {
-    field.missing.without_frequency =
-        drop_piece_waves(ranks, surface, field.directions, field.frequencies);
-  }
-  see_piece_at_detail(ranks, surface, read, options, with_gaps, field, seen, listener.progress());
-  if (const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180; turn != 0) {
-    field.directions = rotated(field.directions, surface.normals(), turn);
-  }
+  MeasuredField measured = piece_measured(ranks, surface, read, options, field);
+  choose_piece_frequencies(ranks, surface, read, options, field);
+  FoundWaves found{std::move(field.directions), std::move(field.frequencies)};
+  found.may_have_gaps = field.may_have_gaps || says_frequencies(options);
+  found.is_near = [&](Index v) { return field.arrays->is_near(v); };
+  found.missing = field.missing;
+  found.measured = std::move(measured);
+  MadeWaves seen = waves_of(PieceSurface(ranks, surface, read), wave_wishes(options),
+                            std::move(found), listener.progress());
   listener.note(field.notes);
-  made.waves = {read.piece.mesh.positions, std::move(field.directions),
-                std::move(field.frequencies)};
+  made.waves = std::move(seen.waves);
   made.field_rows_nonfinite = field.rows_nonfinite;
   made.agreement = std::move(seen.agreement);
-  made.figures = {measure_waves(surface, made.waves), field.missing};
+  made.figures = {measure_waves(surface, made.waves), seen.missing};
   made.figures.measured = is_measured(options);
   made.figures.detail = seen.detail;
   made.figures.frequency_detail = seen.frequency_detail;

@@ -91,9 +91,9 @@ struct FieldOrigin {
 /// One of `stripes` and `frequency`, a number or one per vertex where not finite means no wave, is
 /// given. Where `phases`, if there are any, are 0, there is no wave. Throws Error, as the tool
 /// does, if there is no wave at all.
-WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle stripes,
-                 py::handle frequency, const FieldOrigin& origin,
-                 std::span<const Complex> phases = {});
+WavesIn waves_of_arrays(const SurfaceData& surface, py::handle directions, py::handle stripes,
+                        py::handle frequency, const FieldOrigin& origin,
+                        std::span<const Complex> phases = {});
 
 /// The direction of a vector of any length; unit tangent vectors stay as they are.
 Vec3 direction_of(const Vec3& vector, const Vec3& normal);

@@ -69,7 +69,7 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
                        py::handle frequency, const FieldOrigin& origin, const Solving& solving,
                        const StripesPointer& previous, const std::string& match,
                        const py::object& progress) {
-  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     auto made = std::make_shared<StripesData>();
     StripeOptions options = solving.stripes;
@@ -103,7 +103,7 @@ StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle pha
                                    py::handle directions, py::handle count, py::handle frequency,
                                    const FieldOrigin& origin, const Solving& solving) {
   std::vector<Complex> z = phases_of(phases, "phases");
-  WavesIn in = waves_of(*surface, directions, count, frequency, origin, z);
+  WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin, z);
   StripeOptions options = solving.stripes;
   options.solve = [&](const PhaseGraph& graph, const SolverOptions&, const Progress&,
                       const SolverData&) {

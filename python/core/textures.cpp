@@ -50,7 +50,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
                        bool oriented, const FieldOrigin& origin, const Solving& solving,
                        const py::object& progress) {
   if (surface->is_points()) throw Error("points have no triangles to lay a texture on");
-  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   TextureOptions options{
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField()), oriented,
       solving.stripes};
@@ -96,7 +96,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
                        py::handle frequency, const FieldOrigin& origin, const Solving& solving,
                        const py::object& progress) {
   if (surface->is_points()) throw Error("points have no triangles to lay crosses on");
-  WavesIn in = waves_of(*surface, directions, count, frequency, origin);
+  WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     const StripeOptions& options = solving.stripes;
     CrossPattern cross = cross_pattern(surface->surface, in.waves, options, reports);

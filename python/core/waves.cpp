@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
+#include "brindle/recipe/waves_of.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -62,56 +62,47 @@ float number_of(const Table& table) { return numbers_of(table.view, "a number").
 void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepared) {
   prepared.turn_deg = origin.turn_deg;
   if (origin.rows_nonfinite) prepared.field_rows_nonfinite = origin.rows_nonfinite;
-  if (origin.tensor) {
-    prepared.figures.missing.tensor =
-        brindle::MissingTensorWaves{origin.tensor->first, origin.tensor->second};
-  }
   saying_in_pythons_words([&] { brindle::check_wave_report(prepared.figures, origin.source); });
 }
 
-FrequencyField frequencies_per_vertex(const Surface& surface, const Table& table,
-                                      const FieldOrigin& origin, DirectionField& directions,
-                                      brindle::PreparationFigures& prepared,
-                                      FrequencyField& with_gaps) {
-  const DataArray array = data_array_of("frequency", table.array);
-  check_rows(table, directions.size(), "frequency");
-  FrequencyField frequencies = frequencies_of(array, directions);
-  if (origin.frequency_detail.periods > 0) {
-    const DetailedFrequencies seen = seen_frequencies(surface, std::move(frequencies), origin);
-    frequencies = seen.frequencies;
-    prepared.figures.frequency_detail =
-        brindle::FrequencyDetailReport{seen.changed_median, seen.filled};
-  }
-  with_gaps = frequencies;
-  prepared.figures.missing.without_frequency =
-      drop_waves_without_frequency(directions, frequencies);
-  return frequencies;
-}
-
-/// The field at the scale of its stripes, turned by what the origin says. `with_gaps` are not
-/// finite where there can be no wave.
-void see_at_detail(const Surface& surface, const FieldOrigin& origin,
-                   const FrequencyField& with_gaps, WavesIn& in) {
+/// The data of a field that is to be seen at the scale of its stripes.
+MeasuredField measured_of(const Surface& surface, const FieldOrigin& origin,
+                          const DirectionField& directions) {
   brindle::FieldWeight weight = origin.weight;
   if (origin.data.of_triangles && weight.values.size() == surface.mesh.vertex_count()) {
     weight.values = brindle::corner_means(surface.mesh, weight.values);
   }
-  const MeasuredField measured = brindle::measured_field(origin.data, in.waves.directions, weight);
-  if (!brindle::has_data(measured)) return;  // figures of the waves say why
-  const FrequencyField frequencies =
-      brindle::places_of_waves(with_gaps, [](Index) { return true; });
-  const auto seen = until_interrupted([&](const Progress& progress) {
-    FieldDetail detail(surface, origin.detail, progress.part(0, 0.5));
-    DetailedField field = detail.frame(measured, frequencies, {}, progress.part(0.5, 1));
-    return std::make_pair(std::move(field), detail.figures());
-  });
-  const float turn = origin.turn_deg * std::numbers::pi_v<float> / 180;
-  in.waves.directions = seen.first.directions;
-  if (turn != 0) in.waves.directions = rotated(in.waves.directions, surface.normals, turn);
-  in.prepared.agreement = seen.first.agreement;
-  in.prepared.figures.detail = seen.second;
-  brindle::MissingWaves& missing = in.prepared.figures.missing;
-  missing.unfilled = brindle::unfilled_alone(seen.second, missing);
+  return brindle::measured_field(origin.data, directions, weight);
+}
+
+/// A number, or a row per vertex, which may have gaps.
+void find_frequencies(const Surface& surface, py::handle stripes, py::handle frequency,
+                      brindle::FoundWaves& found) {
+  const std::size_t count = surface.mesh.vertex_count();
+  if (frequency.is_none()) {
+    const Table table = table_of(stripes, "stripes");
+    if (!table.is_number) throw Error("stripes: expected one number; frequency may be an array");
+    found.frequencies = constant_frequency_field(
+        frequency_of_stripes(number_of(table), bounding_box(surface.mesh).diagonal()), count);
+    return;
+  }
+  const Table table = table_of(frequency, "frequency");
+  if (table.is_number) {
+    found.frequencies = constant_frequency_field(number_of(table), count);
+    return;
+  }
+  const DataArray array = data_array_of("frequency", table.array);
+  check_rows(table, count, "frequency");
+  found.frequencies = frequencies_of(array, found.directions);
+  found.may_have_gaps = true;
+}
+
+/// The detail of frequencies is for arrays alone; a field that was not seen at detail is turned.
+brindle::WaveWishes wishes_of(const FieldOrigin& origin, bool array_of_frequencies) {
+  brindle::WaveWishes wishes{0, origin.detail, origin.frequency_detail};
+  if (origin.detail.periods > 0) wishes.turn_deg = origin.turn_deg;
+  if (!array_of_frequencies) wishes.frequency_detail.periods = 0;
+  return wishes;
 }
 
 }  // namespace
@@ -128,35 +119,36 @@ DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField freq
   });
 }
 
-WavesIn waves_of(const SurfaceData& surface, py::handle directions, py::handle stripes,
-                 py::handle frequency, const FieldOrigin& origin, std::span<const Complex> phases) {
+WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::handle stripes,
+                        py::handle frequency, const FieldOrigin& origin,
+                        std::span<const Complex> phases) {
   Stopwatch watch;
+  const Surface& surface = data.surface;
   WavesIn in;
-  in.prepared.vertices_joined = surface.vertices_joined;
-  in.prepared.load_milliseconds = surface.load_milliseconds;
-  in.prepared.topology_milliseconds = surface.topology_milliseconds;
-  const Mesh& mesh = surface.surface.mesh;
-  in.waves.directions = directions_of(surface, directions, in.prepared);
-  in.waves.positions = mesh.positions;
-  if (!phases.empty()) drop_waves_without_phase(phases, in.waves.directions);
-  FrequencyField with_gaps;  // not finite where there can be no wave
-  if (!frequency.is_none()) {
-    const Table table = table_of(frequency, "frequency");
-    in.waves.frequencies =
-        table.is_number ? constant_frequency_field(number_of(table), mesh.vertex_count())
-                        : frequencies_per_vertex(surface.surface, table, origin,
-                                                 in.waves.directions, in.prepared, with_gaps);
-  } else {
-    const Table table = table_of(stripes, "stripes");
-    if (!table.is_number) throw Error("stripes: expected one number; frequency may be an array");
-    in.waves.frequencies = constant_frequency_field(
-        frequency_of_stripes(number_of(table), bounding_box(mesh).diagonal()), mesh.vertex_count());
+  in.prepared.vertices_joined = data.vertices_joined;
+  in.prepared.load_milliseconds = data.load_milliseconds;
+  in.prepared.topology_milliseconds = data.topology_milliseconds;
+  brindle::FoundWaves found;
+  found.directions = directions_of(data, directions, in.prepared);
+  if (!phases.empty()) drop_waves_without_phase(phases, found.directions);
+  find_frequencies(surface, stripes, frequency, found);
+  if (origin.tensor) {
+    found.missing.tensor = brindle::MissingTensorWaves{origin.tensor->first, origin.tensor->second};
   }
-  if (with_gaps.empty()) with_gaps = in.waves.frequencies;
-  if (origin.detail.periods > 0) {
-    saying_in_pythons_words([&] { see_at_detail(surface.surface, origin, with_gaps, in); });
-  }
-  static_cast<WaveFigures&>(in.prepared.figures) = measure_waves(surface.surface, in.waves);
+  const brindle::WaveWishes wishes = wishes_of(origin, found.may_have_gaps);
+  brindle::MadeWaves made;
+  saying_in_pythons_words([&] {
+    if (wishes.detail.periods > 0) found.measured = measured_of(surface, origin, found.directions);
+    made = until_interrupted([&](const Progress& progress) {
+      return brindle::waves_of(brindle::WholeSurface(surface), wishes, std::move(found), progress);
+    });
+  });
+  in.waves = std::move(made.waves);
+  in.prepared.agreement = std::move(made.agreement);
+  static_cast<WaveFigures&>(in.prepared.figures) = measure_waves(surface, in.waves);
+  in.prepared.figures.missing = made.missing;
+  in.prepared.figures.detail = made.detail;
+  in.prepared.figures.frequency_detail = made.frequency_detail;
   in.prepared.figures.measured = origin.measured;
   tell_origin(origin, in.prepared);
   in.prepared.field_milliseconds = origin.milliseconds + watch.lap();

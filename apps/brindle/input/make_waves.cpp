@@ -1,7 +1,6 @@
 #include "input/make_waves.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "brindle/array_field.h"
@@ -182,21 +181,10 @@ std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const W
   return constant;
 }
 
-void see_frequencies_at_detail(const Surface& surface, const WaveOptions& options, Field& field,
-                               WavesAndCrossing& made, const Progress& progress) {
-  const FrequencyDetailOptions wanted = frequency_detail_options(options.detail);
-  DetailedFrequencies seen = detailed_frequencies(surface, field.frequencies, wanted, progress);
-  field.frequencies = std::move(seen.frequencies);
-  made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
-  if (field.frequencies_v.empty()) return;
-  field.frequencies_v =
-      detailed_frequencies(surface, field.frequencies_v, wanted, progress).frequencies;
-}
-
 /// The frequencies of all waves, NaN where there is none. Throws CLI::ValidationError for
 /// --frequency-detail if there is one for all vertices.
 void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
-                        Field& field, WavesAndCrossing& made, const Progress& progress) {
+                        Field& field) {
   const bool field_says = !field.frequencies.empty();
   if (auto chosen = chosen_frequencies(surface, options, data, *field.arrays, field)) {
     field.frequencies = std::move(*chosen);
@@ -207,21 +195,20 @@ void choose_frequencies(const Surface& surface, const WaveOptions& options, cons
   }
   if (options.detail.frequency_periods == 0) return;
   if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
-  see_frequencies_at_detail(surface, options, field, made, progress);
 }
 
-void see_at_detail(const Surface& surface, const WaveOptions& options,
-                   const FrequencyField& frequencies, Field& field, WavesAndCrossing& made,
-                   const Progress& progress) {
-  FieldDetail detail(surface, detail_options(options.detail, symmetry_of(options)),
-                     progress.part(0, 0.5));
-  DetailedField seen =
-      detail.frame(field.measured, frequencies, {field.last, {}}, progress.part(0.5, 1));
-  field.directions = std::move(seen.directions);
-  if (options.detail.memory > 0) made.seen_field = field.directions;
-  made.agreement = std::move(seen.agreement);
-  made.detail = detail.figures();
-  field.missing.unfilled = unfilled_alone(*made.detail, field.missing);
+/// Those of crossing stripes that options say, which are the same everywhere.
+void choose_crossing_frequencies(const Surface& surface, const WaveOptions& options,
+                                 FrequencyField& frequencies_v) {
+  const auto everywhere = [&](float frequency) {
+    return constant_frequency_field(options.frequency_factor * frequency,
+                                    surface.mesh.vertex_count());
+  };
+  if (options.frequency_v) frequencies_v = everywhere(*options.frequency_v);
+  if (options.stripes_v) {
+    frequencies_v =
+        everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
+  }
 }
 
 }  // namespace
@@ -245,42 +232,31 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
   return field;
 }
 
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data) {
+WaveWishes wave_wishes(const WaveOptions& options) {
+  return {turn_deg(options), detail_options(options.detail, symmetry_of(options)),
+          frequency_detail_options(options.detail)};
+}
+
+WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data) {
   return make_waves(surface, options, data, make_base_field(surface, options, data));
 }
 
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data, BaseField field, const Progress& progress) {
+WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,
+                        BaseField field, const Progress& progress) {
   const ArraySource& arrays = *field.arrays;
   field.missing.too_far = arrays.drop_too_far(field.directions);
-  WavesAndCrossing made;
-  choose_frequencies(surface, options, data, field, made, progress.part(0, 0.3));
-  const FrequencyField places =
-      places_of_waves(field.frequencies, [&](Index v) { return arrays.is_near(v); });
-  if (field.may_have_gaps || says_frequencies(options)) {
-    field.missing.without_frequency =
-        drop_waves_without_frequency(field.directions, field.frequencies);
-  }
-  const auto everywhere = [&](float frequency) {
-    return constant_frequency_field(options.frequency_factor * frequency,
-                                    surface.mesh.vertex_count());
-  };
-  if (options.frequency_v) field.frequencies_v = everywhere(*options.frequency_v);
-  if (options.stripes_v) {
-    field.frequencies_v =
-        everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
-  }
-  // Of a field without any direction, the waves' figures say why.
-  if (options.detail.periods > 0 && has_data(field.measured)) {
-    see_at_detail(surface, options, places, field, made, progress.part(0.3, 1));
-  }
-  const float turn = turn_deg(options) * std::numbers::pi_v<float> / 180;
-  if (turn != 0) field.directions = rotated(field.directions, surface.normals, turn);
-  made.waves = {surface.mesh.positions, std::move(field.directions), std::move(field.frequencies)};
-  made.frequencies_v = std::move(field.frequencies_v);
+  choose_frequencies(surface, options, data, field);
+  FoundWaves found{std::move(field.directions), std::move(field.frequencies),
+                   std::move(field.frequencies_v)};
+  found.may_have_gaps = field.may_have_gaps || says_frequencies(options);
+  found.is_near = [&](Index v) { return arrays.is_near(v); };
+  found.measured = std::move(field.measured);
+  found.last = std::move(field.last);
+  found.missing = field.missing;
+  WavesOfField made{
+      waves_of(WholeSurface(surface), wave_wishes(options), std::move(found), progress)};
+  choose_crossing_frequencies(surface, options, made.frequencies_v);
   made.field_rows_nonfinite = field.rows_nonfinite;
-  made.missing = field.missing;
   made.notes = field.notes;
   made.field_step = field.step;
   return made;

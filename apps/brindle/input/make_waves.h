@@ -14,6 +14,7 @@
 #include "brindle/phase_graph.h"
 #include "brindle/progress.h"
 #include "brindle/recipe/wave_report.h"
+#include "brindle/recipe/waves_of.h"
 #include "brindle/surface.h"
 #include "input/array_source.h"
 #include "input/viewpoint.h"
@@ -30,18 +31,11 @@ struct FileData {
   const Viewpoint* viewpoint = nullptr;  ///< of pictures; null: there are none
 };
 
-/// Waves without phases, and the frequencies of those that cross them.
-struct WavesAndCrossing {
-  WaveSet waves;                                    ///< one wave per vertex
-  FrequencyField frequencies_v;                     ///< one per vertex; empty: those of `waves`
+/// Waves without phases, and what is said of their field.
+struct WavesOfField : MadeWaves {
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
-  MissingWaves missing;
-  std::string notes;                    ///< lines for the user
+  std::string notes;                                ///< lines for the user
   std::optional<FieldStep> field_step;  ///< of a smooth field that went on from a last one
-  std::optional<FieldDetailFigures> detail = {};  ///< of a field at the scale of its stripes
-  std::optional<FrequencyDetailReport> frequency_detail = {};  ///< of frequencies at that scale
-  std::vector<float> agreement = {};  ///< of its data: one per vertex; empty without detail
-  DirectionField seen_field = {};     ///< before it was turned, for the next step's --field-memory
 };
 
 /// A direction field before it is turned and gets the frequencies that options ask for.
@@ -60,7 +54,7 @@ struct BaseField : FoundField {
   FieldData data = {};                 ///< what it was made of, if it was measured
   MeasuredField measured = {};         ///< the same, weighted; empty if it was not
   DirectionField last = {};            ///< of the step before, if it counts beside the data
-  std::optional<FieldStep> step = {};  ///< as WavesAndCrossing has it
+  std::optional<FieldStep> step = {};  ///< as WavesOfField has it
   /// Of the surface's file or another one; refers to the surface and the data.
   std::shared_ptr<const ArraySource> arrays = {};
 };
@@ -77,13 +71,15 @@ struct LastDirections {
 BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
                           const LastDirections& last = {}, const Progress& progress = {});
 
+/// What options ask of waves, whatever their field is.
+WaveWishes wave_wishes(const WaveOptions& options);
+
 /// The second half.
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data, BaseField field, const Progress& progress = {});
+WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,
+                        BaseField field, const Progress& progress = {});
 
 /// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor if the
 /// field turns out to be no tensor.
-WavesAndCrossing make_waves(const Surface& surface, const WaveOptions& options,
-                            const FileData& data);
+WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data);
 
 }  // namespace brindle::tool

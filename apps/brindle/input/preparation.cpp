@@ -149,7 +149,7 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
                             const WaveOptions& waves, BaseField field, JobListener& listener,
                             const std::optional<Viewpoint>& viewpoint) {
   Stopwatch watch;
-  WavesAndCrossing made = make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint),
+  WavesOfField made = make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint),
                                      std::move(field), listener.progress().part(kFieldShare, 1));
   listener.note(made.notes);
   PreparedWaves result;

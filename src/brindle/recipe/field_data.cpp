@@ -117,15 +117,6 @@ DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north, const Glo
   return make_data_array(east_north.name, 3, vectors);
 }
 
-FrequencyField places_of_waves(const FrequencyField& with_gaps,
-                               const std::function<bool(Index)>& is_near) {
-  FrequencyField frequencies = with_gaps;
-  for (Index v = 0; v < frequencies.size(); ++v) {
-    if (!std::isfinite(frequencies[v]) || !is_near(v)) frequencies[v] = 0;
-  }
-  return frequencies;
-}
-
 void keep_gaps(const FrequencyField& of_file, FrequencyField& frequencies) {
   for (std::size_t v = 0; v < of_file.size(); ++v) {
     if (!std::isfinite(of_file[v])) frequencies[v] = of_file[v];

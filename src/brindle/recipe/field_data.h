@@ -1,7 +1,6 @@
 /// What a measured field was made of, and how much every datum counts.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -49,11 +48,6 @@ GlobeRadii globe_radii(const Mesh& mesh);
 
 /// The same of a part of a mesh whose vertices are so far from the origin.
 DataArray globe_vectors(const Mesh& part, const DataArray& east_north, const GlobeRadii& of_whole);
-
-/// Frequencies that waves have, and 0 where there can be none: where there is no frequency, and
-/// where the field is too far away.
-FrequencyField places_of_waves(const FrequencyField& with_gaps,
-                               const std::function<bool(Index)>& is_near);
 
 /// Gives `frequencies` the gaps of others: where a field's file has no frequency it has no wave,
 /// whatever the frequency of the others is. `of_file` may be empty.

@@ -1,0 +1,91 @@
+#include "brindle/recipe/waves_of.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "brindle/array_field.h"
+#include "brindle/direction_field.h"
+#include "brindle/recipe/field_data.h"
+
+namespace brindle {
+namespace {
+
+/// Frequencies that waves have, and 0 where there can be none.
+FrequencyField places_of_waves(const FoundWaves& found) {
+  FrequencyField places = found.frequencies;
+  for (Index v = 0; v < places.size(); ++v) {
+    if (!std::isfinite(places[v]) || (found.is_near && !found.is_near(v))) places[v] = 0;
+  }
+  return places;
+}
+
+void see_frequencies(const WaveSurface& surface, const FrequencyDetailOptions& options,
+                     FoundWaves& found, MadeWaves& made, const Progress& progress) {
+  DetailedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
+  found.frequencies = std::move(seen.frequencies);
+  made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
+  if (found.frequencies_v.empty()) return;
+  found.frequencies_v =
+      surface.frequencies_at_detail(found.frequencies_v, options, progress).frequencies;
+}
+
+void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
+               const FrequencyField& places, FoundWaves& found, MadeWaves& made,
+               const Progress& progress) {
+  auto [field, figures] =
+      surface.field_at_detail(found.measured, places, found.last, options, progress);
+  found.directions = std::move(field.directions);
+  if (options.memory > 0) made.seen_field = found.directions;
+  made.agreement = std::move(field.agreement);
+  made.detail = figures;
+  found.missing.unfilled = unfilled_alone(figures, found.missing);
+}
+
+}  // namespace
+
+std::size_t WholeSurface::drop_waves(DirectionField& directions,
+                                     FrequencyField& frequencies) const {
+  return drop_waves_without_frequency(directions, frequencies);
+}
+
+DetailedFrequencies WholeSurface::frequencies_at_detail(std::span<const float> frequencies,
+                                                        const FrequencyDetailOptions& options,
+                                                        const Progress& progress) const {
+  return detailed_frequencies(surface_, frequencies, options, progress);
+}
+
+std::pair<DetailedField, FieldDetailFigures> WholeSurface::field_at_detail(
+    const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
+    const FieldDetailOptions& options, const Progress& progress) const {
+  FieldDetail detail(surface_, options, progress.part(0, 0.5));
+  DetailedField field = detail.frame(measured, places, {last, {}}, progress.part(0.5, 1));
+  return {std::move(field), detail.figures()};
+}
+
+MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWaves found,
+                   const Progress& progress) {
+  constexpr double kFrequencies = 0.3;  // of the time
+  MadeWaves made;
+  if (wishes.frequency_detail.periods > 0) {
+    see_frequencies(surface, wishes.frequency_detail, found, made, progress.part(0, kFrequencies));
+  }
+  const FrequencyField places = places_of_waves(found);
+  if (surface.any(found.may_have_gaps)) {
+    found.missing.without_frequency = surface.drop_waves(found.directions, found.frequencies);
+  }
+  // Of a field without any direction, the waves' figures say why.
+  if (wishes.detail.periods > 0 && surface.any(has_data(found.measured))) {
+    see_field(surface, wishes.detail, places, found, made, progress.part(kFrequencies, 1));
+  }
+  if (wishes.turn_deg != 0) {
+    const float turn = wishes.turn_deg * std::numbers::pi_v<float> / 180;
+    found.directions = rotated(found.directions, surface.normals(), turn);
+  }
+  made.waves = {surface.positions(), std::move(found.directions), std::move(found.frequencies)};
+  made.frequencies_v = std::move(found.frequencies_v);
+  made.missing = found.missing;
+  return made;
+}
+
+}  // namespace brindle

@@ -1,0 +1,99 @@
+/// From a field and frequencies, as they were found, to waves: the same steps in the same order for
+/// every door.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "brindle/frequency_field.h"
+#include "brindle/measured_field.h"
+#include "brindle/phase_graph.h"
+#include "brindle/progress.h"
+#include "brindle/recipe/wave_report.h"
+#include "brindle/surface.h"
+
+namespace brindle {
+
+/// What is asked of them.
+struct WaveWishes {
+  float turn_deg = 0;                                        ///< of waves against their field
+  FieldDetailOptions detail = {.periods = 0};                ///< periods 0: the field as it is
+  FrequencyDetailOptions frequency_detail = {.periods = 0};  ///< periods 0: as they are
+};
+
+/// What was found: a row per vertex.
+struct FoundWaves {
+  DirectionField directions;          ///< unit tangent vectors before they are turned; 0: no wave
+  FrequencyField frequencies;         ///< stripes per unit length; not finite in gaps
+  FrequencyField frequencies_v = {};  ///< of crossing stripes; empty: the same
+  bool may_have_gaps = false;         ///< a vertex without a frequency then has no wave
+  /// Whether a vertex is near enough to what the field was taken from; empty: all are.
+  std::function<bool(Index)> is_near = {};
+  MeasuredField measured = {};  ///< what the field was made of, if it is to be seen at detail
+  DirectionField last = {};     ///< of the step before, which counts beside the data; or empty
+  MissingWaves missing = {};    ///< reasons that are known so far
+};
+
+/// Waves without phases.
+struct MadeWaves {
+  WaveSet waves;                 ///< one wave per vertex
+  FrequencyField frequencies_v;  ///< as FoundWaves has them
+  MissingWaves missing;
+  std::optional<FieldDetailFigures> detail = {};  ///< of a field seen at detail
+  std::optional<FrequencyDetailReport> frequency_detail = {};
+  std::vector<float> agreement = {};  ///< of its data: one per vertex; empty without detail
+  DirectionField seen_field = {};     ///< at detail, before it was turned; empty without a memory
+};
+
+/// The surface that waves are on: of one process, or a piece of one that many processes share,
+/// whose functions are collective then.
+class WaveSurface {
+ public:
+  virtual ~WaveSurface() = default;
+  virtual std::vector<Vec3> positions() const = 0;
+  virtual std::span<const Vec3> normals() const = 0;
+  /// Whether it is so on any process.
+  virtual bool any(bool here) const = 0;
+  /// As `drop_waves_without_frequency` of array_field.h, for the whole surface.
+  virtual std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const = 0;
+  /// As `detailed_frequencies` of measured_field.h.
+  virtual DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
+                                                    const FrequencyDetailOptions& options,
+                                                    const Progress& progress) const = 0;
+  /// A frame of a `FieldDetail`; `places` are frequencies, and 0 where there is no wave.
+  virtual std::pair<DetailedField, FieldDetailFigures> field_at_detail(
+      const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
+      const FieldDetailOptions& options, const Progress& progress) const = 0;
+};
+
+/// Of one process.
+class WholeSurface final : public WaveSurface {
+ public:
+  /// Refers to the surface.
+  explicit WholeSurface(const Surface& surface) : surface_(surface) {}
+
+  std::vector<Vec3> positions() const override { return surface_.mesh.positions; }
+  std::span<const Vec3> normals() const override { return surface_.normals; }
+  bool any(bool here) const override { return here; }
+  std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
+  DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
+                                            const FrequencyDetailOptions& options,
+                                            const Progress& progress) const override;
+  std::pair<DetailedField, FieldDetailFigures> field_at_detail(
+      const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
+      const FieldDetailOptions& options, const Progress& progress) const override;
+
+ private:
+  const Surface& surface_;
+};
+
+/// Sees frequencies at their detail, takes waves where there is none, sees the field at its detail
+/// with those frequencies, and turns it. Throws what these throw.
+MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWaves found,
+                   const Progress& progress = {});
+
+}  // namespace brindle
