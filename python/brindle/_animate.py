@@ -117,11 +117,13 @@ class TextureAnimator:
     def frame(self, directions: "ArrayLike", frequencies: "ArrayLike",
               positions: "Optional[ArrayLike]" = None, *,
               frequencies_v: "Optional[ArrayLike]" = None,
-              normals: "Optional[ArrayLike]" = None) -> "NDArray[np.float32]":
+              normals: "Optional[ArrayLike]" = None,
+              progress: Optional[Progress] = None) -> "NDArray[np.float32]":
         """The next frame's coordinates at the corners of triangles, (m, 3, 2), as
         ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's unless U's
         are wanted, ``normals`` (n, 3) those of moved positions."""
-        return self._core.frame(directions, frequencies, positions, frequencies_v, normals)
+        return self._core.frame(directions, frequencies, positions, frequencies_v, normals,
+                                progress)
 
     @property
     def figures(self) -> dict[str, Any]:
@@ -146,7 +148,8 @@ class FieldAnimator:
                                          number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"))
 
     def frame(self, vertices: "ArrayLike" = (), directions: "Optional[ArrayLike]" = None,
-              weights: "ArrayLike" = 1.0) -> "NDArray[np.float32]":
+              weights: "ArrayLike" = 1.0, *,
+              progress: Optional[Progress] = None) -> "NDArray[np.float32]":
         """(n, 3) unit tangent vectors, drawn at k ``vertices`` (k,) towards ``directions`` (k, 3)
         by ``weights``, a number or (k,), in multiples of what all neighbours together pull."""
         if directions is None:
@@ -154,7 +157,7 @@ class FieldAnimator:
                 raise Error("directions: give one to each of the vertices")
             import numpy as np
             vertices, directions = np.empty(0, np.int64), np.empty((0, 3), np.float32)
-        return self._core.frame(vertices, directions, weights)
+        return self._core.frame(vertices, directions, weights, progress)
 
 
 class FieldDetail:

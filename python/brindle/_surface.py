@@ -93,8 +93,9 @@ class Surface:
 
     ``repair=True`` does what reading a file does: triangles that cannot be used are dropped
     (corners that are no vertices or not finite, two corners alike, no area, repeated), vertices at
-    one place are joined; ``s.repair`` says what was found. Without it these are errors, except
-    that triangles may have no area and vertices may stand at one place.
+    one place are joined (``s.joined``); ``s.repair`` says what was found. Without it these are
+    errors, except that triangles may have no area and vertices may stand at one place: a mesh that
+    is split along edges, where stripes would end, is warned of (PatternWarning).
 
     ``point_data`` and ``cell_data`` are named arrays of a row per vertex and per triangle.
 
@@ -112,6 +113,8 @@ class Surface:
         self._core = _core.surface_of_arrays(vertices, triangles, dict(point_data or {}),
                                              dict(cell_data or {}), flag(repair, "repair"))
         self._source: Any = None
+        if not repair:
+            warn(self._core.split_warning)
 
     @classmethod
     def _of(cls, core: "_core.Surface", source: Any = None) -> "Surface":
@@ -198,6 +201,12 @@ class Surface:
         """What had to be repaired, by name: all 0 if there was nothing. Vertices that no triangle
         uses stay."""
         return self._core.repair
+
+    @property
+    def joined(self) -> "NDArray[np.int32]":
+        """(n,) for every vertex the one that triangles use in its place: itself, or the first at the
+        same place. Empty where vertices were not joined."""
+        return self._core.joined
 
     @property
     def notes(self) -> str:

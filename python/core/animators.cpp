@@ -124,11 +124,13 @@ struct FieldAnimatorData {
   std::atomic<bool> busy{false};
 
   FieldAnimatorData(SurfacePointer on, const SmoothFieldAnimatorOptions& options)
-      : surface(std::move(on)), animator(surface->surface, options) {}
+      : surface(std::move(on)), animator(until_interrupted([&](const Progress& progress) {
+          return SmoothFieldAnimator(surface->surface, options, progress);
+        })) {}
 };
 
 py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle directions,
-                      py::handle weights) {
+                      py::handle weights, const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   refuse_masked(vertices, "vertices");
   const Table numbers = table_of(vertices, "vertices");
@@ -157,8 +159,8 @@ py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle d
     anchors.push_back(
         {static_cast<Index>(vertex), vectors[i], strengths.is_number ? weight.front() : weight[i]});
   }
-  return owned(without_lock([&] {
-    const std::span<const Vec3> field = data.animator.frame(anchors);
+  return owned(Job(progress).run([&](const Progress& reports) {
+    const std::span<const Vec3> field = data.animator.frame(anchors, reports);
     return std::vector<Vec3>(field.begin(), field.end());
   }));
 }
@@ -225,7 +227,8 @@ void bind_animators(py::module_& module) {
            py::arg("surface").none(false), py::arg("symmetry"), py::arg("lambda_"),
            py::arg("sweeps"))
       .def_property_readonly("surface", [](const FieldAnimatorData& data) { return data.surface; })
-      .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"));
+      .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"),
+           py::arg("progress"));
 }
 
 }  // namespace brindle::python

@@ -446,7 +446,14 @@ void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
                                return data.point_repair ? dict_of(*data.point_repair)
                                                         : dict_of(data.repair);
                              })
-      .def_property_readonly("repair_text", description_of_repair);
+      .def_property_readonly("repair_text", description_of_repair)
+      .def_property_readonly("split_warning", [](const SurfaceData& data) {
+        std::string lines;
+        for (const std::string& line : surface_warnings(data.surface, "repair=True joins them")) {
+          lines += line + "\n";
+        }
+        return lines;
+      });
 }
 
 void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
@@ -474,6 +481,11 @@ void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
       .def_property_readonly("neighbors",
                              [](py::handle self) {
                                const auto& rows = data_of(self).surface.neighborhood->neighbors;
+                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
+                             })
+      .def_property_readonly("joined",
+                             [](py::handle self) {
+                               const auto& rows = data_of(self).vertex_of_row;
                                return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
                              })
       .def_property_readonly("kept_triangles",

@@ -84,7 +84,8 @@ RowsIn<Vec3> vectors_in(py::handle given, const std::string& what) {
 }
 
 py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::handle frequencies,
-                        py::handle positions, py::handle frequencies_v, py::handle normals) {
+                        py::handle positions, py::handle frequencies_v, py::handle normals,
+                        const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   const Mesh& mesh = data.surface->surface.mesh;
   const RowsIn<Vec3> directions_in(directions, "directions");
@@ -102,9 +103,8 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
   input.normals = normals_in.rows();
   std::vector<float> uv;
   std::optional<TextureFrameResult> result;
-  until_interrupted([&](const Progress& progress) {
-    progress.report("frame", 0);
-    result.emplace(data.animator.frame(input));
+  Job(progress).run([&](const Progress& reports) {
+    result.emplace(data.animator.frame(input, reports));
     uv = corner_coordinates(result->waves, data.phase_shift);
   });
   data.figures = figures_of(*result);
@@ -123,7 +123,7 @@ void bind_texture_animator(py::module_& module) {
       .def_property_readonly("figures",
                              [](const TextureAnimatorData& data) { return data.figures; })
       .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
-           py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"))
+           py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"), py::arg("progress"))
       .def("restart", [](TextureAnimatorData& data) {
         const OneAtATime alone(data.busy, "this animator");
         data.animator.restart();

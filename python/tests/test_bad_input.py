@@ -1,5 +1,7 @@
 """What is wrong is brindle.Error, or TypeError for wrong types, and says what is wrong."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -59,6 +61,30 @@ def test_repair_takes_what_is_damaged():
     assert s.repair["triangles_out_of_range"] == 1 and s.repair["vertices_not_finite"] == 1
     assert s.repair["triangles_duplicate"] == 1 and s.repair["vertices_joined"] == 1
     assert list(s.cell_data["number"]) == [0] and "dropped" in s.notes
+
+
+def test_meshes_that_are_split_along_edges():
+    box = brindle.shape("box,resolution=10")
+    vertices = box.vertices[box.triangles.reshape(-1)]
+    triangles = np.arange(len(vertices)).reshape(-1, 3)
+    with pytest.warns(brindle.PatternWarning, match="boundary edges stand exactly where.*repair=True"):
+        split = brindle.Surface(vertices, triangles)
+    assert len(split.joined) == 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        whole = brindle.Surface(vertices, triangles, repair=True)
+        brindle.Surface(box.vertices, box.triangles)
+    np.testing.assert_array_equal(vertices[whole.joined], vertices)
+    np.testing.assert_array_equal(whole.joined[triangles], whole.triangles)
+    assert len(np.unique(whole.joined)) == box.vertex_count
+    curves = [brindle.stripes(s, stripes=10).curves().count for s in (box, whole, split)]
+    assert curves[1] <= 1.2 * curves[0] < curves[2] / 5
+
+
+@pytest.mark.parametrize("triangles", [[[0, 1, 2], [0, 2, 1]], [[0, 1, 1], [0, 1, 2]]])
+def test_triangles_that_no_mesh_has(triangles):
+    with pytest.raises(brindle.Error, match="triangle.*repair=True"):
+        brindle.Surface(V, triangles)
 
 
 @pytest.mark.parametrize("arguments, message", [

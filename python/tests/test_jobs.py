@@ -160,6 +160,33 @@ def test_every_frame_tells_and_cancels(torus):
         np.testing.assert_array_equal(z, twin.frame(d, 4 + 0.1 * number))
 
 
+def test_every_frame_of_a_texture_tells_and_cancels(torus):
+    """As frames of stripes do."""
+    d = torus.smooth_field()
+    animator, twin = brindle.TextureAnimator(torus), brindle.TextureAnimator(torus)
+    for number in range(3):
+        heard = []
+        uv = animator.frame(d, 4 + 0.1 * number, progress=lambda *report: heard.append(report))
+        assert len(heard) > 2 and all(0 <= share <= 1 for _, share in heard)
+        with pytest.raises(brindle.Cancelled):
+            animator.frame(d, 5 + 0.1 * number, progress=lambda *report: False)
+        with pytest.raises(LookupError):
+            animator.frame(d, 5 + 0.1 * number, progress=lambda *report: {}["nothing"])
+        np.testing.assert_array_equal(uv, twin.frame(d, 4 + 0.1 * number))
+
+
+def test_every_frame_of_a_field_tells_and_cancels(torus):
+    animator, twin = brindle.FieldAnimator(torus), brindle.FieldAnimator(torus)
+    for number in range(3):
+        heard = []
+        drawn = ([number], torus.normals[[number]][:, [1, 2, 0]], 5.0)
+        field = animator.frame(*drawn, progress=lambda *report: heard.append(report)).copy()
+        assert heard and all(0 <= share <= 1 for _, share in heard)
+        with pytest.raises(brindle.Cancelled):
+            animator.frame([number + 50], drawn[1], progress=lambda *report: False)
+        np.testing.assert_array_equal(field, twin.frame(*drawn))
+
+
 def test_frames_are_those_of_stripes(torus):
     d = torus.smooth_field()
     p = brindle.stripes(torus, d, frequency=4)

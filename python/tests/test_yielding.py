@@ -61,6 +61,13 @@ def test_slack_of_textures_samples_and_frames(trefoil):
     np.testing.assert_array_equal(z, brindle.stripes(trefoil, d, stripes=40, slack=0.25).phases)
     assert animator.frequencies.min() >= f / 1.2501
     assert len(brindle.Animator(trefoil).frequencies) == 0
+    rigid, yielding = brindle.TextureAnimator(trefoil), brindle.TextureAnimator(trefoil, slack=0.25)
+    rigid.frame(d, f)
+    yielding.frame(d, f)
+    assert yielding.figures["branches_u"] < rigid.figures["branches_u"]
+    texture = brindle.texture(trefoil, d, stripes=40, slack=0.25)
+    assert yielding.figures["branches_u"] == texture.u.report["branches"]
+    np.testing.assert_array_equal(yielding.frame(d, f).shape, texture.corner_uv.shape)
 
 
 def test_strokes(torus, tmp_path):

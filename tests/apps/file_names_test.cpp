@@ -99,6 +99,10 @@ TEST_F(FileNames, OfPipesAndDevicesAreRefused) {
   refused({"--strokes", "pipe.json"});
   refused({"--previous", "pipe.ply"});
 #ifdef BRINDLE_HAS_GL
+  for (const char* file : {"pipe.csv", "zero.csv"}) {
+    refused({"--color-by", file, "--output", "a.png"});
+    refused({"--width-by", file, "--output", "a.png"});
+  }
   for (const char* file : {"pipe.png", "zero.png"}) refused({"--texture", file, "-o", "a.glb"});
 #endif
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/carried_field.h"
 #include "brindle/distributed/distributed_field.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
@@ -190,6 +191,45 @@ std::vector<double> angles_deg(const std::vector<Vec3>& a, const std::vector<Vec
   }
   std::ranges::sort(angles);
   return angles;
+}
+
+/// A surface of vessels that widens and narrows, at one of its steps.
+WavySurface beating(int step) {
+  WavySurface wavy = wavy_surface("vessels,resolution=30", kAxis, 20);
+  const float wider = 1 + 0.02f * static_cast<float>(step);
+  for (Vec3& p : wavy.mesh.positions) p = {wider * p.x(), p.y() / wider, p.z()};
+  return wavy;
+}
+
+/// Of moving surfaces in pieces: with planned levels those of one process, and without them as near
+/// to the field before.
+TEST(DistributedField, FollowsTheFieldBeforeIt) {
+  for (const HierarchyBounds bounds : {HierarchyBounds{300, 262144}, HierarchyBounds{300, 0}}) {
+    SCOPED_TRACE(bounds.plan_below);
+    std::vector<Vec3> before;
+    for (int step = 0; step < 4; ++step) {
+      const WavySurface wavy = beating(step);
+      const Surface whole = make_surface(wavy.mesh);
+      const Parts parts(wavy);
+      const DistributedSurface surface = parts.surface();
+      SmoothFieldOptions options, of_whole;
+      if (step > 0) {
+        const Surface last = make_surface(beating(step - 1).mesh);
+        of_whole.last.directions = matched_directions({last.mesh, last.normals, before}, whole);
+        options.last.directions = parts.of_piece(of_whole.last.directions);
+      }
+      const DirectionField field = smooth_direction_field(surface, options, bounds);
+      const std::vector<Vec3> all = parts.gathered(std::span<const Vec3>(field), surface.is_own());
+      if (bounds.plan_below > 0) {
+        EXPECT_EQ(all, smooth_direction_field(whole, of_whole));
+      }
+      if (step > 0) {
+        EXPECT_LT(field_step(all, of_whole.last.directions, 2).mean_deg, 3) << step;
+        EXPECT_LT(roughness(whole, all), 1.1 * roughness(whole, smooth_direction_field(whole)));
+      }
+      before = all;
+    }
+  }
 }
 
 /// Fields that nothing draws anywhere are free to turn as a whole, and have many minima: without

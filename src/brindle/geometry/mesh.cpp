@@ -107,7 +107,7 @@ std::vector<Triangle> unchecked_corners(const ArrayView& triangles, std::size_t 
 
 [[noreturn]] void refuse_triangle(std::size_t triangle, const std::string& what) {
   throw Error("triangles: triangle " + std::to_string(triangle) + " has " + what +
-              "; drop it, or let make_repaired_mesh do so");
+              "; drop it, or repair the mesh (make_repaired_mesh; in Python repair=True)");
 }
 
 void refuse_bad_triangles(const Mesh& mesh) {
