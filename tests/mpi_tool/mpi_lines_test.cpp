@@ -98,6 +98,10 @@ TEST_F(MpiToolLines, MeasuresOfCurvesOfManyRanksAreThoseOfTheTool) {
     for (const char* of : {"spacing", "gaps"}) expect_near(of, "measured", 0.001);
     for (const char* key : {"mean", "share_within_10_percent"}) expect_near("spacing", key, 0.001);
     for (const char* key : {"mean", "mean_ratio"}) expect_near("gaps", key, 0.001);
+    ASSERT_TRUE(alone["lengths"].contains("longest"));
+    for (const auto& [key, value] : alone["lengths"].items()) {
+      if (value.is_number()) expect_near("lengths", key.c_str(), 0.001);
+    }
     EXPECT_NEAR(many["coverage"].get<double>(), once, 0.004);
     EXPECT_NEAR(many["covered_twice"].get<double>(), twice, 0.004);
   }
