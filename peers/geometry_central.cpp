@@ -11,7 +11,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 
 #include "exchange.h"
 #include "geometrycentral/surface/direction_fields.h"
@@ -27,20 +26,30 @@ using namespace geometrycentral::surface;
 struct Surface {
   std::unique_ptr<ManifoldSurfaceMesh> mesh;
   std::unique_ptr<VertexPositionGeometry> geometry;
+  std::vector<std::size_t> numbers;  // of its vertices in the file
 };
 
-// Connectivity, and what both the field and the stripes need of the geometry.
+// Connectivity, and what both the field and the stripes need of the geometry. Vertices that no
+// triangle uses are left out, as geometry-central wants it.
 Surface surface_of(const TriangleMesh& input) {
-  std::vector<std::vector<std::size_t>> polygons;
-  for (const auto& t : input.triangles) polygons.push_back({t[0], t[1], t[2]});
+  constexpr auto kUnused = static_cast<std::size_t>(-1);
   Surface surface;
-  surface.mesh = std::make_unique<ManifoldSurfaceMesh>(polygons);
-  if (surface.mesh->nVertices() != input.points.size()) {
-    throw std::runtime_error("the mesh has vertices without triangles");
+  std::vector<std::size_t> own(input.points.size(), kUnused);
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto& triangle : input.triangles) {
+    std::vector<std::size_t>& polygon = polygons.emplace_back();
+    for (const std::size_t vertex : triangle) {
+      if (own[vertex] == kUnused) {
+        own[vertex] = surface.numbers.size();
+        surface.numbers.push_back(vertex);
+      }
+      polygon.push_back(own[vertex]);
+    }
   }
+  surface.mesh = std::make_unique<ManifoldSurfaceMesh>(polygons);
   surface.geometry = std::make_unique<VertexPositionGeometry>(*surface.mesh);
-  for (std::size_t i = 0; i < input.points.size(); ++i) {
-    const Point& p = input.points[i];
+  for (std::size_t i = 0; i < surface.numbers.size(); ++i) {
+    const Point& p = input.points[surface.numbers[i]];
     surface.geometry->vertexPositions[surface.mesh->vertex(i)] = {p[0], p[1], p[2]};
   }
   surface.geometry->requireTransportVectorsAlongHalfedge();
@@ -149,7 +158,11 @@ void drive(const std::vector<std::string>& words) {
   figures.add("pattern_ms", watch.lap());
   const std::vector<Point> vectors = vectors_of(surface, field);
   const std::string field_file = option(words, "write-field", "");
-  if (!field_file.empty()) write_vectors(field_file, vectors);
+  if (!field_file.empty()) {
+    std::vector<Point> rows(input.points.size(), Point{});
+    for (std::size_t i = 0; i < vectors.size(); ++i) rows[surface.numbers[i]] = vectors[i];
+    write_vectors(field_file, rows);
+  }
   figures.add("vertices", static_cast<double>(surface.mesh->nVertices()));
   measure(figures, surface, stripes, vectors, frequency);
 #ifdef GC_HAVE_SUITESPARSE

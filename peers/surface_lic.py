@@ -1,7 +1,7 @@
 """Frames of ParaView's Surface LIC, from the view of Brindle's pictures. Run by pvpython:
 
     pvpython --force-offscreen-rendering peers/surface_lic.py MESH.vtp ARRAY REPORT.json
-             [--size 1280x720] [--frames 5] [--picture FILE.png]
+             [--size 1280x720] [--frames 5] [--output FILE.png]
 
 A frame is drawn and read back; before each the camera moves, so that nothing can be kept from the last.
 """
@@ -74,7 +74,7 @@ def main():
     parser.add_argument("report")
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--frames", type=int, default=5)
-    parser.add_argument("--picture")
+    parser.add_argument("--output")
     arguments = parser.parse_args()
     width, height = map(int, arguments.size.split("x"))
     view, points = view_of(arguments.mesh, arguments.array, width, height)
@@ -89,8 +89,8 @@ def main():
         image = view.CaptureWindow(1)
         milliseconds.append(1000 * (time.perf_counter() - began))
     drawn = image.GetDimensions()
-    if arguments.picture:
-        simple.SaveScreenshot(arguments.picture, view, ImageResolution=[width, height])
+    if arguments.output:
+        simple.SaveScreenshot(arguments.output, view, ImageResolution=[width, height])
     with open(arguments.report, "w") as out:
         json.dump({"picture_ms": min(milliseconds[1:]), "frames_ms": milliseconds,
                    "vertices": len(points), "width": drawn[0], "height": drawn[1],

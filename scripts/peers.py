@@ -13,9 +13,11 @@ ended it.
 
 import argparse
 import csv
+import io
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
@@ -30,11 +32,13 @@ DIRECTION = "0.31,0.9,0.27"
 SIZE = "1280x720"
 TIMES = ("prepare_ms", "field_ms", "pattern_ms", "picture_ms")
 COUNTS = ("field_singularities", "branches_beyond")
-COLUMNS = ("mesh", "vertices", "task", "by", "outcome", *TIMES, *COUNTS, "angle_error_mean_deg", "why")
+COLUMNS = ("mesh", "vertices", "task", "by", "outcome", *TIMES, "processor_s", *COUNTS,
+           "angle_error_mean_deg", "why")
 HEADS = {"mesh": "mesh", "vertices": "vertices", "task": "what", "by": "by",
          "prepare_ms": "prepare, ms", "field_ms": "field, ms", "pattern_ms": "pattern, ms",
-         "picture_ms": "picture, ms", "field_singularities": "singularities",
-         "branches_beyond": "branches beyond", "angle_error_mean_deg": "angle, °"}
+         "picture_ms": "picture, ms", "processor_s": "processor, s",
+         "field_singularities": "singularities", "branches_beyond": "branches beyond",
+         "angle_error_mean_deg": "angle, °"}
 
 # What a driver needs of a peer's sources; what lies in a submodule of theirs comes with it.
 SOURCES = {
@@ -137,6 +141,11 @@ def find_peers(arguments):
 
 # --- one run
 
+def processor_time():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def ending(code):
     """A shell in between, as xvfb-run is, adds 128 to the signal."""
     number = -code if code < 0 else code - 128
@@ -156,10 +165,13 @@ class Bench:
         self.mesh, self.frequency = folder / "mesh.obj", 0.0
 
     def run(self, words, said_by):
+        """The processor's time that the whole program took, in seconds; others on the machine hardly
+        change it."""
         # Mesa draws on the processor, for all alike; libraries that count processors by themselves
         # are told as well.
         limits = [f"{name}={self.threads}"
                   for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "LP_NUM_THREADS")]
+        before = processor_time()
         code, out, _ = zoo.run(["/usr/bin/env", "LIBGL_ALWAYS_SOFTWARE=1", *limits,
                                 *map(str, words)], self.seconds)
         if code is None:
@@ -170,13 +182,14 @@ class Bench:
             raise Failed("refused", said.removeprefix(f"{self.mesh}: "))
         if code != 0:
             raise Failed("crashed", f"{ending(code)}: {said}")
+        return processor_time() - before
 
     def report(self, words, said_by, name="report.json"):
         path = self.folder / name
         path.unlink(missing_ok=True)
-        self.run([path if word is REPORT else word for word in words], said_by)
+        took = self.run([path if word is REPORT else word for word in words], said_by)
         try:
-            return json.loads(path.read_text())
+            return {"processor_s": took, **json.loads(path.read_text())}
         except (OSError, ValueError) as error:
             raise Failed("crashed", f"it ended well, but without a report: {error}") from None
 
@@ -189,8 +202,8 @@ class Bench:
         own_field = not any(str(word).endswith(".csv") for word in words)
         # A singularity of crosses is one of both waves, and counts twice among their branches.
         waves = 2 if "--cross" in words else 1
-        return {"vertices": read["vertices"], "prepare_ms": took["topology"],
-                "field_ms": took["field"] if own_field else None,
+        return {"vertices": read["vertices"], "processor_s": read["processor_s"],
+                "prepare_ms": took["topology"], "field_ms": took["field"] if own_field else None,
                 "pattern_ms": sum(took.get(key, 0) for key in ("frequency", "couple", "solve", "pattern")),
                 "field_singularities": read["field_singularities"],
                 "branches_beyond": read["branches"] - waves * read["field_singularities"],
@@ -234,7 +247,9 @@ def of_instant_meshes(*words):
 def of_libigl(bench):
     """libigl's directions, and Brindle's stripes across them."""
     field = bench.peer("libigl", "--write-field", bench.folder / "libigl.csv")
-    return {**bench.stripe("--field", bench.field("libigl")), "field_ms": field["field_ms"]}
+    stripes = bench.stripe("--field", bench.field("libigl"))
+    return {**stripes, "field_ms": field["field_ms"],
+            "processor_s": field["processor_s"] + stripes["processor_s"]}
 
 
 def striped(*words):
@@ -249,10 +264,12 @@ def of_surface_lic(bench):
     vectors = bench.folder / "vectors.vtp"
     bench.run([bench.tool, "stripe", bench.mesh, "--quiet", "--direction", DIRECTION, "--along",
                "--output", vectors], "brindle")
-    return bench.report(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset",
+    read = bench.report(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset",
                          bench.drivers[PARAVIEW], "--force-offscreen-rendering",
                          ROOT / "peers" / "surface_lic.py", vectors, "direction", REPORT,
-                         "--size", SIZE], "peer")
+                         "--size", SIZE, "--frames", 3], "peer")
+    # The whole program draws several frames.
+    return {**read, "processor_s": None}
 
 
 def benched(bench):
@@ -268,11 +285,10 @@ def benched(bench):
 
 def frame(bench):
     read = benched(bench)
-    frames = [f for f in read["frames"] if f["threads"] == bench.threads]
-    if not frames:
-        raise Failed("skipped", f"brindle bench has no frame with {bench.threads} threads")
-    return {"vertices": read["vertices"], "prepare_ms": frames[0]["milliseconds"]["topology"]["min"],
-            "pattern_ms": frames[0]["milliseconds"]["total"]["min"]}
+    # With 1, 2, 4, ... threads, up to as many as were asked for.
+    took = max(read["frames"], key=lambda measured: measured["threads"])["milliseconds"]
+    return {"vertices": read["vertices"], "prepare_ms": took["topology"]["min"],
+            "pattern_ms": took["total"]["min"]}
 
 
 def picture(quality):
@@ -319,11 +335,11 @@ def plan(drivers):
 
 def merged(row, runs):
     """Times are the least of all runs; counts that differ are given as a range."""
-    for key in ("vertices", *TIMES, *COUNTS, "angle_error_mean_deg"):
+    for key in ("vertices", *TIMES, "processor_s", *COUNTS, "angle_error_mean_deg"):
         values = [run[key] for run in runs if run.get(key) is not None]
         if not values:
             continue
-        if key in TIMES:
+        if key in (*TIMES, "processor_s"):
             row[key] = min(values)
         elif key == "angle_error_mean_deg":
             row[key] = sorted(values)[len(values) // 2]
@@ -408,14 +424,26 @@ def processor():
     return "unknown"
 
 
+def write_whole(path, text):
+    """The file is there as it was or as it should be; says whether it could be written."""
+    beside = path.with_name(f".{path.name}.part")
+    try:
+        beside.write_text(text)
+        beside.replace(path)
+        return True
+    except OSError as error:
+        print(f"peers: {path} cannot be written: {error.strerror}", file=sys.stderr)
+        return False
+
+
 def write_outputs(arguments, about, rows):
-    if arguments.csv:
-        with arguments.csv.open("w", newline="") as out:
-            writer = csv.DictWriter(out, COLUMNS, extrasaction="ignore")
-            writer.writeheader()
-            writer.writerows(rows)
-    if arguments.json:
-        arguments.json.write_text(json.dumps({**about, "rows": rows}, indent=1, default=str) + "\n")
+    table = io.StringIO(newline="")
+    writer = csv.DictWriter(table, COLUMNS, extrasaction="ignore")
+    writer.writeheader()
+    writer.writerows(rows)
+    figures = json.dumps({**about, "rows": rows}, indent=1, default=str) + "\n"
+    outputs = ((arguments.csv, table.getvalue()), (arguments.json, figures))
+    return all([write_whole(path, text) for path, text in outputs if path])
 
 
 # --- the command line
@@ -435,6 +463,7 @@ def count(text):
 
 
 def parsed(words):
+    processors = len(os.sched_getaffinity(0))
     names = (*SOURCES, PARAVIEW)
     parser = argparse.ArgumentParser(
         prog="./dev peers", usage="%(prog)s [--sources FOLDER] [OPTIONS] [MESH...]",
@@ -451,11 +480,12 @@ def parsed(words):
                         help="along the diagonal of the bounding box (default 40)")
     parser.add_argument("--repeat", type=count, default=3, metavar="N",
                         help="runs of everything; the least times count (default 3)")
-    parser.add_argument("--threads", type=count, default=len(os.sched_getaffinity(0)), metavar="N",
-                        help="for all alike (default: all)")
+    parser.add_argument("--threads", type=count, default=processors, metavar="N",
+                        help=f"for all alike (default {processors}: all that are here)")
     parser.add_argument("--seconds", type=positive, default=300.0, metavar="S",
                         help="what takes longer has no end (default 300)")
-    parser.add_argument("--csv", type=pathlib.Path, metavar="FILE", help="a row for every row")
+    parser.add_argument("--csv", type=pathlib.Path, metavar="FILE",
+                        help="the table, with outcomes and reasons")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE",
                         help="the same, with the machine and every single run")
     parser.add_argument("--bench-seconds", type=positive, default=0.3, help=argparse.SUPPRESS)
@@ -465,14 +495,24 @@ def parsed(words):
     arguments.meshes = arguments.meshes or list(SHAPES)
     arguments.peer = list(dict.fromkeys(arguments.peer or names))
     arguments.build = arguments.build.absolute()
-    for output in filter(None, (arguments.csv, arguments.json)):
-        if not output.absolute().parent.is_dir():
-            parser.error(f"there is no folder for '{output}'")
+    if arguments.threads > processors:
+        parser.error(f"--threads {arguments.threads}: there are {processors} here")
     for mesh in arguments.meshes:
         if not mesh.startswith("shape:") and not pathlib.Path(mesh).is_file():
             parser.error(f"'{mesh}' is no file, nor a built-in shape such as {SHAPES[0]}")
+    check_outputs(parser, arguments)
     check_sources(parser, arguments)
     return arguments
+
+
+def check_outputs(parser, arguments):
+    taken = {pathlib.Path(mesh).resolve() for mesh in arguments.meshes}
+    for output in filter(None, (arguments.csv, arguments.json)):
+        if not output.absolute().parent.is_dir():
+            parser.error(f"there is no folder for '{output}'")
+        if output.resolve() in taken:
+            parser.error(f"'{output}' would overwrite an input or another output")
+        taken.add(output.resolve())
 
 
 def check_sources(parser, arguments):
@@ -507,10 +547,10 @@ def main():
     show(rows)
     for name, (outcome, why) in notes.items():
         print(f"\n{name} is {outcome}: {why}")
-    write_outputs(arguments, about, rows)
+    written = write_outputs(arguments, about, rows)
     bad = [row for row in rows if row["outcome"] in ("crashed", "hung")
            or (row["outcome"] == "refused" and row["by"].startswith("Brindle"))]
-    return 1 if bad or any(outcome == "not built" for outcome, _ in notes.values()) else 0
+    return 1 if bad or not written or any(outcome == "not built" for outcome, _ in notes.values()) else 0
 
 
 if __name__ == "__main__":

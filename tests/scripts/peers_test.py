@@ -81,6 +81,7 @@ class Peers(unittest.TestCase):
         smooth = next(row for row in rows if row["task"] == "stripes, smooth field")
         self.assertEqual(smooth["outcome"], "measured")
         self.assertGreater(float(smooth["pattern_ms"]), 0)
+        self.assertGreater(float(smooth["processor_s"]), 0)
         read = json.loads(figures.read_text())
         self.assertEqual([read["threads"], read["repeat"], len(read["rows"])], [1, 2, len(rows)])
         self.assertEqual(len(read["rows"][0]["runs"]), 2)
@@ -105,8 +106,13 @@ class Peers(unittest.TestCase):
         self.refused("--sources", self.sources, "--peer", "paraview", says="no effect")
         self.refused("--peer", "blender", says="blender")
         self.refused("--repeat", 0, SHAPE, says="--repeat")
+        self.refused("--threads", 1000, SHAPE, says="--threads 1000: there are")
         self.refused("--stripes", "many", says="--stripes")
         self.refused("--csv", self.folder / "no" / "all.csv", says="no folder")
+        mesh = self.folder / "mesh.obj"
+        mesh.write_text("v 0 0 0\n")
+        self.refused(mesh, "--csv", mesh, says="would overwrite")
+        self.refused("--csv", self.folder / "a", "--json", self.folder / "a", says="would overwrite")
         self.refused("horse-that-is-not-there.ply", says="is no file")
         self.refused("--faster", says="--faster")
 
