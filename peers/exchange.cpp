@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace {
@@ -13,13 +14,31 @@ namespace {
   throw std::runtime_error(path + ":" + std::to_string(line) + ": " + what);
 }
 
-// Of 7/3/7 the first number.
-std::size_t index_of(const std::string& word, std::size_t points) {
-  const long long number = std::stoll(word.substr(0, word.find('/')));
-  if (number < 1 || static_cast<std::size_t>(number) > points) {
-    throw std::out_of_range("no such vertex");
+Point point_of(const std::string& path, std::size_t number, const std::string& line) {
+  Point point;
+  const char* next = line.c_str() + 2;
+  for (double& value : point) {
+    char* end = nullptr;
+    value = std::strtod(next, &end);
+    if (end == next) fail(path, number, "not three numbers");
+    next = end;
   }
-  return static_cast<std::size_t>(number) - 1;
+  return point;
+}
+
+// Of a corner 7/3/7 the first number counts.
+std::array<std::size_t, 3> triangle_of(const std::string& path, std::size_t number,
+                                       const std::string& line, std::size_t points) {
+  std::array<std::size_t, 3> triangle{};
+  const char* next = line.c_str() + 2;
+  for (std::size_t& index : triangle) {
+    char* end = nullptr;
+    index = std::strtoull(next, &end, 10) - 1;
+    if (end == next || index >= points) fail(path, number, "not three vertices");
+    next = end + std::strcspn(end, " ");
+  }
+  if (next[std::strspn(next, " \r")] != 0) fail(path, number, "more than three corners");
+  return triangle;
 }
 
 void write_whole(const std::string& path, const std::string& text) {
@@ -51,24 +70,12 @@ TriangleMesh read_obj(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error(path + ": cannot be read");
   TriangleMesh mesh;
-  std::string line, kind, corner, more;
+  std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
-    std::istringstream words(line);
-    if (!(words >> kind)) continue;
-    if (kind == "v") {
-      Point& point = mesh.points.emplace_back();
-      if (!(words >> point[0] >> point[1] >> point[2])) fail(path, number, "not three numbers");
-    } else if (kind == "f") {
-      auto& triangle = mesh.triangles.emplace_back();
-      try {
-        for (std::size_t& index : triangle) {
-          if (!(words >> corner)) fail(path, number, "fewer than three corners");
-          index = index_of(corner, mesh.points.size());
-        }
-      } catch (const std::logic_error&) {
-        fail(path, number, "'" + corner + "' is no vertex");
-      }
-      if (words >> more) fail(path, number, "more than three corners");
+    if (line.starts_with("v ")) {
+      mesh.points.push_back(point_of(path, number, line));
+    } else if (line.starts_with("f ")) {
+      mesh.triangles.push_back(triangle_of(path, number, line, mesh.points.size()));
     }
   }
   if (mesh.triangles.empty()) throw std::runtime_error(path + ": it has no triangles");

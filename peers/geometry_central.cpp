@@ -32,20 +32,18 @@ struct Surface {
 // Connectivity, and what both the field and the stripes need of the geometry. Vertices that no
 // triangle uses are left out, as geometry-central wants it.
 Surface surface_of(const TriangleMesh& input) {
-  constexpr auto kUnused = static_cast<std::size_t>(-1);
   Surface surface;
-  std::vector<std::size_t> own(input.points.size(), kUnused);
-  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<std::size_t> own(input.points.size(), 0);
   for (const auto& triangle : input.triangles) {
-    std::vector<std::size_t>& polygon = polygons.emplace_back();
-    for (const std::size_t vertex : triangle) {
-      if (own[vertex] == kUnused) {
-        own[vertex] = surface.numbers.size();
-        surface.numbers.push_back(vertex);
-      }
-      polygon.push_back(own[vertex]);
-    }
+    for (const std::size_t vertex : triangle) own[vertex] = 1;
   }
+  for (std::size_t vertex = 0; vertex < own.size(); ++vertex) {
+    if (own[vertex] == 0) continue;
+    own[vertex] = surface.numbers.size();
+    surface.numbers.push_back(vertex);
+  }
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto& t : input.triangles) polygons.push_back({own[t[0]], own[t[1]], own[t[2]]});
   surface.mesh = std::make_unique<ManifoldSurfaceMesh>(polygons);
   surface.geometry = std::make_unique<VertexPositionGeometry>(*surface.mesh);
   for (std::size_t i = 0; i < surface.numbers.size(); ++i) {
