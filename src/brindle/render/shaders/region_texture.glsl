@@ -53,6 +53,7 @@ bool tile_at(SurfacePoint p, out vec4 tile) {
   float value = kRegions ? value_of_tile(p, f, kValueOfRegion) : region.x;
   if (kRegions && value <= kNoValue) return first_region;
   if (kRegions && (value < region.x || value >= region.y)) return false;
+  if (kWholeTiles && is_broken(p, f.uv)) return true;
   float size = kTileSizes ? value_of_tile(p, f, kSizeOfTile) : 1.0;
   if (size >= 1.0) {
     tile = tile_light(figure_color, f);
