@@ -77,8 +77,8 @@ TileFigures tile_figures(const TextureTile& tile);
 /// of its place. Shrunk tiles are one figure.
 TileFigures figures_within(const TileFigures& figures, float size, const Eigen::Vector2f& shift);
 
-/// Whether a tile has a shape of its own, with room around it: arrows, dots, signs, and pictures
-/// that are transparent all along their sides. Others go on in the next tile.
+/// Whether a tile has a shape of its own, with room around it: arrows, dots, signs, bricks, and
+/// pictures that are transparent all along their sides. Others go on in the next tile.
 bool has_own_shape(const TextureTile& tile);
 
 /// The tile as a picture without transparent parts: a figure in `side` x `side` pixels, edges
@@ -107,7 +107,7 @@ struct SurfaceDrawing {
   const TextureTile* texture_tile = nullptr;  ///< figures are drawn in the colour of stripes
   /// Figures of the tile to leave out, one entry per triangle; null: they are drawn as they are.
   const BrokenTiles* broken_tiles = nullptr;
-  std::span<const Vec3> framed = {};          ///< points that the camera frames; empty: the mesh's
+  std::span<const Vec3> framed = {};  ///< points that the camera frames; empty: the mesh's
 };
 
 /// What has changed in a drawing that was uploaded before. Spans left empty and no waves leave what

@@ -110,8 +110,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
     refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
     refuse_given(command, {"--uv"}, "meshes with a texture have coordinates anyway");
   }
-  if (!has(outputs, OutputKind::picture) &&
-      std::ranges::none_of(outputs, [](const Output& output) {
+  if (!has(outputs, OutputKind::picture) && std::ranges::none_of(outputs, [](const Output& output) {
         return output.kind == OutputKind::mesh && holds_cells(output.path);
       })) {
     refuse_given(command, {"--tiles"},

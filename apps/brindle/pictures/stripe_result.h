@@ -13,7 +13,7 @@ namespace brindle::tool {
 
 /// Whether tiles are left out where they would be cut.
 struct WholeTiles {
-  std::optional<bool> asked;  ///< nothing: as suits the tile
+  std::optional<bool> asked;                                 ///< nothing: as suits the tile
   std::shared_ptr<const BrokenTileFinder> finder = nullptr;  ///< of the mesh, once it was needed
 };
 

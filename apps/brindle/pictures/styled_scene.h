@@ -47,7 +47,7 @@ struct StripesView {
 struct TextureView {
   const TextureWaves& waves;
   const TextureTile& tile;
-  Eigen::Vector2f shift{0, 0};  ///< in tiles
+  Eigen::Vector2f shift{0, 0};               ///< in tiles
   std::span<const BrokenTiles> broken = {};  ///< of the tile, then of those of regions
 };
 

@@ -14,8 +14,8 @@
 namespace brindle::tool {
 
 struct TextureChoice {
-  std::string tile;       ///< a built-in tile or a PNG file; empty: no texture
-  bool oriented = false;  ///< the field's signs are meant
+  std::string tile;           ///< a built-in tile or a PNG file; empty: no texture
+  bool oriented = false;      ///< the field's signs are meant
   std::optional<bool> whole;  ///< --tiles whole or cut; nothing: as suits the tile
 };
 

@@ -11,6 +11,7 @@
 #include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/geometry/shared_edges.h"
+#include "brindle/pattern/corner_signs.h"
 #include "brindle/pattern/figure_middle.h"
 
 namespace brindle {
@@ -19,9 +20,10 @@ namespace {
 using Place = Eigen::Vector2f;  ///< lifted U and V
 using Rect = Eigen::AlignedBox2f;
 
-/// So much, in tiles, is a figure kept clear of what breaks it: within triangles, coordinates are
-/// not quite linear.
-constexpr float kClearance = 0.03f;
+/// So much, in tiles, figures are kept clear of what breaks them: next to it they are out of shape.
+/// Within triangles, coordinates are not quite linear, either.
+constexpr float kClearance = 0.1f;
+constexpr float kLeastClearance = 0.03f;  // also of figures that reach farther than half a tile
 
 /// By so much may coordinates of one vertex differ from whole tiles, which is but rounding.
 constexpr float kRounding = 2e-4f;
@@ -142,25 +144,29 @@ class Breaks {
  public:
   Breaks(std::span<const Triangle> triangles, std::span<const Index> twins,
          std::span<const CornerPhases> u, std::span<const CornerPhases> v,
-         const TileFigures& figures)
+         std::span<const CornerSigns> turned, const TileFigures& figures)
       : triangles_(triangles),
         twins_(twins),
         figures_(figures),
         places_(u.size()),
         closed_(u.size()),
+        ends_(figures.split ? u.size() : 0),
         lists_(u.size()) {
     parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t) lift(t, u[t], v[t]);
+      for (std::size_t t = begin; t < end; ++t) {
+        lift(t, u[t], v[t], turned.empty() ? CornerSigns{0} : turned[t]);
+      }
     });
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
-      clear_[kind] = {figures.extents[kind].min().array() - kClearance,
-                      figures.extents[kind].max().array() + kClearance};
+      const Rect& covered = figures.extents[kind];
+      reach_[kind] = {covered.min().array() - kClearance, covered.max().array() + kClearance};
       const Place middle = place_of(first_middle(figures.layout, kind));
-      rects_[kind] = {clear_[kind].min() + middle, clear_[kind].max() + middle};
+      rects_[kind] = {clear_of(covered.min()) + middle, clear_of(covered.max()) + middle};
     }
   }
 
   void spread(const Progress& progress) {
+    if (figures_.split) return spread_splits(progress);
     const std::vector<std::uint8_t> torn = torn_half_edges(progress.part(0, 0.5));
     reported_for(torn.size(), progress.part(0.5, 1), [&](std::size_t h) {
       if (torn[h]) break_along(static_cast<Index>(h));
@@ -168,16 +174,17 @@ class Breaks {
   }
 
   BrokenTiles result() const {
-    BrokenTiles broken{figures_.layout, figures_.shift, {}};
+    BrokenTiles broken{figures_.layout, figures_.shift, figures_.split, {}};
     const std::size_t count = closed_.size();
-    if (listed_.empty() && std::ranges::all_of(closed_, [](std::uint8_t c) { return c != 0; })) {
-      return broken;
-    }
+    const std::vector<std::uint8_t>& all = figures_.split ? ends_ : closed_;
+    const std::uint8_t whole = figures_.split ? 0 : 1;
+    const auto is_whole = [&](std::uint8_t flag) { return flag == whole; };
+    if (listed_.empty() && std::ranges::all_of(all, is_whole)) return broken;
     broken.words.assign(count, 0);
     std::vector<Middle> middles;
     for (std::size_t t = 0; t < count; ++t) {
-      if (!closed_[t]) broken.words[t] = 1;
-      if (!closed_[t] || lists_[t] == 0) continue;
+      if (!is_whole(all[t])) broken.words[t] = 1;
+      if (!is_whole(all[t]) || lists_[t] == 0) continue;
       middles.clear();
       for (std::uint32_t i = lists_[t]; i != 0; i = listed_[i - 1].next) {
         middles.push_back(listed_[i - 1].middle);
@@ -189,19 +196,36 @@ class Breaks {
   }
 
  private:
+  /// A corner of what has to be clear for a figure to be whole.
+  Place clear_of(const Place& corner) const {
+    const Place away = corner.cwiseAbs();
+    Place clear = away.array() + kLeastClearance;
+    clear = clear.cwiseMax((away.array() + kClearance).min(0.5f).matrix());
+    return clear.cwiseProduct(corner.unaryExpr([](float x) { return x < 0 ? -1.0f : 1.0f; }));
+  }
+
   std::size_t kinds() const { return figures_.layout == TileLayout::single ? 1 : 2; }
 
-  void lift(std::size_t t, const CornerPhases& u, const CornerPhases& v) {
+  /// Phases are those of waves that run as the first corner's own; turned round, coordinates are
+  /// negated.
+  void lift(std::size_t t, const CornerPhases& u, const CornerPhases& v, CornerSigns turned) {
     std::array<Place, 3>& places = places_[t];
-    bool closed = u.kind == TriangleKind::regular && v.kind == TriangleKind::regular;
-    for (int m = 0; m < 3; ++m) {
-      places[m] = Place(u.phase[m], v.phase[m]) / kTwoPi + Place(0.25f, 0.25f) - figures_.shift;
-      closed = closed && u.sign[m] > 0 && v.sign[m] > 0;
+    bool closed = u.kind == TriangleKind::regular && v.kind == TriangleKind::regular &&
+                  (turned & kUnoriented) == 0;
+    const Place sense(turns_u(turned, 0) ? -1.0f : 1.0f, turns_v(turned, 0) ? -1.0f : 1.0f);
+    for (Index m = 0; m < 3; ++m) {
+      const Place own = Place(u.phase[m], v.phase[m]) / kTwoPi + Place(0.25f, 0.25f);
+      places[m] = own.cwiseProduct(sense) - figures_.shift;
+      closed = closed && (u.sign[m] > 0) == (turns_u(turned, m) == turns_u(turned, 0)) &&
+               (v.sign[m] > 0) == (turns_v(turned, m) == turns_v(turned, 0));
     }
     // Beyond, rounding leaves nothing of where a tile is.
     constexpr float kFarthest = 1e6f;
     const auto near = [](const Place& p) { return p.cwiseAbs().maxCoeff() < kFarthest; };
-    closed_[t] = closed && std::ranges::all_of(places, near) && doubled_area(places) != 0;
+    const bool all_near = std::ranges::all_of(places, near);
+    closed_[t] = closed && all_near && doubled_area(places) != 0;
+    if (!figures_.split) return;
+    ends_[t] = u.kind == TriangleKind::branch && v.kind == TriangleKind::regular && all_near;
   }
 
   const Place& place(Index corner) const { return places_[corner / 3][corner % 3]; }
@@ -247,9 +271,9 @@ class Breaks {
   }
 
   Rect rect_of(const Middle& middle) const {
-    const Rect& clear = clear_[kind_of(figures_.layout, middle)];
+    const Rect& reach = reach_[kind_of(figures_.layout, middle)];
     const Place at = place_of(middle);
-    return {clear.min() + at, clear.max() + at};
+    return {reach.min() + at, reach.max() + at};
   }
 
   /// Whether the figure was not yet known to be broken in this triangle.
@@ -262,12 +286,42 @@ class Breaks {
     return true;
   }
 
-  /// Breaks the figures that a torn edge meets, all of each.
+  /// Splits the figures in which joints of U end.
+  void spread_splits(const Progress& progress) {
+    reported_for(ends_.size(), progress, [&](std::size_t t) {
+      if (!ends_[t]) return;
+      for (Index h = static_cast<Index>(3 * t); h < 3 * t + 3; ++h) {
+        const Index twin = twins_[h];
+        if (twin < kManyTwins && closed_[twin / 3]) split_beyond(h, twin);
+      }
+    });
+  }
+
+  /// The figures beyond an edge of such a triangle that are in the course of its middle.
+  void split_beyond(Index h, Index twin) {
+    const std::array<Place, 3>& own = places_[h / 3];
+    const float middle = (own[0].y() + own[1].y() + own[2].y()) / 3;
+    const bool alike = vertices_alike(h, twin);
+    const Place& from = place(alike ? next_corner(twin) : twin);
+    const Place& to = place(alike ? twin : next_corner(twin));
+    const float along = place(next_corner(h)).y() - place(h).y(), there = to.y() - from.y();
+    const float sense = std::abs(there + along) < std::abs(there - along) ? -1.0f : 1.0f;
+    const float course = from.y() + sense * (middle - place(h).y());
+    const auto row = static_cast<std::int32_t>(std::lround(2 * course));
+    break_along(twin, [&](const Middle& m) { return m.v == row; });
+  }
+
   void break_along(Index h) {
+    break_along(h, [](const Middle&) { return true; });
+  }
+
+  /// Breaks those of the figures that an edge meets which `counts` takes, all of each.
+  template <class Counts>
+  void break_along(Index h, const Counts& counts) {
     const Place &a = place(h), &b = place(next_corner(h));
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
       figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const Middle& m) {
-        if (list(h / 3, m)) pending_.push_back({h / 3, m});
+        if (counts(m) && list(h / 3, m)) pending_.push_back({h / 3, m});
       });
     }
     while (!pending_.empty()) {
@@ -308,9 +362,11 @@ class Breaks {
   std::span<const Triangle> triangles_;
   std::span<const Index> twins_;
   const TileFigures& figures_;
-  std::array<Rect, 2> clear_, rects_;  ///< with clearance: from the middle, and that of the first
+  std::array<Rect, 2> reach_;  ///< from middles: where triangles list a figure
+  std::array<Rect, 2> rects_;  ///< of the first figures: what has to be clear
   std::vector<std::array<Place, 3>> places_;
   std::vector<std::uint8_t> closed_;  ///< triangles whose coordinates close
+  std::vector<std::uint8_t> ends_;    ///< of figures that are split: where U alone does not
   std::vector<std::uint32_t> lists_;  ///< of every triangle: one more than the place of the newest
   std::vector<ListedFigure> listed_;
   std::vector<std::pair<Index, Middle>> pending_;
@@ -365,13 +421,19 @@ BrokenTileFinder::BrokenTileFinder(std::span<const Triangle> triangles)
 
 BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
                                    const TileFigures& figures, const Progress& progress) const {
+  return find(u, v, {}, figures, progress);
+}
+
+BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
+                                   std::span<const std::uint8_t> turned, const TileFigures& figures,
+                                   const Progress& progress) const {
   const State& s = *state_;
   check_figures(figures);
   if (u.size() != s.triangles.size() || v.size() != s.triangles.size()) {
     throw Error("tiles: there are waves of " + std::to_string(u.size()) + " and " +
                 std::to_string(v.size()) + " triangles for " + std::to_string(s.triangles.size()));
   }
-  Breaks breaks(s.triangles, s.twins, u, v, figures);
+  Breaks breaks(s.triangles, s.twins, u, v, turned, figures);
   breaks.spread(progress);
   return breaks.result();
 }

@@ -43,8 +43,8 @@ constexpr OptionInfo kTextureRows[] = {
      .stale = OptionStage::waves,
      .jobs = kStripe | kAnimate,
      .help = "--texture: leave out tiles that a branch, a seam, a singularity or the border would "
-             "cut, or draw what is left of them (default: whole for arrows, dots, plus and minus "
-             "signs, and pictures that are transparent all round; cut for others)"},
+             "cut, or draw what is left of them (default: whole for arrows, dots, signs, bricks, "
+             "whose joints go on, and pictures that are transparent all round; cut for others)"},
     {.name = "stripes-v",
      .group = "Textures",
      .kind = OptionKind::number,

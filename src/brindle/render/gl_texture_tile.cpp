@@ -125,12 +125,14 @@ GlBrokenTiles::GlBrokenTiles(const BrokenTiles* broken, std::size_t triangles) {
   }
   words_ = buffer_of(broken->words, "broken tiles");
   layout_ = broken->layout;
+  split_ = broken->split;
 }
 
 void GlBrokenTiles::bind(const ShaderProgram& program) const {
   program.set("has_broken_tiles", has_any());
   if (!has_any()) return;
   program.set("tile_layout", static_cast<int>(layout_));
+  program.set("splits_broken_tiles", split_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kBrokenTilesBinding, words_);
 }
 

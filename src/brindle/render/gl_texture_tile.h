@@ -37,6 +37,7 @@ class GlBrokenTiles {
  private:
   GlBuffer words_;
   TileLayout layout_ = TileLayout::single;
+  bool split_ = false;
 };
 
 /// What a program that includes shaders/broken_tiles.glsl is told before.

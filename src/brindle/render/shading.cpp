@@ -30,14 +30,13 @@ const ShaderProgram& Shading::program_for(const GlSurface& surface) {
   };
   if (surface.has_texture()) {
     const bool whole = surface.has_broken_tiles();
-    return program(whole ? kWholeTiles : kTexture,
-                   {{"features", whole_tiles_feature(whole)},
-                    "fragment_phase.glsl",
-                    "fragment_turns.glsl",
-                    "texture_fragment.glsl",
-                    "texture_tile.glsl",
-                    "broken_tiles.glsl",
-                    "texture_pattern.glsl"});
+    return program(whole ? kWholeTiles : kTexture, {{"features", whole_tiles_feature(whole)},
+                                                    "fragment_phase.glsl",
+                                                    "fragment_turns.glsl",
+                                                    "texture_fragment.glsl",
+                                                    "texture_tile.glsl",
+                                                    "broken_tiles.glsl",
+                                                    "texture_pattern.glsl"});
   }
   if (surface.has_waves()) {
     return program(kStripes, {"fragment_phase.glsl", "fragment_turns.glsl", "stripe_wave.glsl",

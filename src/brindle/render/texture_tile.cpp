@@ -15,7 +15,7 @@ using Point = Eigen::Vector2f;
 
 // In sides of the tile.
 constexpr float kDotRadius = 0.29f;
-constexpr float kJoint = 0.035f;  // half of it
+constexpr float kJoint = 0.035f;                          // half of it
 constexpr float kSignLength = 0.25f, kSignWidth = 0.07f;  // half of each
 constexpr float kSmallSign = 0.75f;                       // where a tile has two
 
@@ -179,9 +179,12 @@ TileFigures figures_of(BuiltInTile tile) {
                covering(kSmallSign * kSignLength, kSmallSign * kSignWidth)},
               kOfRectangle};
     case BuiltInTile::bricks:
+      // Half of each joint is a brick's. Joints go on where they would end.
       return {TileLayout::courses,
-              {covering(0.5f - kJoint, 0.25f - kJoint), covering(0.5f - kJoint, 0.25f - kJoint)},
-              kOfRectangle};
+              {covering(0.5f, 0.25f), covering(0.5f, 0.25f)},
+              kOfRectangle,
+              Point(0, 0),
+              true};
     case BuiltInTile::stripes:
       return single_figure(TileFigures::whole_tile(), kOfRectangle);
     case BuiltInTile::checker:
@@ -305,6 +308,7 @@ TileFigures figures_within(const TileFigures& figures, float size, const Eigen::
   const bool single = figures.layout == TileLayout::single;
   const Covered& covered = single ? figures.extents[0] : TileFigures::whole_tile();
   within.layout = TileLayout::single;
+  within.split = false;
   within.extents.fill({Point(size * covered.min()), Point(size * covered.max())});
   return within;
 }
@@ -317,6 +321,7 @@ bool has_own_shape(const TextureTile& tile) {
     case BuiltInTile::plus:
     case BuiltInTile::minus:
     case BuiltInTile::plus_minus:
+    case BuiltInTile::bricks:
       return true;
     default:
       return false;

@@ -6,11 +6,9 @@ uniform vec3 stripe_color;
 // phase is undefined, tiles are mixed up beyond all limits.
 vec3 with_pattern(vec3 surface, SurfacePoint p) {
   const float kMostTiles = 4.0;
-  if (kWholeTiles && broken_tiles[p.triangle] == 1u) return surface;
   TextureFragment f = texture_at(p);
   if (f.u.direction == vec3(0.0) || f.v.direction == vec3(0.0)) return surface;
   vec2 uv = vec2(turns_at_centre(f.u, p), turns_at_centre(f.v, p)) + 0.25;
-  if (kWholeTiles && is_broken(p, uv)) return surface;
   vec2 dx = vec2(f.u.turns_per_pixel.x, f.v.turns_per_pixel.x);
   vec2 dy = vec2(f.u.turns_per_pixel.y, f.v.turns_per_pixel.y);
   bool defined = f.u.z != vec2(0.0) && f.v.z != vec2(0.0) &&
@@ -20,5 +18,11 @@ vec3 with_pattern(vec3 surface, SurfacePoint p) {
     dx = vec2(kMostTiles, 0.0);
     dy = vec2(0.0, kMostTiles);
   }
-  return with_tile(surface, tile_light(stripe_color, Footprint(uv, dx, dy)));
+  Footprint footprint = Footprint(uv, dx, dy);
+  float left = 1.0;
+  if (kWholeTiles && is_broken(p, uv)) {
+    if (!splits_broken_tiles) return surface;
+    left = beside_split(p, footprint);
+  }
+  return with_tile(surface, left * tile_light(stripe_color, footprint));
 }
