@@ -18,6 +18,7 @@
 #include "brindle/arrays.h"
 #include "brindle/boundary_phases.h"
 #include "brindle/branch_pairs.h"
+#include "brindle/broken_tiles.h"
 #include "brindle/carried_field.h"
 #include "brindle/carried_phases.h"
 #include "brindle/corner_phases.h"

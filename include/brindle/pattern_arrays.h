@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/stripe_pattern.h"
@@ -74,6 +75,9 @@ std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const Corner
 
 /// 1 in triangles where a stripe begins or ends.
 DataArray branches_in_triangles(const StripePattern& pattern, const std::string& name);
+
+/// The array tile_broken: 1 in triangles that a broken figure of a texture's tile reaches.
+DataArray broken_in_triangles(const TexturedMesh& textured, const BrokenTiles& broken);
 
 /// Lifted phases at the corners of triangles, oriented alike; NaN in triangles that have none.
 DataArray corner_phases_of(const StripePattern& pattern, const std::string& name);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/camera.h"
 #include "brindle/corner_phases.h"
 #include "brindle/export.h"
@@ -68,6 +69,18 @@ float tile_distance(BuiltInTile tile, float u, float v);
 /// A built-in tile, or a picture whose transparent parts show the surface.
 using TextureTile = std::variant<BuiltInTile, Image>;
 
+/// What of a tile is to stay whole: the figures of a built-in tile, or all of a picture that is not
+/// transparent.
+TileFigures tile_figures(const TextureTile& tile);
+
+/// The same of tiles that are moved by `shift`, and each shrunk about its middle to at most `size`
+/// of its place. Shrunk tiles are one figure.
+TileFigures figures_within(const TileFigures& figures, float size, const Eigen::Vector2f& shift);
+
+/// Whether a tile has a shape of its own, with room around it: arrows, dots, signs, bricks, and
+/// pictures that are transparent all along their sides. Others go on in the next tile.
+bool has_own_shape(const TextureTile& tile);
+
 /// The tile as a picture without transparent parts: a figure in `side` x `side` pixels, edges
 /// smoothed; a picture over `ground`. U runs to the right, V up.
 /// Throws Error for sides that `check_image_size` refuses.
@@ -92,7 +105,9 @@ struct SurfaceDrawing {
   const TextureWaves* texture_waves =
       nullptr;                                ///< with `texture_tile`: a texture instead of stripes
   const TextureTile* texture_tile = nullptr;  ///< figures are drawn in the colour of stripes
-  std::span<const Vec3> framed = {};          ///< points that the camera frames; empty: the mesh's
+  /// Figures of the tile to leave out, one entry per triangle; null: they are drawn as they are.
+  const BrokenTiles* broken_tiles = nullptr;
+  std::span<const Vec3> framed = {};  ///< points that the camera frames; empty: the mesh's
 };
 
 /// What has changed in a drawing that was uploaded before. Spans left empty and no waves leave what

@@ -57,6 +57,7 @@ struct RegionTile {
   TextureTile tile;
   Color color{0.110f, 0.196f, 0.353f};  ///< of a figure
   float from = 0;
+  const BrokenTiles* broken = nullptr;  ///< its figures to leave out; null: none
 };
 
 /// Tiles along two waves; tiles are whole: the value in the middle of one says which it is.

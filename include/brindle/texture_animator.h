@@ -1,9 +1,11 @@
 /// Textures that follow changing input, frame by frame.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/export.h"
 #include "brindle/pimpl.h"
 #include "brindle/quality.h"
@@ -17,6 +19,8 @@ struct TextureAnimatorOptions {
   /// Whether the directions are vectors, whose signs are meant, as TextureOptions has it.
   bool oriented = false;
   AnimatorOptions stripes;  ///< of both patterns
+  /// Figures to look after: frames then say which of them are broken. Nothing: nobody asks.
+  std::optional<TileFigures> whole_tiles = std::nullopt;
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -45,6 +49,7 @@ struct TextureFrameMilliseconds {
   double solve = 0;    ///< frames of both patterns
   double orient = 0;   ///< orientation, seams, and the waves at all corners
   double measure = 0;  ///< corner phases, branches, errors, distortion
+  double tiles = 0;    ///< finding broken ones
 };
 
 struct TextureFrameResult {
@@ -55,6 +60,8 @@ struct TextureFrameResult {
   TextureQuality quality;
   FrameOrientation orientation = FrameOrientation::afresh;
   TextureFrameMilliseconds milliseconds;
+  /// Of TextureAnimatorOptions::whole_tiles; null without. Valid until the next frame.
+  const BrokenTiles* broken = nullptr;
 };
 
 /// Lays a texture over one surface for a field that changes from frame to frame. The stripes of U

@@ -52,7 +52,7 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
 def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 900),
            camera: Sequence[float] = (30, 20), up: Optional[str] = None,
            colors: Optional[Sequence[str]] = None, view: Optional[str] = None,
-           stripe_width: Optional[float] = None, tile: Any = None,
+           stripe_width: Optional[float] = None, tile: Any = None, tiles: Optional[str] = None,
            tube_radius: Optional[float] = None, transparent: bool = False,
            shading: bool = True) -> "NDArray[np.uint8]":
     """A picture (h, w, 4) of uint8, red, green, blue and alpha, row by row from the top; that of the
@@ -63,7 +63,9 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     the axis that points up; None: z for built-in shapes, else y. ``colors``: those of stripes,
     surface and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or
     "angle_error"; ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker",
-    "dots", "arrows" and so on, or an array of pixels. ``tube_radius`` of curves. ``transparent``:
+    "dots", "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out those that a
+    branch, a seam or the border would cut, "cut" draws what is left of them; None: whole for tiles
+    with a shape of their own, such as dots and arrows. ``tube_radius`` of curves. ``transparent``:
     no background. ``shading``: light.
 
     Needs a build with OpenGL, and no display: raises brindle.Error otherwise.
@@ -72,7 +74,7 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors)
     picture.transparent = flag(transparent, "transparent")
     picture.shading = flag(shading, "shading")
-    _refuse_unused(pattern, view, stripe_width, tile, tube_radius)
+    _refuse_unused(pattern, view, stripe_width, tile, tiles, tube_radius)
     if isinstance(pattern, (Stripes, Texture, Curves, Samples)):
         _check_belongs(surface, pattern)
     if view is not None:
@@ -80,7 +82,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     if stripe_width is not None:
         picture.set_stripe_width(number(stripe_width, "stripe_width"))
     if isinstance(pattern, Texture):
-        return _core.render_texture(pattern._core, "checker" if tile is None else tile, picture)
+        return _core.render_texture(pattern._core, "checker" if tile is None else tile,
+                                    whole_tiles(tiles), picture)
     if isinstance(pattern, (Curves, Samples)):
         return _render_ornaments(surface, pattern, colors, tube_radius, picture)
     if pattern is not None and not isinstance(pattern, Stripes):
@@ -89,11 +92,22 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     return _core.render(surface._core, None if pattern is None else pattern._core, picture)
 
 
-def _refuse_unused(pattern: Any, view: Any, stripe_width: Any, tile: Any, tube_radius: Any) -> None:
+def whole_tiles(tiles: Optional[str]) -> Optional[bool]:
+    """What ``tiles`` asks for; None: what suits the tile."""
+    if tiles is None:
+        return None
+    if word(tiles, "tiles") not in ("whole", "cut"):
+        raise Error(f"tiles: expected one of whole|cut, got '{tiles}'")
+    return tiles == "whole"
+
+
+def _refuse_unused(pattern: Any, view: Any, stripe_width: Any, tile: Any, tiles: Any,
+                   tube_radius: Any) -> None:
     stripes, texture = isinstance(pattern, Stripes), isinstance(pattern, Texture)
     for name, value, used in (("view", view, stripes or texture),
                               ("stripe_width", stripe_width, stripes),
                               ("tile", tile, texture),
+                              ("tiles", tiles, texture),
                               ("tube_radius", tube_radius, isinstance(pattern, Curves))):
         if value is not None and not used:
             raise Error(f"{name} has no effect here: the picture shows something else")

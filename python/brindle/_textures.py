@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import count_and_frequency, flag, one_of_both, path_of, solving, warn
+from ._arguments import Error, count_and_frequency, flag, one_of_both, path_of, solving, warn
 from ._curves import placed
 from ._stripes import Field, Stripes, defaults_of, fitting, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -22,9 +22,11 @@ class TexturedMesh:
     """A mesh whose vertices have texture coordinates, for other programs. Vertices of the surface
     keep their numbers; copies and new ones follow them."""
 
-    def __init__(self, core: "_core.TexturedMesh", surface: Surface, of_crosses: bool = False) -> None:
+    def __init__(self, core: "_core.TexturedMesh", surface: Surface, of_crosses: bool = False,
+                 texture: "Optional[_core.Texture]" = None) -> None:
         self._core = core
         self._of_crosses = of_crosses
+        self._texture = texture
         self.surface = surface
 
     @cached_property
@@ -67,12 +69,18 @@ class TexturedMesh:
         """Named arrays of a row per triangle: branch, and those of the surface."""
         return self._arrays[1]
 
-    def write(self, path: Any, *, tile: Any = None, colors: Optional[tuple[str, ...]] = None) -> None:
+    def write(self, path: Any, *, tile: Any = None, tiles: Optional[str] = None,
+              colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: a picture that
         goes along, by name ("checker" and so on, in ``colors``) or as an array (h, w, 3 or 4) of
-        uint8; .gltf and .glb hold it, for others it is written beside the mesh."""
+        uint8; .gltf and .glb hold it, for others it is written beside the mesh. ``tiles``: with
+        "whole" triangles have the array tile_broken, 1 where a tile reaches that a branch, a seam or
+        the border cuts; None: as ``render`` has it."""
         text = path_of(path)
-        points, cells = fitting(text, self.point_data, self.cell_data)
+        if tiles is not None and text.lower().endswith((".obj", ".gltf", ".glb")):
+            raise Error(f"tiles has no effect here: '{text}' holds no values of triangles; write .vtp "
+                        "or .ply")
+        points, cells = fitting(text, self.point_data, self._cells_with(tile, tiles))
         png = b""
         if tile is not None:
             from ._pictures import tile_png
@@ -80,6 +88,23 @@ class TexturedMesh:
         for line in _core.write_mesh(text, self._core.origin, self._core.local_vertices,
                                      self.triangles, points, cells, png):
             warn(line)
+
+
+    def _cells_with(self, tile: Any, tiles: Optional[str]) -> "dict[str, NDArray[Any]]":
+        if self._texture is None or tile is None:
+            if tiles is not None:
+                raise Error("tiles has no effect here: there is no tile")
+            return self.cell_data
+        from ._pictures import whole_tiles
+        broken = _core.triangles_with_broken_tiles(self._texture, tile, whole_tiles(tiles))
+        if broken is None:
+            return self.cell_data
+        cells: "dict[str, NDArray[Any]]" = {}
+        for name, array in self.cell_data.items():
+            cells[name] = array
+            if name == "branch_v":  # the last of the patterns' own; those of the surface follow
+                cells["tile_broken"] = broken[self.triangle_origins]
+        return cells
 
 
 class Texture:
@@ -146,12 +171,13 @@ class Texture:
 
     def mesh(self) -> TexturedMesh:
         """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
-        return TexturedMesh(self._core.mesh(), self.surface, self.is_cross)
+        return TexturedMesh(self._core.mesh(), self.surface, self.is_cross, self._core)
 
-    def write(self, path: Any, *, tile: Any = "checker",
+    def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[str] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
-        """Writes .vtp, .ply, .obj, .gltf or .glb with the tile, as ``brindle stripe --texture``."""
-        self.mesh().write(path, tile=tile, colors=colors)
+        """Writes .vtp, .ply, .obj, .gltf or .glb with the tile, as ``brindle stripe --texture``.
+        ``tiles``: as for the mesh."""
+        self.mesh().write(path, tile=tile, tiles=tiles, colors=colors)
 
     def put_on(self, mesh: Any, name: str = "uv") -> Any:
         """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as an array of its

@@ -111,7 +111,27 @@ void check_crosses(py::handle tile, const Picture& picture) {
   });
 }
 
-py::array render_texture(const TextureData& texture, py::handle tile, const Picture& picture) {
+// Nothing where tiles are cut, as is asked for or suits the tile.
+std::optional<BrokenTiles> broken_tiles_of(const TextureData& texture, const TextureTile& tile,
+                                           std::optional<bool> whole) {
+  if (!whole.value_or(has_own_shape(tile))) return std::nullopt;
+  return broken_tiles(texture.surface->surface.mesh.triangles, texture.waves, tile_figures(tile));
+}
+
+// 1 in triangles that a broken figure reaches, or None.
+py::object triangles_with_broken_tiles(const TextureData& texture, py::handle tile,
+                                       std::optional<bool> whole) {
+  const TextureTile chosen = tile_of(tile);
+  const auto broken = without_lock([&] { return broken_tiles_of(texture, chosen, whole); });
+  if (!broken) return py::none();
+  std::vector<std::uint8_t> flags(texture.surface->surface.mesh.triangle_count());
+  for (std::size_t t = 0; t < flags.size(); ++t) flags[t] = broken->touches(t);
+  const auto count = static_cast<py::ssize_t>(flags.size());
+  return owned<std::uint8_t>(std::move(flags), {count});
+}
+
+py::array render_texture(const TextureData& texture, py::handle tile, std::optional<bool> whole,
+                         const Picture& picture) {
   const TextureTile chosen = tile_of(tile);
   if (texture.is_cross()) check_crosses(tile, picture);
   use_unforkable(UnforkableWork::pictures);
@@ -120,6 +140,8 @@ py::array render_texture(const TextureData& texture, py::handle tile, const Pict
                            .normals = texture.surface->surface.normals};
     drawing.texture_waves = &texture.waves;
     drawing.texture_tile = &chosen;
+    const std::optional<BrokenTiles> broken = broken_tiles_of(texture, chosen, whole);
+    if (broken) drawing.broken_tiles = &*broken;
     if (!texture.is_cross()) {
       const Overlay overlay = overlay_of(picture.view, *texture.u);
       drawing.waves = &texture.u->pattern.waves;
@@ -157,7 +179,9 @@ void bind_renderer(py::module_& module) {
   module.def("render", render_stripes, py::arg("surface"), py::arg("stripes").none(true),
              py::arg("picture"));
   module.def("render_texture", render_texture, py::arg("texture"), py::arg("tile"),
-             py::arg("picture"));
+             py::arg("whole").none(true), py::arg("picture"));
+  module.def("triangles_with_broken_tiles", triangles_with_broken_tiles, py::arg("texture"),
+             py::arg("tile"), py::arg("whole").none(true));
   module.def("render_ornaments", render_ornaments, py::arg("surface"), py::arg("ornaments"),
              py::arg("picture"));
   module.def(

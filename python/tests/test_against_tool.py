@@ -345,6 +345,27 @@ def test_pictures(words, options, tmp_path):
 
 
 @pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+@pytest.mark.parametrize("tile", ["dots", "hatch"])
+def test_whole_tiles(tile, tmp_path):
+    surface = brindle.shape("trefoil", resolution=100)
+    pattern = brindle.texture(surface, stripes=20)
+    pictures = {}
+    for tiles in (None, "whole", "cut"):
+        run_tool("stripe", "shape:trefoil,resolution=100", "--stripes", "20", "--size", "240x180",
+                 "--texture", tile, *(["--tiles", tiles] if tiles else []),
+                 "--output", tmp_path / "tool.png", "--output", tmp_path / "tool.ply")
+        pictures[tiles] = brindle.render(surface, pattern, size=(240, 180), tile=tile, tiles=tiles)
+        np.testing.assert_array_equal(pictures[tiles], brindle.read_png(tmp_path / "tool.png"))
+        pattern.write(tmp_path / "python.ply", tile=tile, tiles=tiles)
+        assert ((tmp_path / "python.ply").read_bytes().replace(b"python", b"tool")
+                == (tmp_path / "tool.ply").read_bytes())
+        assert (b"tile_broken" in (tmp_path / "tool.ply").read_bytes()) == (
+            tiles == "whole" or (tiles is None and tile == "dots"))
+    assert (pictures["whole"] != pictures["cut"]).any()
+    np.testing.assert_array_equal(pictures[None], pictures["whole" if tile == "dots" else "cut"])
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
 def test_pictures_of_textures(tmp_path):
     run_tool("stripe", "shape:torus,resolution=100", "--stripes", "20", "--size", "120x90",
              "--texture", "bricks", "--output", tmp_path / "tool.png")

@@ -313,6 +313,14 @@ def test_what_points_and_crosses_do_not_show(torus, tmp_path):
         with pytest.raises(brindle.Error, match="does not look the same turned by 90 degrees"):
             call()
     assert not (tmp_path / "c.glb").exists()
+    with pytest.raises(brindle.Error, match=r"tiles: expected one of whole\|cut"):
+        brindle.render(torus, c, tile="plus", tiles="some", size=(20, 20))
+    with pytest.raises(brindle.Error, match="tiles has no effect here"):
+        brindle.render(torus, tiles="whole", size=(20, 20))
+    with pytest.raises(brindle.Error, match="tiles has no effect here.*holds no values of triangles"):
+        c.write(tmp_path / "c.glb", tile="plus", tiles="whole")
+    with pytest.raises(brindle.Error, match="tiles has no effect here: there is no tile"):
+        c.mesh().write(tmp_path / "c.ply", tiles="whole")
     brindle.render(torus, c, tile="plus", size=(20, 20))
     brindle.render(cloud, on_points, view="stripes", size=(20, 20))
 

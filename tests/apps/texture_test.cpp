@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -62,6 +63,39 @@ TEST_F(TextureTool, DrawsTilesAndPictures) {
     const ToolResult result = run(with({"--texture", tile, "-o", "out.png"}));
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(content(folder / "out.png"), content(folder / "stripes.png")) << tile;
+  }
+}
+
+TEST_F(TextureTool, TilesAreWholeWhereTheyHaveAShapeOfTheirOwn) {
+  const auto picture = [&](const Arguments& more) {
+    Arguments arguments = with(more);
+    arguments.insert(arguments.end(), {"-o", "out.png", "-o", "out.ply", "--size", "300x220"});
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return content(folder / "out.png");
+  };
+  const auto has_flags = [&] {
+    return content(folder / "out.ply").find("tile_broken") != std::string::npos;
+  };
+  for (const auto& [tile, own] : {std::pair("arrows", true), {"dots", true}, {"bricks", true}, {"hatch", false}}) {
+    const auto tiles = [&](const Arguments& more) {
+      Arguments all = {"--texture", tile, "--direction", "0.3,0.9,0.2"};
+      all.insert(all.end(), more.begin(), more.end());
+      return picture(all);
+    };
+    const std::string whole = tiles({"--tiles", "whole"});
+    EXPECT_TRUE(has_flags()) << tile;
+    const std::string cut = tiles({"--tiles", "cut"});
+    EXPECT_FALSE(has_flags()) << tile;
+    EXPECT_NE(whole, cut) << tile;
+    EXPECT_EQ(tiles({}), own ? whole : cut) << tile;
+    // Styles draw the same tiles; of regions each has its own.
+    EXPECT_NE(tiles({"--texture-shift", "0.3"}),
+              tiles({"--texture-shift", "0.3", "--tiles", own ? "cut" : "whole"}));
+    EXPECT_NE(tiles({"--texture-by", "height", "--regions", "0,plus"}),
+              tiles({"--texture-by", "height", "--regions", "0,plus", "--tiles", "cut"}));
+    EXPECT_NE(tiles({"--between", "nothing", "--tiles", "whole"}),
+              tiles({"--between", "nothing", "--tiles", "cut"}));
   }
 }
 

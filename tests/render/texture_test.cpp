@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -214,6 +216,166 @@ TEST(Texture, RefusesWavesForAnotherNumberOfTriangles) {
   TexturedDrawing drawing = plane_texture(square(2), 4, BuiltInTile::dots);
   drawing.waves.v.pop_back();
   EXPECT_THROW(Studio::shared().renderer.upload(drawing.drawing()), Error);
+}
+
+/// A wave along x that has one more crest above a point than below it.
+TexturedDrawing with_branch(int n, float frequency, TextureTile tile) {
+  TexturedDrawing drawing = plane_texture(square(n), frequency, std::move(tile));
+  StripedSurface u = drawing.surface;
+  for (std::size_t v = 0; v < u.z.size(); ++v) {
+    const Vec3& p = u.mesh.positions[v];
+    u.z[v] *= std::polar(1.0f, std::atan2(p.y() - 0.4871f, p.x() - 0.5133f));
+  }
+  drawing.waves = waves_of(u, plane_wave(u.mesh, Vec3::UnitY(), frequency));
+  drawing.surface = std::move(u);
+  return drawing;
+}
+
+BrokenTiles broken_in(const TexturedDrawing& drawing) {
+  return broken_tiles(drawing.surface.mesh.triangles, drawing.waves, tile_figures(drawing.tile));
+}
+
+Image draw_whole(const TexturedDrawing& drawing, const BrokenTiles& broken,
+                 const RenderOptions& options) {
+  SurfaceDrawing whole = drawing.drawing();
+  whole.broken_tiles = &broken;
+  return Studio::shared().draw(whole, options);
+}
+
+/// A picture with room around its figure, which is not in the middle.
+Image own_picture() {
+  Image image(32, 32);
+  std::ranges::fill(image.pixels, Pixel{0, 0, 0, 0});
+  for (int y = 4; y < 18; ++y) {
+    for (int x = 8; x < 28; ++x) image.at(x, y) = {255, 255, 255, 255};
+  }
+  return image;
+}
+
+TEST(WholeTiles, PicturesLeaveOutWhatTheProcessorDoes) {
+  for (const TextureTile& tile :
+       {TextureTile(BuiltInTile::dots), TextureTile(BuiltInTile::arrows),
+        TextureTile(BuiltInTile::plus_minus), TextureTile(own_picture())}) {
+    const TexturedDrawing drawing = with_branch(37, 9, tile);
+    const BrokenTiles broken = broken_in(drawing);
+    const RenderOptions options = plain_options(300, 300);
+    const Image cut = drawing.draw(options), whole = draw_whole(drawing, broken, options);
+    Studio::shared().probe.upload(drawing.drawing());
+    const FragmentImage fragments = Studio::shared().probe.draw(options);
+    std::size_t kept = 0, left_out = 0, differ = 0;
+    for (std::size_t p = 0; p < cut.pixels.size(); ++p) {
+      const Index t = fragments.triangle[p];
+      if (t == FragmentImage::kNoTriangle || cut.pixels[p].alpha < 255) continue;
+      if (cut.pixels[p].red < 250) continue;  // beside figures, or on their borders
+      const Vec3& b = fragments.barycentric[p];
+      const TextureFragment f = texture_fragment(drawing.waves.u[t], drawing.waves.v[t], b);
+      const bool is =
+          broken.is_broken(t, b, {texture_coordinate(f.u.z), texture_coordinate(f.v.z)});
+      differ += (whole.pixels[p].red < 128) != is;
+      ++(is ? left_out : kept);
+    }
+    EXPECT_EQ(differ, 0U);
+    EXPECT_GT(kept, 1500U);
+    EXPECT_GT(left_out, 100U);
+  }
+}
+
+/// Pixels of every figure in a picture of white ones on black.
+std::vector<int> figure_sizes(const Image& image) {
+  std::vector<std::uint8_t> seen(image.pixels.size());
+  std::vector<int> sizes;
+  for (std::size_t start = 0; start < image.pixels.size(); ++start) {
+    std::vector<std::size_t> next;
+    const auto add = [&](std::size_t p) {
+      if (seen[p] || image.pixels[p].red < 128) return;
+      seen[p] = 1;
+      next.push_back(p);
+    };
+    add(start);
+    int size = 0;
+    const auto width = static_cast<std::size_t>(image.width);
+    for (; !next.empty(); ++size) {
+      const std::size_t p = next.back();
+      next.pop_back();
+      for (const std::size_t q : {p - 1, p + 1, p - width, p + width}) {
+        if (q < image.pixels.size()) add(q);
+      }
+    }
+    if (size > 0) sizes.push_back(size);
+  }
+  return sizes;
+}
+
+TEST(WholeTiles, AtABranchAndABorderNoTileIsShownInPart) {
+  for (const BuiltInTile tile : {BuiltInTile::dots, BuiltInTile::arrows, BuiltInTile::plus}) {
+    const TexturedDrawing drawing = with_branch(60, 9.3f, tile);
+    const BrokenTiles broken = broken_in(drawing);
+    const RenderOptions options = plain_options(700, 700);
+    std::vector<int> cut = figure_sizes(drawing.draw(options));
+    std::vector<int> whole = figure_sizes(draw_whole(drawing, broken, options));
+    ASSERT_GT(whole.size(), 40U);
+    EXPECT_GT(cut.size(), whole.size());
+    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2);
+    std::ranges::nth_element(whole, middle);
+    // Next to a branch figures are out of shape, but all there.
+    const double full = *middle;
+    const auto [least, most] = std::ranges::minmax(whole);
+    EXPECT_GT(least, 0.6 * full) << static_cast<int>(tile);
+    EXPECT_LT(most, 1.6 * full) << static_cast<int>(tile);
+    EXPECT_LT(std::ranges::min(cut), 0.5 * full) << static_cast<int>(tile);
+  }
+}
+
+TEST(WholeTiles, JointsOfBricksGoOnAtABranch) {
+  const TexturedDrawing drawing = with_branch(60, 6.3f, BuiltInTile::bricks);
+  const BrokenTiles broken = broken_in(drawing);
+  const RenderOptions options = plain_options(400, 400);
+  const Image cut = drawing.draw(options), split = draw_whole(drawing, broken, options);
+  std::size_t more = 0, less = 0;
+  for (std::size_t p = 0; p < cut.pixels.size(); ++p) {
+    more += split.pixels[p].red > cut.pixels[p].red;
+    less += split.pixels[p].red < 55 && cut.pixels[p].red > 200;
+  }
+  EXPECT_EQ(more, 0U);
+  // A joint 0.07 wide and up to half a course long, of tiles 63 pixels wide.
+  EXPECT_GT(less, 20U);
+  EXPECT_LT(less, 300U);
+  // The brick that went round the end of a joint has become two.
+  EXPECT_EQ(figure_sizes(split).size(), figure_sizes(cut).size() + 1);
+}
+
+TEST(WholeTiles, WhatHasAShapeOfItsOwnHasRoomAroundIt) {
+  for (const auto& [tile, own] : {std::pair(BuiltInTile::dots, true),
+                                  {BuiltInTile::arrows, true},
+                                  {BuiltInTile::plus, true},
+                                  {BuiltInTile::minus, true},
+                                  {BuiltInTile::plus_minus, true},
+                                  {BuiltInTile::bricks, true},
+                                  {BuiltInTile::checker, false},
+                                  {BuiltInTile::stripes, false},
+                                  {BuiltInTile::hatch, false}}) {
+    EXPECT_EQ(has_own_shape(tile), own) << static_cast<int>(tile);
+    const TileFigures figures = tile_figures(tile);
+    if (figures.layout == TileLayout::courses) continue;
+    const bool corner = figures.layout == TileLayout::middle_and_corner;
+    for (int i = 0; i < 10000; ++i) {
+      const Eigen::Vector2f uv(0.01f * static_cast<float>(i % 100),
+                               0.01f * static_cast<float>(i / 100));
+      if (tile_distance(tile, uv.x(), uv.y()) > 0) continue;
+      const Eigen::Vector2f from_middle = uv - Eigen::Vector2f(0.5f, 0.5f);
+      const Eigen::Vector2f from_corner = (uv.array() - uv.array().round()).matrix();
+      EXPECT_TRUE(figures.extents[0].contains(from_middle) ||
+                  (corner && figures.extents[1].contains(from_corner)))
+          << static_cast<int>(tile) << ": " << uv.transpose();
+    }
+  }
+  EXPECT_TRUE(has_own_shape(own_picture()));
+  const auto& extent = tile_figures(own_picture()).extents[0];
+  EXPECT_EQ(extent.min(), Eigen::Vector2f(8 / 32.0f - 0.5f, 14 / 32.0f - 0.5f));
+  EXPECT_EQ(extent.max(), Eigen::Vector2f(28 / 32.0f - 0.5f, 28 / 32.0f - 0.5f));
+  Image up_to_the_side = own_picture();
+  up_to_the_side.at(0, 9) = {0, 0, 0, 1};
+  EXPECT_FALSE(has_own_shape(up_to_the_side));
 }
 
 }  // namespace

@@ -181,6 +181,7 @@ Json to_json(const MeshFigures& mesh) {
     json["surroundings"].push_back({{"threads", figures.threads},
                                     {"milliseconds",
                                      {{"texture", to_json(figures.texture)},
+                                      {"whole_tiles", to_json(figures.whole_tiles)},
                                       {"cross_frame", to_json(figures.cross_frame)},
                                       {"cross", to_json(figures.cross)},
                                       {"smooth_field", to_json(figures.smooth_field)}}}});
@@ -318,6 +319,7 @@ void print_surroundings(std::ostream& out, const MeshFigures& mesh) {
       out << formatted("%-32s %7d %17s", name, figures.threads, "") << times(spread) << '\n';
     };
     row("texture, in a frame", figures.texture);
+    row("whole tiles, in a frame", figures.whole_tiles);
     row("crosses, in a frame", figures.cross_frame);
     row("texture of a cross field", figures.cross);
     row("smooth field", figures.smooth_field);

@@ -49,6 +49,14 @@ Spread measuring_time(const Subject& subject, const std::vector<ChangingInput>& 
   }));
 }
 
+/// What the tile of that name is to keep whole, also in builds that draw no tiles.
+TileFigures dots() {
+  TileFigures figures;
+  figures.extents.fill({Eigen::Vector2f(-0.29f, -0.29f), Eigen::Vector2f(0.29f, 0.29f)});
+  figures.symmetries = 0xff;
+  return figures;
+}
+
 }  // namespace
 
 Spread spread_of(std::vector<double> milliseconds) {
@@ -145,14 +153,20 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
   const ChangingInput input = changing_input(surface, subject.fields[0]);
   SurroundingFigures figures;
   figures.threads = ThreadLimit::current();
-  TextureAnimator animator(surface);
+  TextureAnimatorOptions options;
+  options.whole_tiles = dots();
+  TextureAnimator animator(surface, options);
   animator.frame({input.frame(0), {}, {}});
   int number = 0;
+  std::vector<double> of_tiles;  // of the same frames
   figures.texture = spread_of(samples_of(repetitions, [&] {
     progress.report("textures", 0);
-    const TextureFrameResult frame = animator.frame({input.frame(++number), {}, {}});
-    return frame.milliseconds.orient + frame.milliseconds.measure;
+    const TextureFrameMilliseconds frame =
+        animator.frame({input.frame(++number), {}, {}}).milliseconds;
+    of_tiles.push_back(frame.tiles);
+    return frame.orient + frame.measure;
   }));
+  figures.whole_tiles = spread_of(of_tiles);
   CrossAnimator crosses(surface);
   crosses.frame({input.frame(0), {}});
   figures.cross_frame = spread_of(samples_of(repetitions, [&] {

@@ -235,7 +235,7 @@ void check_styles(const CLI::App& command, const AnimateArguments& arguments) {
   check_style_options(command, arguments.style, texture);
   const auto refuse = [&](const char* why) {
     refuse_style_options(command, why);
-    refuse_given(command, {"--texture"}, why);
+    refuse_given(command, {"--texture", "--tiles"}, why);
   };
   if (!draws(arguments)) refuse("no picture is written; add --output");
   if (!shows_stripes(*arguments.picture)) refuse("--view has colours of its own");
@@ -332,6 +332,7 @@ std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArgu
   return FrameStyle{.style = arguments.style,
                     .tile = std::move(tile),
                     .oriented = arguments.texture.oriented,
+                    .whole_tiles = arguments.texture.whole,
                     .waves = arguments.waves,
                     .animator = arguments.animation.animator,
                     .match = arguments.match,

@@ -53,6 +53,11 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/, bool /*c
   return std::nullopt;
 }
 
+Texture texture_of(const Mesh& /*mesh*/, TexturePattern pattern, TextureTile tile,
+                   WholeTiles whole) {
+  return {std::move(pattern), std::move(tile), std::move(whole), {}};
+}
+
 void write_ornaments(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
                      std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/,
                      const Progress& /*progress*/) {

@@ -8,6 +8,7 @@
 #include "brindle/base/printable.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
+#include "outputs/mesh_output.h"
 
 namespace brindle::tool {
 namespace {
@@ -108,6 +109,13 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
     if (arguments.waves.cross) refuse_style_options(command, "crosses are drawn as they are");
     refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
     refuse_given(command, {"--uv"}, "meshes with a texture have coordinates anyway");
+  }
+  if (!has(outputs, OutputKind::picture) && std::ranges::none_of(outputs, [](const Output& output) {
+        return output.kind == OutputKind::mesh && holds_cells(output.path);
+      })) {
+    refuse_given(command, {"--tiles"},
+                 "neither a picture nor a mesh with values of triangles is written; add --output "
+                 "FILE.png, .vtp or .ply");
   }
   if (!has(outputs, OutputKind::mesh)) {
     refuse_given(command, {"--uv"},

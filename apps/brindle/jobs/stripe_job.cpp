@@ -13,8 +13,10 @@ Texture make_texture(Preparation& prepared, const StripeArguments& arguments, Te
                      const Progress& progress) {
   const TextureOptions options{std::move(prepared.frequencies_v), arguments.texture.oriented,
                                arguments.solving.stripes};
-  return {texture_pattern(prepared.surface, std::move(prepared.waves), options, progress),
-          std::move(tile)};
+  TexturePattern pattern =
+      texture_pattern(prepared.surface, std::move(prepared.waves), options, progress);
+  return texture_of(prepared.surface.mesh, std::move(pattern), std::move(tile),
+                    {arguments.texture.whole});
 }
 
 StripeResult make_result(Preparation& prepared, const StripeArguments& arguments,
@@ -36,8 +38,10 @@ StripeJob make_cross(Preparation prepared, const StripeArguments& arguments, Tex
   const Report report = make_report(prepared.surface, prepared, texture, options.solver.solver);
   InputData data =
       on_cross_texture(take_input_data(prepared), prepared.surface.mesh.triangles, cross.cover);
+  Texture drawn = texture_of(texture.surface.mesh, std::move(texture.pattern), std::move(tile),
+                             {arguments.texture.whole});
   return {std::make_shared<const Surface>(std::move(texture.surface)),
-          {Texture{std::move(texture.pattern), std::move(tile)}},
+          {std::move(drawn)},
           report,
           std::move(data)};
 }

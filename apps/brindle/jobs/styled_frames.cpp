@@ -111,6 +111,7 @@ class FrameTexture {
       animator_.emplace(surface, TextureAnimatorOptions{.oriented = style_.oriented,
                                                         .stripes = without_slack(style_.animator)});
       triangles_ = surface.mesh.triangles;
+      whole_.finder = nullptr;
     }
     FrequencyField across;
     if (frequency_v_ > 0) across.assign(surface.mesh.vertex_count(), frequency_v_);
@@ -119,6 +120,12 @@ class FrameTexture {
                  .frequencies_v = across,
                  .normals = surface.normals})
         .waves;
+  }
+
+  /// What is left out of the tiles of the last frame; for as long as that is shown.
+  std::span<const BrokenTiles> broken(const TextureView& texture, const Followed& followed) {
+    broken_ = broken_tiles_of(triangles_, texture, style_.style, followed, whole_);
+    return broken_;
   }
 
   /// After so many frames, in tiles.
@@ -134,6 +141,8 @@ class FrameTexture {
   float frequency_v_;  ///< 0: as along the field
   std::optional<TextureAnimator> animator_;
   std::vector<Triangle> triangles_;
+  WholeTiles whole_{style_.whole_tiles};
+  std::vector<BrokenTiles> broken_;
 };
 
 class StyledFrames : public FramePainter {
@@ -149,7 +158,7 @@ class StyledFrames : public FramePainter {
 
  private:
   void begin(const SolvedFrame& frame, const Surface& surface);
-  StyledScene scene_of(const SolvedFrame& frame, const Surface& surface);
+  StyledScene scene_of(const SolvedFrame& frame, const Surface& surface, const Followed& followed);
   void show(const std::vector<StyledSurface>& surfaces, std::span<const Vec3> points);
 
   const FrameStyle& style_;
@@ -190,12 +199,14 @@ void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
   texture_.emplace(style_, waves.frequency_v.value_or(of_stripes));
 }
 
-StyledScene StyledFrames::scene_of(const SolvedFrame& frame, const Surface& surface) {
+StyledScene StyledFrames::scene_of(const SolvedFrame& frame, const Surface& surface,
+                                   const Followed& followed) {
   const WaveSet& waves = frame.scene.waves;
   StyledScene scene{surface, {waves, frame.z}, std::nullopt, others_, std::nullopt};
   if (texture_) {
     scene.texture.emplace(
         TextureView{texture_->frame(surface, waves), *style_.tile, texture_->shift(count_)});
+    scene.texture->broken = texture_->broken(*scene.texture, followed);
   } else if (style_.style.cross_hatch) {
     across_ = waves_across(waves, surface.normals);
     const std::span<const DataArray> arrays =
@@ -234,7 +245,7 @@ Image StyledFrames::paint(const SolvedFrame& frame) {
   const Followed followed = follow(style_.style, values_.read(frame.data, surface, viewpoint_));
   StyledOptions options = styled_options(style_.style, picture_, followed);
   options.framed = framed_;
-  const StyledScene scene = scene_of(frame, surface);
+  const StyledScene scene = scene_of(frame, surface, followed);
   const std::vector<StyledSurface> surfaces =
       surfaces_of(scene, style_.style, options.render, followed);
   show(surfaces, frame.scene.points);

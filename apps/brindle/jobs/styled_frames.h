@@ -31,6 +31,7 @@ struct FrameStyle {
   StyleOptions style;
   std::optional<TextureTile> tile;  ///< a texture instead of stripes
   bool oriented = false;            ///< the directions' signs are meant, for textures
+  std::optional<bool> whole_tiles;  ///< nothing: as suits the tile
   WaveOptions waves;
   AnimatorOptions animator;  ///< of crossing strokes and textures
   MatchOptions match;

@@ -80,6 +80,9 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
     if (texture != nullptr) patterns.push_back({texture->pattern.v, "_v"});
   }
   DataArrays own = textured_arrays(textured, made.surface, patterns, missing_in(path));
+  if (texture != nullptr && texture->broken) {
+    own.cells.push_back(broken_in_triangles(textured, *texture->broken));
+  }
   if (is_gltf(path)) own.cells.clear();
   if (holds_waves(path) && !made.data.agreement.empty()) {
     add_agreement(own.points, carried_values(textured, made.data.agreement, 1));
@@ -99,6 +102,8 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
 }
 
 }  // namespace
+
+bool holds_cells(const std::filesystem::path& path) { return holds_waves(path) && !is_gltf(path); }
 
 InputData take_input_data(Preparation& prepared) {
   return {std::move(prepared.arrays), std::move(prepared.original_ids),

@@ -41,6 +41,9 @@ struct MadeMesh {
   bool uv = false;  ///< texture coordinates also without a texture
 };
 
+/// Whether this mesh file holds values of triangles.
+bool holds_cells(const std::filesystem::path& path);
+
 /// Notes which of the input's arrays the file cannot hold. Without triangles, the file holds points
 /// with normals.
 void write_made_mesh(const std::filesystem::path& path, const MadeMesh& made,

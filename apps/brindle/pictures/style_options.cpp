@@ -332,7 +332,7 @@ void check_tiles(const CLI::App& command, const StyleOptions& options, bool text
   } else {
     refuse_given(command,
                  {"--texture-by", "--regions", "--texture-shift", "--texture-flow",
-                  "--tile-size-by", "--tile-size-range"},
+                  "--tile-size-by", "--tile-size-range", "--tiles"},
                  "stripes have no tiles; add --texture TILE");
   }
   if (options.tile_size_by.empty()) {

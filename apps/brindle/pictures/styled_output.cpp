@@ -152,6 +152,12 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
                              const StylePatterns& patterns, const StyleOptions& style,
                              const StyleInput& input, const PictureOptions& picture) {
   StyledPicture styled(follow(style, input.values), scene_of(surface, result, style, patterns));
+  if (const Texture* texture = result.texture()) {
+    WholeTiles whole = texture->whole;
+    styled.broken = broken_tiles_of(surface.mesh.triangles, *styled.scene.texture, style,
+                                    styled.followed, whole);
+    styled.scene.texture->broken = styled.broken;
+  }
   styled.options = styled_options(style, picture, styled.followed);
   styled.surfaces = surfaces_of(styled.scene, style, styled.options.render, styled.followed);
   return styled;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "brindle/base/printable.h"
@@ -10,6 +11,7 @@
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/render/ink.h"
 #include "pictures/picture_options.h"
+#include "pictures/texture_options.h"
 
 namespace brindle::tool {
 namespace {
@@ -127,12 +129,15 @@ Strokes strokes_of(const StripesView& pattern, const StyleOptions& style,
   return strokes;
 }
 
-RegionTexture texture_of(const TextureView& texture, const StyleOptions& style,
-                         const RenderOptions& render, const Followed& followed) {
+RegionTexture region_texture(const TextureView& texture, const StyleOptions& style,
+                             const RenderOptions& render, const Followed& followed) {
   RegionTexture result{.waves = &texture.waves, .shift = texture.shift};
   result.tiles.push_back({texture.tile, render.stripe_color});
   for (const RegionChoice& region : style.regions) {
     result.tiles.push_back({region.tile, region.color.value_or(render.stripe_color), region.from});
+  }
+  for (std::size_t i = 0; i < texture.broken.size(); ++i) {
+    result.tiles[i].broken = &texture.broken[i];
   }
   result.values = followed.regions;
   result.sizes = followed.tile_sizes;
@@ -159,12 +164,28 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
 
 }  // namespace
 
+std::vector<BrokenTiles> broken_tiles_of(std::span<const Triangle> triangles,
+                                         const TextureView& texture, const StyleOptions& style,
+                                         const Followed& followed, WholeTiles& whole) {
+  const std::vector<float>& sizes = followed.tile_sizes;
+  // NaN is less than nothing here.
+  const float size = std::accumulate(sizes.begin(), sizes.end(), sizes.empty() ? 1.0f : 0.0f,
+                                     [](float a, float b) { return b > a ? b : a; });
+  const auto of = [&](const TextureTile& tile) {
+    return broken_tiles_of(triangles, texture.waves, tile, whole, texture.shift, size);
+  };
+  std::vector<BrokenTiles> broken;
+  broken.push_back(of(texture.tile));
+  for (const RegionChoice& region : style.regions) broken.push_back(of(region.tile));
+  return broken;
+}
+
 StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
                            const RenderOptions& render, const Followed& followed) {
   StyledSurface surface{
       .mesh = scene.surface.mesh, .normals = scene.surface.normals, .color = render.base_color};
   if (scene.texture) {
-    surface.texture = texture_of(*scene.texture, style, render, followed);
+    surface.texture = region_texture(*scene.texture, style, render, followed);
     surface.color_places = followed.places;
     surface.shading = !style.flat;
     if (style.discard) surface.between = BetweenStrokes::discarded;

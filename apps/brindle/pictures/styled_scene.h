@@ -47,8 +47,14 @@ struct StripesView {
 struct TextureView {
   const TextureWaves& waves;
   const TextureTile& tile;
-  Eigen::Vector2f shift{0, 0};  ///< in tiles
+  Eigen::Vector2f shift{0, 0};               ///< in tiles
+  std::span<const BrokenTiles> broken = {};  ///< of the tile, then of those of regions
 };
+
+/// Figures that are left out of a texture in a style: of the tile, then of those of regions.
+std::vector<BrokenTiles> broken_tiles_of(std::span<const Triangle> triangles,
+                                         const TextureView& texture, const StyleOptions& style,
+                                         const Followed& followed, WholeTiles& whole);
 
 /// What is drawn; all of it lives elsewhere.
 struct StyledScene {

@@ -22,11 +22,22 @@ namespace {
                                  (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
 }
 
+std::optional<bool> parse_whole(std::string_view name) {
+  if (name == "whole") return true;
+  if (name == "cut") return false;
+  return std::nullopt;
+}
+
+bool are_whole(const WholeTiles& whole, const TextureTile& tile) {
+  return whole.asked.value_or(has_own_shape(tile));
+}
+
 }  // namespace
 
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves) {
   app.add_option("--texture", choice.tile);
   app.add_flag("--oriented", choice.oriented);
+  add_named_option(app, "--tiles", choice.whole, parse_whole);
   add_crossing_frequency_options(app, waves);
 }
 
@@ -44,6 +55,22 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) 
   } catch (const Error& error) {
     throw Error(std::string(error.what()) + " or one of " + std::string(built_in_tile_names()));
   }
+}
+
+BrokenTiles broken_tiles_of(std::span<const Triangle> triangles, const TextureWaves& waves,
+                            const TextureTile& tile, WholeTiles& whole,
+                            const Eigen::Vector2f& shift, float size) {
+  if (!are_whole(whole, tile)) return {};
+  if (whole.finder == nullptr) whole.finder = std::make_shared<const BrokenTileFinder>(triangles);
+  return whole.finder->find(waves, figures_within(tile_figures(tile), size, shift));
+}
+
+Texture texture_of(const Mesh& mesh, TexturePattern pattern, TextureTile tile, WholeTiles whole) {
+  std::optional<BrokenTiles> broken;
+  if (are_whole(whole, tile)) {
+    broken = broken_tiles_of(mesh.triangles, pattern.waves, tile, whole);
+  }
+  return {std::move(pattern), std::move(tile), std::move(whole), std::move(broken)};
 }
 
 }  // namespace brindle::tool

@@ -2,25 +2,37 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "brindle/renderer.h"
 #include "input/wave_options.h"
+#include "pictures/stripe_result.h"
 
 namespace brindle::tool {
 
 struct TextureChoice {
-  std::string tile;       ///< a built-in tile or a PNG file; empty: no texture
-  bool oriented = false;  ///< the field's signs are meant
+  std::string tile;           ///< a built-in tile or a PNG file; empty: no texture
+  bool oriented = false;      ///< the field's signs are meant
+  std::optional<bool> whole;  ///< --tiles whole or cut; nothing: as suits the tile
 };
 
-/// --texture, --oriented, --stripes-v and --frequency-v.
+/// --texture, --oriented, --tiles, --stripes-v and --frequency-v.
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves);
 
 /// Nothing if no texture is asked for. Throws Error if a file cannot be read, CLI::ValidationError
 /// for a built-in tile that does not suit a cross field.
 std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross);
+
+/// The figures of a tile that are left out, shifted by so many tiles and at most `size` of their
+/// place; none where tiles are cut. Makes the finder if it is needed and not there.
+BrokenTiles broken_tiles_of(std::span<const Triangle> triangles, const TextureWaves& waves,
+                            const TextureTile& tile, WholeTiles& whole,
+                            const Eigen::Vector2f& shift = {0, 0}, float size = 1);
+
+/// A texture with the figures that are left out of it.
+Texture texture_of(const Mesh& mesh, TexturePattern pattern, TextureTile tile, WholeTiles whole);
 
 }  // namespace brindle::tool

@@ -99,8 +99,10 @@ StripeJob TileFollower::next_texture(const StripeArguments& arguments, const Pre
   pattern.phase_shift = kind;
   pattern.orientation_milliseconds = frame.milliseconds.orient + frame.milliseconds.measure;
   Report report = make_report(surface, figures, pattern, arguments.solving.stripes.solver.solver);
+  Texture drawn = with_tile(surface, std::move(pattern),
+                            chosen_tile(arguments.texture, false).value(), arguments);
   return {{prepared_, &surface},
-          {Texture{std::move(pattern), chosen_tile(arguments.texture, false).value()}},
+          {std::move(drawn)},
           std::move(report),
           {prepared_->arrays, prepared_->original_ids, prepared_->partners}};
 }
@@ -111,6 +113,7 @@ StripeJob TileFollower::next_cross(const StripeArguments& arguments, const Prepa
   phase_step_ = frame.stripes.phase_step;
   if (frame.matching != CrossMatching::kept || !cross_surface_) {
     cross_surface_ = std::make_shared<const Surface>(make_surface(frame.mesh));
+    finder_ = nullptr;
     cross_data_ =
         on_cross_texture({prepared_->arrays, prepared_->original_ids, prepared_->partners},
                          prepared_->surface.mesh.triangles, frame.cover);
@@ -125,8 +128,16 @@ StripeJob TileFollower::next_cross(const StripeArguments& arguments, const Prepa
   Report report =
       make_report(prepared_->surface, figures, texture, arguments.solving.stripes.solver.solver);
   const TextureTile tile = chosen_tile(arguments.texture, true).value_or(BuiltInTile::checker);
-  return {
-      cross_surface_, {Texture{std::move(texture.pattern), tile}}, std::move(report), cross_data_};
+  Texture drawn = with_tile(*cross_surface_, std::move(texture.pattern), tile, arguments);
+  return {cross_surface_, {std::move(drawn)}, std::move(report), cross_data_};
+}
+
+Texture TileFollower::with_tile(const Surface& surface, TexturePattern pattern, TextureTile tile,
+                                const StripeArguments& arguments) {
+  Texture texture = texture_of(surface.mesh, std::move(pattern), std::move(tile),
+                               {arguments.texture.whole, finder_});
+  finder_ = texture.whole.finder;
+  return texture;
 }
 
 }  // namespace brindle::tool

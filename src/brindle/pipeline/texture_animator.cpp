@@ -56,6 +56,7 @@ struct TextureAnimator::State {
         orientation(made_for.mesh.triangles),
         u{StripeAnimator(made_for, made_with.stripes)} {
     u.animator.allow_take_back();
+    if (made_with.whole_tiles) finder.emplace(made_for.mesh.triangles);
   }
 
   Surface surface;  ///< at the place of the last frame
@@ -64,12 +65,23 @@ struct TextureAnimator::State {
   AnimatedPattern u;
   std::optional<AnimatedPattern> v;  ///< after the first frame of U, whose topology it shares
   TextureWaves waves;
+  std::optional<BrokenTileFinder> finder;  ///< where somebody asks
+  BrokenTiles broken;
+
+  void find_broken();
 
   NextWaves checked_waves(const TextureFrameInput& input) const;
   TextureFrameResult solve(NextWaves& next, const Progress& progress);
   void take_waves(AnimatedPattern& pattern, WaveSet& next, const FrameResult& stripes) const;
   TexturePatternFrame measured(AnimatedPattern& pattern, const FrameResult& stripes) const;
 };
+
+/// From the corner phases of the vertices' own waves, if those are what textures are drawn by.
+void TextureAnimator::State::find_broken() {
+  broken = options.stripes.phase_shift == PhaseShiftKind::aligned
+               ? finder->find(u.corners, v->corners, orientation.signs(), *options.whole_tiles)
+               : finder->find(waves, *options.whole_tiles);
+}
 
 /// The waves of a frame, if everything about them is right.
 NextWaves TextureAnimator::State::checked_waves(const TextureFrameInput& input) const {
@@ -185,6 +197,10 @@ TextureFrameResult TextureAnimator::frame(const TextureFrameInput& input,
   result.quality = measure_texture(s.surface.mesh, {s.u.corners, s.u.waves.frequencies},
                                    {s.v->corners, s.v->waves.frequencies});
   result.milliseconds.measure = watch.lap();
+  if (!s.finder) return result;
+  s.find_broken();
+  result.broken = &s.broken;
+  result.milliseconds.tiles = watch.lap();
   return result;
 }
 

@@ -119,6 +119,12 @@ DataArray branches_in_triangles(const StripePattern& pattern, const std::string&
   return make_data_array(name, 1, flags);
 }
 
+DataArray broken_in_triangles(const TexturedMesh& textured, const BrokenTiles& broken) {
+  std::vector<std::uint8_t> flags;
+  for (const Index origin : textured.triangle_origins) flags.push_back(broken.touches(origin));
+  return make_data_array("tile_broken", 1, flags);
+}
+
 DataArray corner_phases_of(const StripePattern& pattern, const std::string& name) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   std::vector<float> phases;

@@ -36,6 +36,15 @@ constexpr OptionInfo kTextureRows[] = {
      .jobs = kStripe | kAnimate,
      .help = "texture: the field's vectors are meant with their signs, and arrows follow them; "
              "otherwise an orientation is looked for"},
+    {.name = "tiles",
+     .group = "Textures",
+     .kind = OptionKind::choice,
+     .form = "whole|cut",
+     .stale = OptionStage::waves,
+     .jobs = kStripe | kAnimate,
+     .help = "--texture: leave out tiles that a branch, a seam, a singularity or the border would "
+             "cut, or draw what is left of them (default: whole for arrows, dots, signs, bricks, "
+             "whose joints go on, and pictures that are transparent all round; cut for others)"},
     {.name = "stripes-v",
      .group = "Textures",
      .kind = OptionKind::number,

@@ -142,7 +142,9 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
     has_regions_ = !surface.texture->values.empty();
     has_sizes_ = !surface.texture->sizes.empty();
     for (const RegionTile& tile : surface.texture->tiles) {
-      tiles_.push_back({tile_of(tile.tile, last), linear_light(tile.color), tile.from});
+      tiles_.push_back({tile_of(tile.tile, last), linear_light(tile.color), tile.from,
+                        GlBrokenTiles(tile.broken, surface.mesh.triangle_count())});
+      whole_tiles_ = whole_tiles_ || tiles_.back().broken.has_any();
     }
   }
   for (const Strokes& strokes : surface.strokes) {
@@ -177,7 +179,7 @@ std::string GlStyle::features() const {
          constant("kTones", any([](const Layer& l) { return l.tones[2] != 0; })) +
          constant("kSpacing", any([](const Layer& l) { return l.looks[2] != 0; })) +
          constant("kSurfacePlaces", has_places_) + constant("kRegions", has_regions_) +
-         constant("kTileSizes", has_sizes_);
+         constant("kTileSizes", has_sizes_) + whole_tiles_feature(whole_tiles_);
 }
 
 void GlStyle::bind(const ShaderProgram& program, int samples_per_pixel) const {
@@ -202,6 +204,7 @@ void GlStyle::bind_region(const ShaderProgram& program, std::size_t region) cons
   constexpr float kFar = std::numeric_limits<float>::max();
   const Region& tile = tiles_[region];
   tile.tile->textures.bind(program);
+  tile.broken.bind(program);
   program.set("figure_color", tile.color);
   program.set("texture_shift", shift_);
   program.set("region",

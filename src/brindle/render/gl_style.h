@@ -52,6 +52,7 @@ class GlStyle {
     std::shared_ptr<const Tile> tile;
     Vec3 color;
     float from;
+    GlBrokenTiles broken;
   };
 
   static std::shared_ptr<const Tile> tile_of(const TextureTile& source, const GlStyle* last);
@@ -67,6 +68,7 @@ class GlStyle {
   Eigen::Vector2f shift_ = Eigen::Vector2f::Zero();
   bool has_regions_ = false;
   bool has_sizes_ = false;  ///< of tiles
+  bool whole_tiles_ = false;
 };
 
 }  // namespace brindle

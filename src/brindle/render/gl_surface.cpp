@@ -156,6 +156,7 @@ void GlSurface::upload(const SurfaceDrawing& drawing) {
   renew(kTextureV, textured ? packed_corners(drawing.texture_waves->v) : std::vector<float>(),
         "waves V");
   if (textured) texture_tile_ = GlTextureTile(*drawing.texture_tile);
+  broken_tiles_ = GlBrokenTiles(textured ? drawing.broken_tiles : nullptr, triangle_count_);
   check_gl("copying the mesh to OpenGL");
 }
 
@@ -230,6 +231,7 @@ void GlSurface::bind(const ShaderProgram& program, const Camera& camera,
   program.set("smooth_normals", has_normals());
   program.set("has_triangle_colors", has_triangle_colors());
   texture_tile_.bind(program);
+  broken_tiles_.bind(program);
   for (std::size_t part = 0; part < kParts; ++part) {
     const bool foreign = part == kPhases && foreign_phases_ != 0;
     glTextureBuffer(textures_[part], kFormats[part], foreign ? foreign_phases_ : buffers_[part]);

@@ -43,6 +43,8 @@ class GlSurface {
 
   bool has_waves() const;
   bool has_texture() const { return buffers_[kTextureU] != 0; }
+  /// Whether figures of a texture's tiles are left out.
+  bool has_broken_tiles() const { return broken_tiles_.has_any(); }
   bool has_triangle_colors() const { return buffers_[kTriangleColors] != 0; }
   bool has_normals() const { return buffers_[kNormals] != 0; }
   std::size_t triangle_count() const { return triangle_count_; }
@@ -78,6 +80,7 @@ class GlSurface {
   std::array<GlTexture, kParts> textures_;  ///< through which shaders read the buffers
   unsigned foreign_phases_ = 0;             ///< instead of those in `buffers_`, unless 0
   GlTextureTile texture_tile_;
+  GlBrokenTiles broken_tiles_;
   GlVertexArray vertices_ = no_vertex_attributes();
 };
 

@@ -5,10 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "brindle/error.h"
+#include "brindle/gl/gl_buffer.h"
+
 namespace brindle {
 namespace {
 
 enum Unit { kColorUnit = 0, kDistanceUnit = 1 };
+
+constexpr GLuint kBrokenTilesBinding = 3;  // as in broken_tiles.glsl
 
 /// Texels along a side of a figure.
 constexpr int kFigureSide = 512;
@@ -111,6 +116,28 @@ void GlTextureTile::bind(const ShaderProgram& program) const {
   program.set("tile_is_figure", distances_ != 0);
   glBindTextureUnit(kColorUnit, colors_);
   glBindTextureUnit(kDistanceUnit, distances_);
+}
+
+GlBrokenTiles::GlBrokenTiles(const BrokenTiles* broken, std::size_t triangles) {
+  if (broken == nullptr || broken->words.empty()) return;
+  if (broken->words.size() < triangles) {
+    throw Error("cannot draw this texture: its broken tiles are those of another mesh");
+  }
+  words_ = buffer_of(broken->words, "broken tiles");
+  layout_ = broken->layout;
+  split_ = broken->split;
+}
+
+void GlBrokenTiles::bind(const ShaderProgram& program) const {
+  program.set("has_broken_tiles", has_any());
+  if (!has_any()) return;
+  program.set("tile_layout", static_cast<int>(layout_));
+  program.set("splits_broken_tiles", split_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kBrokenTilesBinding, words_);
+}
+
+const char* whole_tiles_feature(bool whole) {
+  return whole ? "const bool kWholeTiles = true;\n" : "const bool kWholeTiles = false;\n";
 }
 
 }  // namespace brindle

@@ -22,4 +22,25 @@ class GlTextureTile {
   GlTexture distances_;  ///< of a figure
 };
 
+/// The figures of a texture's tiles that shaders/broken_tiles.glsl leaves out. Needs a current
+/// context.
+class GlBrokenTiles {
+ public:
+  GlBrokenTiles() = default;
+  /// Null: there are none. Throws Error if there is not a word per triangle.
+  GlBrokenTiles(const BrokenTiles* broken, std::size_t triangles);
+
+  bool has_any() const { return words_ != 0; }
+  /// Nothing where there are none.
+  void bind(const ShaderProgram& program) const;
+
+ private:
+  GlBuffer words_;
+  TileLayout layout_ = TileLayout::single;
+  bool split_ = false;
+};
+
+/// What a program that includes shaders/broken_tiles.glsl is told before.
+const char* whole_tiles_feature(bool whole);
+
 }  // namespace brindle

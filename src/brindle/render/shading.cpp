@@ -29,8 +29,14 @@ const ShaderProgram& Shading::program_for(const GlSurface& surface) {
     return *made;
   };
   if (surface.has_texture()) {
-    return program(kTexture, {"fragment_phase.glsl", "fragment_turns.glsl", "texture_fragment.glsl",
-                              "texture_tile.glsl", "texture_pattern.glsl"});
+    const bool whole = surface.has_broken_tiles();
+    return program(whole ? kWholeTiles : kTexture, {{"features", whole_tiles_feature(whole)},
+                                                    "fragment_phase.glsl",
+                                                    "fragment_turns.glsl",
+                                                    "texture_fragment.glsl",
+                                                    "texture_tile.glsl",
+                                                    "broken_tiles.glsl",
+                                                    "texture_pattern.glsl"});
   }
   if (surface.has_waves()) {
     return program(kStripes, {"fragment_phase.glsl", "fragment_turns.glsl", "stripe_wave.glsl",

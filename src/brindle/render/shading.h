@@ -25,7 +25,7 @@ class Shading {
 
  private:
   /// Software renderers execute both sides of a branch, so every pattern has a program of its own.
-  enum Pattern { kNone, kStripes, kTexture, kPatterns };
+  enum Pattern { kNone, kStripes, kTexture, kWholeTiles, kPatterns };
 
   const ShaderProgram& program_for(const GlSurface& surface);
 

@@ -53,7 +53,7 @@ const ShaderProgram& StyledPrograms::between_strokes(const std::string& features
 const ShaderProgram& StyledPrograms::beside_tiles(const std::string& features) {
   return visibility("beside tiles\n", features,
                     {"style_buffers.glsl", "texture_fragment.glsl", "texture_tile.glsl",
-                     "region_texture.glsl", "texture_visibility.frag"});
+                     "broken_tiles.glsl", "region_texture.glsl", "texture_visibility.frag"});
 }
 
 const ShaderProgram& StyledPrograms::strokes(const std::string& features, bool occlusion) {
@@ -65,7 +65,7 @@ const ShaderProgram& StyledPrograms::strokes(const std::string& features, bool o
 const ShaderProgram& StyledPrograms::texture(const std::string& features, bool occlusion) {
   return shading("texture\n", features, occlusion,
                  {"light.glsl", "style_buffers.glsl", "color_scale.glsl", "texture_fragment.glsl",
-                  "texture_tile.glsl", "region_texture.glsl"});
+                  "texture_tile.glsl", "broken_tiles.glsl", "region_texture.glsl"});
 }
 
 const ShaderProgram& StyledPrograms::ground() {

@@ -13,6 +13,12 @@ namespace {
 
 using Point = Eigen::Vector2f;
 
+// In sides of the tile.
+constexpr float kDotRadius = 0.29f;
+constexpr float kJoint = 0.035f;                          // half of it
+constexpr float kSignLength = 0.25f, kSignWidth = 0.07f;  // half of each
+constexpr float kSmallSign = 0.75f;                       // where a tile has two
+
 constexpr std::array<std::pair<std::string_view, BuiltInTile>, 9> kTiles{
     {{"stripes", BuiltInTile::stripes},
      {"checker", BuiltInTile::checker},
@@ -74,7 +80,6 @@ float checker(float u, float v) {
 /// One course has its brick in the middle, the other its joint. Rows are set so that half a turn
 /// about the middle maps each onto itself.
 float bricks(const Point& p) {
-  constexpr float kJoint = 0.035f;
   constexpr float kRound = 0.03f;
   const Point half(0.5f - kJoint - kRound, 0.25f - kJoint - kRound);
   const float middle_course = box(wrapped(p - Point(0, 0.5f)), half);
@@ -102,15 +107,92 @@ float hatch(float u, float v) {
   return distance;
 }
 
-float minus_sign(const Point& p) { return box(p, {0.25f, 0.07f}); }
+float minus_sign(const Point& p) { return box(p, {kSignLength, kSignWidth}); }
 
 float plus_sign(const Point& p) { return std::min(minus_sign(p), minus_sign({p.y(), p.x()})); }
 
 /// Both signs share the tile, so they are smaller.
 float plus_and_minus(const Point& p) {
-  constexpr float kScale = 0.75f;
-  return kScale *
-         std::min(plus_sign(p / kScale), minus_sign(wrapped(p + Point(0.5f, 0.5f)) / kScale));
+  return kSmallSign * std::min(plus_sign(p / kSmallSign),
+                               minus_sign(wrapped(p + Point(0.5f, 0.5f)) / kSmallSign));
+}
+
+using Covered = Eigen::AlignedBox2f;
+
+// Ways to turn a tile round that its figures look the same after, as TileFigures has them.
+constexpr std::uint8_t kAsItIs = 1 << 0;
+constexpr std::uint8_t kMirroredAlongV = 1 << kTurnsV;
+constexpr std::uint8_t kHalfTurn = 1 << (kTurnsU | kTurnsV);
+constexpr std::uint8_t kOfRectangle = 0x0f;
+constexpr std::uint8_t kOfSquare = 0xff;
+
+Covered covering(float half_u, float half_v) {
+  return {Point(-half_u, -half_v), Point(half_u, half_v)};
+}
+
+TileFigures single_figure(const Covered& covered, std::uint8_t symmetries) {
+  return {TileLayout::single, {covered, covered}, symmetries};
+}
+
+/// All that is not transparent, from the middle.
+Covered opaque_part(const Image& picture) {
+  Covered covered;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (picture.at(x, y).alpha == 0) continue;
+      const Point corner(static_cast<float>(x), static_cast<float>(picture.height - 1 - y));
+      covered.extend(corner);
+      covered.extend(Point(corner + Point(1, 1)));
+    }
+  }
+  if (covered.isEmpty()) return TileFigures::whole_tile();
+  const Point scale(1 / static_cast<float>(picture.width), 1 / static_cast<float>(picture.height));
+  const Point half(0.5f, 0.5f);
+  return {Point(covered.min().cwiseProduct(scale) - half),
+          Point(covered.max().cwiseProduct(scale) - half)};
+}
+
+bool is_transparent_round(const Image& picture) {
+  const auto seen = [&](int x, int y) { return picture.at(x, y).alpha != 0; };
+  for (int x = 0; x < picture.width; ++x) {
+    if (seen(x, 0) || seen(x, picture.height - 1)) return false;
+  }
+  for (int y = 0; y < picture.height; ++y) {
+    if (seen(0, y) || seen(picture.width - 1, y)) return false;
+  }
+  return true;
+}
+
+TileFigures figures_of(BuiltInTile tile) {
+  switch (tile) {
+    case BuiltInTile::dots:
+      return single_figure(covering(kDotRadius, kDotRadius), kOfSquare);
+    case BuiltInTile::arrows:
+      return single_figure({Point(-0.40f, -0.21f), Point(0.42f, 0.21f)}, kAsItIs | kMirroredAlongV);
+    case BuiltInTile::plus:
+      return single_figure(covering(kSignLength, kSignLength), kOfSquare);
+    case BuiltInTile::minus:
+      return single_figure(covering(kSignLength, kSignWidth), kOfRectangle);
+    case BuiltInTile::plus_minus:
+      return {TileLayout::middle_and_corner,
+              {covering(kSmallSign * kSignLength, kSmallSign * kSignLength),
+               covering(kSmallSign * kSignLength, kSmallSign * kSignWidth)},
+              kOfRectangle};
+    case BuiltInTile::bricks:
+      // Half of each joint is a brick's. Joints go on where they would end.
+      return {TileLayout::courses,
+              {covering(0.5f, 0.25f), covering(0.5f, 0.25f)},
+              kOfRectangle,
+              Point(0, 0),
+              true};
+    case BuiltInTile::stripes:
+      return single_figure(TileFigures::whole_tile(), kOfRectangle);
+    case BuiltInTile::checker:
+      return single_figure(TileFigures::whole_tile(), kOfSquare);
+    case BuiltInTile::hatch:
+      return single_figure(TileFigures::whole_tile(), kAsItIs | kHalfTurn);
+  }
+  return {};
 }
 
 std::uint8_t srgb_byte(float light) {
@@ -195,7 +277,7 @@ float tile_distance(BuiltInTile tile, float u, float v) {
     case BuiltInTile::checker:
       return checker(u, v);
     case BuiltInTile::dots:
-      return p.norm() - 0.29f;
+      return p.norm() - kDotRadius;
     case BuiltInTile::arrows:
       return arrow(p);
     case BuiltInTile::bricks:
@@ -210,6 +292,40 @@ float tile_distance(BuiltInTile tile, float u, float v) {
       return plus_and_minus(p);
   }
   return 1;
+}
+
+TileFigures tile_figures(const TextureTile& tile) {
+  if (const auto* picture = std::get_if<Image>(&tile)) {
+    return single_figure(opaque_part(*picture), kAsItIs);
+  }
+  return figures_of(std::get<BuiltInTile>(tile));
+}
+
+TileFigures figures_within(const TileFigures& figures, float size, const Eigen::Vector2f& shift) {
+  TileFigures within = figures;
+  within.shift = shift;
+  if (size >= 1) return within;
+  const bool single = figures.layout == TileLayout::single;
+  const Covered& covered = single ? figures.extents[0] : TileFigures::whole_tile();
+  within.layout = TileLayout::single;
+  within.split = false;
+  within.extents.fill({Point(size * covered.min()), Point(size * covered.max())});
+  return within;
+}
+
+bool has_own_shape(const TextureTile& tile) {
+  if (const auto* picture = std::get_if<Image>(&tile)) return is_transparent_round(*picture);
+  switch (std::get<BuiltInTile>(tile)) {
+    case BuiltInTile::dots:
+    case BuiltInTile::arrows:
+    case BuiltInTile::plus:
+    case BuiltInTile::minus:
+    case BuiltInTile::plus_minus:
+    case BuiltInTile::bricks:
+      return true;
+    default:
+      return false;
+  }
 }
 
 Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground) {

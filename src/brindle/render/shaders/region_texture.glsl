@@ -53,9 +53,14 @@ bool tile_at(SurfacePoint p, out vec4 tile) {
   float value = kRegions ? value_of_tile(p, f, kValueOfRegion) : region.x;
   if (kRegions && value <= kNoValue) return first_region;
   if (kRegions && (value < region.x || value >= region.y)) return false;
+  float left = 1.0;
+  if (kWholeTiles && is_broken(p, f.uv)) {
+    if (!splits_broken_tiles) return true;
+    left = beside_split(p, f);
+  }
   float size = kTileSizes ? value_of_tile(p, f, kSizeOfTile) : 1.0;
   if (size >= 1.0) {
-    tile = tile_light(figure_color, f);
+    tile = left * tile_light(figure_color, f);
   } else if (size > 1e-3) {
     tile = decal_light(f, size);
   }

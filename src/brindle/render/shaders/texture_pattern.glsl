@@ -18,5 +18,11 @@ vec3 with_pattern(vec3 surface, SurfacePoint p) {
     dx = vec2(kMostTiles, 0.0);
     dy = vec2(0.0, kMostTiles);
   }
-  return with_tile(surface, tile_light(stripe_color, Footprint(uv, dx, dy)));
+  Footprint footprint = Footprint(uv, dx, dy);
+  float left = 1.0;
+  if (kWholeTiles && is_broken(p, uv)) {
+    if (!splits_broken_tiles) return surface;
+    left = beside_split(p, footprint);
+  }
+  return with_tile(surface, left * tile_light(stripe_color, footprint));
 }

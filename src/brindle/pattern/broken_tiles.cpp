@@ -1,0 +1,454 @@
+#include "brindle/broken_tiles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
+#include "brindle/error.h"
+#include "brindle/geometry/shared_edges.h"
+#include "brindle/pattern/corner_signs.h"
+#include "brindle/pattern/figure_middle.h"
+
+namespace brindle {
+namespace {
+
+using Place = Eigen::Vector2f;  ///< lifted U and V
+using Rect = Eigen::AlignedBox2f;
+
+/// So much, in tiles, figures are kept clear of what breaks them: next to it they are out of shape.
+/// Within triangles, coordinates are not quite linear, either.
+constexpr float kClearance = 0.1f;
+constexpr float kLeastClearance = 0.03f;  // also of figures that reach farther than half a tile
+
+/// By so much may coordinates of one vertex differ from whole tiles, which is but rounding.
+constexpr float kRounding = 2e-4f;
+
+// Half-edge 3 t + c runs from corner c of triangle t to its next one.
+constexpr Index kNoTwin = 0xffffffff;
+constexpr Index kManyTwins = 0xfffffffe;
+
+Index next_corner(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
+Index half_edge_between(Index a, Index b) { return next_corner(a) == b ? a : b; }
+
+/// The half-edges on the other sides of all half-edges.
+std::vector<Index> twins_of(std::span<const Triangle> triangles) {
+  std::vector<Index> twins(3 * triangles.size(), kNoTwin);
+  for (const SharedEdge& edge : shared_edges(triangles)) {
+    const Index a = half_edge_between(edge.from[0], edge.to[0]);
+    const Index b = half_edge_between(edge.from[1], edge.to[1]);
+    if (twins[a] == kNoTwin && twins[b] == kNoTwin && a / 3 != b / 3) {
+      twins[a] = b;
+      twins[b] = a;
+      continue;
+    }
+    for (const Index h : {a, b}) {
+      if (twins[h] < kManyTwins) twins[twins[h]] = kManyTwins;
+      twins[h] = kManyTwins;
+    }
+  }
+  return twins;
+}
+
+Place turned(Place p, unsigned turn) {
+  if (turn & kSwapsUV) std::swap(p.x(), p.y());
+  if (turn & kTurnsU) p.x() = -p.x();
+  if (turn & kTurnsV) p.y() = -p.y();
+  return p;
+}
+
+Middle turned(Middle m, unsigned turn) {
+  if (turn & kSwapsUV) std::swap(m.u, m.v);
+  if (turn & kTurnsU) m.u = -m.u;
+  if (turn & kTurnsV) m.v = -m.v;
+  return m;
+}
+
+bool mirrors(unsigned turn) { return std::popcount(turn) % 2 != 0; }
+
+float doubled_area(const std::array<Place, 3>& p) {
+  const Place a = p[1] - p[0], b = p[2] - p[0];
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// How coordinates of a triangle become those of its neighbour.
+struct Passage {
+  unsigned turn = 0;
+  std::int32_t tiles_u = 0, tiles_v = 0;
+
+  Middle of(const Middle& m) const {
+    const Middle t = turned(m, turn);
+    return {t.u + 2 * tiles_u, t.v + 2 * tiles_v};
+  }
+};
+
+/// The parameters of a segment at which one coordinate is within bounds.
+struct Stretch {
+  float begin = 0, end = 1;
+
+  void bound(float from, float to, float least, float most) {
+    const float along = to - from;
+    if (along == 0) {
+      if (from < least || from > most) end = -1;
+      return;
+    }
+    const float a = (least - from) / along, b = (most - from) / along;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  bool empty() const { return !(begin <= end); }
+};
+
+bool meets(const Place& a, const Place& b, const Rect& rect) {
+  Stretch stretch;
+  for (int axis = 0; axis < 2; ++axis) {
+    stretch.bound(a[axis], b[axis], rect.min()[axis], rect.max()[axis]);
+  }
+  return !stretch.empty();
+}
+
+/// Calls `visit(middle)` for every figure of one kind that a segment meets; `rect` is what that
+/// with this middle covers.
+template <class Visit>
+void figures_on(const Place& a, const Place& b, const Rect& rect, Middle first,
+                const Visit& visit) {
+  const auto lowest = [](float least, float most) { return std::ceil(least - most); };
+  const float least_v = std::min(a.y(), b.y()), most_v = std::max(a.y(), b.y());
+  for (float j = lowest(least_v, rect.max().y()); rect.min().y() + j <= most_v; j += 1) {
+    Stretch stretch;
+    stretch.bound(a.y(), b.y(), rect.min().y() + j, rect.max().y() + j);
+    if (stretch.empty()) continue;
+    const float u = a.x() + stretch.begin * (b.x() - a.x());
+    const float other = a.x() + stretch.end * (b.x() - a.x());
+    const float least_u = std::min(u, other), most_u = std::max(u, other);
+    for (float i = lowest(least_u, rect.max().x()); rect.min().x() + i <= most_u; i += 1) {
+      visit(Middle{first.u + 2 * static_cast<std::int32_t>(i),
+                   first.v + 2 * static_cast<std::int32_t>(j)});
+    }
+  }
+}
+
+/// A broken figure in a triangle's list.
+struct ListedFigure {
+  Middle middle;
+  std::uint32_t next;  ///< one more than its place among all; 0: none
+};
+
+/// A texture on a mesh, and how far breaks reach.
+class Breaks {
+ public:
+  Breaks(std::span<const Triangle> triangles, std::span<const Index> twins,
+         std::span<const CornerPhases> u, std::span<const CornerPhases> v,
+         std::span<const CornerSigns> turned, const TileFigures& figures)
+      : triangles_(triangles),
+        twins_(twins),
+        figures_(figures),
+        places_(u.size()),
+        closed_(u.size()),
+        ends_(figures.split ? u.size() : 0),
+        lists_(u.size()) {
+    parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        lift(t, u[t], v[t], turned.empty() ? CornerSigns{0} : turned[t]);
+      }
+    });
+    for (std::size_t kind = 0; kind < kinds(); ++kind) {
+      const Rect& covered = figures.extents[kind];
+      reach_[kind] = {covered.min().array() - kClearance, covered.max().array() + kClearance};
+      const Place middle = place_of(first_middle(figures.layout, kind));
+      rects_[kind] = {clear_of(covered.min()) + middle, clear_of(covered.max()) + middle};
+    }
+  }
+
+  void spread(const Progress& progress) {
+    if (figures_.split) return spread_splits(progress);
+    const std::vector<std::uint8_t> torn = torn_half_edges(progress.part(0, 0.5));
+    reported_for(torn.size(), progress.part(0.5, 1), [&](std::size_t h) {
+      if (torn[h]) break_along(static_cast<Index>(h));
+    });
+  }
+
+  BrokenTiles result() const {
+    BrokenTiles broken{figures_.layout, figures_.shift, figures_.split, {}};
+    const std::size_t count = closed_.size();
+    const std::vector<std::uint8_t>& all = figures_.split ? ends_ : closed_;
+    const std::uint8_t whole = figures_.split ? 0 : 1;
+    const auto is_whole = [&](std::uint8_t flag) { return flag == whole; };
+    if (listed_.empty() && std::ranges::all_of(all, is_whole)) return broken;
+    broken.words.assign(count, 0);
+    std::vector<Middle> middles;
+    for (std::size_t t = 0; t < count; ++t) {
+      if (!is_whole(all[t])) broken.words[t] = 1;
+      if (!is_whole(all[t]) || lists_[t] == 0) continue;
+      middles.clear();
+      for (std::uint32_t i = lists_[t]; i != 0; i = listed_[i - 1].next) {
+        middles.push_back(listed_[i - 1].middle);
+      }
+      std::ranges::sort(middles);
+      add_record(t, middles, broken.words);
+    }
+    return broken;
+  }
+
+ private:
+  /// A corner of what has to be clear for a figure to be whole.
+  Place clear_of(const Place& corner) const {
+    const Place away = corner.cwiseAbs();
+    Place clear = away.array() + kLeastClearance;
+    clear = clear.cwiseMax((away.array() + kClearance).min(0.5f).matrix());
+    return clear.cwiseProduct(corner.unaryExpr([](float x) { return x < 0 ? -1.0f : 1.0f; }));
+  }
+
+  std::size_t kinds() const { return figures_.layout == TileLayout::single ? 1 : 2; }
+
+  /// Phases are those of waves that run as the first corner's own; turned round, coordinates are
+  /// negated.
+  void lift(std::size_t t, const CornerPhases& u, const CornerPhases& v, CornerSigns turned) {
+    std::array<Place, 3>& places = places_[t];
+    bool closed = u.kind == TriangleKind::regular && v.kind == TriangleKind::regular &&
+                  (turned & kUnoriented) == 0;
+    const Place sense(turns_u(turned, 0) ? -1.0f : 1.0f, turns_v(turned, 0) ? -1.0f : 1.0f);
+    for (Index m = 0; m < 3; ++m) {
+      const Place own = Place(u.phase[m], v.phase[m]) / kTwoPi + Place(0.25f, 0.25f);
+      places[m] = own.cwiseProduct(sense) - figures_.shift;
+      closed = closed && (u.sign[m] > 0) == (turns_u(turned, m) == turns_u(turned, 0)) &&
+               (v.sign[m] > 0) == (turns_v(turned, m) == turns_v(turned, 0));
+    }
+    // Beyond, rounding leaves nothing of where a tile is.
+    constexpr float kFarthest = 1e6f;
+    const auto near = [](const Place& p) { return p.cwiseAbs().maxCoeff() < kFarthest; };
+    const bool all_near = std::ranges::all_of(places, near);
+    closed_[t] = closed && all_near && doubled_area(places) != 0;
+    if (!figures_.split) return;
+    ends_[t] = u.kind == TriangleKind::branch && v.kind == TriangleKind::regular && all_near;
+  }
+
+  const Place& place(Index corner) const { return places_[corner / 3][corner % 3]; }
+
+  /// Along an edge of triangles whose coordinates close. Lengths and signs of areas leave no choice
+  /// between turns.
+  std::optional<Passage> passage(Index h, Index twin) const {
+    // Triangles that are wound alike run along their edge in opposite ways.
+    const bool alike = vertices_alike(h, twin);
+    const Place &from = place(h), &to = place(next_corner(h));
+    const Place& other_from = place(alike ? next_corner(twin) : twin);
+    const Place& other_to = place(alike ? twin : next_corner(twin));
+    const bool same_side =
+        (doubled_area(places_[h / 3]) > 0) == (doubled_area(places_[twin / 3]) > 0);
+    for (unsigned turn = 0; turn < 8; ++turn) {
+      if (mirrors(turn) != (same_side != alike)) continue;
+      const Place away = other_from - turned(from, turn), away_to = other_to - turned(to, turn);
+      const Place whole(std::round(away.x()), std::round(away.y()));
+      const float rounding = kRounding * (1 + 0.01f * (std::abs(away.x()) + std::abs(away.y())));
+      if ((away - whole).cwiseAbs().maxCoeff() > rounding) continue;
+      if ((away_to - whole).cwiseAbs().maxCoeff() > rounding) continue;
+      if ((figures_.symmetries >> turn & 1) == 0) return std::nullopt;
+      return Passage{turn, static_cast<std::int32_t>(whole.x()),
+                     static_cast<std::int32_t>(whole.y())};
+    }
+    return std::nullopt;
+  }
+
+  bool vertices_alike(Index h, Index twin) const {
+    return triangles_[h / 3][h % 3] != triangles_[twin / 3][twin % 3];
+  }
+
+  std::vector<std::uint8_t> torn_half_edges(const Progress& progress) const {
+    std::vector<std::uint8_t> torn(twins_.size());
+    parallel_for(closed_.size(), progress, [&](std::size_t begin, std::size_t end) {
+      for (Index h = static_cast<Index>(3 * begin); h < 3 * end; ++h) {
+        if (!closed_[h / 3]) continue;
+        const Index twin = twins_[h];
+        torn[h] = twin >= kManyTwins || !closed_[twin / 3] || !passage(h, twin);
+      }
+    });
+    return torn;
+  }
+
+  Rect rect_of(const Middle& middle) const {
+    const Rect& reach = reach_[kind_of(figures_.layout, middle)];
+    const Place at = place_of(middle);
+    return {reach.min() + at, reach.max() + at};
+  }
+
+  /// Whether the figure was not yet known to be broken in this triangle.
+  bool list(Index t, const Middle& middle) {
+    for (std::uint32_t i = lists_[t]; i != 0; i = listed_[i - 1].next) {
+      if (listed_[i - 1].middle == middle) return false;
+    }
+    listed_.push_back({middle, lists_[t]});
+    lists_[t] = static_cast<std::uint32_t>(listed_.size());
+    return true;
+  }
+
+  /// Splits the figures in which joints of U end.
+  void spread_splits(const Progress& progress) {
+    reported_for(ends_.size(), progress, [&](std::size_t t) {
+      if (!ends_[t]) return;
+      for (Index h = static_cast<Index>(3 * t); h < 3 * t + 3; ++h) {
+        const Index twin = twins_[h];
+        if (twin < kManyTwins && closed_[twin / 3]) split_beyond(h, twin);
+      }
+    });
+  }
+
+  /// The figures beyond an edge of such a triangle that are in the course of its middle.
+  void split_beyond(Index h, Index twin) {
+    const std::array<Place, 3>& own = places_[h / 3];
+    const float middle = (own[0].y() + own[1].y() + own[2].y()) / 3;
+    const bool alike = vertices_alike(h, twin);
+    const Place& from = place(alike ? next_corner(twin) : twin);
+    const Place& to = place(alike ? twin : next_corner(twin));
+    const float along = place(next_corner(h)).y() - place(h).y(), there = to.y() - from.y();
+    const float sense = std::abs(there + along) < std::abs(there - along) ? -1.0f : 1.0f;
+    const float course = from.y() + sense * (middle - place(h).y());
+    const auto row = static_cast<std::int32_t>(std::lround(2 * course));
+    break_along(twin, [&](const Middle& m) { return m.v == row; });
+  }
+
+  void break_along(Index h) {
+    break_along(h, [](const Middle&) { return true; });
+  }
+
+  /// Breaks those of the figures that an edge meets which `counts` takes, all of each.
+  template <class Counts>
+  void break_along(Index h, const Counts& counts) {
+    const Place &a = place(h), &b = place(next_corner(h));
+    for (std::size_t kind = 0; kind < kinds(); ++kind) {
+      figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const Middle& m) {
+        if (counts(m) && list(h / 3, m)) pending_.push_back({h / 3, m});
+      });
+    }
+    while (!pending_.empty()) {
+      const auto [t, middle] = pending_.back();
+      pending_.pop_back();
+      pass_on(t, middle);
+    }
+  }
+
+  void pass_on(Index t, const Middle& middle) {
+    const Rect rect = rect_of(middle);
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      const Index twin = twins_[h];
+      if (twin >= kManyTwins || !closed_[twin / 3]) continue;
+      if (!meets(place(h), place(next_corner(h)), rect)) continue;
+      const auto way = passage(h, twin);
+      if (!way) continue;
+      const Middle there = way->of(middle);
+      if (list(twin / 3, there)) pending_.push_back({twin / 3, there});
+    }
+  }
+
+  void add_record(std::size_t t, const std::vector<Middle>& middles,
+                  std::vector<std::uint32_t>& words) const {
+    words[t] = static_cast<std::uint32_t>(words.size());
+    for (int axis = 0; axis < 2; ++axis) {
+      for (const Place& place : places_[t]) {
+        words.push_back(std::bit_cast<std::uint32_t>(place[axis]));
+      }
+    }
+    words.push_back(static_cast<std::uint32_t>(middles.size()));
+    for (const Middle& m : middles) {
+      words.push_back(static_cast<std::uint32_t>(m.u));
+      words.push_back(static_cast<std::uint32_t>(m.v));
+    }
+  }
+
+  std::span<const Triangle> triangles_;
+  std::span<const Index> twins_;
+  const TileFigures& figures_;
+  std::array<Rect, 2> reach_;  ///< from middles: where triangles list a figure
+  std::array<Rect, 2> rects_;  ///< of the first figures: what has to be clear
+  std::vector<std::array<Place, 3>> places_;
+  std::vector<std::uint8_t> closed_;  ///< triangles whose coordinates close
+  std::vector<std::uint8_t> ends_;    ///< of figures that are split: where U alone does not
+  std::vector<std::uint32_t> lists_;  ///< of every triangle: one more than the place of the newest
+  std::vector<ListedFigure> listed_;
+  std::vector<std::pair<Index, Middle>> pending_;
+};
+
+void check_figures(const TileFigures& figures) {
+  for (const Rect& extent : figures.extents) {
+    const bool fits = extent.min().allFinite() && extent.max().allFinite() &&
+                      (extent.min().array() >= -0.5f).all() && (extent.max().array() <= 0.5f).all();
+    if (!fits) throw Error("figures of tiles reach half a tile from their middles at most");
+  }
+  if (!figures.shift.allFinite()) throw Error("tiles are shifted by no number");
+}
+
+}  // namespace
+
+// The twin is shaders/broken_tiles.glsl.
+bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
+                            const Eigen::Vector2f& uv) const {
+  if (words.empty()) return false;
+  const std::size_t record = words[triangle];
+  if (record < 2) return record == 1;
+  Place led = Place::Zero();
+  for (int axis = 0; axis < 2; ++axis) {
+    for (int m = 0; m < 3; ++m) {
+      led[axis] += barycentric[m] * std::bit_cast<float>(words[record + 3 * axis + m]);
+    }
+  }
+  const Place own = uv - shift;
+  const Place away = led - own;
+  const Place lifted = own + Place(std::floor(away.x() + 0.5f), std::floor(away.y() + 0.5f));
+  const Middle middle = figure_at(layout, lifted);
+  const std::size_t count = words[record + 6];
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = record + 7 + 2 * i;
+    if (std::bit_cast<std::int32_t>(words[at]) == middle.u &&
+        std::bit_cast<std::int32_t>(words[at + 1]) == middle.v) {
+      return true;
+    }
+  }
+  return false;
+}
+
+struct BrokenTileFinder::State {
+  std::vector<Triangle> triangles;
+  std::vector<Index> twins;
+};
+
+BrokenTileFinder::BrokenTileFinder(std::span<const Triangle> triangles)
+    : state_(std::make_shared<const State>(
+          State{{triangles.begin(), triangles.end()}, twins_of(triangles)})) {}
+
+BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
+                                   const TileFigures& figures, const Progress& progress) const {
+  return find(u, v, {}, figures, progress);
+}
+
+BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
+                                   std::span<const std::uint8_t> turned, const TileFigures& figures,
+                                   const Progress& progress) const {
+  const State& s = *state_;
+  check_figures(figures);
+  if (u.size() != s.triangles.size() || v.size() != s.triangles.size()) {
+    throw Error("tiles: there are waves of " + std::to_string(u.size()) + " and " +
+                std::to_string(v.size()) + " triangles for " + std::to_string(s.triangles.size()));
+  }
+  Breaks breaks(s.triangles, s.twins, u, v, turned, figures);
+  breaks.spread(progress);
+  return breaks.result();
+}
+
+BrokenTiles BrokenTileFinder::find(const TextureWaves& waves, const TileFigures& figures,
+                                   const Progress& progress) const {
+  constexpr PhaseShiftKind kKind = PhaseShiftKind::aligned;  // as textures are drawn
+  const auto u = corner_phases(waves.u, kKind, progress.part(0, 0.3));
+  const auto v = corner_phases(waves.v, kKind, progress.part(0.3, 0.6));
+  return find(u, v, figures, progress.part(0.6, 1));
+}
+
+BrokenTiles broken_tiles(std::span<const Triangle> triangles, const TextureWaves& waves,
+                         const TileFigures& figures, const Progress& progress) {
+  return BrokenTileFinder(triangles).find(waves, figures, progress);
+}
+
+}  // namespace brindle
