@@ -37,6 +37,12 @@ struct TexturedMesh {
 TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind,
                                  const Progress& progress = {});
 
+/// U and V at the three corners of every triangle, linear in each, one tile a unit: six numbers per
+/// triangle, those of one corner after the other's. NaN in triangles that are singularities of the
+/// field or have a corner without wave. Triangles that share a vertex agree there up to whole
+/// tiles.
+std::vector<float> corner_texture_coordinates(const TextureWaves& waves, PhaseShiftKind kind);
+
 /// Values per vertex of the original mesh (`components` numbers each), carried to the vertices of
 /// the textured mesh.
 std::vector<float> carried_values(const TexturedMesh& textured, std::span<const float> values,

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
 
 namespace brindle::python {

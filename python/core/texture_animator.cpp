@@ -6,7 +6,7 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
-#include "corner_uv.h"
+#include "brindle/texture_coordinates.h"
 #include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"
@@ -105,7 +105,7 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
   std::optional<TextureFrameResult> result;
   Job(progress).run([&](const Progress& reports) {
     result.emplace(data.animator.frame(input, reports));
-    uv = corner_coordinates(result->waves, data.phase_shift);
+    uv = corner_texture_coordinates(result->waves, data.phase_shift);
   });
   data.figures = figures_of(*result);
   return owned<float>(std::move(uv), {static_cast<py::ssize_t>(mesh.triangle_count()), 3, 2});

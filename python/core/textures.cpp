@@ -9,7 +9,6 @@
 #include "brindle/recipe/json_text.h"
 #include "brindle/texture_coordinates.h"
 #include "brindle/threads.h"
-#include "corner_uv.h"
 #include "job.h"
 #include "pattern_data.h"
 
@@ -137,7 +136,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
 
 py::array corner_uv(const TextureData& data) {
   std::vector<float> uv =
-      without_lock([&] { return corner_coordinates(data.waves, data.phase_shift); });
+      without_lock([&] { return corner_texture_coordinates(data.waves, data.phase_shift); });
   return owned<float>(std::move(uv), {static_cast<py::ssize_t>(data.waves.triangle_count()), 3, 2});
 }
 

@@ -50,6 +50,30 @@ TEST(TextureCoordinates, AroundACylinderSplitOneColumnAtMost) {
   EXPECT_LT(copies, 3 * surface.mesh.vertex_count() / 60);
 }
 
+TEST(CornerTextureCoordinates, AreThoseOfTheTexturedMeshUpToWholeTiles) {
+  const Surface surface = make_surface(make_shape("sphere,resolution=20"));
+  const TexturePattern pattern = texture_along(surface, Vec3(0, 0, 1), 12);
+  const TexturedMesh mesh = textured(surface, pattern);
+  const std::vector<float> uv = corner_texture_coordinates(pattern.waves, PhaseShiftKind::aligned);
+  ASSERT_EQ(uv.size(), 6 * surface.mesh.triangle_count());
+  std::vector<int> pieces(surface.mesh.triangle_count());
+  for (const Index origin : mesh.triangle_origins) ++pieces[origin];
+  std::size_t compared = 0, without = 0;
+  for (std::size_t i = 0; i < mesh.mesh.triangle_count(); ++i) {
+    const Index t = mesh.triangle_origins[i];
+    if (std::isnan(uv[6 * t])) ++without;
+    if (pieces[t] > 1 || std::isnan(uv[6 * t])) continue;
+    for (std::size_t m = 0; m < 3; ++m) {
+      const Eigen::Vector2f there = mesh.coordinates[mesh.mesh.triangles[i][m]];
+      ASSERT_LT(to_whole(uv[6 * t + 2 * m] - there.x()), 1e-4f);
+      ASSERT_LT(to_whole(uv[6 * t + 2 * m + 1] - there.y()), 1e-4f);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, surface.mesh.triangle_count());
+  EXPECT_GT(without, 0u);  // the poles are singularities of the field
+}
+
 /// The largest difference, up to whole tiles and up to the turn by 180 degrees, that both sides of
 /// an edge have at its ends; inner edges of split triangles and torn ones are left out.
 float largest_jump(const Surface& surface, const TexturePattern& pattern,

@@ -6,13 +6,14 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
+
+#include "brindle/base/bits.h"
 
 namespace brindle::elementary {
 
@@ -204,7 +205,7 @@ inline float fast_exp(float x) {
   const float doublings = (x * 1.44269504f + kWhole) - kWhole;
   const float r = (x - doublings * kLog2) - doublings * kLog2Rest;
   const float power = 1 + (r + r * r * detail::series(kSeries, r));
-  return power * std::bit_cast<float>((static_cast<std::int32_t>(doublings) + 127) << 23);
+  return power * bit_cast<float>((static_cast<std::int32_t>(doublings) + 127) << 23);
 }
 inline float log(float x) { return static_cast<float>(log(double{x})); }
 inline float pow(float base, float exponent) {

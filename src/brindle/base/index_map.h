@@ -36,7 +36,7 @@ class IndexMap {
   Entry& place(std::uint64_t key) {
     // Multiplied by the golden ratio's fraction, whose upper bits depend on all of the key's.
     const std::size_t last = entries_.size() - 1;
-    std::size_t at = (key * 0x9e3779b97f4a7c15u) >> (64 - std::bit_width(last));
+    auto at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> (64 - std::bit_width(last)));
     while (entries_[at].key != kNoKey && entries_[at].key != key) at = (at + 1) & last;
     return entries_[at];
   }

@@ -8,7 +8,10 @@
 #include <limits>
 #include <optional>
 
-#if defined(__unix__) || defined(__APPLE__)
+#if defined(__EMSCRIPTEN__)
+#include <emscripten/heap.h>
+#include <malloc.h>
+#elif defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
 #include <unistd.h>
 #define BRINDLE_HAS_LIMITS
@@ -29,7 +32,17 @@ std::optional<double> number_in(const char* path) {
   return std::nullopt;  // also for "max"
 }
 
-#ifdef BRINDLE_HAS_LIMITS
+#if defined(__EMSCRIPTEN__)
+
+/// What the module's memory may still grow by, and what is free in it.
+double memory_of_system() {
+  const auto growth = static_cast<double>(emscripten_get_heap_max() - emscripten_get_heap_size());
+  return growth + static_cast<double>(mallinfo().fordblks);
+}
+
+double memory_of_limit() { return kUnknown; }
+
+#elif defined(BRINDLE_HAS_LIMITS)
 
 /// Physical memory that could be had without swapping.
 double memory_of_system() {
@@ -89,6 +102,13 @@ double available_memory() {
 }
 
 double count_that_fits(double bytes_each) { return 0.5 * available_memory() / bytes_each; }
+
+std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std::string& what) {
+  if (count > std::numeric_limits<std::size_t>::max() / bytes_each) {
+    throw Error(what + " is larger than memory");
+  }
+  return static_cast<std::size_t>(count) * bytes_each;
+}
 
 /// What fits now may not fit when it is asked for again.
 constexpr double kSure = 0.6;

@@ -2,6 +2,8 @@
 /// than it has ends the process later, without a word.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -28,6 +30,10 @@ double available_memory();
 /// How many things of so many bytes a result may have. Half of the memory is left for what is made
 /// of it.
 double count_that_fits(double bytes_each);
+
+/// `count` things of so many bytes each in bytes. Throws Error naming `what` if no size is as
+/// large: where sizes have 32 bits, counts of files may have more.
+std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std::string& what);
 
 /// Throws TooLarge if that is less than `count`: "WHAT would be 2.3e+12 THINGS, and memory has room
 /// for 1.5e+08; " and what `remedy(count_that_fits)` says.

@@ -1,12 +1,12 @@
 /// Numbers and words written fast, floats in the shortest form that reads back the same.
 #pragma once
 
-#include <charconv>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include "brindle/base/number_text.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -39,8 +39,8 @@ class TextOutput {
   template <class Number>
   requires(std::is_arithmetic_v<Number>) TextOutput& operator<<(Number number) {
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
-    return *this << std::string_view(digits, end);
+    const auto end = write_number(digits, digits + sizeof digits, number).ptr;
+    return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
   }
 
  private:

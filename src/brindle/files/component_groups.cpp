@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "brindle/base/ranges.h"
 #include "brindle/files/input_file.h"
 #include "brindle/files/letters.h"
 
@@ -92,7 +93,7 @@ std::vector<DataArray> grouped_columns(std::vector<DataArray> columns) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (!taken[c]) arrays.emplace_back(c, std::move(columns[c]));
   }
-  std::ranges::sort(arrays, {}, [](const auto& entry) { return entry.first; });
+  ranges::sort(arrays, {}, [](const auto& entry) { return entry.first; });
   std::vector<DataArray> result;
   for (auto& entry : arrays) result.push_back(std::move(entry.second));
   return result;

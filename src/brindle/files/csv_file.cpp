@@ -9,6 +9,7 @@
 
 #include "brindle/base/input_stream.h"
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
@@ -141,10 +142,9 @@ std::vector<double> CsvTable::numbers_of(std::string_view name) const {
 CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
     : path_(std::move(path)), kind_(std::move(kind)), in_(open_input(path_, "a CSV file")) {
   first_ = next_row();
-  const bool words = first_ && std::ranges::none_of(cells_, [](auto cell) {
-                       return parse_number(cell).has_value();
-                     });
-  if (words) std::ranges::transform(cells_, std::back_inserter(names_), name_in);
+  const bool words =
+      first_ && ranges::none_of(cells_, [](auto cell) { return parse_number(cell).has_value(); });
+  if (words) ranges::transform(cells_, std::back_inserter(names_), name_in);
 }
 
 bool CsvFile::next_row() {

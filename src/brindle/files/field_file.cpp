@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/csv_file.h"
@@ -44,7 +45,7 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
 
 /// Whether the name of a column is among these.
 bool has_name(std::span<const std::string> names, std::string_view name) {
-  return std::ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
+  return ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
 }
 
 /// The columns x, y, z and those of frequencies that a table has.
@@ -69,7 +70,7 @@ void read_named_field(const std::filesystem::path& path, CsvFile& file,
   const auto columns = field_columns(path, file.names(), table);
   std::vector<double> values(columns.size());
   for (std::size_t row = 0; row < table.lines.size(); ++row) {
-    std::ranges::transform(columns, values.begin(), [&](auto& column) { return column[row]; });
+    ranges::transform(columns, values.begin(), [&](auto& column) { return column[row]; });
     use(table.lines[row], values);
   }
 }

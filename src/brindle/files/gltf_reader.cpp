@@ -1,5 +1,6 @@
 #include "brindle/files/gltf_reader.h"
 
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 
 #ifdef BRINDLE_HAS_JSON
@@ -312,7 +313,7 @@ class GltfReader {
   double unit_of_coordinates(const Json& accessor) const {
     const auto used = json_.find("extensionsUsed");
     const bool any = used != json_.end() && used->is_array() &&
-                     std::ranges::find(*used, "KHR_mesh_quantization") != used->end();
+                     ranges::find(*used, "KHR_mesh_quantization") != used->end();
     return any ? unit_of(accessor) : largest_of(number_type(accessor));
   }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brindle/base/input_stream.h"
+#include "brindle/base/number_text.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 
@@ -41,7 +42,7 @@ bool halfway_between_floats(double value) {
 /// from the middle it is not.
 double towards_nearest_float(double value, std::string_view word) {
   float nearest = 0;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), nearest);
+  const auto read = read_number(word.data(), word.data() + word.size(), nearest);
   if (read.ec != std::errc() || static_cast<float>(value) == nearest) return value;
   return std::nextafter(value, static_cast<double>(nearest));
 }
@@ -171,7 +172,7 @@ std::optional<double> parse_number(std::string_view word) {
 std::optional<double> parse_double(std::string_view word) {
   word = without_plus(word);
   double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
   // Too large or too small: strtod says which.
   if (error == std::errc::result_out_of_range)

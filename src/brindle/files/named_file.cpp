@@ -4,6 +4,7 @@
 #include <string>
 
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -18,7 +19,7 @@ namespace {
 
 void check_name_in_text(const std::filesystem::path& file) {
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (std::ranges::any_of(file.filename().native(), is_control)) {
+  if (ranges::any_of(file.filename().native(), is_control)) {
     refuse_name(file, "a name with control characters would break their lines");
   }
 }

@@ -58,7 +58,7 @@ class ObjReader {
     std::string block;
     for (std::uint64_t end = file_.size(), size = kFirstBlock; end > 0;) {
       const std::uint64_t begin = end - std::min(end, size);
-      block.resize(end - begin);
+      block.resize(static_cast<std::size_t>(end - begin));
       file_.read_at(begin, std::as_writable_bytes(std::span(block)));
       // The first line of a block may have begun before it.
       const std::size_t whole = begin == 0 ? 0 : block.find('\n') + 1;

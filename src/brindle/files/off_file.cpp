@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/bits.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files/byte_order.h"
@@ -79,7 +80,10 @@ class OffReader {
     std::string_view after = line_;
     binary_ = word.size() == off + 3 && take_word(after) == "BINARY";
     // The rest of the keyword goes on as the first of the counts.
-    if (word.size() > off + 3) line_ = {word.data() + off + 3, line_.data() + line_.size()};
+    if (word.size() > off + 3) {
+      const char* const rest = word.data() + off + 3;
+      line_ = {rest, static_cast<std::size_t>(line_.data() + line_.size() - rest)};
+    }
   }
 
   // ----------------------------------------------------------------------------------------------
@@ -123,7 +127,7 @@ class OffReader {
       file_.fail("the file is too short for " + std::to_string(vertices_) + " vertices and " +
                  std::to_string(faces_) + " faces" + std::string(kRemedy));
     }
-    mesh_.reserve_vertices(vertices_);
+    mesh_.reserve_vertices(static_cast<std::size_t>(vertices_));
   }
 
   double read_number() {
@@ -181,7 +185,7 @@ class OffReader {
     std::array<std::byte, sizeof(Number)> bytes{};
     std::memcpy(bytes.data(), file_.take(sizeof(Number)), sizeof(Number));
     if constexpr (std::endian::native == std::endian::little) reverse_bytes(bytes, sizeof(Number));
-    return std::bit_cast<Number>(bytes);
+    return bit_cast<Number>(bytes);
   }
 
   void read_binary() {

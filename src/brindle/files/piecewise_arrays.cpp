@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 
@@ -35,7 +36,7 @@ void PiecewiseArrays::add(std::vector<DataArray> piece) {
 }
 
 std::vector<DataArray> PiecewiseArrays::take(const std::string& of, std::string& left_out) {
-  std::ranges::sort(incomplete_);
+  ranges::sort(incomplete_);
   incomplete_.erase(std::unique(incomplete_.begin(), incomplete_.end()), incomplete_.end());
   for (const std::string& name : incomplete_) {
     left_out += "array " + in_quotes(name) + " of " + of +

@@ -14,6 +14,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/component_groups.h"
 #include "brindle/files/input_file.h"
@@ -247,7 +248,7 @@ bool name_components(std::vector<DataArray>& columns, std::span<const std::strin
                      const std::string& array) {
   std::vector<DataArray*> found;
   for (const std::string_view property : properties) {
-    const auto column = std::ranges::find(columns, property, &DataArray::name);
+    const auto column = ranges::find(columns, property, &DataArray::name);
     if (column == columns.end()) return false;
     if (!found.empty() && column->type != found[0]->type) return false;
     found.push_back(&*column);
@@ -358,9 +359,10 @@ class PlyReader {
     std::vector<DataArray> columns;
     for (const Property& property : element.properties) {
       columns.push_back({"", property.number, 1, {}});
-      if (property.list || std::ranges::find(others, property.name) != others.end()) continue;
+      if (property.list || ranges::find(others, property.name) != others.end()) continue;
       columns.back().name = property.name;
-      columns.back().bytes.reserve(element.count * size_of(property.number));
+      columns.back().bytes.reserve(static_cast<std::size_t>(element.count) *
+                                   size_of(property.number));
     }
     return columns;
   }
@@ -415,7 +417,7 @@ class PlyReader {
         file_.fail_whole("has vertices without '" + std::string(kAxes[axis]) + "'");
       }
     }
-    mesh_.reserve_vertices(element.count);
+    mesh_.reserve_vertices(static_cast<std::size_t>(element.count));
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::vector<DataArray> columns = columns_of(element, kAxes);
     read_rows(

@@ -8,6 +8,7 @@
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
@@ -35,8 +36,8 @@ constexpr std::array<Names, 3> kNormals = {{{"Normals:0", "Normals:1", "Normals:
 /// The first of these threes that are all there; or none.
 const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {
   for (const Names& three : known) {
-    const bool all = std::ranges::all_of(three, [&](std::string_view wanted) {
-      return std::ranges::any_of(names, [&](auto& name) { return same_letters(name, wanted); });
+    const bool all = ranges::all_of(three, [&](std::string_view wanted) {
+      return ranges::any_of(names, [&](auto& name) { return same_letters(name, wanted); });
     });
     if (all) return &three;
   }
@@ -76,8 +77,7 @@ LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   }
   LoadedPoints loaded = make_placed_point_cloud(vectors_in(table, *positions), std::move(normals));
   std::erase_if(table.columns, [&](const DataArray& column) {
-    return std::ranges::any_of(*positions,
-                               [&](auto name) { return same_letters(column.name, name); });
+    return ranges::any_of(*positions, [&](auto name) { return same_letters(column.name, name); });
   });
   loaded.arrays = grouped_columns(std::move(table.columns));
   make_names_unique(loaded.arrays);

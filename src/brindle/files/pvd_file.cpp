@@ -6,10 +6,13 @@
 #include <string>
 #include <utility>
 
+#ifdef BRINDLE_HAS_JSON
 #include <nlohmann/json.hpp>
+#endif
 
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/files/input_file.h"
@@ -52,11 +55,12 @@ void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>&
 
 /// In the order of their times.
 std::vector<TimedFile> in_order(const std::filesystem::path& path, std::vector<TimedFile> files) {
-  std::ranges::stable_sort(files, {}, &TimedFile::time);
+  ranges::stable_sort(files, {}, &TimedFile::time);
   check_times(path, files);
   return files;
 }
 
+#ifdef BRINDLE_HAS_JSON
 TimedFile timed_file(const std::filesystem::path& series, const nlohmann::json& entry) {
   const bool is_whole = entry.is_object() && entry.contains("name") && entry["name"].is_string() &&
                         entry.contains("time") && entry["time"].is_number();
@@ -65,6 +69,7 @@ TimedFile timed_file(const std::filesystem::path& series, const nlohmann::json& 
   }
   return {entry["time"].get<double>(), series.parent_path() / entry["name"].get<std::string>()};
 }
+#endif
 
 }  // namespace
 
@@ -91,6 +96,7 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
 }
 #endif
 
+#ifdef BRINDLE_HAS_JSON
 std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
   InputFile in(path);
   const auto size = static_cast<std::size_t>(in.remaining());
@@ -104,6 +110,13 @@ std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
   for (const nlohmann::json& entry : json["files"]) files.push_back(timed_file(path, entry));
   return in_order(path, std::move(files));
 }
+#else
+std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
+  throw Error(shown(path.native()) +
+              ": this brindle was built without nlohmann-json and reads no series; install it and "
+              "build again");
+}
+#endif
 
 void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> files) {
   for (const TimedFile& timed : files) check_name_in_xml(timed.file);

@@ -39,7 +39,7 @@ Mesh read_binary(const std::filesystem::path& path, std::uint64_t triangles,
   InputFile file(path, progress);
   file.take(kHeaderSize);
   MeshBuilder mesh;
-  mesh.reserve_vertices(3 * triangles);
+  mesh.reserve_vertices(static_cast<std::size_t>(3 * triangles));
   for (std::uint64_t t = 0; t < triangles; ++t) {
     // A normal, three corners, and two bytes that mean nothing.
     std::array<float, 12> numbers{};

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/memory.h"
 #include "brindle/base/printable.h"
 #include "brindle/files/input_file.h"
 
@@ -47,9 +48,9 @@ std::vector<std::byte> take_numbers(std::string_view& text, NumberType type, std
   const auto fail_short = [&] { fail("has fewer than " + std::to_string(count) + " numbers"); };
   // A number takes a letter and what parts it from the next.
   if (count > (text.size() + 1) / 2) fail_short();
-  std::vector<std::byte> bytes(count * size_of(type));
+  std::vector<std::byte> bytes(size_in_bytes(count, size_of(type), "an array"));
   with_number_type(type, [&]<class Number>(Number) {
-    for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const std::string_view word = take_word_of_lines(text);
       if (word.empty()) fail_short();
       const auto value = number_in<Number>(word);

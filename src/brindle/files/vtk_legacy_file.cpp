@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/memory.h"
 #include "brindle/base/printable.h"
 #include "brindle/files.h"
 #include "brindle/files/byte_order.h"
@@ -54,7 +55,7 @@ class VtkLegacyReader {
  public:
   VtkLegacyReader(const std::filesystem::path& path, const Progress& progress)
       : file_(path, progress) {
-    text_.resize(file_.size());
+    text_.resize(size_in_bytes(file_.size(), 1, shown(path.native())));
     file_.read_at(0, std::as_writable_bytes(std::span(text_)));
     rest_ = text_;
   }
@@ -399,7 +400,7 @@ class VtkLegacyReader {
   std::vector<std::byte> take_bytes(const std::string& name, std::uint64_t count,
                                     std::size_t size) {
     if (count > rest_.size() / size) fail_size(name);
-    std::vector<std::byte> bytes(count * size);
+    std::vector<std::byte> bytes(size_in_bytes(count, size, "array " + in_quotes(name)));
     if (!bytes.empty()) std::memcpy(bytes.data(), rest_.data(), bytes.size());
     rest_.remove_prefix(bytes.size());
     if constexpr (std::endian::native == std::endian::little) reverse_bytes(bytes, size);
@@ -408,8 +409,8 @@ class VtkLegacyReader {
 
   std::vector<std::byte> take_ids(const std::string& name, std::uint64_t count) {
     const DataArray narrow{name, NumberType::int32, 1, take_bytes(name, count, 4)};
-    std::vector<std::int64_t> ids(count);
-    for (std::uint64_t i = 0; i < count; ++i) {
+    std::vector<std::int64_t> ids(narrow.rows());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
       std::int32_t id = 0;
       std::memcpy(&id, &narrow.bytes[4 * i], sizeof id);
       ids[i] = id;
@@ -444,7 +445,7 @@ class VtkLegacyReader {
     std::uint64_t length = at(0) & 0x3f;
     for (std::size_t i = 1; i < bytes; ++i) length = length << 8 | at(i);
     if (length > rest_.size() - bytes) fail_size("string");
-    rest_.remove_prefix(bytes + length);
+    rest_.remove_prefix(bytes + static_cast<std::size_t>(length));
   }
 
   InputFile file_;

@@ -166,7 +166,7 @@ void VtkSurface::add_cells(const VtkCells& cells, Index first_point) {
     }
     cell_points_.clear();
     for (; begin < end; ++begin) {
-      const Index point = read(cells.points.bytes.data(), begin);
+      const Index point = read(cells.points.bytes.data(), static_cast<std::size_t>(begin));
       if (point >= existing) fail_point(existing);
       cell_points_.push_back(point + first_point);
     }

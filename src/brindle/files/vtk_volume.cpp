@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/ranges.h"
+
 namespace brindle {
 namespace {
 
@@ -83,7 +85,7 @@ const Solid* solid_of(std::uint8_t type) {
     }
     return solids;
   }();
-  const auto found = std::ranges::find(kSolids, type, &std::pair<std::uint8_t, Solid>::first);
+  const auto found = ranges::find(kSolids, type, &std::pair<std::uint8_t, Solid>::first);
   return found == kSolids.end() ? nullptr : &found->second;
 }
 
@@ -94,7 +96,7 @@ constexpr Index kNoCorner = 0xffffffff;
 
 FaceKey key_of(std::span<const Index> corners) {
   std::array<Index, 6> sorted{};
-  std::ranges::copy(corners, sorted.begin());
+  ranges::copy(corners, sorted.begin());
   const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(corners.size());
   std::sort(sorted.begin(), end);
   const auto last = std::unique(sorted.begin(), end);
@@ -201,7 +203,7 @@ std::vector<char> VtkVolumes::on_boundary() const {
     for (const std::uint8_t corner : face) corners.push_back(points[corner]);
     faces.push_back({key_of(corners), faces.size()});
   });
-  std::ranges::sort(faces, {}, [](const Face& face) { return face.key; });
+  ranges::sort(faces, {}, [](const Face& face) { return face.key; });
   std::vector<char> result(faces.size(), 0);
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].key == faces[begin].key) ++end;
@@ -217,22 +219,22 @@ void VtkVolumes::for_each_boundary_face(
   const std::vector<char> boundary = on_boundary();
   std::vector<Index> polygon;
   std::size_t number = 0;
-  for_each_face(
-      [&](std::size_t c, const Solid& solid, const Corners& face, std::span<const Index> points) {
-        if (!boundary[number++]) return;
-        polygon.clear();
-        add_points_of_edges(solid, face, points, polygon);
-        const Eigen::Vector3d centre = centre_of(positions, points.first(solid.corners));
-        if (faces_inwards(positions, polygon, centre)) std::ranges::reverse(polygon);
-        // Polygons are cut from their second point on. What is cut off shall be the corners: of
-        // cuts from corner to corner little of a curved face would be left.
-        const bool begins_at_corner = std::ranges::find(points.first(solid.corners), polygon[0]) !=
-                                      points.first(solid.corners).end();
-        if (polygon.size() > face.size() && begins_at_corner) {
-          std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
-        }
-        use(polygon, cells_[c]);
-      });
+  for_each_face([&](std::size_t c, const Solid& solid, const Corners& face,
+                    std::span<const Index> points) {
+    if (!boundary[number++]) return;
+    polygon.clear();
+    add_points_of_edges(solid, face, points, polygon);
+    const Eigen::Vector3d centre = centre_of(positions, points.first(solid.corners));
+    if (faces_inwards(positions, polygon, centre)) ranges::reverse(polygon);
+    // Polygons are cut from their second point on. What is cut off shall be the corners: of
+    // cuts from corner to corner little of a curved face would be left.
+    const bool begins_at_corner =
+        ranges::find(points.first(solid.corners), polygon[0]) != points.first(solid.corners).end();
+    if (polygon.size() > face.size() && begins_at_corner) {
+      std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+    }
+    use(polygon, cells_[c]);
+  });
 }
 
 }  // namespace brindle

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/vertex_triangles.h"
 
 namespace brindle {
@@ -50,7 +51,7 @@ std::vector<float> edge_cotangents(const Mesh& mesh, const Adjacency& neighborho
       if (corners[m] == vertex) continue;
       // The angle opposite the edge is at the third corner.
       const int opposite = corners[(m + 1) % 3] == vertex ? (m + 2) % 3 : (m + 1) % 3;
-      const auto place = std::ranges::lower_bound(row, corners[m]);
+      const auto place = ranges::lower_bound(row, corners[m]);
       if (place == row.end() || *place != corners[m]) continue;
       sums[neighborhood.offsets[vertex] + static_cast<std::size_t>(place - row.begin())] +=
           halves[3 * triangle + opposite];

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -9,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/bits.h"
 #include "brindle/geometry/local_positions.h"
 #include "brindle/geometry/same_corners.h"
 #include "brindle/mesh.h"
@@ -84,7 +84,7 @@ std::uint64_t hash(const Vec3& position) {
   std::uint64_t bits = 0;
   for (const float coordinate : position) {
     // Adding 0 makes -0 and 0 the same.
-    bits = (bits ^ std::bit_cast<std::uint32_t>(coordinate + 0.0f)) * 0x9e3779b97f4a7c15u;
+    bits = (bits ^ bit_cast<std::uint32_t>(coordinate + 0.0f)) * 0x9e3779b97f4a7c15u;
     bits ^= bits >> 32;
   }
   return bits;

@@ -1,11 +1,11 @@
 #include "brindle/polylines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "brindle/base/memory.h"
+#include "brindle/base/number_text.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
@@ -17,7 +17,7 @@ constexpr double kMostPoints = 0xfffffff0;
 
 std::string shortest_text(float number) {
   char text[32];
-  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+  return {text, write_number(text, text + sizeof text, number).ptr};
 }
 
 void append(Polylines& lines, const Vec3& point, const Vec3& normal) {

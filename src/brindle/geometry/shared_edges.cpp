@@ -6,6 +6,7 @@
 
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -57,7 +58,7 @@ std::vector<SharedEdge> shared_edges(std::span<const Triangle> triangles) {
   parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const std::span<FiledSide> around = sides.of(v);
-      std::ranges::stable_sort(around, {}, &FiledSide::high);
+      ranges::stable_sort(around, {}, &FiledSide::high);
       for_all_pairs(around, [&](const FiledSide&, const FiledSide&) { ++first[v + 1]; });
     }
   });

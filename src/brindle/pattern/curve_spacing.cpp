@@ -9,6 +9,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/box_tree.h"
 #include "brindle/points/point_tree.h"
 
@@ -325,7 +326,7 @@ CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurve
                                    std::size_t most_points, std::span<const float> wanted,
                                    const Progress& progress) {
   const std::span<const float> chosen = pattern.waves.frequencies;
-  const float step = step_at(chosen.empty() ? kStep : *std::ranges::max_element(chosen));
+  const float step = step_at(chosen.empty() ? kStep : *ranges::max_element(chosen));
   if (are_more_than(most_points, curves, step)) return {};
   JobStages stages(progress, {{"points", 1}, {"frequencies", 1}, {"boxes", 1}, {"gaps", 7}});
   const CurveMarks marks = marks_along(curves, step, stages.begin("points"));

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -69,7 +70,7 @@ class PointSampler {
 
   bool is_nearest(Index i, const Vec3& x) const {
     const float distance = x.norm();
-    return std::ranges::all_of(neighborhood_.of(i), [&](Index j) {
+    return ranges::all_of(neighborhood_.of(i), [&](Index j) {
       return distance <= kFarther * (x - offset(i, j)).norm();
     });
   }

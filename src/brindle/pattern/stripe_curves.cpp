@@ -14,6 +14,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/cut_curves.h"
@@ -342,7 +343,7 @@ class Tracer {
   }
 
   void continue_end(InnerEnd& end, std::optional<std::array<Walk, 2>> walks) {
-    if (walks && std::ranges::count(*walks, Walk::State::beyond, &Walk::state) > 0) {
+    if (walks && ranges::count(*walks, Walk::State::beyond, &Walk::state) > 0) {
       end.walks = std::move(walks);
       return;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "brindle/base/compressed_rows.h"
@@ -263,6 +264,26 @@ TexturedMesh texture_coordinates(const Mesh& mesh, const TextureWaves& waves, Ph
   });
   stages.finish();
   return textured;
+}
+
+std::vector<float> corner_texture_coordinates(const TextureWaves& waves, PhaseShiftKind kind) {
+  std::vector<float> uv(6 * waves.triangle_count(), std::numeric_limits<float>::quiet_NaN());
+  const std::vector<CornerPhases> u = corner_phases(waves.u, kind);
+  const std::vector<CornerPhases> v = corner_phases(waves.v, kind);
+  const auto has_coordinates = [](const CornerPhases& corners) {
+    return corners.kind == TriangleKind::regular || corners.kind == TriangleKind::branch;
+  };
+  const auto value = [](const Coordinate& c) { return c.base + static_cast<float>(c.tiles); };
+  for (std::size_t t = 0; t < waves.triangle_count(); ++t) {
+    if (!has_coordinates(u[t]) || !has_coordinates(v[t])) continue;
+    const auto along_u = coordinates_of(waves.u[t], u[t]);
+    const auto along_v = coordinates_of(waves.v[t], v[t]);
+    for (std::size_t m = 0; m < 3; ++m) {
+      uv[6 * t + 2 * m] = value(along_u[m]);
+      uv[6 * t + 2 * m + 1] = value(along_v[m]);
+    }
+  }
+  return uv;
 }
 
 std::vector<float> carried_values(const TexturedMesh& textured, std::span<const float> values,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -72,7 +73,7 @@ struct Members {
 /// Appends those who join to the members of their aggregates.
 Members with_joins(const Members& members, std::vector<Join> joins) {
   if (joins.empty()) return members;
-  std::ranges::stable_sort(joins, {}, &Join::aggregate);
+  ranges::stable_sort(joins, {}, &Join::aggregate);
   Members result;
   result.slots.reserve(members.slots.size() + joins.size());
   auto join = joins.begin();
@@ -149,7 +150,7 @@ class BlockGrower {
   void add_candidates(Index slot) {
     const auto counts = [&](Index neighbor) { return is_free(neighbor); };
     ground_.for_each_neighbor(slot, counts, [&](Index neighbor, float s) {
-      const auto known = std::ranges::find(candidates_, neighbor, &Candidate::slot);
+      const auto known = ranges::find(candidates_, neighbor, &Candidate::slot);
       if (known == candidates_.end()) {
         candidates_.push_back({neighbor, s});
       } else {
@@ -159,7 +160,7 @@ class BlockGrower {
   }
 
   Index take_strongest() {
-    const auto best = std::ranges::max_element(candidates_, {}, &Candidate::strength);
+    const auto best = ranges::max_element(candidates_, {}, &Candidate::strength);
     if (best == candidates_.end()) return kNone;
     const Index slot = best->slot;
     candidates_.erase(best);
@@ -258,7 +259,7 @@ class StrandedJoiner {
 
 void join_stranded(const Ground& ground, const std::vector<BlockGrower>& growers,
                    Aggregates& aggregates) {
-  if (std::ranges::all_of(growers, [](const auto& grower) { return grower.stranded().empty(); })) {
+  if (ranges::all_of(growers, [](const auto& grower) { return grower.stranded().empty(); })) {
     return;
   }
   StrandedJoiner joiner(ground, aggregates);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/phases/one_at_a_time.h"
 
 namespace brindle {
@@ -25,7 +26,7 @@ Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed, const Pro
     parallel_for(remaining.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
         const Index node = remaining[r];
-        chosen[node] = std::ranges::all_of(adjacency.of(node), [&](Index neighbor) {
+        chosen[node] = ranges::all_of(adjacency.of(node), [&](Index neighbor) {
           return color[neighbor] != kUncolored || priority(neighbor) < priority(node);
         });
       }

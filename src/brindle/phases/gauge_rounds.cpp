@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -39,7 +40,7 @@ class ChunkArranger {
       const Index m = aggregates_.begin[a] + rank;
       if (m < aggregates_.begin[a + 1]) members_.push_back(aggregates_.member[m]);
     }
-    std::ranges::sort(members_);
+    ranges::sort(members_);
     while (members_.size() % kLanes != 0) members_.push_back(kNone);
     return !members_.empty();
   }

@@ -1,12 +1,13 @@
 #include "brindle/phases/hierarchy.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 
+#include "brindle/base/bits.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/node_order.h"
 #include "brindle/phases/sliced_kernels.h"
@@ -43,7 +44,7 @@ void gauge_reflecting_member(Level& level, std::size_t m) {
 /// Whether the row of a slot has reflecting couplings.
 bool reflects(const Level& level, Index slot) {
   const auto list = level.couplings.reflecting_of(level.layout(), slot / kLanes);
-  return std::ranges::any_of(list, [slot](const ReflectingCoupling& coupling) {
+  return ranges::any_of(list, [slot](const ReflectingCoupling& coupling) {
     return coupling.entry % kLanes == slot % kLanes;
   });
 }
@@ -187,9 +188,9 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
     for (Index m = aggregation.member_begin[slot]; m < aggregation.member_begin[slot + 1]; ++m) {
       const Complex g = fine.gauge[aggregation.member[m]];
       const Complex t = std::conj(g) * fine.couplings.anchor[aggregation.member[m]];
-      const auto bits = std::bit_cast<std::uint32_t>(t.imag());
+      const auto bits = bit_cast<std::uint32_t>(t.imag());
       re += t.real();
-      im += std::bit_cast<float>(bits ^ (std::uint32_t{conjugate_bit(g)} << 31));  // no branch
+      im += bit_cast<float>(bits ^ (std::uint32_t{conjugate_bit(g)} << 31));  // no branch
     }
     coarse.couplings.anchor[slot] = {re, im};
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {
@@ -33,7 +34,7 @@ void set_turns(Level& level, bool is_finest) {
 
 void descend_from(Hierarchy& hierarchy, Complex start, int sweeps, const Progress& progress) {
   auto& levels = hierarchy.levels;
-  std::ranges::fill(levels.back().z, start);
+  ranges::fill(levels.back().z, start);
   for (std::size_t l = levels.size(); l-- > 0;) {
     // Each level takes about a quarter of the time of the next finer one.
     progress.report(std::pow(0.25, static_cast<double>(l + 1)));

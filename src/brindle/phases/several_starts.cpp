@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/one_at_a_time.h"
 #include "brindle/waves/least_curl.h"
@@ -104,7 +105,7 @@ void descend_from_lowest(Hierarchy& hierarchy, int sweeps, const Progress& progr
   const std::size_t judged = finest_with(levels, kSmallLevel);
   const std::size_t first = finest_with(levels, kFirstLevel);
   std::vector<Descent> descents = descents_by_chance(levels, first, sweeps, progress.part(0, 0.3));
-  std::ranges::stable_sort(descents, {}, &Descent::energy);
+  ranges::stable_sort(descents, {}, &Descent::energy);
   if (descents.size() > kFinalists) descents.resize(kFinalists);
   Descent lowest{{}, std::numeric_limits<double>::infinity()};
   for (Descent& descent : descents) {

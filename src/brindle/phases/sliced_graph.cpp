@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {
@@ -32,7 +33,7 @@ void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<
                   << 32 |
               n;
   }
-  std::ranges::sort(keys);
+  ranges::sort(keys);
   const std::vector<Index> before(block.begin(), block.end());
   for (std::size_t n = 0; n < block.size(); ++n) block[n] = before[static_cast<Index>(keys[n])];
 }

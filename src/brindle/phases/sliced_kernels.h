@@ -4,10 +4,10 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <span>
 
+#include "brindle/base/bits.h"
 #include "brindle/phase_shift.h"
 #include "brindle/phases/gauge_rounds.h"
 #include "brindle/phases/sliced_graph.h"
@@ -18,11 +18,11 @@ namespace brindle {
 /// A gauge or a coupling that says in the lowest bit of its real part, a relative error of 1e-7,
 /// whether it goes with the conjugate. One gather then brings both.
 constexpr Complex with_conjugate_bit(Complex value, bool conjugate) {
-  const auto bits = std::bit_cast<std::uint32_t>(value.real());
-  return {std::bit_cast<float>((bits & ~1u) | static_cast<std::uint32_t>(conjugate)), value.imag()};
+  const auto bits = bit_cast<std::uint32_t>(value.real());
+  return {bit_cast<float>((bits & ~1u) | static_cast<std::uint32_t>(conjugate)), value.imag()};
 }
 constexpr bool conjugate_bit(Complex value) {
-  return (std::bit_cast<std::uint32_t>(value.real()) & 1u) != 0;
+  return (bit_cast<std::uint32_t>(value.real()) & 1u) != 0;
 }
 
 struct SlicedWave;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
 
@@ -12,8 +13,8 @@ namespace brindle {
 namespace {
 
 bool same(const SlicedWave& a, const SlicedWave& b) {
-  return std::ranges::equal(a.position, b.position) && a.root_frequency == b.root_frequency &&
-         std::ranges::equal(a.direction, b.direction);
+  return ranges::equal(a.position, b.position) && a.root_frequency == b.root_frequency &&
+         ranges::equal(a.direction, b.direction);
 }
 
 bool turned_round(const SlicedWave& a, const SlicedWave& b) {

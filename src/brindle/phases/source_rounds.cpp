@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -107,7 +108,7 @@ class BlockArranger {
 
   void deal() {
     rounds_.entry.assign(std::size_t{rounds_.round_begin.back()} * kLanes, 0);
-    std::ranges::fill(dealt_, Index{0});
+    ranges::fill(dealt_, Index{0});
     for (const auto& [target, place] : sources_) {
       const std::size_t round = rounds_.round_begin[target / kLanes] + dealt_[target]++;
       rounds_.entry[round * kLanes + target % kLanes] = place;

@@ -19,6 +19,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pipeline/measured_pattern.h"
@@ -211,7 +212,7 @@ class PairMerger {
   std::vector<BranchPair> find_pairs(const Progress& progress) {
     std::vector<BranchPair> pairs;
     const auto branches = static_cast<std::size_t>(
-        std::ranges::count_if(index_, [](int index) { return std::abs(index) == 1; }));
+        ranges::count_if(index_, [](int index) { return std::abs(index) == 1; }));
     std::size_t number = 0;
     for (Index t = 0; t < index_.size(); ++t) {
       if (std::abs(index_[t]) != 1) continue;

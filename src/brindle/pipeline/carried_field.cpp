@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/geometry/nearest.h"
 #include "brindle/waves/direction_graph.h"
@@ -52,7 +53,7 @@ class Counterparts {
       throw Error("carried field: " + std::to_string(count) + " vertices cannot be matched with " +
                   std::to_string(matched) + " by number");
     }
-    const auto bad = std::ranges::find_if(
+    const auto bad = ranges::find_if(
         numbers, [&](Index from) { return from != kNoCounterpart && from >= last_count; });
     if (bad == numbers.end()) return;
     throw Error("carried field: vertex " + std::to_string(bad - numbers.begin()) +

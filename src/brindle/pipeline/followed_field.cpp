@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brindle/base/ranges.h"
+
 namespace brindle {
 namespace {
 
@@ -46,8 +48,8 @@ float hold_of(const PhaseGraph& graph, const LastValues& last, Index node, float
 
 std::vector<float> anchor_strengths(const PhaseGraph& graph) {
   std::vector<float> strengths(graph.anchor.size());
-  std::ranges::transform(graph.anchor, strengths.begin(),
-                         [](const Complex& pull) { return std::abs(pull); });
+  ranges::transform(graph.anchor, strengths.begin(),
+                    [](const Complex& pull) { return std::abs(pull); });
   return strengths;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
@@ -35,7 +36,7 @@ void check_values(const FrameInput& input, const Adjacency& neighborhood,
   check_waves(input.positions, input.directions, input.frequencies);
   if (!input.normals.empty()) {
     check_tangent(input.normals, input.directions);
-  } else if (std::ranges::equal(input.positions, in_place.positions)) {
+  } else if (ranges::equal(input.positions, in_place.positions)) {
     check_tangent(in_place.normals, input.directions);
   }
   check_fineness(neighborhood, input.positions, input.directions, input.frequencies);

@@ -13,6 +13,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pipeline/twisted_forms.h"
@@ -208,7 +209,7 @@ class Slivers {
     double largest = 0, count = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Index w : surface.neighborhood->of(v)) {
-      if (std::ranges::binary_search(vertices_, w) || directions[w].isZero(0)) continue;
+      if (ranges::binary_search(vertices_, w) || directions[w].isZero(0)) continue;
       largest = std::max(largest, gradients[w].norm());
       sum += (directions[v].dot(directions[w]) < 0 ? -1 : 1) * gradients[w];
       ++count;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -63,14 +64,14 @@ FrameOrientation KeptOrientation::orient(std::span<const Vec3> u, bool as_given,
     const auto turns_round = [](const Vec3& a, const Vec3& b) -> std::uint8_t {
       return a.dot(b) < 0;
     };
-    std::ranges::transform(u, last_directions_, flipped_.begin(), turns_round);
-    const bool flips = !as_given && std::ranges::count(flipped_, 0) != std::ssize(flipped_);
+    ranges::transform(u, last_directions_, flipped_.begin(), turns_round);
+    const bool flips = !as_given && ranges::count(flipped_, 0) != std::ssize(flipped_);
     if (!flips && signs_ == last_signs_) return FrameOrientation::kept;
   }
   agreements(signs_, edges_, agreement_);
   FrameOrientation result = FrameOrientation::afresh;
   if (as_given) {
-    std::ranges::fill(turned_, std::uint8_t{0});
+    ranges::fill(turned_, std::uint8_t{0});
     if (!is_first) result = FrameOrientation::continued;
   } else if (is_first) {
     turned_ = orienting_turns(triangles_, oriented_triangles(signs_), edges_, agreement_, progress);

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/orientation.h"
@@ -27,9 +28,9 @@ void check_known(const KnownDirections& known, std::size_t vertices, const char*
   require(known.confidence.empty() || known.confidence.size() == vertices,
           "there are " + std::to_string(known.confidence.size()) + " confidences for " +
               std::to_string(vertices) + " vertices; give one to each, or none");
-  require(std::ranges::all_of(known.directions, [](const Vec3& d) { return d.allFinite(); }),
+  require(ranges::all_of(known.directions, [](const Vec3& d) { return d.allFinite(); }),
           "directions must be finite; zero says that nothing is known");
-  require(std::ranges::all_of(known.confidence, strength),
+  require(ranges::all_of(known.confidence, strength),
           "confidences must be finite numbers of 0 or above");
 }
 

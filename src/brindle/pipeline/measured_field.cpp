@@ -13,6 +13,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/phases/screened.h"
@@ -57,7 +58,7 @@ void check_field(const MeasuredField& field, std::size_t places, const std::stri
   count(field.directions.size(), "directions");
   if (field.confidence.empty()) return;
   count(field.confidence.size(), "confidences");
-  require(std::ranges::all_of(field.confidence, is_strength),
+  require(ranges::all_of(field.confidence, is_strength),
           "confidences must be finite numbers of 0 or above");
 }
 
@@ -78,7 +79,7 @@ double quantile(std::span<const DatumTurn> sorted, double total, double share) {
 }
 
 void tell_turns(std::vector<DatumTurn> turns, FieldDetailFigures& figures) {
-  std::ranges::sort(turns, {}, &DatumTurn::degrees);
+  ranges::sort(turns, {}, &DatumTurn::degrees);
   double total = 0, sum = 0, over = 0;
   for (const DatumTurn& turn : turns) {
     const auto weight = static_cast<double>(turn.weight);
@@ -220,7 +221,7 @@ void FieldDetail::State::check_frame(const MeasuredField& measured,
   require(frequencies.size() == count(), "there are " + std::to_string(frequencies.size()) +
                                              " frequencies for " + std::to_string(count()) +
                                              " vertices; give one to each");
-  require(std::ranges::all_of(frequencies, is_strength),
+  require(ranges::all_of(frequencies, is_strength),
           "frequencies must be finite numbers of 0 or above");
 }
 
@@ -247,7 +248,7 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
       if (!u.empty() && u[i] != Complex(0)) start[i] = u[i];
     }
   });
-  const bool has_holes = std::ranges::find(screening, 0.0f) != screening.end();
+  const bool has_holes = ranges::find(screening, 0.0f) != screening.end();
   ScreenedOptions solving = {.max_iterations = kMostIterations,
                              .tolerance = has_holes   ? kToleranceInHoles
                                           : u.empty() ? kTolerance
@@ -264,7 +265,7 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
 /// How far every vertex is from the next datum, along edges, in periods; infinitely far beyond
 /// what is filled. Nothing where there are no holes.
 std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
-  if (std::ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
+  if (ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
   const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
   return periods_from_data(surface, frequencies, std::not_fn(is_hole), is_hole, options.fill);
 }
@@ -333,7 +334,7 @@ void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& p
       if (field[i].dot(directions[i]) < 0) field[i] = -field[i];
     }
   });
-  const bool all = std::ranges::find(settled, std::uint8_t{0}) == settled.end();
+  const bool all = ranges::find(settled, std::uint8_t{0}) == settled.end();
   if (!all) orient_alike(*surface.neighborhood, settled, field);
 }
 
@@ -363,7 +364,7 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
   if (measured.of_triangles && around.entries.empty()) around = vertex_triangles(surface.mesh);
   progress.report(0);
   solve(measured, frequencies, last, progress.part(0, 0.8));
-  const bool is_any = std::ranges::any_of(data.weight, [](float w) { return w > 0; });
+  const bool is_any = ranges::any_of(data.weight, [](float w) { return w > 0; });
   require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
   DetailedField field = seen(frequencies, progress.part(0.8, 1));
   measured_ = measured;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
 #include "brindle/phases/screened.h"
@@ -33,7 +34,7 @@ void check(const Surface& surface, std::span<const float> frequencies,
                           std::to_string(surface.mesh.vertex_count()) +
                           " vertices; give one to each");
   require_frequencies(
-      std::ranges::none_of(frequencies, [](float f) { return f < 0 || std::isinf(f); }),
+      ranges::none_of(frequencies, [](float f) { return f < 0 || std::isinf(f); }),
       "frequencies must be finite numbers of 0 or above, or NaN where there is none");
 }
 
@@ -120,7 +121,7 @@ double median_change(const Logarithms& logarithms) {
     order.push_back(i);
     total += static_cast<double>(logarithms.area(i));
   }
-  std::ranges::sort(order, {}, [&](Index i) { return std::pair(logarithms.change(i), i); });
+  ranges::sort(order, {}, [&](Index i) { return std::pair(logarithms.change(i), i); });
   double sum = 0;
   for (const Index i : order) {
     sum += static_cast<double>(logarithms.area(i));

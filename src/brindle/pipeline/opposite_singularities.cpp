@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/pipeline/period_walk.h"
 #include "brindle/waves/field_index.h"
@@ -32,7 +33,7 @@ FoundSingularities opposite_singularities(const Surface& surface, std::span<cons
       return true;
     });
   }
-  std::ranges::sort(near, {}, [](const OppositeSingularities& pair) {
+  ranges::sort(near, {}, [](const OppositeSingularities& pair) {
     return std::tuple(pair.distance, pair.positive, pair.negative);
   });
   std::vector<bool> is_taken(surface.mesh.triangle_count());

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/ranges.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
 
@@ -71,7 +72,7 @@ std::vector<float> periods_from_data(const Surface& surface, std::span<const flo
   for (Index i = 0; i < frequencies.size(); ++i) {
     if (!is_datum(i)) continue;
     distance[i] = 0;
-    if (std::ranges::any_of(surface.neighborhood->of(i), is_hole)) borders.push_back(i);
+    if (ranges::any_of(surface.neighborhood->of(i), is_hole)) borders.push_back(i);
   }
   PeriodWalk(surface, frequencies).from(borders, reach, [&](Index i, float far) {
     distance[i] = std::min(distance[i], far);

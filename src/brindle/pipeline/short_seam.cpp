@@ -7,6 +7,7 @@
 
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -126,7 +127,7 @@ std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, cons
         if (number[node] != kNone && number[node] != i) near[i].push_back({number[node], steps});
         return near[i].size() < kNearest;
       });
-      std::ranges::sort(near[i], {}, &Near::end);
+      ranges::sort(near[i], {}, &Near::end);
     }
   };
   parallel_for(ends.size(), progress, search_from, ends_per_task, ends_per_report);
@@ -156,7 +157,7 @@ class Matching {
 
  private:
   std::optional<Index> distance_from(Index i, Index j) const {
-    const auto found = std::ranges::lower_bound(near_[i], j, {}, &Near::end);
+    const auto found = ranges::lower_bound(near_[i], j, {}, &Near::end);
     if (found == near_[i].end() || found->end != j) return std::nullopt;
     return found->steps;
   }
@@ -210,8 +211,8 @@ class Matching {
 std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges, const Ways& at_node,
                                               const Progress& progress) {
   std::vector<std::uint8_t> difference(edges.size());
-  std::ranges::transform(edges, difference.begin(),
-                         [](const SeamEdge& edge) { return edge.in_seam ? 1 : 0; });
+  ranges::transform(edges, difference.begin(),
+                    [](const SeamEdge& edge) { return edge.in_seam ? 1 : 0; });
   const std::vector<Index> ends = ends_of(edges, at_node.size());
   Search search(at_node);
   const auto pairs = Matching(ends, at_node, progress.part(0, 0.7)).pairs();
@@ -302,13 +303,13 @@ void turn_inside(std::size_t edge_count, const Ways& at_triangle, Parts parts,
 std::vector<std::uint8_t> shortening_turns(std::span<const SeamEdge> edges, std::size_t node_count,
                                            std::size_t triangle_count, const Progress& progress) {
   std::vector<std::uint8_t> turned(triangle_count);
-  if (std::ranges::none_of(edges, &SeamEdge::in_seam)) return turned;
+  if (ranges::none_of(edges, &SeamEdge::in_seam)) return turned;
   const Ways at_node = ways_between(edges, node_count, nodes_of);
   std::vector<std::vector<Index>> parts =
       connected_parts(edges, at_node, difference_to_paths(edges, at_node, progress.part(0.2, 0.7)));
   progress.report(0.8);
   std::erase_if(parts, [&](const std::vector<Index>& part) {
-    const auto in_seam = std::ranges::count_if(part, [&](Index e) { return edges[e].in_seam; });
+    const auto in_seam = ranges::count_if(part, [&](Index e) { return edges[e].in_seam; });
     return 2 * static_cast<std::size_t>(in_seam) <= part.size();
   });
   if (!parts.empty()) {

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
@@ -93,7 +94,7 @@ SolverOptions solver_options(const SmoothFieldOptions& options) {
 std::vector<Complex> values_from(const PhaseGraph& graph, std::vector<Complex> start,
                                  const SmoothFieldOptions& options, const Progress& progress) {
   // Nodes that nothing pulls.
-  std::ranges::replace(start, Complex(0), kPeak);
+  ranges::replace(start, Complex(0), kPeak);
   Hierarchy hierarchy = build_hierarchy(graph, progress.part(0, 0.3));
   Level& finest = hierarchy.levels[0];
   to_slots(finest.layout(), start, finest.z);

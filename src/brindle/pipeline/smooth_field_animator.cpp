@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
@@ -67,7 +68,7 @@ std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> an
                                                  const Progress& progress) {
   State& s = *state_;
   const bool first = s.last_u.empty();
-  if (!first && std::ranges::equal(anchors, s.last_anchors, same)) return s.field;
+  if (!first && ranges::equal(anchors, s.last_anchors, same)) return s.field;
   set_anchors(anchors);
   // Nothing of the last frame is in what a solve leaves behind: the next one begins anew.
   progress.report("field", 0);

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/ranges.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"
@@ -245,8 +246,8 @@ void StripeAnimator::iterate() {
     s.last_momentum = s.momentum.m;
     s.has_iterated = true;
   }
-  std::ranges::transform(s.last_z, finest.z.begin(),
-                         [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
+  ranges::transform(s.last_z, finest.z.begin(),
+                    [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
   for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
     for (Index color = 0; color < finest.layout().color_count(); ++color) {
       relax_color(finest.layout(), finest.couplings, finest.z, s.momentum, color);
@@ -309,7 +310,7 @@ void StripeAnimator::restart() {
   state_->last_z.clear();
   state_->given_z.clear();
   state_->yielding.restart();
-  std::ranges::fill(state_->momentum.m, Complex(0));
+  ranges::fill(state_->momentum.m, Complex(0));
 }
 
 void StripeAnimator::set_slack(const Slack& slack) {

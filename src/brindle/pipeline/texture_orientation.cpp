@@ -7,6 +7,7 @@
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/pipeline/short_seam.h"
 #include "brindle/solver.h"
 
@@ -54,7 +55,7 @@ PhaseGraph triangle_graph(CompressedRows<Link> links) {
   adjacency->offsets.assign(triangle_count + 1, 0);
   for (std::size_t t = 0; t < triangle_count; ++t) {
     const std::span<Link> row = links.of(t);
-    std::ranges::sort(row, {}, &Link::neighbor);
+    ranges::sort(row, {}, &Link::neighbor);
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0 && row[i].neighbor == row[i - 1].neighbor) {
         graph.coupling.back() += row[i].coupling;
@@ -174,7 +175,7 @@ void turn_agreements(std::span<const std::uint8_t> turned, std::span<const Share
 
 std::vector<std::uint8_t> oriented_triangles(std::span<const CornerSigns> signs) {
   std::vector<std::uint8_t> oriented(signs.size());
-  std::ranges::transform(signs, oriented.begin(), [](CornerSigns s) {
+  ranges::transform(signs, oriented.begin(), [](CornerSigns s) {
     return static_cast<std::uint8_t>((s & kUnoriented) == 0);
   });
   return oriented;

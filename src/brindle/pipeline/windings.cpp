@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/harmonic_change.h"
 #include "brindle/pipeline/yielded_stripes.h"
@@ -140,7 +141,7 @@ std::vector<Wanted> wanted_of(const std::vector<SurfaceLoop>& loops,
 void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Winding>& before,
                  std::vector<Wanted>& wanted) {
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const bool named = std::ranges::any_of(wanted, [&](const Wanted& w) { return w.loop == i; });
+    const bool named = ranges::any_of(wanted, [&](const Wanted& w) { return w.loop == i; });
     if (!named && !loops[i].boundary && before[i]) wanted.push_back({i, *before[i]});
   }
 }
@@ -165,7 +166,7 @@ std::vector<std::size_t> followers(const Surface& surface, const std::vector<Sur
   for (const auto& boundaries : boundaries_of_pieces(loops)) {
     int sum = 0, named = 0;
     for (const MissingPeriods& m : missing) {
-      if (std::ranges::find(boundaries, m.loop) == boundaries.end()) continue;
+      if (ranges::find(boundaries, m.loop) == boundaries.end()) continue;
       if (senses.empty()) senses = senses_of(surface, waves.directions);
       sum += senses[loops[m.loop].vertices[0]] * m.periods;
       ++named;
@@ -173,7 +174,7 @@ std::vector<std::size_t> followers(const Surface& surface, const std::vector<Sur
     if (named < std::ssize(boundaries)) continue;
     const std::size_t last = boundaries.back();
     if (sum != 0) {
-      const auto own = std::ranges::find(missing, last, &MissingPeriods::loop);
+      const auto own = ranges::find(missing, last, &MissingPeriods::loop);
       const int gained = walks[last].periods + own->periods - senses[loops[last].vertices[0]] * sum;
       refuse_sum(loops, boundaries, walks[last].sign * gained);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/waves/slack_check.h"
 
@@ -42,9 +43,9 @@ void YieldingFrames::set_slack(const Slack& slack) {
 }
 
 bool YieldingFrames::is_kept(const FrameInput& input) const {
-  return yielding_ && has_kept_ && std::ranges::equal(input.frequencies, wanted_) &&
-         std::ranges::equal(input.directions, directions_, same_bits) &&
-         std::ranges::equal(input.positions, positions_, same_bits);
+  return yielding_ && has_kept_ && ranges::equal(input.frequencies, wanted_) &&
+         ranges::equal(input.directions, directions_, same_bits) &&
+         ranges::equal(input.positions, positions_, same_bits);
 }
 
 FrameInput YieldingFrames::yielded(const FrameInput& input, const Progress& progress) {

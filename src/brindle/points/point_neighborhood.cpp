@@ -9,6 +9,7 @@
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/points/point_tree.h"
 
@@ -60,7 +61,7 @@ Adjacency tidied(CompressedRows<Index> rows, const Progress& progress) {
   result.neighbors.reserve(rows.entries.size());
   reported_for(rows.size(), progress, [&](std::size_t i) {
     const std::span<Index> row = rows.of(i);
-    std::ranges::sort(row);
+    ranges::sort(row);
     result.neighbors.insert(result.neighbors.end(), row.begin(),
                             std::unique(row.begin(), row.end()));
     result.offsets[i + 1] = static_cast<Index>(result.neighbors.size());

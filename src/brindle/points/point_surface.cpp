@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/geometry/edge_lengths.h"
 #include "brindle/points.h"
@@ -56,7 +57,7 @@ Surface make_point_surface(PointCloud cloud, int neighbors, const Progress& prog
       point_neighborhood(cloud.positions, cloud.used, neighbors, stages.begin("neighborhood")));
   check_edge_lengths(edge_lengths(cloud.positions, *surface.neighborhood));
   surface.normals = normals_of(cloud, *surface.neighborhood, stages.begin("normals"));
-  if (std::ranges::all_of(surface.normals, [](const Vec3& n) { return n.isZero(0); })) {
+  if (ranges::all_of(surface.normals, [](const Vec3& n) { return n.isZero(0); })) {
     throw Error(
         "the points make no surface: there are fewer than three, or they lie on a line; give more "
         "points, or points with normals");

@@ -10,6 +10,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/tensor_field.h"
@@ -75,8 +76,8 @@ MeasuredField measured_field(const FieldData& data, const DirectionField& direct
 }
 
 bool has_data(const MeasuredField& measured) {
-  return std::ranges::any_of(measured.directions,
-                             [](const Vec3& d) { return d.allFinite() && !d.isZero(0); });
+  return ranges::any_of(measured.directions,
+                        [](const Vec3& d) { return d.allFinite() && !d.isZero(0); });
 }
 
 DataArray globe_vectors(const Mesh& mesh, const DataArray& east_north) {

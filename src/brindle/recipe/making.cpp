@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/base/formatted.h"
+#include "brindle/base/ranges.h"
 #include "brindle/boundary_phases.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/yielded_stripes.h"
@@ -19,8 +20,8 @@ StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, Stripe
                             const MakingOptions& options, MakingFigures& figures) {
   if (!options.anchor_boundary) return stripes;
   stripes.fixed_phases = boundary_phases(surface, waves, *options.anchor_boundary);
-  figures.fixed_vertices = static_cast<std::size_t>(std::ranges::count_if(
-      stripes.fixed_phases, [](const Complex& z) { return z != Complex(0); }));
+  figures.fixed_vertices = static_cast<std::size_t>(
+      ranges::count_if(stripes.fixed_phases, [](const Complex& z) { return z != Complex(0); }));
   if (figures.fixed_vertices == 0) {
     throw Error(
         "--anchor-boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "

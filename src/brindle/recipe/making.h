@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#ifdef BRINDLE_HAS_JSON
 #include <nlohmann/json.hpp>
+#endif
 
 #include "brindle/branch_pairs.h"
 #include "brindle/stripe_pattern.h"
@@ -41,8 +43,10 @@ StripePattern make_pattern(const Surface& surface, WaveSet waves, StripeOptions 
 /// Fills in the loops of the surface and their windings.
 void measure_windings(const Surface& surface, const StripePattern& pattern, MakingFigures& figures);
 
+#ifdef BRINDLE_HAS_JSON
 /// Keys for a report, and lines for people.
 void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json);
 std::string lines_of(const MakingFigures& figures);
+#endif
 
 }  // namespace brindle

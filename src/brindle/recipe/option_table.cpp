@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "brindle/base/ranges.h"
 #include "brindle/recipe/job_rows.h"
 #include "brindle/recipe/mark_rows.h"
 #include "brindle/recipe/solving_rows.h"
@@ -35,7 +36,7 @@ bool NumberRange::contains(double value) const {
 std::span<const OptionInfo> option_table() { return kTable; }
 
 const OptionInfo* find_option(std::string_view name, PatternJob job) {
-  const auto row = std::ranges::find_if(
+  const auto row = ranges::find_if(
       kTable, [&](const OptionInfo& info) { return info.name == name && info.is_for(job); });
   return row == std::end(kTable) ? nullptr : &*row;
 }

@@ -8,6 +8,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/elementary.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -89,7 +90,7 @@ float turn_said_by(std::span<const DataArray> arrays) {
   const DataArray* array = find_array(arrays, kTurnArray);
   if (array == nullptr || array->rows() == 0) return 0;
   const std::vector<double> turns = doubles_of(array->view());
-  const bool one = std::ranges::all_of(turns, [&](double turn) { return turn == turns.front(); });
+  const bool one = ranges::all_of(turns, [&](double turn) { return turn == turns.front(); });
   if (array->components != 1 || !one || !std::isfinite(turns.front())) {
     throw Error(std::string("the array '") + kTurnArray +
                 "' must have the same finite number of degrees in all rows");

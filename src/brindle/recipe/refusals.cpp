@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brindle/base/formatted.h"
+#include "brindle/base/ranges.h"
 #include "brindle/samples.h"
 
 namespace brindle {
@@ -20,7 +21,7 @@ namespace {
 
 /// The first row of "--name". Throws Error if there is none.
 const OptionInfo& row_of(const std::string& option) {
-  const auto row = std::ranges::find(option_table(), option.substr(2), &OptionInfo::name);
+  const auto row = ranges::find(option_table(), option.substr(2), &OptionInfo::name);
   if (row == option_table().end()) throw Error(option + " is no option");
   return *row;
 }
@@ -93,7 +94,7 @@ void check_making(const MakingOptions& options, Solver solver) {
   if (solver != Solver::multilevel) {
     throw RefusedOption("--anchor-boundary", "has no effect here: it is for --solver multilevel");
   }
-  const bool spiral = std::ranges::any_of(options.windings, [](const WantedWinding& w) {
+  const bool spiral = ranges::any_of(options.windings, [](const WantedWinding& w) {
     return w.periods != 0 && !w.loop.starts_with("loop");
   });
   if (!spiral) return;
@@ -165,7 +166,7 @@ void check_view_of_crosses(bool shows_stripes) {
 
 void check_tile_of_crosses(const std::string& name) {
   constexpr std::array<std::string_view, 3> kTurned = {"checker", "dots", "plus"};
-  if (std::ranges::find(kTurned, std::string_view(name)) != kTurned.end()) return;
+  if (ranges::find(kTurned, std::string_view(name)) != kTurned.end()) return;
   throw RefusedOption("--texture", "'" + name +
                                        "' does not look the same turned by 90 degrees; with "
                                        "--cross take checker, dots, plus or a picture that does");

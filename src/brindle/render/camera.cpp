@@ -1,7 +1,6 @@
 #include "brindle/camera.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/number_text.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {
@@ -113,7 +113,7 @@ std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
   const char* end = text.data() + text.size();
   while (true) {
     float number = 0;
-    const auto [rest, failure] = std::from_chars(next, end, number);
+    const auto [rest, failure] = read_number(next, end, number);
     if (failure != std::errc() || !std::isfinite(number)) return {};
     numbers.push_back(number);
     if (rest == end) break;

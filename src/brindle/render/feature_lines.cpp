@@ -10,6 +10,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/feature_edges.h"
@@ -161,7 +162,7 @@ bool covered(const TrianglePoint& place, const Mesh& mesh, const WaveSet& waves,
 /// Steps short enough that no dash is missed.
 float fine_spacing(const WaveSet& waves) {
   constexpr float kStepsPerPeriod = 40;
-  const auto highest = std::ranges::max_element(waves.frequencies);
+  const auto highest = ranges::max_element(waves.frequencies);
   return highest == waves.frequencies.end() || !(*highest > 0) ? 0
                                                                : 1 / (kStepsPerPeriod * *highest);
 }

@@ -13,6 +13,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/memory.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 
@@ -296,7 +297,7 @@ Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
                 std::to_string(samples.size()) + " glyphs");
   }
   GlyphBuilder builder;
-  make_room(builder, shape, static_cast<std::size_t>(std::ranges::count_if(sizes, is_drawn)));
+  make_room(builder, shape, static_cast<std::size_t>(ranges::count_if(sizes, is_drawn)));
   JobStages stages(heard, {{"glyphs", 1}});
   const Progress progress = stages.begin("glyphs");
   for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/merged_sets.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -58,8 +59,8 @@ HiddenSide hidden_side(const Mesh& mesh) {
     volumes[parts[t[0]]] += corner(0).dot(corner(1).cross(corner(2)));
   }
   const auto all_of_sign = [&](double sign) {
-    return std::ranges::all_of(mesh.triangles,
-                               [&](const Triangle& t) { return sign * volumes[parts[t[0]]] > 0; });
+    return ranges::all_of(mesh.triangles,
+                          [&](const Triangle& t) { return sign * volumes[parts[t[0]]] > 0; });
   };
   if (all_of_sign(1)) return HiddenSide::back;
   return all_of_sign(-1) ? HiddenSide::front : HiddenSide::none;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "brindle/base/ranges.h"
+
 namespace brindle {
 namespace {
 
@@ -136,7 +138,7 @@ Points stroke_of(std::string_view text) {
 }
 
 std::string_view letter_of(char32_t code) {
-  const auto letter = std::ranges::find(kLetters, code, &Letter::code);
+  const auto letter = ranges::find(kLetters, code, &Letter::code);
   return letter == std::end(kLetters) ? kUnknown : letter->strokes;
 }
 

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -100,7 +101,7 @@ StripShape open_lattice(int edges, std::size_t rows, std::size_t strips, const N
     const auto [lower, upper] = rows_of(strip);
     Row next = make_row(edges, number_of(upper), first[1]);
     // Back at the first row: after a half turn.
-    if (upper < lower) std::ranges::reverse(next.vertices);
+    if (upper < lower) ranges::reverse(next.vertices);
     connect_rows(make_row(edges, number_of(lower), first[0]), next, triangles);
   };
   return shape;

@@ -1,6 +1,5 @@
 #include "brindle/shapes.h"
 
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -9,6 +8,7 @@
 #include <variant>
 
 #include "brindle/base/memory.h"
+#include "brindle/base/number_text.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/shapes/implicit_shapes.h"
@@ -355,7 +355,7 @@ std::string range(const Parameter& parameter) {
 
 double parse_value(const Shape& shape, const Parameter& parameter, std::string_view text) {
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
   const bool number = error == std::errc() && end == text.data() + text.size();
   // Written so that NaN is refused too.
   const bool fits = value >= parameter.lower && value <= parameter.upper &&

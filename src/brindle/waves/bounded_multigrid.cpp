@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -123,7 +124,7 @@ void BoundedMultigrid::prepare() {
 
 void BoundedMultigrid::prepare_without_bounds() {
   weigh(0);
-  std::ranges::fill(free_, 1.0f);
+  ranges::fill(free_, 1.0f);
   sum_all();
 }
 
@@ -133,7 +134,7 @@ void BoundedMultigrid::start_as_coarser() {
 }
 
 void BoundedMultigrid::solve_without_bounds(int visits) {
-  std::ranges::fill(levels_[0].x, 0.0f);
+  ranges::fill(levels_[0].x, 0.0f);
   for (int n = 0; n < visits; ++n) descend(0);
 }
 
@@ -265,7 +266,7 @@ void BoundedMultigrid::restrict_sums(std::size_t l, const Residual& residual) {
     for (Index i = fine.children[parent]; i < fine.children[parent + 1]; ++i) sum += residual(i);
     to.right[parent] = sum;
   });
-  std::ranges::fill(to.x, 0.0f);
+  ranges::fill(to.x, 0.0f);
 }
 
 void BoundedMultigrid::restrict_free_residual() {
@@ -301,11 +302,11 @@ void BoundedMultigrid::restrict_bounds(std::size_t l) {
 void BoundedMultigrid::start(const Progress& progress) { start_with(0, progress); }
 
 void BoundedMultigrid::start_with(int finest_sweeps, const Progress& progress) {
-  std::ranges::fill(free_, 1.0f);
+  ranges::fill(free_, 1.0f);
   sum_all(progress.part(0, 0.4));
   progress.report(0.4);
   for (std::size_t l = 0; !is_coarsest(l); ++l) restrict_bounds(l);
-  std::ranges::fill(levels_.back().x, 1.0f);
+  ranges::fill(levels_.back().x, 1.0f);
   const bool is_solved = peers_ != nullptr && levels_.size() > 1;
   if (is_solved) {
     const Level& coarsest = levels_.back();

@@ -8,6 +8,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -57,7 +58,7 @@ int index_of(const Mesh& mesh, std::size_t triangle, std::span<const Vec3> direc
   const Triangle& corners = mesh.triangles[triangle];
   const std::array<Vec3, 3> d = {directions[corners[0]], directions[corners[1]],
                                  directions[corners[2]]};
-  if (std::ranges::any_of(d, [](const Vec3& v) { return v.isZero(0); })) return 0;
+  if (ranges::any_of(d, [](const Vec3& v) { return v.isZero(0); })) return 0;
   const Vec3& a = mesh.positions[corners[0]];
   const Vec3 normal = (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
   return field_index(normal, d, symmetry);

@@ -1,11 +1,11 @@
 #include "brindle/waves/fineness.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
 
+#include "brindle/base/bits.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/wave_figures.h"
@@ -25,12 +25,12 @@ double largest_magnitude(std::span<const float> numbers) {
   const auto body = [&](std::size_t begin, std::size_t end) {
     std::uint32_t most = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      most = std::max(most, std::bit_cast<std::uint32_t>(numbers[i]) & 0x7fffffffu);
+      most = std::max(most, bit_cast<std::uint32_t>(numbers[i]) & 0x7fffffffu);
     }
     return LargestMagnitude{most};
   };
   const std::uint32_t bits = parallel_sum<LargestMagnitude>(numbers.size(), body).bits;
-  return static_cast<double>(std::bit_cast<float>(bits));
+  return static_cast<double>(bit_cast<float>(bits));
 }
 
 }  // namespace

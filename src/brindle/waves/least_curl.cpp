@@ -8,6 +8,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/waves/circulation.h"
 
 namespace brindle {
@@ -62,12 +63,12 @@ CurlSums curl_sums(const Mesh& mesh, std::span<const Vec3> directions,
 }
 
 bool is_one_sided(const PhaseGraph& graph) {
-  return std::ranges::none_of(graph.reflecting, [](std::uint8_t edge) { return edge != 0; });
+  return ranges::none_of(graph.reflecting, [](std::uint8_t edge) { return edge != 0; });
 }
 
 bool turns_freely(const PhaseGraph& graph, int symmetry) {
   const bool is_pulled =
-      std::ranges::any_of(graph.anchor, [](const Complex& pull) { return pull != Complex(0); });
+      ranges::any_of(graph.anchor, [](const Complex& pull) { return pull != Complex(0); });
   return symmetry <= 2 && !is_pulled && is_one_sided(graph);
 }
 

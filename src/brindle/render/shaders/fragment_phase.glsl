@@ -78,7 +78,8 @@ EdgeTurns turns_between(CornerWave a, CornerWave b) {
   precise float mismatch = reversed ? -rest : rest;
   precise float wrapped = mismatch - floor(mismatch + 0.5);
   if (reversed) wrapped = -wrapped;
-  return backward ? EdgeTurns(-shift, -wrapped) : EdgeTurns(shift, wrapped);
+  if (backward) return EdgeTurns(-shift, -wrapped);  // WebGL has no `?:` of structures
+  return EdgeTurns(shift, wrapped);
 }
 
 struct Round {

@@ -1,0 +1,148 @@
+/// `ranges`: the algorithms of std::ranges that brindle uses, also where the library has none
+/// (libc++ before 15).
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+#include <version>
+
+#if defined(__cpp_lib_ranges)
+
+namespace brindle {
+namespace ranges = std::ranges;
+}  // namespace brindle
+
+#else
+
+namespace brindle::ranges {
+
+/// What it is compared by, of two elements.
+template <class Less, class Projection>
+auto by(Less less, Projection projection) {
+  return [less, projection](const auto& a, const auto& b) {
+    return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
+  };
+}
+
+template <class Predicate, class Projection>
+auto where(Predicate predicate, Projection projection) {
+  return [predicate, projection](auto&& a) {
+    return static_cast<bool>(std::invoke(predicate, std::invoke(projection, a)));
+  };
+}
+
+template <class Value, class Projection>
+auto equals(const Value& value, Projection projection) {
+  return [&value, projection](auto&& a) { return std::invoke(projection, a) == value; };
+}
+
+template <class Range, class Predicate, class Projection = std::identity>
+bool all_of(Range&& range, Predicate predicate, Projection projection = {}) {
+  return std::all_of(std::begin(range), std::end(range), where(predicate, projection));
+}
+
+template <class Range, class Predicate, class Projection = std::identity>
+bool any_of(Range&& range, Predicate predicate, Projection projection = {}) {
+  return std::any_of(std::begin(range), std::end(range), where(predicate, projection));
+}
+
+template <class Range, class Predicate, class Projection = std::identity>
+bool none_of(Range&& range, Predicate predicate, Projection projection = {}) {
+  return std::none_of(std::begin(range), std::end(range), where(predicate, projection));
+}
+
+template <class Range, class Value, class Projection = std::identity>
+auto count(Range&& range, const Value& value, Projection projection = {}) {
+  return std::count_if(std::begin(range), std::end(range), equals(value, projection));
+}
+
+template <class Range, class Predicate, class Projection = std::identity>
+auto count_if(Range&& range, Predicate predicate, Projection projection = {}) {
+  return std::count_if(std::begin(range), std::end(range), where(predicate, projection));
+}
+
+template <class Range, class Value, class Projection = std::identity>
+auto find(Range&& range, const Value& value, Projection projection = {}) {
+  return std::find_if(std::begin(range), std::end(range), equals(value, projection));
+}
+
+template <class Range, class Predicate, class Projection = std::identity>
+auto find_if(Range&& range, Predicate predicate, Projection projection = {}) {
+  return std::find_if(std::begin(range), std::end(range), where(predicate, projection));
+}
+
+template <class Range, class Less = std::less<>, class Projection = std::identity>
+auto max_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::max_element(std::begin(range), std::end(range), by(less, projection));
+}
+
+template <class Range, class Value, class Less = std::less<>, class Projection = std::identity>
+auto lower_bound(Range&& range, const Value& value, Less less = {}, Projection projection = {}) {
+  return std::lower_bound(std::begin(range), std::end(range), value,
+                          [less, projection](const auto& a, const Value& v) {
+                            return std::invoke(less, std::invoke(projection, a), v);
+                          });
+}
+
+template <class Range, class Value>
+bool binary_search(Range&& range, const Value& value) {
+  return std::binary_search(std::begin(range), std::end(range), value);
+}
+
+template <class Range, class Less = std::less<>, class Projection = std::identity>
+void sort(Range&& range, Less less = {}, Projection projection = {}) {
+  std::sort(std::begin(range), std::end(range), by(less, projection));
+}
+
+template <class Range, class Less = std::less<>, class Projection = std::identity>
+void stable_sort(Range&& range, Less less = {}, Projection projection = {}) {
+  std::stable_sort(std::begin(range), std::end(range), by(less, projection));
+}
+
+template <class Range>
+void reverse(Range&& range) {
+  std::reverse(std::begin(range), std::end(range));
+}
+
+template <class Range, class Value>
+void fill(Range&& range, const Value& value) {
+  std::fill(std::begin(range), std::end(range), value);
+}
+
+template <class Range, class Value>
+void replace(Range&& range, const Value& before, const Value& after) {
+  std::replace(std::begin(range), std::end(range), before, after);
+}
+
+template <class Range, class Output>
+void copy(Range&& range, Output output) {
+  std::copy(std::begin(range), std::end(range), output);
+}
+
+template <class Range, class Output, class Function>
+void transform(Range&& range, Output output, Function function) {
+  std::transform(std::begin(range), std::end(range), output, std::move(function));
+}
+
+template <class First, class Second, class Output, class Function>
+requires requires(Second& second) { std::begin(second); }
+void transform(First&& first, Second&& second, Output output, Function function) {
+  // As long as the shorter of both.
+  auto a = std::begin(first);
+  auto b = std::begin(second);
+  for (; a != std::end(first) && b != std::end(second); ++a, ++b, ++output) {
+    *output = std::invoke(function, *a, *b);
+  }
+}
+
+template <class First, class Second, class Equal = std::equal_to<>>
+bool equal(First&& first, Second&& second, Equal equal = {}) {
+  return std::equal(std::begin(first), std::end(first), std::begin(second), std::end(second),
+                    equal);
+}
+
+}  // namespace brindle::ranges
+
+#endif

@@ -1,0 +1,5 @@
+if(TARGET nanoflann::nanoflann)
+  return()
+endif()
+add_library(nanoflann::nanoflann INTERFACE IMPORTED)
+target_include_directories(nanoflann::nanoflann SYSTEM INTERFACE ${BRINDLE_WEB_HEADERS})

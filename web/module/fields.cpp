@@ -1,0 +1,128 @@
+#include <numbers>
+
+#include <emscripten/bind.h>
+
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/measured_field.h"
+#include "brindle/smooth_field.h"
+#include "brindle/strokes.h"
+#include "objects.h"
+
+namespace brindle::web {
+namespace {
+
+CurvatureDirection curvature_direction(const std::string& name) {
+  return name == "min" ? CurvatureDirection::minimum : CurvatureDirection::maximum;
+}
+
+std::vector<FieldStroke> strokes_of(const val& list) {
+  std::vector<FieldStroke> strokes;
+  for (std::size_t i = 0, count = list["length"].as<std::size_t>(); i < count; ++i) {
+    FieldStroke stroke;
+    for (const Vec3& point : vectors_of(list[i]["points"])) {
+      stroke.points.push_back(point.cast<double>());
+    }
+    stroke.radius = list[i]["radius"].as<double>();
+    stroke.strength = list[i]["strength"].as<double>();
+    strokes.push_back(std::move(stroke));
+  }
+  return strokes;
+}
+
+val smooth_field(const SurfaceObject& object, val given) {
+  return guarded([&] {
+    SmoothFieldOptions options;
+    options.symmetry = given["symmetry"].as<int>();
+    options.curvature_anchor = given["curvature"].as<float>();
+    options.curvature_direction =
+        curvature_direction(given["curvatureDirection"].as<std::string>());
+    options.feature_anchor = given["features"].as<float>();
+    options.feature_angle_deg = given["featureAngle"].as<float>();
+    const std::vector<FieldStroke> strokes = strokes_of(given["strokes"]);
+    if (!strokes.empty()) options.anchors = stroke_anchors(object.surface, strokes);
+    const DirectionField field = smooth_direction_field(object.surface, options);
+    return array_of(std::span<const Vec3>(field));
+  });
+}
+
+val projected_field(const SurfaceObject& object, float x, float y, float z) {
+  return guarded([&] {
+    const DirectionField field = projected_direction_field(Vec3(x, y, z), object.surface.normals);
+    return array_of(std::span<const Vec3>(field));
+  });
+}
+
+val curvature_field(const SurfaceObject& object, std::string direction) {
+  return guarded([&] {
+    const Surface& surface = object.surface;
+    const auto curvatures =
+        principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
+    const DirectionField field =
+        curvature_direction_field(curvatures, curvature_direction(direction));
+    return array_of(std::span<const Vec3>(field));
+  });
+}
+
+void check_count(const SurfaceObject& object, std::size_t count, const char* what) {
+  const std::size_t vertices = object.surface.mesh.vertex_count();
+  if (count == vertices) return;
+  throw Error(std::string(what) + " has " + std::to_string(count) + " entries for " +
+              std::to_string(vertices) + " vertices");
+}
+
+val rotated_field(const SurfaceObject& object, val directions, float degrees) {
+  return guarded([&] {
+    const std::vector<Vec3> field = vectors_of(directions);
+    check_count(object, field.size(), "the field");
+    constexpr double kDegree = std::numbers::pi / 180;
+    const DirectionField turned = rotated(
+        field, object.surface.normals, static_cast<float>(static_cast<double>(degrees) * kDegree));
+    return array_of(std::span<const Vec3>(turned));
+  });
+}
+
+val tangent_field(const SurfaceObject& object, val vectors) {
+  return guarded([&] {
+    const std::vector<Vec3> given = vectors_of(vectors);
+    check_count(object, given.size(), "the field");
+    const DirectionField field = tangent_directions(given, object.surface.normals);
+    return array_of(std::span<const Vec3>(field));
+  });
+}
+
+val detailed_field(const SurfaceObject& object, val directions, val frequencies, val given) {
+  return guarded([&] {
+    FieldDetailOptions options;
+    options.symmetry = given["symmetry"].as<int>();
+    options.periods = given["periods"].as<float>();
+    options.fill = given["fill"].as<float>();
+    const val singularities = given["singularities"];
+    if (!singularities.isNull() && !singularities.isUndefined()) {
+      options.singularities = singularities.as<std::size_t>();
+    }
+    MeasuredField measured;
+    measured.directions = vectors_of(directions);
+    measured.confidence = floats_of(given["confidence"]);
+    FieldDetail detail(object.surface, options);
+    const DetailedField field = detail.frame(measured, floats_of(frequencies));
+    val result = val::object();
+    result.set("directions", array_of(std::span<const Vec3>(field.directions)));
+    result.set("agreement", array_of(std::span<const float>(field.agreement)));
+    return result;
+  });
+}
+
+}  // namespace
+
+void bind_fields() {
+  using namespace emscripten;
+  function("smoothField", &smooth_field);
+  function("projectedField", &projected_field);
+  function("curvatureField", &curvature_field);
+  function("rotatedField", &rotated_field);
+  function("tangentField", &tangent_field);
+  function("detailedField", &detailed_field);
+}
+
+}  // namespace brindle::web

@@ -1,0 +1,46 @@
+/// What JavaScript holds: a surface, a pattern on it, an animator. Each keeps what it needs alive.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/surface.h"
+#include "brindle/texture_pattern.h"
+#include "values.h"
+
+namespace brindle::web {
+
+struct SurfaceObject {
+  Surface surface;
+  std::vector<std::string> notes;  ///< what was repaired, joined or left out
+  std::vector<Index> vertex_of_row;
+};
+
+using SurfacePointer = std::shared_ptr<const SurfaceObject>;
+
+struct PatternObject {
+  SurfacePointer surface;
+  StripePattern pattern;
+};
+
+struct TextureObject {
+  SurfacePointer surface;
+  TexturePattern pattern;
+};
+
+struct AnimatorObject {
+  SurfacePointer surface;
+  StripeAnimator animator;
+};
+
+/// Each says what its functions are called, and to whom they belong.
+void bind_surfaces();
+void bind_fields();
+void bind_patterns();
+void bind_animators();
+void bind_files();
+
+}  // namespace brindle::web

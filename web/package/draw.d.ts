@@ -1,0 +1,38 @@
+export type RGB = [number, number, number];
+/** Red, green and blue of '#1c325a', from 0 to 1 as they are shown. */
+export function colorOf(hex: string): RGB;
+
+export interface StripeView {
+  /** Of positions less `center`; in columns, as WebGL takes it. */
+  viewFromWorld: Float32Array | readonly number[];
+  clipFromView: Float32Array | readonly number[];
+  /** Pixels of what is drawn into. */
+  width: number;
+  height: number;
+  /** Of the world, seen from the camera: the light comes from there. */
+  up?: readonly number[];
+  /** Share of the period, 0 to 1. */
+  stripeWidth?: number;
+  baseColor?: RGB;
+  stripeColor?: RGB;
+  /** Shows triangles in which stripes begin or end. */
+  branches?: boolean;
+  branchColor?: RGB;
+  singularColor?: RGB;
+  /** In pixels. */
+  markSize?: number;
+}
+
+/** Draws stripes in a WebGL 2 context, at every pixel by the library's own shaders. */
+export class StripeDrawing {
+  constructor(gl: WebGL2RenderingContext);
+  /** Of the surface's box; positions are drawn relative to it. */
+  readonly center: number[];
+  readonly triangleCount: number;
+  setSurface(surface: { positions: Float32Array; normals: Float32Array; triangles: Uint32Array }): void;
+  setPattern(pattern: { directions: Float32Array; frequencies: Float32Array; phases: Float32Array }): void;
+  setPhases(phases: Float32Array): void;
+  setKinds(kinds: Uint8Array): void;
+  draw(view: StripeView): void;
+  dispose(): void;
+}

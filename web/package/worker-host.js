@@ -1,0 +1,4 @@
+import { createBrindle } from './index.js';
+import { serve } from './serve.js';
+
+serve(self, createBrindle);

@@ -1,0 +1,351 @@
+import { createBrindle } from './brindle/worker.js';
+import { StripeDrawing } from './brindle/draw.js';
+import { Camera, firstHit } from './camera.js';
+import { LivePattern } from './pattern.js';
+import { Settings } from './settings.js';
+
+const $ = (id) => document.getElementById(id);
+const canvas = $('canvas'), body = document.body;
+const names = { plane: 'Plane', cylinder: 'Cylinder', tube: 'Tube', sphere: 'Sphere', torus: 'Torus',
+                trefoil: 'Trefoil knot', vessels: 'Vessels', molecule: 'Molecule', box: 'Box',
+                hemisphere: 'Hemisphere', mobius: 'Möbius strip', sheets: 'Sheets', pieces: 'Pieces' };
+const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+const camera = new Camera();
+let drawing = null, turning = !still, wanted = true, opened = '', own = false;
+
+function say(text, isNote = false) {
+  const box = $('message');
+  box.hidden = text === '';
+  box.classList.toggle('note', isNote);
+  box.firstElementChild.textContent = text;
+}
+$('message').lastElementChild.addEventListener('click', () => {
+  say('');
+  canvas.focus();
+});
+
+// ---------------------------------------------------------------------------------------------------
+// The picture
+
+const gl = canvas.getContext('webgl2', { antialias: true, alpha: true, powerPreference: 'high-performance' });
+try {
+  if (gl) drawing = new StripeDrawing(gl);
+} catch (error) {
+  say(error.message);
+}
+$('unable').hidden = gl !== null;
+canvas.hidden = gl === null;
+canvas.addEventListener('webglcontextlost', () => say('The graphics card was taken away; reload the page.'));
+
+function fit() {
+  // Screens of more pixels than 4K show no more for all the work.
+  const ratio = Math.min(devicePixelRatio, Math.sqrt(3840 * 2160 / Math.max(1, canvas.clientWidth * canvas.clientHeight)));
+  const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
+  const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+  if (canvas.width === width && canvas.height === height) return;
+  canvas.width = width;
+  canvas.height = height;
+  wanted = true;
+}
+
+function draw() {
+  const { width, height } = canvas;
+  gl.clearColor(0, 0, 0, 0);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  const { branches, width: stripeWidth } = settings.values;
+  drawing.draw({ ...camera.view(width, height), width, height, branches, stripeWidth: stripeWidth / 100,
+                 markSize: 11 * width / canvas.clientWidth });
+}
+
+let before = performance.now();
+function loop(now) {
+  const passed = Math.min(now - before, 100);
+  before = now;
+  if (turning && drawing?.triangleCount > 0) {
+    camera.spin(passed * 0.00025);
+    wanted = true;
+  }
+  fit();
+  if (wanted && drawing) {
+    wanted = false;
+    draw();
+  }
+  requestAnimationFrame(loop);
+}
+
+// ---------------------------------------------------------------------------------------------------
+// What is computed
+
+const number = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+let live = null;
+
+function showFigures({ pattern, milliseconds }) {
+  const figures = [[number.format(live.surface.triangleCount), 'triangles'],
+                   [number.format(pattern.branches), pattern.branches === 1 ? 'branch' : 'branches'],
+                   [pattern.energy.toFixed(4), 'energy'], [number.format(milliseconds), 'ms']];
+  $('figures').replaceChildren(...figures.map(([value, what]) => {
+    const span = document.createElement('span'), strong = document.createElement('b');
+    strong.textContent = value;
+    span.append(strong, ` ${what}`);
+    return span;
+  }));
+  canvas.setAttribute('aria-label', `${opened} with ${settings.values.stripes} stripes along its diagonal, ${
+    pattern.branches} branches`);
+}
+
+function shown(result) {
+  if (!drawing) return;
+  drawing.setPattern(result);
+  if (result.kinds) drawing.setKinds(result.kinds);
+  if (result.pattern) showFigures(result);
+  wanted = true;
+}
+
+const working = (is) => {
+  body.dataset.state = is ? 'working' : 'ready';
+};
+
+async function open(make, name) {
+  const surface = await live.take(make);
+  if (!surface) return false;
+  opened = name;
+  own = !(settings.values.shape in names);
+  drawing?.setSurface(live.shape);
+  // Turning, it stays in a ball about its middle.
+  const { positions } = live.shape, center = drawing?.center ?? [0, 0, 0];
+  let radius = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    radius = Math.max(radius, Math.hypot(positions[i] - center[0], positions[i + 1] - center[1], positions[i + 2] - center[2]));
+  }
+  camera.frame(radius);
+  $('unbrush').disabled = true;
+  say(surface.notes.map((note) => `${note}.`.replace(/\.\.$/, '.')).join('\n'), true);
+  live.ask(settings.values);
+  return true;
+}
+
+const openShape = () => open((brindle) => brindle.shape(settings.values.shape), names[settings.values.shape]);
+
+async function openFile(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const select = $('shape');
+  if (!await open((brindle) => brindle.readSurface(bytes, file.name), file.name)) return;
+  select.querySelector('[value=""]')?.remove();
+  select.prepend(new Option(file.name, '', true, true));
+  settings.values.shape = '';
+  carry();
+}
+
+// ---------------------------------------------------------------------------------------------------
+// Controls
+
+let rest = 0;
+function follow(name) {
+  carry();
+  if (name === 'width' || name === 'branches') {
+    wanted = true;
+    return;
+  }
+  if (name === 'shape') {
+    if (settings.values.shape !== '') openShape();
+    return;
+  }
+  live?.ask(settings.values, true);
+  clearTimeout(rest);
+  rest = setTimeout(() => live?.ask(settings.values), 180);
+}
+
+const carry = () => history.replaceState(null, '', location.pathname + location.search + settings.hash());
+const settings = new Settings($('settings'), follow);
+
+$('settings').addEventListener('submit', (event) => event.preventDefault());
+$('file').addEventListener('change', ({ target }) => {
+  if (target.files[0]) openFile(target.files[0]);
+  target.value = '';
+});
+
+let over = 0;
+addEventListener('dragenter', (event) => {
+  event.preventDefault();
+  body.classList.toggle('dropping', ++over > 0);
+});
+addEventListener('dragleave', () => body.classList.toggle('dropping', --over > 0));
+addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  over = 0;
+  body.classList.remove('dropping');
+  const [file] = event.dataTransfer.files;
+  if (file) openFile(file);
+});
+
+// ---------------------------------------------------------------------------------------------------
+// Mouse, fingers, keys
+
+const fingers = new Map();
+let brushing = false, stroke = null;
+
+function brush(isOn) {
+  brushing = isOn;
+  $('brush').setAttribute('aria-pressed', String(isOn));
+  canvas.classList.toggle('brush', isOn);
+  if (isOn) turning = false;
+}
+$('brush').addEventListener('click', () => brush(!brushing));
+$('unbrush').addEventListener('click', () => {
+  live.strokes = [];
+  $('unbrush').disabled = true;
+  live.ask(settings.values);
+});
+
+function hit(event) {
+  const box = canvas.getBoundingClientRect();
+  const ray = camera.ray(event.clientX - box.left, event.clientY - box.top, box.width, box.height);
+  return live?.shape ? firstHit(ray, live.shape, drawing.center) : null;
+}
+
+function trail(event) {
+  const line = $('trail').firstElementChild, box = canvas.getBoundingClientRect();
+  if (!event) line.removeAttribute('points');
+  else line.setAttribute('points', `${line.getAttribute('points') ?? ''} ${event.clientX - box.left},${event.clientY - box.top}`);
+}
+
+function extend(event) {
+  const point = hit(event);
+  if (!point) return;
+  const last = stroke.slice(-3), least = 0.004 * live.surface.diagonal / camera.zoom;
+  if (last.length && Math.hypot(...point.map((c, axis) => c - last[axis])) < least) return;
+  stroke.push(...point);
+  trail(event);
+}
+
+function endStroke() {
+  if (stroke.length >= 6) {
+    live.strokes = [...live.strokes, { points: stroke, radius: 0.08 * live.surface.diagonal, strength: 4 }];
+    $('unbrush').disabled = false;
+    live.ask(settings.values);
+  }
+  stroke = null;
+  trail(null);
+}
+
+canvas.addEventListener('pointerdown', (event) => {
+  canvas.setPointerCapture(event.pointerId);
+  fingers.set(event.pointerId, [event.clientX, event.clientY]);
+  turning = false;
+  if (brushing && fingers.size === 1 && hit(event)) {
+    stroke = [];
+    extend(event);
+  }
+});
+canvas.addEventListener('pointermove', (event) => {
+  const last = fingers.get(event.pointerId);
+  if (!last) return;
+  const place = [event.clientX, event.clientY];
+  if (stroke) return extend(event);
+  const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
+  if (other) {
+    const apart = (a) => Math.hypot(a[0] - other[0], a[1] - other[1]);
+    camera.zoomBy(apart(place) / Math.max(1, apart(last)));
+  }
+  const share = other ? 0.5 : 1;
+  camera.drag(share * (place[0] - last[0]), share * (place[1] - last[1]), Math.min(canvas.clientWidth, canvas.clientHeight));
+  fingers.set(event.pointerId, place);
+  wanted = true;
+});
+for (const name of ['pointerup', 'pointercancel']) {
+  canvas.addEventListener(name, (event) => {
+    fingers.delete(event.pointerId);
+    if (stroke) endStroke();
+  });
+}
+canvas.addEventListener('wheel', (event) => {
+  event.preventDefault();
+  camera.zoomBy(Math.exp(-event.deltaY * (event.ctrlKey ? 0.01 : 0.0015)));
+  wanted = true;
+}, { passive: false });
+
+const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+canvas.addEventListener('keydown', (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (steps[event.key]) camera.drag(...steps[event.key].map((c) => 40 * c), 1000);
+  else if (event.key === '+' || event.key === '=') camera.zoomBy(1.15);
+  else if (event.key === '-') camera.zoomBy(1 / 1.15);
+  else if (event.key === 'Home') camera.reset();
+  else if (event.key === ' ') turning = !turning;
+  else return;
+  if (event.key !== ' ') turning = false;
+  event.preventDefault();
+  wanted = true;
+});
+
+// ---------------------------------------------------------------------------------------------------
+// Files
+
+function save(content, type, extension) {
+  const name = `${(opened || 'stripes').toLowerCase().replace(/\.[a-z]+$/, '').replace(/[^a-z0-9]+/g, '-')}.${extension}`;
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+const savers = {
+  png: () => new Promise((done) => {
+    draw();
+    canvas.toBlob((blob) => done(save(blob, 'image/png', 'png')));
+  }),
+  svg: async () => save(await live.pattern.svg({ rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900 }),
+                        'image/svg+xml', 'svg'),
+  obj: async () => save(await live.pattern.curvesFile('stripes.obj'), 'model/obj', 'obj'),
+  glb: async () => {
+    const texture = await live.surface.texture(live.field, { stripes: settings.values.stripes });
+    save(await texture.glb(), 'model/gltf-binary', 'glb');
+    await texture.dispose();
+  },
+};
+for (const button of document.querySelectorAll('[data-save]')) {
+  button.addEventListener('click', async () => {
+    if (!live?.pattern) return;
+    working(true);
+    try {
+      await savers[button.dataset.save]();
+    } catch (error) {
+      say(error.message);
+    }
+    working(live.busy);
+  });
+}
+$('link').addEventListener('click', async ({ target }) => {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    target.textContent = own || settings.values.shape === '' ? 'Copied, without the mesh' : 'Copied';
+  } catch {
+    target.textContent = 'Copy it from the address bar';
+  }
+  setTimeout(() => { target.textContent = 'Copy link'; }, 2000);
+});
+
+// ---------------------------------------------------------------------------------------------------
+
+async function begin() {
+  $('shape').replaceChildren(...Object.entries(names).map(([value, text]) => new Option(text, value)));
+  $('shape').value = settings.values.shape;
+  settings.read(location.hash);
+  requestAnimationFrame(loop);
+  try {
+    const brindle = await createBrindle({ worker: new Worker('host.js', { type: 'module' }) });
+    live = new LivePattern(brindle, { shown, working, failed: say });
+    await openShape();
+  } catch (error) {
+    say(`The page could not start: ${error.message}`);
+    body.dataset.state = 'failed';
+  }
+}
+addEventListener('hashchange', () => {
+  settings.read(location.hash);
+  follow('shape');
+});
+begin();

@@ -1,0 +1,94 @@
+// The surface and its pattern, which a Worker makes. The newest wish wins: what is asked for while it
+// works is begun when it is done, and nothing in between.
+export class LivePattern {
+  constructor(brindle, { shown, working, failed }) {
+    this.brindle = brindle;
+    this.call = { shown, working, failed };
+    this.wish = null;
+    this.busy = false;
+    this.surface = null;
+    this.strokes = [];
+  }
+
+  /** `settings`, and `draft`: whether there is more to come at once. */
+  ask(settings, draft = false) {
+    this.wish = { settings: { ...settings }, draft };
+    if (!this.busy) this.work();
+  }
+
+  async work() {
+    this.busy = true;
+    this.call.working(true);
+    while (this.wish && this.surface) {
+      const { settings, draft } = this.wish;
+      this.wish = null;
+      try {
+        await this.follow(settings, draft);
+      } catch (error) {
+        this.call.failed(error.message);
+      }
+    }
+    this.busy = false;
+    this.call.working(false);
+  }
+
+  /** A surface that is made by `make`; if that fails, the old one stays. */
+  async take(make) {
+    this.call.working(true);
+    try {
+      const surface = await make(this.brindle);
+      const [positions, normals, triangles] =
+        [await surface.positions(), await surface.normals(), await surface.triangles()];
+      while (this.busy) await new Promise((done) => setTimeout(done, 10));
+      const old = [this.pattern, this.animator, this.surface];
+      this.surface = surface;
+      this.shape = { positions, normals, triangles };
+      this.pattern = this.animator = this.field = this.fieldKey = this.last = null;
+      this.strokes = [];
+      await Promise.all(old.map((object) => object?.dispose()));
+      return surface;
+    } catch (error) {
+      this.call.failed(error.message);
+      return null;
+    } finally {
+      if (!this.busy) this.call.working(false);
+    }
+  }
+
+  async fieldFor({ field, rotate }) {
+    const key = JSON.stringify([field, rotate, this.strokes]);
+    if (key === this.fieldKey) return this.field;
+    const axis = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }[field];
+    const strokes = this.strokes;
+    // Stripes run across a field: turned, they run along strokes and edges.
+    const along = rotate + 90;
+    const made = axis && strokes.length === 0
+      ? await this.surface.projectedField(axis, { rotate })
+      : await this.surface.smoothField({ rotate: along, strokes, curvature: field === 'curvature' ? 0.1 : 0,
+                                         curvatureDirection: 'min', features: field === 'edges' ? 1 : 0 });
+    this.fieldKey = key;
+    this.field = made;
+    return made;
+  }
+
+  async follow(settings, draft) {
+    const begin = performance.now();
+    const directions = await this.fieldFor(settings);
+    const { stripes } = settings, slack = settings.slack / 100;
+    if (draft && slack === 0) {
+      this.animator ??= await this.surface.animator();
+      const { phases } = await this.animator.frame({ directions, stripes });
+      const frequencies = await this.surface.frequencies({ stripes });
+      this.last = phases.slice();
+      this.call.shown({ directions, frequencies, phases, milliseconds: performance.now() - begin });
+      return;
+    }
+    const pattern = await this.surface.stripes(directions, { stripes, slack, ...(this.last ? { lastPhases: this.last } : {}) });
+    const [phases, frequencies, kinds] =
+      [await pattern.phases(), await pattern.frequencies(), await pattern.triangleKinds()];
+    await this.pattern?.dispose();
+    this.pattern = pattern;
+    this.last = phases.slice();
+    this.call.shown({ directions, frequencies, phases, kinds, pattern, milliseconds: performance.now() - begin });
+  }
+}

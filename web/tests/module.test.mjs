@@ -1,0 +1,239 @@
+// The package in node: what its functions give, refuse and say. BRINDLE_PACKAGE is the package's folder.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+const folder = process.env.BRINDLE_PACKAGE;
+const load = (name) => import(pathToFileURL(join(folder, name)));
+const { createBrindle, BrindleError } = await load('index.js');
+const brindle = await createBrindle();
+
+const square = { positions: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], triangles: [0, 1, 2, 0, 2, 3] };
+const refused = (work, pattern) => assert.throws(work, (error) => error instanceof BrindleError && pattern.test(error.message));
+
+test('the version is that of the package', () => {
+  const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  assert.equal(brindle.version, version);
+});
+
+test('numbers of every type make the same surface', () => {
+  const reference = brindle.surface(square);
+  for (const Positions of [Array, Float32Array, Float64Array]) {
+    for (const Corners of [Array, Int32Array, Uint32Array, Uint16Array, Uint8Array]) {
+      const surface = brindle.surface({ positions: Positions.from(square.positions), triangles: Corners.from(square.triangles) });
+      assert.deepEqual(surface.positions(), reference.positions());
+      assert.deepEqual(surface.triangles(), reference.triangles());
+      surface.dispose();
+    }
+  }
+  assert.equal(reference.vertexCount, 4);
+  assert.equal(reference.triangleCount, 2);
+});
+
+test('bad surfaces are refused by name, and repaired where that is asked for', () => {
+  refused(() => brindle.surface({ ...square, triangles: [0, 1, 7] }), /corner 7/);
+  refused(() => brindle.surface({ ...square, positions: [0, 0, NaN, 1, 0, 0, 1, 1, 0, 0, 1, 0] }), /vertex 0/);
+  refused(() => brindle.surface({ ...square, triangles: [0, 1, 1.5] }), /whole/);
+  refused(() => brindle.surface({ ...square, triangles: [0, 1] }), /row|three|column/);
+  refused(() => brindle.surface({ positions: 'abc', triangles: [] }), /typed array/);
+  refused(() => brindle.surface(square, { join: true }), /no option 'join'/);
+  const twice = { positions: [...square.positions, 1, 0, 0], triangles: [0, 1, 2, 0, 2, 3, 0, 4, 2, 0, 0, 1] };
+  const repaired = brindle.surface(twice, { repair: true });
+  assert.equal(repaired.triangleCount, 2);
+  assert.deepEqual([...repaired.vertexOfRow()], [0, 1, 2, 3, 1]);
+  assert.ok(repaired.notes.length > 0);
+});
+
+test('files are read by the library, and damaged ones refused with name and line', () => {
+  const read = (text, name) => brindle.readSurface(new TextEncoder().encode(text), name);
+  const surface = read('v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n', 'square.obj');
+  assert.equal(surface.triangleCount, 2);
+  refused(() => read('v 0 0 0\nv 1 x 0\n', 'folder/bad.obj'), /^bad\.obj:2: /);
+  refused(() => read('solid', 'bad.xyz'), /xyz/);
+  refused(() => read('', 'empty.ply'), /empty/);
+  refused(() => brindle.readSurface('text', 'a.obj'), /Uint8Array/);
+});
+
+test('numbers in files are read to the last bit', () => {
+  const one = ['0.1', '1e-3', '1.17549435e-38', '-.5', '2.', '0.30000001192092896', '16777217', '0.100000001490116119384765625001'];
+  const kept = `${one.map((n) => `v ${n} 0 0\n`).join('')}v 0 1 0\nv 0 0 1\nf 1 ${one.length + 1} ${one.length + 2}\n`;
+  const positions = brindle.readSurface(new TextEncoder().encode(kept), 'numbers.obj').positions();
+  one.forEach((n, i) => assert.equal(positions[3 * i], Math.fround(Number(n)), n));
+});
+
+test('a plane has straight stripes, as many as were asked for, and no branch', () => {
+  const plane = brindle.shape('plane');
+  const pattern = plane.stripes(plane.projectedField([1, 0, 0]), { stripes: 20 });
+  assert.equal(pattern.branches, 0);
+  assert.ok(pattern.energy < 1e-4);
+  assert.ok(pattern.phases().every((c) => Math.abs(c) <= 1.0001));
+  const frequency = pattern.frequencies()[0];
+  assert.ok(Math.abs(frequency * plane.diagonal - 20) < 1e-4);
+  const { points, offsets, closed, ends } = pattern.curves();
+  assert.equal(ends.length, 2 * closed.length);
+  assert.equal(offsets[closed.length], points.length / 3);
+  for (let line = 0; line < closed.length; ++line) {
+    for (let i = offsets[line]; i < offsets[line + 1]; ++i) {
+      assert.ok(Math.abs(points[3 * i] - points[3 * offsets[line]]) < 0.02 / frequency);
+    }
+  }
+});
+
+test('options that are unknown, of another type or exclude each other are refused', () => {
+  const torus = brindle.shape('torus,resolution=24');
+  const field = torus.smoothField();
+  refused(() => torus.stripes(field, { strips: 10 }), /no option 'strips'/);
+  refused(() => torus.stripes(field, { slack: '1' }), /finite number/);
+  refused(() => torus.stripes(field, { stripes: 10, frequency: 2 }), /exclude/);
+  refused(() => torus.stripes(field, { stripes: 0 }), /above 0/);
+  refused(() => torus.stripes(field.slice(3)), /must have \d+ numbers/);
+  refused(() => torus.stripes(field, { slack: -1 }), /slack/);
+  refused(() => torus.smoothField({ symmetry: 0 }), /symmetry/);
+  refused(() => torus.smoothField({ curvatureDirection: 'up' }), /max or min/);
+  refused(() => brindle.shape('tours'), /torus/);
+  refused(() => torus.smoothField({ strokes: [{ points: [0, 0, 0], radius: 1 }] }), /stroke/);
+});
+
+test('what was disposed of says so, and disposing twice does no harm', () => {
+  const torus = brindle.shape('torus,resolution=16');
+  const pattern = torus.stripes(torus.smoothField());
+  torus.dispose();
+  torus.dispose();
+  assert.ok(torus.isDisposed);
+  refused(() => torus.positions(), /this surface was disposed of/);
+  // A pattern keeps what it needs.
+  assert.ok(pattern.curves().points.length > 0);
+});
+
+test('slack leaves fewer branches, and says how far frequencies went', () => {
+  const vessels = brindle.shape('vessels,resolution=40');
+  const field = vessels.projectedField([0.3, 1, 0.2]);
+  const strict = vessels.stripes(field, { stripes: 40 });
+  const slack = vessels.stripes(field, { stripes: 40, slack: 0.5 });
+  assert.ok(slack.branches < strict.branches, `${slack.branches} of ${strict.branches}`);
+  assert.ok(slack.frequencyChange.ratioMax > 1 && slack.frequencyChange.ratioMax < 1.8);
+  assert.equal(slack.triangleKinds().filter((kind) => kind === 1 || kind === 2).length, slack.branches);
+});
+
+test('the same input gives the same bits', () => {
+  const results = [0, 1].map(() => {
+    const shape = brindle.shape('trefoil');
+    return shape.stripes(shape.smoothField()).phases();
+  });
+  assert.deepEqual(results[0], results[1]);
+});
+
+test('a stroke turns the field along itself', () => {
+  const plane = brindle.shape('plane');
+  const stroke = { points: [-0.2, 0, 0, 0.2, 0, 0], radius: 0.3, strength: 50 };
+  const positions = plane.positions();
+  const flat = [0, 1, 2].find((axis) => positions.every((c, i) => i % 3 !== axis || c === 0));
+  assert.notEqual(flat, 0);
+  const field = plane.smoothField({ strokes: [stroke] });
+  let nearest = 0;
+  for (let i = 0; i < plane.vertexCount; ++i) {
+    if (Math.hypot(...positions.slice(3 * i, 3 * i + 3)) < Math.hypot(...positions.slice(3 * nearest, 3 * nearest + 3))) nearest = i;
+  }
+  assert.ok(Math.abs(field[3 * nearest]) > 0.95);
+});
+
+test('frames follow, and an unchanged frame says so', () => {
+  const torus = brindle.shape('torus');
+  const animator = torus.animator();
+  const field = torus.smoothField();
+  const first = animator.frame({ directions: field, stripes: 30 });
+  assert.equal(animator.frame({ directions: field, stripes: 30 }).unchanged, true);
+  const turned = animator.frame({ directions: torus.rotatedField(field, 2), stripes: 30 });
+  assert.equal(turned.phases.length, first.phases.length);
+  assert.ok(turned.phaseStep > 0 && turned.phaseStep < 1);
+  assert.ok(animator.energy() > 0);
+  refused(() => animator.frame({ directions: field.slice(3) }), /must have/);
+});
+
+test('texture coordinates at corners and at vertices agree up to whole tiles', () => {
+  const sphere = brindle.shape('sphere');
+  const texture = sphere.texture(sphere.smoothField(), { stripes: 12 });
+  const corners = texture.cornerUVs();
+  assert.equal(corners.length, 6 * sphere.triangleCount);
+  assert.ok(corners.some((c) => Number.isNaN(c)), 'a sphere has singularities');
+  const mesh = texture.mesh();
+  assert.equal(mesh.uvs.length / 2, mesh.positions.length / 3);
+  assert.equal(mesh.normals.length, mesh.positions.length);
+  const back = brindle.readSurface(texture.glb(), 'sphere.glb');
+  assert.equal(back.triangleCount, mesh.triangles.length / 3);
+  assert.ok(Math.abs(back.diagonal - sphere.diagonal) < 1e-5);
+});
+
+test('damaged glTF is refused', () => {
+  const sphere = brindle.shape('sphere,resolution=8');
+  const glb = sphere.texture(sphere.smoothField(), { stripes: 5 }).glb();
+  refused(() => brindle.readSurface(glb.slice(0, 200), 'cut.glb'), /^cut\.glb: .*export/);
+  refused(() => brindle.readSurface(glb.slice(0, glb.length - 400), 'cut.glb'), /^cut\.glb: .*truncated/);
+  refused(() => brindle.readSurface(new Uint8Array(100), 'no.glb'), /no binary glTF/);
+});
+
+test('samples of two patterns lie on the surface', () => {
+  const sphere = brindle.shape('sphere');
+  const field = sphere.projectedField([0, 0, 1]);
+  const u = sphere.stripes(field, { stripes: 12 });
+  const v = sphere.stripes(sphere.rotatedField(field, 90), { stripes: 12 });
+  const { positions, normals } = u.samplesWith(v);
+  assert.ok(positions.length > 60);
+  for (let i = 0; i < positions.length; i += 3) {
+    const along = positions[i] * normals[i] + positions[i + 1] * normals[i + 1] + positions[i + 2] * normals[i + 2];
+    assert.ok(along > 0.9 * Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
+  }
+});
+
+test('measured fields are filled and smoothed', () => {
+  const torus = brindle.shape('torus');
+  const vectors = torus.smoothField();
+  for (let i = 0; i < 30; ++i) vectors[i] = NaN;
+  const { directions, agreement } = torus.measuredField(vectors, { stripes: 20 });
+  assert.equal(agreement.length, torus.vertexCount);
+  assert.ok(Math.hypot(directions[0], directions[1], directions[2]) > 0.9);
+});
+
+test('curves and drawings are files of the library', () => {
+  const torus = brindle.shape('torus');
+  const pattern = torus.stripes(torus.smoothField(), { stripes: 15 });
+  const obj = new TextDecoder().decode(pattern.curvesFile('curves.obj'));
+  assert.match(obj, /^v -?[\d.e+-]+ -?[\d.e+-]+ -?[\d.e+-]+$/m);
+  assert.match(obj, /^l \d+ \d+/m);
+  const svg = new TextDecoder().decode(pattern.svg({ width: 400, height: 300 }));
+  assert.match(svg, /<svg[^>]*400/);
+  assert.match(svg, /<path/);
+  refused(() => pattern.curvesFile('curves.xyz'), /xyz/);
+});
+
+test('./slim takes bytes and compiled modules', async () => {
+  const slim = await load('slim.js');
+  const bytes = readFileSync(join(folder, 'brindle.wasm'));
+  for (const wasm of [bytes, await WebAssembly.compile(bytes)]) {
+    const library = await slim.createBrindle({ wasm });
+    assert.equal(library.shape('torus').vertexCount, brindle.shape('torus').vertexCount);
+  }
+});
+
+test('the worker gives the same results, in order, and its errors', async () => {
+  const { serve } = await load('serve.js');
+  const remote = await load('worker.js');
+  const { port1, port2 } = new MessageChannel();
+  serve(port1, createBrindle);
+  const library = await remote.createBrindle({ worker: port2 });
+  assert.equal(library.version, brindle.version);
+  const there = await library.shape('trefoil'), here = brindle.shape('trefoil');
+  assert.equal(there.vertexCount, here.vertexCount);
+  const field = here.smoothField();
+  assert.deepEqual(await there.smoothField(), field);
+  const pattern = await there.stripes(field, { stripes: 25 });
+  assert.equal(pattern.energy, here.stripes(field, { stripes: 25 }).energy);
+  const other = await there.stripes(await there.rotatedField(field, 90), { stripes: 25 });
+  assert.ok((await pattern.samplesWith(other)).positions.length > 0);
+  await assert.rejects(there.stripes(field, { strips: 1 }), (error) => error instanceof remote.BrindleError);
+  await there.dispose();
+  library.terminate();
+  port1.close();
+});

@@ -1,0 +1,267 @@
+// The page in a real browser without a window. BRINDLE_PAGE is its folder; pictures of it go to
+// BRINDLE_SHOTS, if that is given.
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import puppeteer from 'puppeteer-core';
+import { serve } from '../serve.mjs';
+
+const shots = process.env.BRINDLE_SHOTS;
+const scratch = mkdtempSync(join(tmpdir(), 'brindle-page-'));
+let server, address, browser, page, complaints;
+
+before(async () => {
+  ({ server, address } = await serve(process.env.BRINDLE_PAGE));
+  browser = await puppeteer.launch({
+    executablePath: process.env.BRINDLE_BROWSER ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader',
+           '--enable-unsafe-swiftshader', '--force-prefers-reduced-motion'],
+    userDataDir: join(scratch, 'profile'),
+    protocolTimeout: 120000,
+  });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  rmSync(scratch, { recursive: true, force: true });
+});
+
+// A new page, which must not complain.
+async function visit({ hash = '#shape=torus', width = 760, height = 620, ...viewport } = {}) {
+  await page?.close();
+  page = await browser.newPage();
+  complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warn'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('request', (request) => {
+    if (!request.url().startsWith(address) && !/^(blob|data):/.test(request.url())) complaints.push(`foreign host: ${request.url()}`);
+  });
+  page.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`${response.status()} ${response.url()}`);
+  });
+  await page.setViewport({ width, height, ...viewport });
+  await page.goto(address + hash);
+  await ready();
+}
+
+// Computed, drawn, and nothing more to come.
+async function ready() {
+  const failed = await page.evaluate(() => document.querySelector('#message:not(.note):not([hidden])')?.textContent);
+  assert.equal(failed ?? null, null);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready' &&
+    (document.getElementById('figures').textContent !== '' || !document.getElementById('message').hidden), { timeout: 30000 });
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 400)));
+  await page.waitForFunction(() => document.body.dataset.state === 'ready', { timeout: 30000 });
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+const figures = () => page.$eval('#figures', (e) => e.textContent);
+const without = (text) => text.replace(/[\d,]+ ms/, '');
+// The browser may have thrown away what was drawn by the time it is asked: a screenshot has not.
+const screenshot = async (name) => {
+  const bytes = await page.screenshot();
+  if (shots) {
+    mkdirSync(shots, { recursive: true });
+    writeFileSync(join(shots, `${name}.png`), bytes);
+  }
+  return Buffer.from(bytes).toString('base64');
+};
+const canvasShot = async () => Buffer.from(await (await page.$('#canvas')).screenshot()).toString('base64');
+
+const slide = (name, value) => page.$eval(`[name="${name}"]`, (input, to) => {
+  input.value = to;
+  input.dispatchEvent(new Event('input', { bubbles: true }));
+}, value);
+
+const drop = (text, name) => page.evaluate((content, file) => {
+  const transfer = new DataTransfer();
+  transfer.items.add(new File([content], file));
+  for (const type of ['dragenter', 'dragover', 'drop']) {
+    document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }
+}, text, name);
+
+// A bumpy sheet of n x n squares.
+function sheet(n) {
+  const rows = [];
+  for (let y = 0; y <= n; ++y) for (let x = 0; x <= n; ++x) rows.push(`v ${x / n} ${y / n} ${0.1 * Math.sin(9 * x / n) * Math.sin(7 * y / n)}`);
+  for (let y = 0; y < n; ++y) {
+    for (let x = 0; x < n; ++x) {
+      const a = y * (n + 1) + x + 1;
+      rows.push(`f ${a} ${a + 1} ${a + n + 2} ${a + n + 1}`);
+    }
+  }
+  return `${rows.join('\n')}\n`;
+}
+
+test('the page opens on a striped surface, without a complaint', async () => {
+  await visit({ hash: '', width: 1200, height: 800 });
+  assert.match(await figures(), /64,960 triangles.*branches.*energy.*ms/);
+  await screenshot('light');
+  const shot = await canvasShot();
+  assert.ok(shot.length > 40000, 'the picture is not empty');
+  assert.deepEqual(complaints, []);
+});
+
+test('a slider changes picture, figures and link', async () => {
+  await visit();
+  const seen = await canvasShot(), said = without(await figures());
+  await slide('stripes', 90);
+  await ready();
+  assert.notEqual(await canvasShot(), seen);
+  assert.notEqual(without(await figures()), said);
+  assert.match(page.url(), /#.*stripes=90/);
+  await slide('slack', 50);
+  await ready();
+  assert.match(page.url(), /slack=50/);
+  await slide('width', 20);
+  await page.click('[name="branches"]');
+  await screenshot('branches');
+  assert.deepEqual(complaints, []);
+});
+
+test('a link carries the settings', async () => {
+  await visit({ hash: '#shape=torus&field=x&stripes=60&rotate=30&nonsense=1&width=abc' });
+  const values = await page.$$eval('[name]', (inputs) => Object.fromEntries(inputs.map((i) => [i.name, i.value])));
+  assert.deepEqual([values.shape, values.field, values.stripes, values.rotate, values.width], ['torus', 'x', '60', '30', '50']);
+  const first = without(await figures());
+  await visit({ hash: new URL(page.url()).hash });
+  assert.equal(without(await figures()), first);
+  assert.deepEqual(complaints, []);
+});
+
+test('a mesh is dropped, and a damaged one refused with nothing lost', async () => {
+  await visit();
+  await drop(sheet(40), 'sheet.obj');
+  await page.waitForFunction(() => /3,200 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await ready();
+  const said = await figures(), seen = await canvasShot();
+  await screenshot('dropped');
+  await drop('v 0 0 0\nv 1 x 0\n', 'damaged.obj');
+  await page.waitForFunction(() => !document.getElementById('message').hidden);
+  assert.match(await page.$eval('#message', (e) => e.textContent), /damaged\.obj:2: /);
+  await screenshot('refused');
+  await page.click('#message button');
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 700)));  // the bar of work fades
+  assert.equal(await figures(), said);
+  assert.equal(await canvasShot(), seen);
+  await slide('stripes', 20);
+  await ready();
+  assert.notEqual(await figures(), said);
+  assert.deepEqual(complaints, []);
+});
+
+test('a stroke changes the field, and can be taken back', async () => {
+  await visit({ hash: '#shape=sphere&stripes=30', width: 900, height: 640 });
+  const said = without(await figures());
+  await page.click('#brush');
+  assert.equal(await page.$eval('#brush', (e) => e.getAttribute('aria-pressed')), 'true');
+  const box = await (await page.$('#canvas')).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const side = 0.5 * Math.min(box.width, box.height);
+  await page.mouse.move(x - 0.5 * side, y - 0.2 * side);
+  await page.mouse.down();
+  for (let i = 0; i <= 10; ++i) await page.mouse.move(x + (0.1 * i - 0.5) * side, y + (0.04 * i - 0.2) * side);
+  await screenshot('stroke');
+  await page.mouse.up();
+  await page.waitForFunction(() => !document.getElementById('unbrush').disabled);
+  await ready();
+  assert.notEqual(without(await figures()), said);
+  await screenshot('stroked');
+  await page.click('#unbrush');
+  await ready();
+  assert.deepEqual(complaints, []);
+});
+
+test('downloads are whole files', async () => {
+  const folder = join(scratch, 'downloads');
+  mkdirSync(folder, { recursive: true });
+  await visit({ hash: '#shape=torus&stripes=20' });
+  const client = await page.createCDPSession();
+  await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: folder, eventsEnabled: true });
+  for (const [kind, check] of [
+    ['png', (b) => b.subarray(1, 4).toString() === 'PNG'], ['svg', (b) => /<svg[^]*<path[^]*<\/svg>/.test(b.toString())],
+    ['obj', (b) => /^l \d/m.test(b.toString())], ['glb', (b) => b.readUInt32LE(0) === 0x46546c67 && b.readUInt32LE(8) === b.length]]) {
+    await page.click(`[data-save="${kind}"]`);
+    for (let i = 0; i < 100 && !readdirSync(folder).includes(`torus.${kind}`); ++i) await new Promise((d) => setTimeout(d, 100));
+    assert.ok(check(readFileSync(join(folder, `torus.${kind}`))), kind);
+  }
+  if (shots) for (const kind of ['png', 'svg']) writeFileSync(join(shots, `download.${kind}`), readFileSync(join(folder, `torus.${kind}`)));
+  assert.deepEqual(complaints, []);
+});
+
+test('keys alone reach and change everything', async () => {
+  await visit();
+  const reached = [];
+  for (let i = 0; i < 24; ++i) {
+    await page.keyboard.press('Tab');
+    reached.push(await page.evaluate(() => document.activeElement.name || document.activeElement.id || document.activeElement.dataset.save || ''));
+  }
+  for (const name of ['canvas', 'shape', 'file', 'field', 'rotate', 'brush', 'stripes', 'width', 'slack', 'branches', 'png', 'svg', 'obj', 'glb', 'link']) {
+    assert.ok(reached.includes(name), `${name} is not reached: ${reached}`);
+  }
+  await page.focus('#canvas');
+  for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Home']) {
+    const seen = await canvasShot();
+    await page.keyboard.press(key);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    assert.notEqual(await canvasShot(), seen, key);
+  }
+  const said = without(await figures());
+  await page.focus('[name="stripes"]');
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
+  await ready();
+  assert.notEqual(without(await figures()), said);
+});
+
+test('every control has a name that is read out', async () => {
+  await visit();
+  const tree = await page.accessibility.snapshot({ interestingOnly: true });
+  const nameless = [];
+  const walk = (node) => {
+    if (['button', 'slider', 'combobox', 'checkbox', 'img', 'textbox'].includes(node.role) && !node.name) nameless.push(node);
+    (node.children ?? []).forEach(walk);
+  };
+  walk(tree);
+  assert.deepEqual(nameless, []);
+});
+
+for (const [name, view] of [['phone', { width: 320, height: 640, deviceScaleFactor: 2, isMobile: true, hasTouch: true }],
+                            ['4k', { width: 3840, height: 2160 }], ['small', { width: 800, height: 500 }]]) {
+  test(`nothing is cut off in a window of ${view.width} pixels`, async () => {
+    await visit(view);
+    const wide = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(wide[0] <= wide[1], `${wide}`);
+    const out = await page.$$eval('button, select, input, output', (list) => list.filter((e) => {
+      const box = e.getBoundingClientRect();
+      return box.width > 1 && e.offsetParent && (box.left < 0 || box.right > innerWidth + 0.5);
+    }).map((e) => e.id || e.name));
+    assert.deepEqual(out, []);
+    await screenshot(name);
+    assert.deepEqual(complaints, []);
+  });
+}
+
+test('dark pages are dark', async () => {
+  await visit({ hash: '#shape=molecule&field=edges&stripes=70', width: 1200, height: 800 });
+  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: 'dark' }]);
+  const ink = await page.evaluate(() => getComputedStyle(document.body).color);
+  assert.match(ink, /rgb\(2\d\d/);
+  await screenshot('dark');
+});
+
+test('without WebGL 2 the page says so', async () => {
+  await page?.close();
+  page = await browser.newPage();
+  await page.evaluateOnNewDocument(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto(address);
+  await page.waitForFunction(() => !document.getElementById('unable').hidden);
+  assert.match(await page.$eval('#unable', (e) => e.textContent), /WebGL/);
+  await screenshot('unable');
+});

@@ -1,0 +1,34 @@
+// Compiled, never run: the declarations say what callers need.
+import createBrindle, { BrindleError, type Curves, type Surface } from 'brindle';
+import { createBrindle as createSlim } from 'brindle/slim';
+import { createBrindle as createInWorker } from 'brindle/worker';
+import { StripeDrawing, colorOf } from 'brindle/draw';
+import { phase } from 'brindle/shaders';
+
+async function here(gl: WebGL2RenderingContext): Promise<Curves> {
+  const brindle = await createBrindle();
+  const surface: Surface = brindle.surface({ positions: [0, 0, 0], triangles: new Uint16Array(3) }, { repair: true });
+  const field = surface.smoothField({ strokes: [{ points: [0, 0, 0, 1, 0, 0], radius: 1 }] });
+  const pattern = surface.stripes(field, { stripes: 20, slack: 0.1 });
+  const drawing = new StripeDrawing(gl);
+  drawing.setSurface({ positions: surface.positions(), normals: surface.normals(), triangles: surface.triangles() });
+  drawing.setPattern({ directions: pattern.directions(), frequencies: pattern.frequencies(), phases: pattern.phases() });
+  drawing.draw({ viewFromWorld: [], clipFromView: [], width: 1, height: 1, stripeColor: colorOf('#000000') });
+  // @ts-expect-error an option that is unknown
+  surface.stripes(field, { strips: 20 });
+  // @ts-expect-error a number, not a text
+  surface.stripes(field, { stripes: '20' });
+  return pattern.curves({ join: true });
+}
+
+async function elsewhere(): Promise<number> {
+  const brindle = await createInWorker();
+  const surface = await brindle.shape('torus');
+  const pattern = await surface.stripes(await surface.smoothField(), { stripes: 20 });
+  const other = await surface.stripes(await surface.curvatureField(), { frequency: 2 });
+  const { positions } = await pattern.samplesWith(other);
+  brindle.terminate();
+  return pattern.energy + positions.length + phase.length;
+}
+
+export { here, elsewhere, createSlim, BrindleError };
