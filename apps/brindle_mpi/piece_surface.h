@@ -8,7 +8,7 @@
 
 #include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
-#include "brindle/recipe/waves_of.h"
+#include "brindle/waves_of.h"
 #include "mesh_pieces.h"
 
 namespace brindle::tool {

@@ -4,7 +4,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed_pattern.h"
-#include "brindle/recipe/waves_of.h"
+#include "brindle/waves_of.h"
 #include "input/make_waves.h"
 #include "piece_detail.h"
 #include "piece_fields.h"

@@ -66,5 +66,6 @@
 #include "brindle/types.h"
 #include "brindle/version.h"
 #include "brindle/wave_figures.h"
+#include "brindle/waves_of.h"
 #include "brindle/windings.h"
 #include "brindle/yielding_frequency.h"

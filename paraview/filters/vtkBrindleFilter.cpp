@@ -268,15 +268,15 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   brindle::DirectionField made;
   if (settings.is_made()) made = state.directions(run.surface(), settings, step);
   brindle::DirectionField last = state.remembered(run.surface(), settings, step);
-  bp::MadeWaves waves = bp::make_waves(
+  brindle::MadeWaves waves = bp::make_waves(
       *run.input->surface, settings, std::move(made),
       {pointer_to(vectors.of_points), pointer_to(frequencies.of_points),
        pointer_to(weights.of_points), pointer_to(vectors.of_cells), pointer_to(weights.of_cells)},
       last, run.input->piece.get());
   run.waves = std::move(waves.waves);
   run.agreement = std::move(waves.agreement);
-  run.figures.detail = waves.figures;
-  state.memory = {std::move(waves.seen), std::move(last), run.surface()};
+  run.figures.detail = waves.detail;
+  state.memory = {std::move(waves.seen_field), std::move(last), run.surface()};
   run.turn_deg = settings.turn_deg;
   run.figures.waves = bp::wave_figures(run.surface(), run.waves);
   run.figures.measured = settings.field == bp::FieldSource::array && settings.detail == 0;

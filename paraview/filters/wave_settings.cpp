@@ -188,64 +188,62 @@ FieldDetailOptions detail_options(const WaveSettings& settings) {
   return options;
 }
 
-bool has_data(const DirectionField& directions) {
-  return std::any_of(directions.begin(), directions.end(), [](const Vec3& direction) {
-    return direction.allFinite() && !direction.isZero(0);
-  });
-}
+/// A piece as what waves are on; its functions are collective.
+class PieceSurface final : public WaveSurface {
+ public:
+  PieceSurface(const Surface& surface, const RankPiece& piece) : surface_(surface), piece_(piece) {}
 
-/// Collective. An array at the scale of its stripes; `frequencies` are NaN where there is no wave.
-void see_at_detail(const Surface& surface, const WaveSettings& settings, const WaveArrays& arrays,
-                   const DirectionField& last, const RankPiece* piece, MadeWaves& made) {
-  MeasuredField measured;
-  const auto together = [&](const auto& work) {
-    piece == nullptr ? work() : piece->ranks().together(work);
-  };
-  together([&] { measured = measured_field(surface, arrays, made.waves.directions); });
-  const bool is_any = has_data(measured.directions);
-  if (!(piece == nullptr ? is_any : piece->ranks().any(is_any))) return;
-  FrequencyField places = made.waves.frequencies;  // where there may be waves
-  for (float& frequency : places) {
-    if (!std::isfinite(frequency)) frequency = 0;
+  std::vector<Vec3> positions() const override { return surface_.mesh.positions; }
+  std::span<const Vec3> normals() const override { return surface_.normals; }
+  bool any(bool here) const override { return piece_.ranks().any(here); }
+  std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override {
+    return drop_waves_without_frequency(directions, frequencies);
   }
-  DetailedField field;
-  if (piece != nullptr) {
+  DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
+                                            const FrequencyDetailOptions& options,
+                                            const Progress& progress) const override {
+    return detailed_frequencies(piece_.surface(), frequencies, options, progress);
+  }
+  std::pair<DetailedField, FieldDetailFigures> field_at_detail(
+      const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
+      const FieldDetailOptions& options, const Progress& progress) const override {
     DistributedDetail whole =
-        detailed_field(piece->surface(), measured, places, detail_options(settings), {last, {}});
-    field = std::move(whole.field);
-    made.figures = whole.figures;
-  } else {
-    FieldDetail detail(surface, detail_options(settings));
-    field = detail.frame(measured, places, {last, {}});
-    made.figures = detail.figures();
+        detailed_field(piece_.surface(), measured, places, options, {last, {}}, progress);
+    return {std::move(whole.field), whole.figures};
   }
-  made.seen = field.directions;
-  made.waves.directions = std::move(field.directions);
-  made.agreement = std::move(field.agreement);
+
+ private:
+  const Surface& surface_;
+  const RankPiece& piece_;
+};
+
+WaveWishes wishes_of(const WaveSettings& settings) {
+  WaveWishes wishes;
+  wishes.turn_deg = settings.turn_deg;
+  if (settings.field == FieldSource::array) wishes.detail = detail_options(settings);
+  if (settings.needs_frequency_array()) {
+    wishes.frequency_detail.periods = settings.frequency_detail;
+    wishes.frequency_detail.fill = settings.fill;
+  }
+  return wishes;
 }
 
-/// Collective. The same of frequencies that are an array's.
-void see_frequencies_at_detail(const Surface& surface, const WaveSettings& settings,
-                               const RankPiece* piece, FrequencyField& frequencies) {
-  FrequencyDetailOptions options;
-  options.periods = settings.frequency_detail;
-  options.fill = settings.fill;
-  frequencies = piece == nullptr
-                    ? detailed_frequencies(surface, frequencies, options).frequencies
-                    : detailed_frequencies(piece->surface(), frequencies, options).frequencies;
-}
-
-/// Before anything is seen at any scale, and turned.
-WaveSet given_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
-                    DirectionField directions, const WaveArrays& arrays) {
+/// What the settings find; `directions` are those of fields that are made.
+FoundWaves found_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
+                       DirectionField directions, const WaveArrays& arrays) {
   if (settings.field == FieldSource::direction) {
     directions = projected_direction_field(settings.direction, surface.normals);
   } else if (settings.field == FieldSource::array) {
     directions = array_directions(surface, settings, arrays.vectors);
   }
-  FrequencyField frequencies =
-      make_frequencies(surface, settings, whole, directions, arrays.frequencies);
-  return {surface.mesh.positions, std::move(directions), std::move(frequencies)};
+  FoundWaves found{std::move(directions), {}};
+  found.frequencies =
+      make_frequencies(surface, settings, whole, found.directions, arrays.frequencies);
+  found.may_have_gaps = settings.needs_frequency_array();
+  if (settings.detail > 0 && settings.field == FieldSource::array) {
+    found.measured = measured_field(surface, arrays, found.directions);
+  }
+  return found;
 }
 
 }  // namespace
@@ -263,27 +261,19 @@ DirectionField made_directions(const Surface& surface, const WaveSettings& setti
 MadeWaves make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
                      const WaveArrays& arrays, const DirectionField& last, const RankPiece* piece) {
   const Whole whole = whole_of(surface, settings, arrays.frequencies, piece);
-  MadeWaves result;
-  WaveSet& waves = result.waves;
-  const auto make = [&] { waves = given_waves(surface, settings, whole, std::move(made), arrays); };
-  piece == nullptr ? make() : piece->ranks().together(make);
-  if (settings.frequency_detail > 0 && settings.needs_frequency_array()) {
-    see_frequencies_at_detail(surface, settings, piece, waves.frequencies);
+  FoundWaves found;
+  const auto find = [&] {
+    found = found_waves(surface, settings, whole, std::move(made), arrays);
+    found.last = last;
+  };
+  if (piece == nullptr) {
+    find();
+    return waves_of(WholeSurface(surface), wishes_of(settings), std::move(found));
   }
-  if (settings.detail > 0 && settings.field == FieldSource::array) {
-    see_at_detail(surface, settings, arrays, last, piece, result);
-  }
-  if (settings.turn_deg != 0) {
-    waves.directions = rotated(waves.directions, surface.normals,
-                               settings.turn_deg * std::numbers::pi_v<float> / 180);
-  }
-  if (settings.needs_frequency_array()) {
-    drop_waves_without_frequency(waves.directions, waves.frequencies);
-  }
-  if (piece != nullptr) {
-    piece->owners().from_owners(std::span(waves.directions));
-    piece->owners().from_owners(std::span(waves.frequencies));
-  }
+  piece->ranks().together(find);
+  MadeWaves result = waves_of(PieceSurface(surface, *piece), wishes_of(settings), std::move(found));
+  piece->owners().from_owners(std::span(result.waves.directions));
+  piece->owners().from_owners(std::span(result.waves.frequencies));
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include <brindle/phase_graph.h>
 #include <brindle/surface.h>
 #include <brindle/tensor_field.h>
+#include <brindle/waves_of.h>
 
 #include "rank_piece.h"
 
@@ -67,14 +68,6 @@ struct WaveArrays {
   // Where they are cells', as they are: a row per triangle.
   const DataArray* cell_vectors = nullptr;
   const DataArray* cell_weights = nullptr;
-};
-
-struct MadeWaves {
-  WaveSet waves;  ///< of all vertices
-  // With detail alone.
-  DirectionField seen;           ///< before it was turned
-  std::vector<float> agreement;  ///< of its data, one per vertex
-  std::optional<FieldDetailFigures> figures;
 };
 
 /// `made` has what `made_directions` gave where the settings ask for it, `last` what was seen at

@@ -9,7 +9,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
-#include "brindle/recipe/waves_of.h"
+#include "brindle/waves_of.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"

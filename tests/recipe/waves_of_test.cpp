@@ -1,4 +1,4 @@
-#include "brindle/recipe/waves_of.h"
+#include "brindle/waves_of.h"
 
 #include <cmath>
 #include <limits>

@@ -7,40 +7,13 @@
 
 #include "brindle/measured_field.h"
 #include "brindle/wave_figures.h"
+#include "brindle/waves_of.h"
 
 namespace brindle {
-
-/// Vertices without a wave, by what a tensor's axis is to them.
-struct MissingTensorWaves {
-  std::size_t near_normal = 0;  ///< too near to the normal
-  std::size_t isotropic = 0;    ///< not the only one with its eigenvalue
-};
-
-/// Vertices without a wave, by reasons that are known; each counts once.
-struct MissingWaves {
-  std::optional<MissingTensorWaves> tensor;      ///< of a field that is a tensor
-  std::optional<std::size_t> without_frequency;  ///< of frequencies that are an array
-  std::optional<std::size_t> too_far;            ///< of a field on another mesh
-  /// Of a field whose holes were filled, whatever they came of: too far from its data.
-  std::optional<std::size_t> unfilled = {};
-
-  std::size_t total() const {
-    const std::size_t holes = unfilled ? *unfilled
-                              : tensor ? tensor->near_normal + tensor->isotropic
-                                       : 0;
-    return holes + without_frequency.value_or(0) + too_far.value_or(0);
-  }
-};
 
 /// Those that are too far from all data of a field whose holes were filled, and not without a wave
 /// for another reason that `missing` knows.
 std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves& missing);
-
-/// What --frequency-detail did.
-struct FrequencyDetailReport {
-  double changed_median = 0;  ///< as DetailedFrequencies has it
-  std::size_t filled = 0;     ///< the same
-};
 
 /// The library's figures, and why waves are missing.
 struct WaveReport : WaveFigures {

@@ -1,4 +1,4 @@
-#include "brindle/recipe/waves_of.h"
+#include "brindle/waves_of.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,6 +7,7 @@
 #include "brindle/array_field.h"
 #include "brindle/direction_field.h"
 #include "brindle/recipe/field_data.h"
+#include "brindle/recipe/wave_report.h"
 
 namespace brindle {
 namespace {
@@ -36,7 +37,7 @@ void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
   auto [field, figures] =
       surface.field_at_detail(found.measured, places, found.last, options, progress);
   found.directions = std::move(field.directions);
-  if (options.memory > 0) made.seen_field = found.directions;
+  made.seen_field = found.directions;
   made.agreement = std::move(field.agreement);
   made.detail = figures;
   found.missing.unfilled = unfilled_alone(figures, found.missing);

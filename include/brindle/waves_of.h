@@ -1,5 +1,5 @@
-/// From a field and frequencies, as they were found, to waves: the same steps in the same order for
-/// every door.
+/// From a field and frequencies, as somebody found them, to waves: the same steps in the same order
+/// for every program. Experimental: fields may still be added.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,43 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/direction_field.h"
+#include "brindle/export.h"
 #include "brindle/frequency_field.h"
 #include "brindle/measured_field.h"
 #include "brindle/phase_graph.h"
 #include "brindle/progress.h"
-#include "brindle/recipe/wave_report.h"
 #include "brindle/surface.h"
 
-namespace brindle {
+namespace BRINDLE_EXPORT brindle {
+
+/// Vertices without a wave, by what a tensor's axis is to them.
+struct MissingTensorWaves {
+  std::size_t near_normal = 0;  ///< too near to the normal
+  std::size_t isotropic = 0;    ///< not the only one with its eigenvalue
+};
+
+/// Vertices without a wave, by reasons that are known; each counts once.
+struct MissingWaves {
+  std::optional<MissingTensorWaves> tensor;      ///< of a field that is a tensor
+  std::optional<std::size_t> without_frequency;  ///< of frequencies that are an array
+  std::optional<std::size_t> too_far;            ///< of a field on another mesh
+  /// Of a field whose holes were filled, whatever they came of: too far from its data.
+  std::optional<std::size_t> unfilled = {};
+
+  std::size_t total() const {
+    const std::size_t holes = unfilled ? *unfilled
+                              : tensor ? tensor->near_normal + tensor->isotropic
+                                       : 0;
+    return holes + without_frequency.value_or(0) + too_far.value_or(0);
+  }
+};
+
+/// What became of frequencies that were seen at detail.
+struct FrequencyDetailReport {
+  double changed_median = 0;  ///< as DetailedFrequencies has it
+  std::size_t filled = 0;     ///< the same
+};
 
 /// What is asked of them.
 struct WaveWishes {
@@ -46,7 +75,7 @@ struct MadeWaves {
   std::optional<FieldDetailFigures> detail = {};  ///< of a field seen at detail
   std::optional<FrequencyDetailReport> frequency_detail = {};
   std::vector<float> agreement = {};  ///< of its data: one per vertex; empty without detail
-  DirectionField seen_field = {};     ///< at detail, before it was turned; empty without a memory
+  DirectionField seen_field = {};     ///< at detail, before it was turned; empty without detail
 };
 
 /// The surface that waves are on: of one process, or a piece of one that many processes share,
