@@ -56,12 +56,13 @@ def check(root):
     for header in sorted(public ^ room_of.keys()):
         complaints.append(f"public header '{header}' is in {'include' if header in public else 'the table'} alone")
 
-    files = [(p, p.parent.name) for p in (root / 'src/brindle').glob('*/*.[hc]*') if p.suffix in ('.h', '.cpp')]
+    files = [(p, p.relative_to(root / 'src/brindle').parts[0])
+             for p in (root / 'src/brindle').glob('*/**/*.[hc]*') if p.suffix in ('.h', '.cpp')]
     files += [(p, room_of.get(p.stem)) for p in (root / 'include/brindle').glob('*.h')]
 
     def room_of_include(target):
         parts = target.removesuffix('.h').split('/')
-        return parts[0] if len(parts) == 2 else room_of.get(parts[0])
+        return parts[0] if len(parts) > 1 else room_of.get(parts[0])
 
     return complaints + check_arrows(root, rooms, files, INCLUDE, room_of_include)
 

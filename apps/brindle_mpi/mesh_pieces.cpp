@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/distributed/partition.h"
-#include "brindle/distributed/subdivided_piece.h"
+#include "brindle/distributed/surface/partition.h"
+#include "brindle/distributed/surface/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "first_rank.h"

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/distributed/communicator.h"
-#include "brindle/distributed/distributed_hierarchy.h"
+#include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/used_files.h"

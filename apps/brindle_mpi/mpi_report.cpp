@@ -8,7 +8,7 @@
 #include "bench/resident_memory.h"
 #include "brindle/base/formatted.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/surface/rank_surface.h"
 
 namespace brindle::tool {
 namespace {

@@ -13,7 +13,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/vtp_rows.h"
+#include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/points/point_tree.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"

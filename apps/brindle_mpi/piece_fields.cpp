@@ -14,7 +14,7 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
 #include "brindle/distributed/distributed_field.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/progress.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "brindle/distributed/communicator.h"
-#include "brindle/distributed/distributed_hierarchy.h"
+#include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/frequency_field.h"
 #include "brindle/recipe/wave_report.h"

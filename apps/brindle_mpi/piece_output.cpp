@@ -9,10 +9,10 @@
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "brindle/files/named_file.h"
-#include "brindle/files/pvtp_file.h"
-#include "brindle/files/vtp_file.h"
+#include "brindle/files/vtk/pvtp_file.h"
+#include "brindle/files/vtk/vtp_file.h"
+#include "brindle/files/vtk/xml_text.h"
 #include "brindle/files/written_arrays.h"
-#include "brindle/files/xml_text.h"
 
 namespace brindle::tool {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "brindle/array_field.h"
-#include "brindle/distributed/piece_data.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/surface/piece_data.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
 #include "first_rank.h"
 #include "input/array_source.h"

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/distributed/rank_rows.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/levels/rank_rows.h"
 #include "brindle/distributed/rank_yielding.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
 #include "brindle/stripe_pattern.h"

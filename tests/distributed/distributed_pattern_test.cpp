@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/distributed/joined_measures.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/curves/joined_measures.h"
 #include "brindle/distributed/shifted_phases.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/pattern/sampling.h"

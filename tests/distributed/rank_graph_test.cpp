@@ -1,8 +1,8 @@
-#include "brindle/distributed/rank_graph.h"
+#include "brindle/distributed/levels/rank_graph.h"
 
 #include <gtest/gtest.h>
 
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "ranks.h"
 
 namespace brindle {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/distributed/partition.h"
+#include "brindle/distributed/surface/partition.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/mesh.h"
 #include "phase_graphs.h"

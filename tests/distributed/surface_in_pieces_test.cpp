@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/distributed/piece_data.h"
-#include "brindle/distributed/shared_places.h"
-#include "brindle/distributed/subdivided_piece.h"
+#include "brindle/distributed/surface/piece_data.h"
+#include "brindle/distributed/surface/shared_places.h"
+#include "brindle/distributed/surface/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/mesh_data.h"
 #include "ranks.h"

@@ -1,4 +1,4 @@
-#include "brindle/files/csv_file.h"
+#include "brindle/files/text/csv_file.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #ifdef BRINDLE_HAS_JSON
 
-#include "brindle/files/gltf_reader.h"
+#include "brindle/files/gltf/gltf_reader.h"
 
 #include <cstring>
 #include <fstream>
@@ -12,7 +12,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/gltf_buffers.h"
+#include "brindle/files/gltf/gltf_buffers.h"
 #include "test_folder.h"
 
 namespace brindle {

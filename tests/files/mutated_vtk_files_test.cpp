@@ -7,7 +7,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/vtk_file.h"
+#include "brindle/files/vtk/vtk_file.h"
 #include "vtk_surfaces.h"
 
 namespace brindle {

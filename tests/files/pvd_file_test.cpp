@@ -1,4 +1,4 @@
-#include "brindle/files/pvd_file.h"
+#include "brindle/files/vtk/pvd_file.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "brindle/files/vtp_file.h"
+#include "brindle/files/vtk/vtp_file.h"
 
 #include <cstdint>
 #include <sstream>

@@ -10,7 +10,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
-#include "brindle/files/csv_file.h"
+#include "brindle/files/text/csv_file.h"
 #include "input/array_source.h"
 
 namespace brindle::tool {

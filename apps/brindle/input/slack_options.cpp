@@ -5,7 +5,7 @@
 #include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/files/csv_file.h"
+#include "brindle/files/text/csv_file.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/files/pvd_file.h"
+#include "brindle/files/vtk/pvd_file.h"
 
 namespace brindle::tool {
 

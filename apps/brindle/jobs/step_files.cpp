@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/files/pvd_file.h"
+#include "brindle/files/vtk/pvd_file.h"
 #include "outputs/mesh_output.h"
 
 namespace brindle::tool {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/distributed_hierarchy.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "brindle/distributed/rank_yielding.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"

@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/distributed/rank_surface.h"
-#include "brindle/distributed/whole_on_first.h"
+#include "brindle/distributed/surface/rank_surface.h"
+#include "brindle/distributed/surface/whole_on_first.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "brindle/curvature.h"
-#include "brindle/distributed/gathered_graph.h"
-#include "brindle/distributed/piece_curvatures.h"
-#include "brindle/distributed/rank_surface.h"
-#include "brindle/distributed/seeded_start.h"
-#include "brindle/distributed/selection.h"
+#include "brindle/distributed/levels/gathered_graph.h"
+#include "brindle/distributed/levels/seeded_start.h"
+#include "brindle/distributed/surface/piece_curvatures.h"
+#include "brindle/distributed/surface/rank_surface.h"
+#include "brindle/distributed/surface/selection.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"

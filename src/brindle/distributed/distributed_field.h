@@ -1,7 +1,7 @@
 /// Smooth fields over ranks with other bounds than the usual ones.
 #pragma once
 
-#include "brindle/distributed/distributed_hierarchy.h"
+#include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "brindle/distributed_surface.h"
 
 namespace brindle {

@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/distributed/part_of_whole.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/surface/part_of_whole.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/mesh_edges.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "brindle/distributed/rank_surface.h"
-#include "brindle/distributed/selection.h"
+#include "brindle/distributed/surface/rank_surface.h"
+#include "brindle/distributed/surface/selection.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/error.h"
 

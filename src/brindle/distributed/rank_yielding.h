@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/distributed/rank_rows.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/levels/rank_rows.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/waves/yielding_solver.h"
 
 namespace brindle {

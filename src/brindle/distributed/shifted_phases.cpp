@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "brindle/base/elementary.h"
-#include "brindle/distributed/rank_surface.h"
+#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/waves/orientation.h"
 

@@ -10,7 +10,7 @@
 
 #include "brindle/base/ranges.h"
 #include "brindle/files/input_file.h"
-#include "brindle/files/letters.h"
+#include "brindle/files/text/letters.h"
 
 namespace brindle {
 namespace {

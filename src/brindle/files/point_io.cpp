@@ -12,12 +12,12 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
-#include "brindle/files/csv_file.h"
-#include "brindle/files/letters.h"
-#include "brindle/files/obj_file.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_file.h"
 #include "brindle/files/surface_file.h"
+#include "brindle/files/text/csv_file.h"
+#include "brindle/files/text/letters.h"
+#include "brindle/files/text/obj_file.h"
 
 namespace brindle {
 namespace {

@@ -11,9 +11,9 @@
 #include "brindle/files.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/ply_positions.h"
-#include "brindle/files/text_positions.h"
-#include "brindle/files/vtp_file.h"
-#include "brindle/files/vtp_rows.h"
+#include "brindle/files/text/text_positions.h"
+#include "brindle/files/vtk/vtp_file.h"
+#include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
 #include "brindle/geometry/local_positions.h"
 

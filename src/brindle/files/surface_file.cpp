@@ -8,9 +8,9 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/files/obj_file.h"
 #include "brindle/files/ply_file.h"
-#include "brindle/files/vtk_file.h"
+#include "brindle/files/text/obj_file.h"
+#include "brindle/files/vtk/vtk_file.h"
 
 namespace brindle {
 namespace {

@@ -1,0 +1,64 @@
+/// The rows of a matrix over ranks: each has those of its own nodes (docs/distributed.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brindle/distributed/communicator.h"
+#include "brindle/distributed/levels/gathered_rows.h"
+#include "brindle/distributed/levels/rank_graph.h"
+#include "brindle/waves/row_peers.h"
+
+namespace brindle {
+
+/// Levels are merged within ranks until one has fewer nodes than `gather_below`, or hardly fewer
+/// than the finer one: that one is the coarsest, which rank 0 solves. Others' nodes are a rank's
+/// ghosts.
+class RankRows : public RowPeers {
+ public:
+  /// Both must live as long.
+  RankRows(Communicator& ranks, const RankGraph& graph, std::size_t gather_below);
+
+  RowLevels make_levels(const Adjacency& adjacency, std::span<const float> strengths) override;
+  bool has_first_node() const override { return has_first_node_; }
+  std::span<const Index> border_blocks(std::size_t level) const override;
+  std::span<const Index> inner_blocks(std::size_t level) const override;
+  void start(std::size_t level, std::span<float> by_place) override;
+  void finish() override { ranks_.finish(); }
+  void sum(std::span<double> values) override;
+  double least(double value) override;
+  void set_coarsest(const RowMatrix& matrix) override;
+  void solve_coarsest(std::span<const float> right, int visits, std::span<float> x) override;
+  void start_coarsest(const RowProblem& problem, std::span<float> x) override;
+
+  /// Bytes that halos have brought to this rank so far: 4 for each ghost and exchange.
+  std::uint64_t halo_bytes() const { return halo_bytes_; }
+
+ private:
+  struct Neighbor {
+    int rank;
+    std::vector<Index> sent;  ///< places
+    std::vector<float> out;   ///< beside `sent`
+    Index first, count;       ///< places of its nodes here
+  };
+  struct Part {
+    std::vector<Neighbor> neighbors;
+    std::vector<Index> border, inner;  ///< blocks
+  };
+  Part make_part(const NodeHalo& halo, std::span<const Index> place_of, Index block_count) const;
+  void take_others(std::span<float> coarsest);
+
+  Communicator& ranks_;
+  const RankGraph& graph_;
+  std::size_t gather_below_;
+  bool has_first_node_ = false;
+  std::vector<Part> parts_;  ///< by level
+  std::optional<GatheredRows> gathered_;
+  std::vector<Outgoing> outgoing_;
+  std::vector<Incoming> incoming_;
+  std::uint64_t halo_bytes_ = 0;
+};
+
+}  // namespace brindle

@@ -1,0 +1,153 @@
+#include "brindle/distributed/surface/piece_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/array_rows.h"
+#include "brindle/distributed/surface/shared_vertices.h"
+#include "brindle/mesh_data.h"
+
+namespace brindle {
+namespace {
+
+struct SentCell {
+  std::uint64_t number;  ///< of the triangle in the whole; 0 where triangles have none
+  std::array<std::uint64_t, 3> ids;
+  std::array<std::array<float, 3>, 3> positions;
+};
+
+/// Moves rows of triangles to vertices, of which owners hear of all triangles.
+class CellMeans {
+ public:
+  CellMeans(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells)
+      : ranks_(ranks), piece_(piece), columns_(static_cast<std::size_t>(cells.components)) {
+    const std::vector<std::uint8_t> used(piece.vertex_ids.size(), 1);
+    owner_ = find_owners(ranks, piece.vertex_ids, used);
+    for (Index v = 0; v < piece.vertex_ids.size(); ++v) vertex_of_[piece.vertex_ids[v]] = v;
+    around_.positions = piece.mesh.positions;
+    around_.triangles = piece.mesh.triangles;
+    numbers_ = piece.triangle_ids;
+    numbers_.resize(piece.mesh.triangle_count());
+    rows_ = doubles_of(cells.view());
+  }
+
+  DataArray means(const std::string& name) {
+    hear();
+    const DataArray own = own_means(name);
+    std::vector<double> numbers = doubles_of(own.view());
+    numbers.resize(piece_.vertex_ids.size() * columns_);
+    ask(numbers);
+    return make_data_array(name, static_cast<int>(columns_), numbers);
+  }
+
+ private:
+  void hear() {
+    std::vector<std::vector<SentCell>> cells(static_cast<std::size_t>(ranks_.size()));
+    std::vector<std::vector<double>> rows(cells.size());
+    for (std::size_t t = 0; t < piece_.mesh.triangle_count(); ++t) {
+      std::array<int, 3> owners;
+      for (std::size_t c = 0; c < 3; ++c) owners[c] = owner_[piece_.mesh.triangles[t][c]];
+      std::ranges::sort(owners);
+      const auto end = std::unique(owners.begin(), owners.end());
+      for (auto o = owners.begin(); o != end; ++o) {
+        if (*o == ranks_.rank()) continue;
+        const auto to = static_cast<std::size_t>(*o);
+        cells[to].push_back(sent(t));
+        const auto row = std::span(rows_).subspan(t * columns_, columns_);
+        rows[to].insert(rows[to].end(), row.begin(), row.end());
+      }
+    }
+    for (const auto& list : ranks_.swap_lists(cells)) {
+      for (const SentCell& cell : list) append(cell);
+    }
+    for (const auto& list : ranks_.swap_lists(rows)) {
+      rows_.insert(rows_.end(), list.begin(), list.end());
+    }
+  }
+
+  SentCell sent(std::size_t t) const {
+    SentCell cell;
+    cell.number = piece_.triangle_ids.empty() ? 0 : piece_.triangle_ids[t];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Index v = piece_.mesh.triangles[t][c];
+      const Vec3& p = piece_.mesh.positions[v];
+      cell.ids[c] = piece_.vertex_ids[v];
+      cell.positions[c] = {p.x(), p.y(), p.z()};
+    }
+    return cell;
+  }
+
+  void append(const SentCell& cell) {
+    Triangle triangle;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto next = static_cast<Index>(around_.positions.size());
+      const auto [place, is_new] = vertex_of_.emplace(cell.ids[c], next);
+      triangle[c] = place->second;
+      const auto& [x, y, z] = cell.positions[c];
+      if (is_new) around_.positions.emplace_back(x, y, z);
+    }
+    around_.triangles.push_back(triangle);
+    numbers_.push_back(cell.number);
+  }
+
+  /// Right where all triangles are known: at own vertices.
+  DataArray own_means(const std::string& name) const {
+    std::vector<Index> order(around_.triangles.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::stable_sort(order, {}, [&](Index t) { return numbers_[t]; });
+    Mesh mesh{around_.positions, {}, {}};
+    for (const Index t : order) mesh.triangles.push_back(around_.triangles[t]);
+    const DataArray rows = make_data_array(name, static_cast<int>(columns_), rows_);
+    return cells_to_points(mesh, rows_of(rows, order));
+  }
+
+  /// Owners' numbers for the vertices of others.
+  void ask(std::vector<double>& numbers) const {
+    std::vector<std::vector<std::uint64_t>> asked(static_cast<std::size_t>(ranks_.size()));
+    std::vector<std::vector<Index>> vertices(asked.size());
+    for (Index v = 0; v < owner_.size(); ++v) {
+      if (owner_[v] == ranks_.rank()) continue;
+      asked[static_cast<std::size_t>(owner_[v])].push_back(piece_.vertex_ids[v]);
+      vertices[static_cast<std::size_t>(owner_[v])].push_back(v);
+    }
+    std::vector<std::vector<double>> answers;
+    for (const auto& list : ranks_.swap_lists(asked)) {
+      std::vector<double>& answer = answers.emplace_back();
+      for (const std::uint64_t id : list) {
+        const auto row = std::span(numbers).subspan(vertex_of_.at(id) * columns_, columns_);
+        answer.insert(answer.end(), row.begin(), row.end());
+      }
+    }
+    const auto sent = ranks_.swap_lists(answers);
+    for (std::size_t r = 0; r < sent.size(); ++r) {
+      for (std::size_t i = 0; i < vertices[r].size(); ++i) {
+        std::copy_n(&sent[r][i * columns_], columns_, &numbers[vertices[r][i] * columns_]);
+      }
+    }
+  }
+
+  Communicator& ranks_;
+  const SurfacePiece& piece_;
+  std::size_t columns_;
+  std::vector<int> owner_;
+  std::unordered_map<std::uint64_t, Index> vertex_of_;
+  Mesh around_;  ///< of the piece, then what others tell of
+  std::vector<std::uint64_t> numbers_;
+  std::vector<double> rows_;
+};
+
+}  // namespace
+
+DataArray cells_to_points(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells) {
+  ranks.together([&] { check_rows_per_triangle(cells, piece.mesh.triangle_count()); });
+  if (ranks.size() == 1) return cells_to_points(piece.mesh, cells);
+  return CellMeans(ranks, piece, cells).means(cells.name);
+}
+
+}  // namespace brindle

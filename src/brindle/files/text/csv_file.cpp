@@ -1,0 +1,245 @@
+#include "brindle/files/text/csv_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "brindle/base/input_stream.h"
+#include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/files/component_groups.h"
+#include "brindle/files/input_file.h"
+#include "brindle/files/piecewise_arrays.h"
+#include "brindle/files/text/letters.h"
+
+namespace brindle {
+namespace {
+
+constexpr std::string_view kSpace = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+/// Where a cell in quotation marks that begins at `begin` ends behind its mark; nowhere unless the
+/// separator or the row's end follows. `vain` are marks that led nowhere before, and need not be
+/// followed again: many marks that nothing closes would take the square of their number.
+std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separator,
+                          std::set<std::size_t>& vain) {
+  std::vector<std::size_t> followed;
+  std::size_t mark = row.find('"', begin + 1);
+  while (mark != std::string_view::npos && !vain.contains(mark)) {
+    followed.push_back(mark);
+    if (mark + 1 < row.size() && row[mark + 1] == '"') {
+      mark = row.find('"', mark + 2);
+      continue;
+    }
+    const std::size_t next = row.find_first_not_of(separator == '\t' ? " \r" : kSpace, mark + 1);
+    if (next == std::string_view::npos || row[next] == separator) return mark + 1;
+    mark = row.find('"', mark + 1);
+  }
+  vain.insert(followed.begin(), followed.end());
+  return std::string_view::npos;
+}
+
+/// Where the cell that begins at `begin` ends: at the next separator outside quotation marks.
+std::size_t end_of_cell(std::string_view row, std::size_t begin, char separator,
+                        std::set<std::size_t>& vain) {
+  const std::size_t first = row.find_first_not_of(" \r", begin);
+  if (first != std::string_view::npos && row[first] == '"') {
+    const std::size_t end = end_of_quoted(row, first, separator, vain);
+    if (end != std::string_view::npos) begin = end;
+  }
+  return std::min(row.find(separator, begin), row.size());
+}
+
+std::string_view unquoted(std::string_view cell) {
+  const bool quotes = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+  return quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+/// Cuts a row at its separators: the first of semicolon, comma and tab that parts cells, or else
+/// spaces.
+void cut(std::string_view row, std::vector<std::string_view>& cells) {
+  for (const char separator : {';', ',', '\t'}) {
+    cells.clear();
+    std::set<std::size_t> vain;
+    for (std::size_t begin = 0; begin <= row.size();) {
+      const std::size_t end = end_of_cell(row, begin, separator, vain);
+      cells.push_back(unquoted(trimmed(row.substr(begin, end - begin))));
+      begin = end + 1;
+    }
+    if (cells.size() > 1) return;
+  }
+  cells.clear();
+  for (auto word = take_word(row); !word.empty(); word = take_word(row)) {
+    cells.push_back(unquoted(word));
+  }
+}
+
+/// Whether all cells are numbers, which `values` then has.
+bool parse(const std::vector<std::string_view>& cells, std::vector<double>& values) {
+  values.clear();
+  for (const std::string_view cell : cells) {
+    const auto value = parse_number(cell);
+    if (!value) return false;
+    values.push_back(*value);
+  }
+  return true;
+}
+
+/// Whether every cell begins as a word does.
+bool is_header(const std::vector<std::string_view>& cells) {
+  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) {
+    return cell.empty() || cell.find_first_of("0123456789+-.") == 0 || parse_number(cell);
+  });
+}
+
+/// Whether the row would be one of numbers if it had points for its commas.
+bool has_decimal_commas(std::string_view row) {
+  if (row.find(',') == std::string_view::npos) return false;
+  std::string pointed(row);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  std::vector<std::string_view> cells;
+  std::vector<double> ignored;
+  cut(pointed, cells);
+  return parse(cells, ignored);
+}
+
+/// A name without the second of two quotation marks that stand for one.
+std::string name_in(std::string_view cell) {
+  std::string name;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    name += cell[i];
+    if (cell.substr(i, 2) == "\"\"") ++i;
+  }
+  return name;
+}
+
+}  // namespace
+
+std::string at_line(const std::filesystem::path& path, std::size_t line) {
+  return "'" + shown(path.native()) + "', line " + std::to_string(line) + ": ";
+}
+
+std::vector<double> CsvTable::numbers_of(std::string_view name) const {
+  for (const DataArray& column : columns) {
+    if (name.empty() || !same_letters(column.name, name)) continue;
+    std::vector<double> numbers(column.rows());
+    std::memcpy(numbers.data(), column.bytes.data(), column.bytes.size());
+    return numbers;
+  }
+  return {};
+}
+
+CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
+    : path_(std::move(path)), kind_(std::move(kind)), in_(open_input(path_, "a CSV file")) {
+  first_ = next_row();
+  const bool words =
+      first_ && ranges::none_of(cells_, [](auto cell) { return parse_number(cell).has_value(); });
+  if (words) ranges::transform(cells_, std::back_inserter(names_), name_in);
+}
+
+bool CsvFile::next_row() {
+  while (std::getline(in_, line_)) {
+    row_ = line_;
+    if (++number_ == 1 && row_.starts_with(kByteOrderMark)) {
+      row_.remove_prefix(kByteOrderMark.size());
+    }
+    row_ = trimmed(row_);
+    if (row_.empty() || row_.front() == '#') continue;
+    cut(row_, cells_);
+    return true;
+  }
+  if (in_.bad())
+    throw Error("cannot read " + kind_.what + " '" + shown(path_.native()) + "': input error");
+  return false;
+}
+
+void CsvFile::refuse_row() const {
+  const std::string remedy =
+      has_decimal_commas(row_) ? "write decimal points instead of decimal commas: " : "write ";
+  throw Error(at_line(path_, number_) + in_quotes(row_) + " is not a row of numbers; " + remedy +
+              kind_.columns);
+}
+
+void CsvFile::refuse_cell(std::size_t column) const {
+  const std::string_view cell = cells_[column];
+  const bool commas = cell.find(',') != std::string_view::npos;
+  throw Error(at_line(path_, number_) + "column " + in_quotes(names_[column]) + " has " +
+              in_quotes(cell) + ", which is not a number; " +
+              (commas ? "write decimal points, and nothing between thousands"
+                      : "write a number, or nothing where there is none"));
+}
+
+void CsvFile::read(
+    const std::function<void(std::size_t line, std::span<const double> values)>& use) {
+  std::vector<double> values;
+  for (bool more = first_; more; more = next_row()) {
+    if (parse(cells_, values)) {
+      use(number_, values);
+    } else if (!first_ || !is_header(cells_)) {
+      refuse_row();
+    }
+    first_ = false;
+  }
+}
+
+CsvTable CsvFile::read_table() {
+  if (names_.empty()) {
+    throw Error("'" + shown(path_.native()) +
+                "' does not name its columns; write their names into its first row");
+  }
+  std::vector<std::vector<double>> columns(names_.size());
+  std::vector<char> of_words(names_.size(), 0);
+  CsvTable table;
+  while (next_row()) {
+    if (cells_.size() != names_.size()) {
+      throw Error(at_line(path_, number_) + std::to_string(cells_.size()) +
+                  " cells where the first row names " + std::to_string(names_.size()) +
+                  " columns; give every row one for each");
+    }
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      if (of_words[c]) continue;
+      const auto number = cells_[c].empty() ? std::optional(std::nan("")) : parse_double(cells_[c]);
+      if (number) {
+        columns[c].push_back(*number);
+      } else if (table.lines.empty()) {
+        of_words[c] = 1;
+      } else {
+        refuse_cell(c);
+      }
+    }
+    table.lines.push_back(number_);
+  }
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (!of_words[c]) table.columns.push_back(make_data_array(names_[c], 1, columns[c]));
+  }
+  if (table.lines.empty() || table.columns.empty()) {
+    throw Error("'" + shown(path_.native()) +
+                "' has no numbers below its names of columns; export it "
+                "again");
+  }
+  return table;
+}
+
+void read_csv(const std::filesystem::path& path, const CsvKind& kind,
+              const std::function<void(std::size_t line, std::span<const double> values)>& use) {
+  CsvFile(path, kind).read(use);
+}
+
+std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path) {
+  CsvFile file(path, {"arrays", "a row of names and rows of numbers"});
+  std::vector<DataArray> arrays = grouped_columns(file.read_table().columns);
+  make_names_unique(arrays);
+  return arrays;
+}
+
+}  // namespace brindle

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "brindle/base/printable.h"
+#include "brindle/base/ranges.h"
+#include "brindle/error.h"
+#include "brindle/files.h"
+#include "brindle/files/text/csv_file.h"
+#include "brindle/files/text/letters.h"
+#include "brindle/waves/float_vector.h"
+
+namespace brindle {
+namespace {
+
+void append_row(FieldFile& field, std::span<const double> row, const std::string& where) {
+  if (row.size() < 3 || row.size() > 5) {
+    throw Error(where + std::to_string(row.size()) +
+                " columns; a row must have 3 (x,y,z), 4 (x,y,z,frequency) or 5 "
+                "(x,y,z,frequency,frequency_v)");
+  }
+  const std::size_t columns =
+      3 + (field.frequencies.empty() ? 0 : 1) + (field.frequencies_v.empty() ? 0 : 1);
+  if (!field.vectors.empty() && row.size() != columns) {
+    throw Error(where + std::to_string(row.size()) + " columns where the rows before have " +
+                std::to_string(columns) + "; give all rows the same number");
+  }
+  for (std::size_t column = 3; column < row.size(); ++column) {
+    const auto frequency = static_cast<float>(row[column]);
+    if (!(frequency > 0) || !std::isfinite(frequency)) {
+      throw Error(where + "the frequency must be a finite number above zero");
+    }
+  }
+  field.vectors.push_back(float_vector({row[0], row[1], row[2]}));
+  if (row.size() > 3) field.frequencies.push_back(static_cast<float>(row[3]));
+  if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
+}
+
+/// Whether the name of a column is among these.
+bool has_name(std::span<const std::string> names, std::string_view name) {
+  return ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
+}
+
+/// The columns x, y, z and those of frequencies that a table has.
+std::vector<std::vector<double>> field_columns(const std::filesystem::path& path,
+                                               std::span<const std::string> names,
+                                               const CsvTable& table) {
+  std::vector<std::vector<double>> columns;
+  for (const char* name : {"x", "y", "z", "frequency", "frequency_v"}) {
+    if (!has_name(names, name)) break;
+    columns.push_back(table.numbers_of(name));
+    if (!columns.back().empty()) continue;
+    throw Error("'" + shown(path.native()) + "': column '" + name +
+                "' does not begin with a number; write numbers below its name");
+  }
+  return columns;
+}
+
+/// Calls `use(line, values)` for every row of a field whose columns have names.
+void read_named_field(const std::filesystem::path& path, CsvFile& file,
+                      const std::function<void(std::size_t, std::span<const double>)>& use) {
+  const CsvTable table = file.read_table();
+  const auto columns = field_columns(path, file.names(), table);
+  std::vector<double> values(columns.size());
+  for (std::size_t row = 0; row < table.lines.size(); ++row) {
+    ranges::transform(columns, values.begin(), [&](auto& column) { return column[row]; });
+    use(table.lines[row], values);
+  }
+}
+
+/// Whether a file's columns are told by their names and not by their places.
+bool has_named_columns(const std::vector<std::string>& names) {
+  if (!has_name(names, "x") || !has_name(names, "y") || !has_name(names, "z")) return false;
+  const bool first =
+      same_letters(names[0], "x") && same_letters(names[1], "y") && same_letters(names[2], "z");
+  return !first || names.size() > 5 || has_name(names, "frequency") ||
+         has_name(names, "frequency_v");
+}
+
+/// Rows of one vertex, gathered.
+class RowMean {
+ public:
+  void add(const Vec3& vector) {
+    const Vec3 unit = vector.stableNormalized();
+    if (!unit.allFinite() || unit.isZero(0)) return;
+    if (first_.isZero(0)) first_ = vector, unit_ = unit;
+    alike_ = alike_ && (unit == unit_ || unit == -unit_);
+    const Eigen::Vector3d exact = unit.cast<double>();
+    sum_ += exact * exact.transpose();
+  }
+
+  /// The first vector if all have its direction, otherwise the axis that is nearest to them all, on
+  /// the first one's side; zero if there is none.
+  Vec3 mean() const {
+    if (alike_) return first_;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(sum_);
+    const Vec3 axis = axes.eigenvectors().col(2).cast<float>();
+    return axis.dot(unit_) < 0 ? Vec3(-axis) : axis;
+  }
+
+ private:
+  Vec3 first_ = Vec3::Zero(), unit_ = Vec3::Zero();
+  bool alike_ = true;
+  Eigen::Matrix3d sum_ = Eigen::Matrix3d::Zero();
+};
+
+std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
+                         std::span<const Index> vertex_of_row) {
+  if (rows.empty()) return {};
+  std::vector<double> sums(vertex_count, 0), counts(vertex_count, 0);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    sums[vertex_of_row[row]] += rows[row];
+    ++counts[vertex_of_row[row]];
+  }
+  std::vector<float> result;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    result.push_back(static_cast<float>(sums[v] / counts[v]));
+  }
+  return result;
+}
+
+/// The field of a mesh's vertices from that of its file's.
+FieldFile of_vertices(const FieldFile& rows, std::size_t vertex_count,
+                      std::span<const Index> vertex_of_row) {
+  std::vector<RowMean> gathered(vertex_count);
+  for (std::size_t row = 0; row < rows.vectors.size(); ++row) {
+    gathered[vertex_of_row[row]].add(rows.vectors[row]);
+  }
+  FieldFile field;
+  for (const RowMean& vertex : gathered) field.vectors.push_back(vertex.mean());
+  field.frequencies = means(rows.frequencies, vertex_count, vertex_of_row);
+  field.frequencies_v = means(rows.frequencies_v, vertex_count, vertex_of_row);
+  return field;
+}
+
+/// "83", or "83, or 240 with those at one place".
+std::string counts(std::size_t vertices, std::size_t rows) {
+  std::string text = std::to_string(vertices);
+  if (rows > vertices) text += ", or " + std::to_string(rows) + " in its file";
+  return text;
+}
+
+}  // namespace
+
+FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
+                         std::span<const Index> vertex_of_row) {
+  const std::size_t most = std::max(vertex_count, vertex_of_row.size());
+  FieldFile field;
+  const auto append = [&](std::size_t line, std::span<const double> row) {
+    if (field.vectors.size() == most) {
+      throw Error(at_line(path, line) + "more rows than the mesh has vertices (" +
+                  counts(vertex_count, vertex_of_row.size()) + "); give one row per vertex");
+    }
+    append_row(field, row, at_line(path, line));
+  };
+  CsvFile file(path, {"field", "x,y,z or x,y,z,frequency"});
+  if (has_named_columns(file.names())) {
+    read_named_field(path, file, append);
+  } else {
+    file.read(append);
+  }
+  if (field.vectors.size() == vertex_count) return field;
+  if (!vertex_of_row.empty() && field.vectors.size() == vertex_of_row.size()) {
+    return of_vertices(field, vertex_count, vertex_of_row);
+  }
+  throw Error("'" + shown(path.native()) + "' has " + std::to_string(field.vectors.size()) +
+              " rows, but the mesh has " + counts(vertex_count, vertex_of_row.size()) +
+              " vertices; give one row per vertex");
+}
+
+}  // namespace brindle

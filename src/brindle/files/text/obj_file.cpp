@@ -1,0 +1,255 @@
+#include "brindle/files/text/obj_file.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/printable.h"
+#include "brindle/files/input_file.h"
+#include "brindle/files/mesh_builder.h"
+#include "brindle/files/text/text_positions.h"
+#include "brindle/polygon.h"
+
+namespace brindle {
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& path, const Progress& progress = {})
+      : file_(path, progress) {}
+
+  Mesh read_mesh() {
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        mesh_.add_vertex(three_numbers("vertex", rest));
+      } else if (keyword == "f") {
+        add_face(rest);
+      }
+    }
+    check_forward_references();
+    return mesh_.take();
+  }
+
+  LoadedPoints read_points() {
+    std::vector<Vec3> normals;
+    bool in_order = true;
+    while (const auto line = next_whole_line()) {
+      std::string_view rest = *line;
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        mesh_.add_vertex(three_numbers("vertex", rest));
+      } else if (keyword == "vn") {
+        normals.push_back(three_numbers("normal", rest).cast<float>());
+      } else if (keyword == "f") {
+        in_order = in_order && has_normals_of_their_own(rest);
+      }
+    }
+    // Which normal belongs to which point is plain only where both have the same numbers.
+    if (!in_order || normals.size() != mesh_.vertex_count()) normals.clear();
+    return make_placed_point_cloud(mesh_.positions(), std::move(normals));
+  }
+
+  /// Looks from the end of the file on, where faces mostly are.
+  bool has_faces() {
+    std::string block;
+    for (std::uint64_t end = file_.size(), size = kFirstBlock; end > 0;) {
+      const std::uint64_t begin = end - std::min(end, size);
+      block.resize(static_cast<std::size_t>(end - begin));
+      file_.read_at(begin, std::as_writable_bytes(std::span(block)));
+      // The first line of a block may have begun before it.
+      const std::size_t whole = begin == 0 ? 0 : block.find('\n') + 1;
+      if (begin > 0 && whole == 0) {
+        size *= 2;
+        continue;
+      }
+      if (has_line_of_faces(std::string_view(block).substr(whole))) return true;
+      end = begin + whole;
+      if (begin == 0) return false;
+      size = std::min<std::uint64_t>(4 * size, kLargestBlock);
+    }
+    return false;
+  }
+
+ private:
+  /// A corner that did not exist yet when its line was read.
+  struct ForwardReference {
+    std::int64_t number;
+    std::size_t line;
+  };
+
+  static bool has_line_of_faces(std::string_view lines) {
+    bool goes_on = false;
+    while (!lines.empty()) {
+      const std::size_t end = std::min(lines.find('\n'), lines.size());
+      std::string_view line = lines.substr(0, end);
+      lines.remove_prefix(std::min(end + 1, lines.size()));
+      std::string_view rest = line;
+      if (!goes_on && take_word(rest) == "f") return true;
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      goes_on = line.ends_with('\\');
+    }
+    return false;
+  }
+
+  /// A line that ends in a backslash goes on in the next.
+  std::optional<std::string_view> next_whole_line() {
+    auto line = file_.next_line();
+    if (!line || line->empty() || line->back() != '\\') return line;
+    joined_.clear();
+    while (line && !line->empty() && line->back() == '\\') {
+      joined_.append(line->substr(0, line->size() - 1)).push_back(' ');
+      line = file_.next_line();
+    }
+    if (line) joined_.append(*line);
+    return joined_;
+  }
+
+  /// Whether the face's corners that name a normal name the one with their vertex's number.
+  static bool has_normals_of_their_own(std::string_view rest) {
+    for (auto word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
+      const std::size_t first = word.find('/'), last = word.rfind('/');
+      if (first == last) continue;
+      if (word.substr(0, first) != word.substr(last + 1)) return false;
+    }
+    return true;
+  }
+
+  Eigen::Vector3d three_numbers(const char* what, std::string_view rest) {
+    Eigen::Vector3d numbers;
+    for (double& number : numbers) {
+      const std::string_view word = take_word(rest);
+      const auto value = parse_number(word);
+      if (!value) {
+        file_.fail(std::string("a ") + what + " needs three numbers, not " + in_quotes(word));
+      }
+      number = *value;
+    }
+    return numbers;
+  }
+
+  void add_face(std::string_view rest) {
+    corners_.clear();
+    for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      if (word[0] == '#') break;
+      corners_.push_back(corner(word));
+    }
+    if (corners_.size() < 3) {
+      file_.fail("a face needs three corners or more, this has " + std::to_string(corners_.size()) +
+                 "; the file may be truncated");
+    }
+    const bool known = *std::max_element(corners_.begin(), corners_.end()) < mesh_.vertex_count();
+    if (known) {
+      mesh_.add_polygon(corners_);
+      return;
+    }
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+      mesh_.add_polygon(Triangle{corners_[0], corners_[i], corners_[i + 1]});
+    }
+  }
+
+  /// The vertex that "7", "7/1", "7//3", "7/1/3" or a negative number, counted back, stands for.
+  Index corner(std::string_view word) {
+    const auto number = parse_integer(word.substr(0, word.find('/')));
+    const auto count = static_cast<std::int64_t>(mesh_.vertex_count());
+    if (!number) file_.fail(in_quotes(word) + " is not a face's corner");
+    if (*number == 0 || *number < -count || *number > kMostVertices) {
+      file_.fail(missing(*number));
+    }
+    if (*number < 0) return static_cast<Index>(count + *number);
+    if (*number > count && *number > furthest_) {
+      furthest_ = *number;
+      forward_.push_back({*number, file_.line()});
+    }
+    return static_cast<Index>(*number - 1);
+  }
+
+  std::string missing(std::int64_t number) const {
+    return "vertex " + std::to_string(number) + " does not exist: there are " +
+           std::to_string(mesh_.vertex_count()) +
+           ", counted from 1; the file is damaged or truncated, export it again";
+  }
+
+  /// The first corner beyond the last vertex is the furthest one up to its line, and so is among
+  /// those that were noted.
+  void check_forward_references() const {
+    for (const auto& [number, line] : forward_) {
+      if (number > static_cast<std::int64_t>(mesh_.vertex_count())) {
+        file_.fail_at(line, missing(number));
+      }
+    }
+  }
+
+  static constexpr std::int64_t kMostVertices = 0xfffffffe;
+  static constexpr std::uint64_t kFirstBlock = 1 << 14, kLargestBlock = 1 << 24;
+
+  InputFile file_;
+  MeshBuilder mesh_;
+  std::vector<Index> corners_;
+  std::vector<ForwardReference> forward_;
+  std::int64_t furthest_ = 0;
+  std::string joined_;
+};
+
+constexpr std::string_view kMaterial = "brindle";
+
+const DataArray* first_of(std::span<const DataArray> arrays, bool (*is)(const DataArray&)) {
+  const auto found = std::find_if(arrays.begin(), arrays.end(), is);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+/// One line a row; none if there is no array.
+void write_rows(TextOutput& text, std::string_view keyword, const DataArray* array) {
+  if (array == nullptr) return;
+  const std::size_t columns = array->view().columns();
+  for_each_number(array->view(), [&](std::size_t, std::size_t column, auto number) {
+    if (column == 0) text << keyword;
+    text << ' ' << number;
+    if (column + 1 == columns) text << '\n';
+  });
+}
+
+}  // namespace
+
+Mesh read_obj(const std::filesystem::path& path, const Progress& progress) {
+  return ObjReader(path, progress).read_mesh();
+}
+
+LoadedPoints read_obj_points(const std::filesystem::path& path) {
+  return ObjReader(path).read_points();
+}
+
+bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
+
+void write_obj(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
+               const std::string& materials) {
+  const DataArray* normal = first_of(arrays, is_normal);
+  const DataArray* uv = first_of(arrays, is_uv);
+  TextOutput text(out);
+  text << "# written by brindle\n";
+  if (!materials.empty()) text << "mtllib " << materials << '\n';
+  write_positions(text, "v", mesh.positions, mesh.origin);
+  write_rows(text, "vt", uv);
+  write_rows(text, "vn", normal);
+  if (!materials.empty()) text << "usemtl " << kMaterial << '\n';
+  for (const Triangle& t : mesh.triangles) {
+    text << 'f';
+    for (const Index v : t) {
+      text << ' ' << v + 1;
+      if (uv != nullptr) text << '/' << v + 1;
+      if (normal != nullptr) text << (uv == nullptr ? "//" : "/") << v + 1;
+    }
+    text << '\n';
+  }
+}
+
+std::string material_library(const std::string& picture) {
+  const std::string name(kMaterial);
+  return "# written by brindle\nnewmtl " + name +
+         "\nKa 0.2 0.2 0.2\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + picture + "\n";
+}
+
+}  // namespace brindle
