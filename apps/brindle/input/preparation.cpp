@@ -150,7 +150,7 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
                             const std::optional<Viewpoint>& viewpoint) {
   Stopwatch watch;
   WavesOfField made = make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint),
-                                     std::move(field), listener.progress().part(kFieldShare, 1));
+                                 std::move(field), listener.progress().part(kFieldShare, 1));
   listener.note(made.notes);
   PreparedWaves result;
   result.waves = std::move(made.waves);
