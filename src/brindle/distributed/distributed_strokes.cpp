@@ -93,17 +93,17 @@ class NearTriangles {
   std::optional<NearestOnMesh> nearest_;
 };
 
-struct SentEdge {
+struct SentFeature {
   std::array<std::uint64_t, 2> ids;  ///< the lower one first
   std::array<std::array<float, 3>, 2> positions;
 };
 
 /// Each edge is told of by the owner of its end of lower number, who has all its triangles.
-std::vector<SentEdge> own_features(const RankSurface& surface, float angle_deg) {
+std::vector<SentFeature> own_features(const RankSurface& surface, float angle_deg) {
   std::vector<std::uint64_t> ids = known_ids(surface);
   surface.exchange_all(std::span(ids));  // ghosts need not be in the piece
   const Mesh mesh = triangles_around_own(surface);
-  std::vector<SentEdge> sent;
+  std::vector<SentFeature> sent;
   surface.ranks->together([&] {
     const MeshEdges edges = mesh_edges(mesh, vertex_neighborhood(mesh));
     for (auto [a, b] : feature_edges(mesh, edges, angle_deg)) {
@@ -116,12 +116,12 @@ std::vector<SentEdge> own_features(const RankSurface& surface, float angle_deg) 
   return sent;
 }
 
-std::vector<FieldStroke> strokes_of(std::vector<SentEdge> edges, const Eigen::Vector3d& origin,
+std::vector<FieldStroke> strokes_of(std::vector<SentFeature> edges, const Eigen::Vector3d& origin,
                                     double radius, double strength) {
   // As `mesh_edges` has them.
-  std::ranges::sort(edges, {}, [](const SentEdge& e) { return std::pair(e.ids[1], e.ids[0]); });
+  std::ranges::sort(edges, {}, [](const SentFeature& e) { return std::pair(e.ids[1], e.ids[0]); });
   std::map<std::uint64_t, std::array<float, 3>> corners;
-  for (const SentEdge& edge : edges) {
+  for (const SentFeature& edge : edges) {
     for (std::size_t end = 0; end < 2; ++end) corners[edge.ids[end]] = edge.positions[end];
   }
   Mesh mesh;
@@ -132,7 +132,7 @@ std::vector<FieldStroke> strokes_of(std::vector<SentEdge> edges, const Eigen::Ve
     mesh.positions.push_back(vector_of(position));
   }
   std::vector<std::array<Index, 2>> of_mesh;
-  for (const SentEdge& edge : edges) {
+  for (const SentFeature& edge : edges) {
     of_mesh.push_back({vertex_of.at(edge.ids[0]), vertex_of.at(edge.ids[1])});
   }
   return strokes_along(mesh, of_mesh, radius, strength);
@@ -166,8 +166,8 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, 
                                          double radius, double strength) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
-  const std::vector<SentEdge> own = own_features(surface, angle_deg);
-  auto all = joined<SentEdge>(ranks.gather(std::as_bytes(std::span(own))));
+  const std::vector<SentFeature> own = own_features(surface, angle_deg);
+  auto all = joined<SentFeature>(ranks.gather(std::as_bytes(std::span(own))));
   std::vector<FieldStroke> strokes;
   ranks.together([&] {
     if (ranks.rank() == 0) {

@@ -39,7 +39,7 @@ void check_origins(Communicator& ranks, const Eigen::Vector3d& origin) {
 }
 
 /// A triangle as ranks tell others of it.
-struct SentTriangle {
+struct GhostTriangle {
   std::uint64_t number;  ///< in the whole
   std::array<std::uint64_t, 3> id;
   std::array<int, 3> owner;
@@ -114,19 +114,19 @@ class SurfaceMaker {
 
   /// Tells owners of the triangles around their vertices, and appends those that are heard of.
   void hear_of_triangles() {
-    std::vector<std::vector<SentTriangle>> outgoing(static_cast<std::size_t>(ranks_.size()));
+    std::vector<std::vector<GhostTriangle>> outgoing(static_cast<std::size_t>(ranks_.size()));
     for (std::size_t t = 0; t < own_triangles_; ++t) tell(t, outgoing);
     const auto incoming = ranks_.swap_lists(outgoing);
     std::unordered_map<std::uint64_t, Index> vertex_of;
     for (Index v = 0; v < piece_.vertex_ids.size(); ++v) vertex_of[piece_.vertex_ids[v]] = v;
     for (const auto& from_rank : incoming) {
-      for (const SentTriangle& triangle : from_rank) append(triangle, vertex_of);
+      for (const GhostTriangle& triangle : from_rank) append(triangle, vertex_of);
     }
   }
 
-  void tell(std::size_t t, std::vector<std::vector<SentTriangle>>& outgoing) const {
+  void tell(std::size_t t, std::vector<std::vector<GhostTriangle>>& outgoing) const {
     const Triangle& corners = piece_.mesh.triangles[t];
-    SentTriangle triangle;
+    GhostTriangle triangle;
     triangle.number = piece_.triangle_ids[t];
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3& p = piece_.mesh.positions[corners[c]];
@@ -144,7 +144,7 @@ class SurfaceMaker {
     }
   }
 
-  void append(const SentTriangle& triangle, std::unordered_map<std::uint64_t, Index>& vertex_of) {
+  void append(const GhostTriangle& triangle, std::unordered_map<std::uint64_t, Index>& vertex_of) {
     Triangle corners;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto next = static_cast<Index>(owner_.size());
