@@ -53,12 +53,12 @@ struct BrokenTiles {
   Eigen::Vector2f shift{0, 0};
   bool split = false;  ///< as in TileFigures
   /// Empty: all figures are whole. Otherwise a word per triangle: 0 if its figures are whole, 1 if
-  /// all are broken (of split figures: if a branch of U is there), else where its record begins. A record has U and then V of the triangle's
-  /// corners (floats, lifted, `shift` taken off), a number of figures, and of each of them the
-  /// middle, twice U and twice V (integers).
+  /// all are broken (of split figures: if a branch of U is there), else where its record begins. A
+  /// record has U and then V of the triangle's corners (floats, lifted, `shift` taken off), a
+  /// number of figures, and of each of them the middle, twice U and twice V (integers).
   std::vector<std::uint32_t> words;
 
-  /// Whether any figure is broken that this triangle has a part of, or is within a tenth of a tile
+  /// Whether any figure is broken that this triangle has a part of, or is within a twentieth of one
   /// of.
   bool touches(std::size_t triangle) const { return !words.empty() && words[triangle] != 0; }
 
@@ -70,7 +70,7 @@ struct BrokenTiles {
 /// Finds broken figures on one mesh, for as many textures as there are.
 ///
 /// A figure is one of a tile's, in triangles that join without a seam. It is broken where it
-/// reaches, or is a tenth of a tile or less away from, the border, an edge at which three triangles
+/// reaches, or is a twentieth of a tile away from, the border, an edge at which three triangles
 /// or more meet, an edge where coordinates of both sides differ by more than whole tiles and a turn
 /// that the figure is symmetric under, or a triangle where coordinates do not close (a branch, a
 /// singularity, no wave) or are folded over. All other figures are whole: seen once, all of them.

@@ -29,7 +29,7 @@ using testing_support::texture_along;
 using testing_support::waves_of;
 
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
-constexpr double kClearance = 0.1;
+constexpr double kClearance = 0.05;
 
 TileFigures figures_of(float half_u, float half_v, std::uint8_t symmetries) {
   TileFigures figures;
@@ -119,7 +119,7 @@ TEST(BrokenTiles, OfAPlaneAreThoseThatReachItsBorder) {
       const float middle_x = std::floor(at.x() + 0.31f) + 0.5f - 0.31f;
       const float middle_y = std::floor(at.y() + 0.83f) + 0.5f - 0.83f;
       if (std::max(std::abs(at.x() - middle_x), std::abs(at.y() - middle_y)) > 0.29f) continue;
-      const auto reaches = [](float middle) { return middle < 0.39f || middle > 5 - 0.39f; };
+      const auto reaches = [](float middle) { return middle < 0.34f || middle > 5 - 0.34f; };
       const bool expected = reaches(middle_x) || reaches(middle_y);
       ASSERT_EQ(broken.is_broken(t, b, coordinates_at(square, t, b)), expected)
           << at.x() << ' ' << at.y();

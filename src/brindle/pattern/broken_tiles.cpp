@@ -22,7 +22,7 @@ using Rect = Eigen::AlignedBox2f;
 
 /// So much, in tiles, figures are kept clear of what breaks them: next to it they are out of shape.
 /// Within triangles, coordinates are not quite linear, either.
-constexpr float kClearance = 0.1f;
+constexpr float kClearance = 0.05f;
 constexpr float kLeastClearance = 0.03f;  // also of figures that reach farther than half a tile
 
 /// By so much may coordinates of one vertex differ from whole tiles, which is but rounding.
