@@ -78,7 +78,7 @@ TEST_F(TextureTool, TilesAreWholeWhereTheyHaveAShapeOfTheirOwn) {
     return content(folder / "out.ply").find("tile_broken") != std::string::npos;
   };
   for (const auto& [tile, own] :
-       {std::pair("arrows", true), {"dots", true}, {"bricks", true}, {"hatch", false}}) {
+       {std::pair("arrows", true), {"dots", true}, {"plusminus", true}, {"hatch", false}}) {
     const auto tiles = [&](const Arguments& more) {
       Arguments all = {"--texture", tile, "--direction", "0.3,0.9,0.2"};
       all.insert(all.end(), more.begin(), more.end());

@@ -55,6 +55,11 @@ std::vector<Index> twins_of(std::span<const Triangle> triangles) {
   return twins;
 }
 
+/// To the nearest whole number; without a call, which is half of the time otherwise.
+float nearest_whole(float x) {
+  return static_cast<float>(static_cast<std::int32_t>(x < 0 ? x - 0.5f : x + 0.5f));
+}
+
 Place turned(Place p, unsigned turn) {
   if (turn & kSwapsUV) std::swap(p.x(), p.y());
   if (turn & kTurnsU) p.x() = -p.x();
@@ -139,6 +144,9 @@ struct ListedFigure {
   std::uint32_t next;  ///< one more than its place among all; 0: none
 };
 
+// Of a triangle's coordinates.
+constexpr std::uint8_t kOpen = 0, kClosed = 1, kMirrored = 2;
+
 /// A texture on a mesh, and how far breaks reach.
 class Breaks {
  public:
@@ -177,8 +185,7 @@ class Breaks {
     BrokenTiles broken{figures_.layout, figures_.shift, figures_.split, {}};
     const std::size_t count = closed_.size();
     const std::vector<std::uint8_t>& all = figures_.split ? ends_ : closed_;
-    const std::uint8_t whole = figures_.split ? 0 : 1;
-    const auto is_whole = [&](std::uint8_t flag) { return flag == whole; };
+    const auto is_whole = [&](std::uint8_t flag) { return (flag == 0) == figures_.split; };
     if (listed_.empty() && std::ranges::all_of(all, is_whole)) return broken;
     broken.words.assign(count, 0);
     std::vector<Middle> middles;
@@ -223,7 +230,8 @@ class Breaks {
     constexpr float kFarthest = 1e6f;
     const auto near = [](const Place& p) { return p.cwiseAbs().maxCoeff() < kFarthest; };
     const bool all_near = std::ranges::all_of(places, near);
-    closed_[t] = closed && all_near && doubled_area(places) != 0;
+    const float area = doubled_area(places);
+    closed_[t] = !closed || !all_near || area == 0 ? kOpen : area > 0 ? kClosed : kMirrored;
     if (!figures_.split) return;
     ends_[t] = u.kind == TriangleKind::branch && v.kind == TriangleKind::regular && all_near;
   }
@@ -238,12 +246,11 @@ class Breaks {
     const Place &from = place(h), &to = place(next_corner(h));
     const Place& other_from = place(alike ? next_corner(twin) : twin);
     const Place& other_to = place(alike ? twin : next_corner(twin));
-    const bool same_side =
-        (doubled_area(places_[h / 3]) > 0) == (doubled_area(places_[twin / 3]) > 0);
+    const bool same_side = closed_[h / 3] == closed_[twin / 3];
     for (unsigned turn = 0; turn < 8; ++turn) {
       if (mirrors(turn) != (same_side != alike)) continue;
       const Place away = other_from - turned(from, turn), away_to = other_to - turned(to, turn);
-      const Place whole(std::round(away.x()), std::round(away.y()));
+      const Place whole(nearest_whole(away.x()), nearest_whole(away.y()));
       const float rounding = kRounding * (1 + 0.01f * (std::abs(away.x()) + std::abs(away.y())));
       if ((away - whole).cwiseAbs().maxCoeff() > rounding) continue;
       if ((away_to - whole).cwiseAbs().maxCoeff() > rounding) continue;
@@ -258,13 +265,39 @@ class Breaks {
     return triangles_[h / 3][h % 3] != triangles_[twin / 3][twin % 3];
   }
 
+  /// The same, where coordinates differ by whole tiles alone and triangles are wound alike: nearly
+  /// everywhere. Says no of all other edges.
+  bool joins_plainly(std::size_t t, Index corner, Index twin) const {
+    const Index there = twin / 3, at = twin - 3 * there;
+    if (closed_[t] != closed_[there]) return false;
+    const Index next = corner == 2 ? 0 : corner + 1, next_there = at == 2 ? 0 : at + 1;
+    if (triangles_[t][corner] == triangles_[there][at]) return false;
+    const Place away = places_[there][next_there] - places_[t][corner];
+    const Place away_to = places_[there][at] - places_[t][next];
+    const Place whole(nearest_whole(away.x()), nearest_whole(away.y()));
+    const Place rest = (away - whole).cwiseAbs().cwiseMax((away_to - whole).cwiseAbs());
+    return rest.maxCoeff() <= kRounding;
+  }
+
   std::vector<std::uint8_t> torn_half_edges(const Progress& progress) const {
     std::vector<std::uint8_t> torn(twins_.size());
     parallel_for(closed_.size(), progress, [&](std::size_t begin, std::size_t end) {
-      for (Index h = static_cast<Index>(3 * begin); h < 3 * end; ++h) {
-        if (!closed_[h / 3]) continue;
-        const Index twin = twins_[h];
-        torn[h] = twin >= kManyTwins || !closed_[twin / 3] || !passage(h, twin);
+      for (std::size_t t = begin; t < end; ++t) {
+        for (Index corner = 0; corner < 3; ++corner) {
+          const auto h = static_cast<Index>(3 * t + corner);
+          const Index twin = twins_[h];
+          if (twin >= kManyTwins) {
+            torn[h] = closed_[t];
+          } else if (h < twin) {
+            // No other triangle writes to its twin.
+            const std::uint8_t own = closed_[t], other = closed_[twin / 3];
+            const bool joined =
+                own && other && (joins_plainly(t, corner, twin) || passage(h, twin));
+            if (joined) continue;
+            torn[h] = own;
+            torn[twin] = other;
+          }
+        }
       }
     });
     return torn;
@@ -365,7 +398,8 @@ class Breaks {
   std::array<Rect, 2> reach_;  ///< from middles: where triangles list a figure
   std::array<Rect, 2> rects_;  ///< of the first figures: what has to be clear
   std::vector<std::array<Place, 3>> places_;
-  std::vector<std::uint8_t> closed_;  ///< triangles whose coordinates close
+  std::vector<std::uint8_t> closed_;  ///< whether a triangle's coordinates close, and the sign of
+                                      ///< its area in them
   std::vector<std::uint8_t> ends_;    ///< of figures that are split: where U alone does not
   std::vector<std::uint32_t> lists_;  ///< of every triangle: one more than the place of the newest
   std::vector<ListedFigure> listed_;
