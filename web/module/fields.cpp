@@ -16,12 +16,13 @@ CurvatureDirection curvature_direction(const std::string& name) {
   return name == "min" ? CurvatureDirection::minimum : CurvatureDirection::maximum;
 }
 
-std::vector<FieldStroke> strokes_of(const val& list) {
+/// Points are relative to the surface's origin, as all that JavaScript sees.
+std::vector<FieldStroke> strokes_of(const val& list, const Eigen::Vector3d& origin) {
   std::vector<FieldStroke> strokes;
   for (std::size_t i = 0, count = list["length"].as<std::size_t>(); i < count; ++i) {
     FieldStroke stroke;
     for (const Vec3& point : vectors_of(list[i]["points"])) {
-      stroke.points.push_back(point.cast<double>());
+      stroke.points.push_back(origin + point.cast<double>());
     }
     stroke.radius = list[i]["radius"].as<double>();
     stroke.strength = list[i]["strength"].as<double>();
@@ -39,7 +40,8 @@ val smooth_field(const SurfaceObject& object, val given) {
         curvature_direction(given["curvatureDirection"].as<std::string>());
     options.feature_anchor = given["features"].as<float>();
     options.feature_angle_deg = given["featureAngle"].as<float>();
-    const std::vector<FieldStroke> strokes = strokes_of(given["strokes"]);
+    const std::vector<FieldStroke> strokes =
+        strokes_of(given["strokes"], object.surface.mesh.origin);
     if (!strokes.empty()) options.anchors = stroke_anchors(object.surface, strokes);
     const DirectionField field = smooth_direction_field(object.surface, options);
     return array_of(std::span<const Vec3>(field));

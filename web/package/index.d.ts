@@ -26,7 +26,7 @@ export interface RotateOption {
 
 /** A line near the surface that the field follows. */
 export interface FieldStroke {
-  /** x, y, z of two points or more. */
+  /** x, y, z of two points or more, relative to the surface's `origin`. */
   points: Numbers;
   /** How far from the line it draws, in units of length; above 0. */
   radius: number;

@@ -301,7 +301,7 @@ const savers = {
                         'image/svg+xml', 'svg'),
   obj: async () => save(await live.pattern.curvesFile('stripes.obj'), 'model/obj', 'obj'),
   glb: async () => {
-    const texture = await live.surface.texture(live.field, { stripes: settings.values.stripes });
+    const texture = await live.surface.texture(live.field, { stripes: settings.values.stripes, slack: settings.values.slack / 100 });
     save(await texture.glb(), 'model/gltf-binary', 'glb');
     await texture.dispose();
   },

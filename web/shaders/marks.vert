@@ -1,4 +1,5 @@
-// A point in the middle of a triangle, a little nearer than the surface.
+// A point in the middle of a triangle, so much nearer than the surface that this does not cut it where
+// it bends.
 
 uniform mat4 view_from_world;
 uniform mat4 clip_from_view;
@@ -13,6 +14,6 @@ void main() {
   vec3 middle = (position_of(v.x) + position_of(v.y) + position_of(v.z)) / 3.0 - origin;
   kind = kind_of(triangle);
   gl_Position = clip_from_view * (view_from_world * vec4(middle, 1.0));
-  gl_Position.z -= 0.002 * gl_Position.w;
+  gl_Position.z -= 0.03 * gl_Position.w;
   gl_PointSize = mark_size;
 }

@@ -35,8 +35,8 @@ test('what is packed is what is exported, and nothing else', () => {
   for (const target of Object.values(exports).flatMap((e) => (typeof e === 'string' ? [e] : Object.values(e)))) {
     assert.ok(files.has(target.replace('./', '')), target);
   }
-  assert.ok(files.has('LICENSE'));
-  for (const file of files) assert.match(file, /^(package\.json|LICENSE|brindle\.wasm|[\w-]+\.(js|d\.ts))$/);
+  assert.ok(files.has('LICENSE') && files.has('NOTICE.md'));
+  for (const file of files) assert.match(file, /^(package\.json|LICENSE|NOTICE\.md|brindle\.wasm|[\w-]+\.(js|d\.ts))$/);
 });
 
 test('installed and bundled, it does the same', async () => {

@@ -139,6 +139,18 @@ test('a stroke turns the field along itself', () => {
   assert.ok(Math.abs(field[3 * nearest]) > 0.95);
 });
 
+test('surfaces far from zero keep their shape, and strokes their places', () => {
+  const near = brindle.shape('sphere,resolution=16'), far = [5e6, -3e6, 2e6];
+  const positions = Float64Array.from(near.positions(), (c, i) => c + far[i % 3]);
+  const there = brindle.surface({ positions, triangles: near.triangles() });
+  assert.ok(there.origin.some((c) => c !== 0));
+  assert.ok(Math.abs(there.diagonal - near.diagonal) < 1e-6);
+  const [x, y, z] = there.positions();
+  const stroke = { points: [x, y, z, x + 0.05, y + 0.05, z], radius: 0.3, strength: 20 };
+  assert.equal(there.smoothField({ strokes: [stroke] }).length, 3 * there.vertexCount);
+  refused(() => there.smoothField({ strokes: [{ ...stroke, points: stroke.points.map((c, i) => c + far[i % 3]) }] }), /stroke/);
+});
+
 test('frames follow, and an unchanged frame says so', () => {
   const torus = brindle.shape('torus');
   const animator = torus.animator();
