@@ -1,13 +1,14 @@
 #include "brindle/broken_tiles.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "brindle/base/bits.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/geometry/shared_edges.h"
@@ -186,7 +187,7 @@ class Breaks {
     const std::size_t count = closed_.size();
     const std::vector<std::uint8_t>& all = figures_.split ? ends_ : closed_;
     const auto is_whole = [&](std::uint8_t flag) { return (flag == 0) == figures_.split; };
-    if (listed_.empty() && std::ranges::all_of(all, is_whole)) return broken;
+    if (listed_.empty() && ranges::all_of(all, is_whole)) return broken;
     broken.words.assign(count, 0);
     std::vector<Middle> middles;
     for (std::size_t t = 0; t < count; ++t) {
@@ -196,7 +197,7 @@ class Breaks {
       for (std::uint32_t i = lists_[t]; i != 0; i = listed_[i - 1].next) {
         middles.push_back(listed_[i - 1].middle);
       }
-      std::ranges::sort(middles);
+      ranges::sort(middles);
       add_record(t, middles, broken.words);
     }
     return broken;
@@ -229,7 +230,7 @@ class Breaks {
     // Beyond, rounding leaves nothing of where a tile is.
     constexpr float kFarthest = 1e6f;
     const auto near = [](const Place& p) { return p.cwiseAbs().maxCoeff() < kFarthest; };
-    const bool all_near = std::ranges::all_of(places, near);
+    const bool all_near = ranges::all_of(places, near);
     const float area = doubled_area(places);
     closed_[t] = !closed || !all_near || area == 0 ? kOpen : area > 0 ? kClosed : kMirrored;
     if (!figures_.split) return;
@@ -382,7 +383,7 @@ class Breaks {
     words[t] = static_cast<std::uint32_t>(words.size());
     for (int axis = 0; axis < 2; ++axis) {
       for (const Place& place : places_[t]) {
-        words.push_back(std::bit_cast<std::uint32_t>(place[axis]));
+        words.push_back(bit_cast<std::uint32_t>(place[axis]));
       }
     }
     words.push_back(static_cast<std::uint32_t>(middles.size()));
@@ -426,7 +427,7 @@ bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
   Place led = Place::Zero();
   for (int axis = 0; axis < 2; ++axis) {
     for (int m = 0; m < 3; ++m) {
-      led[axis] += barycentric[m] * std::bit_cast<float>(words[record + 3 * axis + m]);
+      led[axis] += barycentric[m] * bit_cast<float>(words[record + 3 * axis + m]);
     }
   }
   const Place own = uv - shift;
@@ -436,8 +437,8 @@ bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
   const std::size_t count = words[record + 6];
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = record + 7 + 2 * i;
-    if (std::bit_cast<std::int32_t>(words[at]) == middle.u &&
-        std::bit_cast<std::int32_t>(words[at + 1]) == middle.v) {
+    if (bit_cast<std::int32_t>(words[at]) == middle.u &&
+        bit_cast<std::int32_t>(words[at + 1]) == middle.v) {
       return true;
     }
   }
