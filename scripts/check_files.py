@@ -213,7 +213,7 @@ def write_all(brindle, mesh, tile, folder):
     names = [f"{tile}.{kind}" for kind in FORMATS]
     # Files have all tiles, and say which are broken.
     command = [brindle, "stripe", mesh, "--texture", tile, "--stripes", "16", "--quiet",
-               *(["--tiles", "cut"] if tile != "grid" else []),
+               "--tiles", "cut",
                "--size", f"{WIDTH}x{HEIGHT}", "--output", f"{tile}.png"]
     for name in names:
         command += ["--output", name]

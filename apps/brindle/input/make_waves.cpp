@@ -253,8 +253,9 @@ WavesOfField make_waves(const Surface& surface, const WaveOptions& options, cons
   found.measured = std::move(field.measured);
   found.last = std::move(field.last);
   found.missing = field.missing;
-  WavesOfField made{
-      waves_of(WholeSurface(surface), wave_wishes(options), std::move(found), progress)};
+  WavesOfField made;
+  static_cast<MadeWaves&>(made) =
+      waves_of(WholeSurface(surface), wave_wishes(options), std::move(found), progress);
   choose_crossing_frequencies(surface, options, made.frequencies_v);
   made.field_rows_nonfinite = field.rows_nonfinite;
   made.notes = field.notes;
