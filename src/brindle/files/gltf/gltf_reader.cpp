@@ -1,5 +1,6 @@
 #include "brindle/files/gltf/gltf_reader.h"
 
+#include "brindle/base/printable.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
 
@@ -20,7 +21,6 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/printable.h"
 #include "brindle/files/gltf/gltf_buffers.h"
 #include "brindle/files/gltf/gltf_document.h"
 #include "brindle/files/mesh_builder.h"
