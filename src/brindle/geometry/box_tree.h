@@ -43,13 +43,13 @@ class BoxTree {
   std::optional<Found> nearest(const Eigen::Vector3d& point, double limit,
                                const SquareOf& square_of) const {
     // What is as near as the best counts, too: rounding must not hide it.
-    constexpr double kRounding = 1 + 8 * std::numeric_limits<double>::epsilon();
+    constexpr double kJustAsNear = 1 + 8 * std::numeric_limits<double>::epsilon();
     std::optional<Found> best;
     Pending pending;
     if (!nodes_.empty()) pending.add(0, squared_distance(nodes_[0].box, point));
     while (pending.count > 0) {
       const Waiting next = pending.take();
-      if (next.square > kRounding * (best ? best->square : limit)) continue;
+      if (next.square > kJustAsNear * (best ? best->square : limit)) continue;
       const Node& node = nodes_[next.node];
       if (node.right != 0) {
         add_children(next.node, point, pending);
