@@ -21,7 +21,7 @@
 #include "brindle/files.h"
 #include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/points/point_tree.h"
-#include "brindle/recipe/making.h"
+#include "brindle/recipe/making_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"

@@ -1,7 +1,6 @@
 #include "piece_patterns.h"
 
 #include <algorithm>
-#include <numbers>
 #include <ostream>
 #include <utility>
 
@@ -31,12 +30,11 @@ std::optional<float> frequency_of_v(const PatternArguments& arguments, double di
 }
 
 /// U's waves turned, with V's own frequency if it has one.
-WaveSet waves_across(const WaveSet& u, const DistributedSurface& surface,
-                     std::optional<float> frequency) {
-  WaveSet v = u;
-  v.directions = rotated(u.directions, surface.normals(), std::numbers::pi_v<float> / 2);
-  if (frequency) v.frequencies = constant_frequency_field(*frequency, v.positions.size());
-  return v;
+WaveSet waves_of_v(const WaveSet& u, const DistributedSurface& surface,
+                   std::optional<float> frequency) {
+  FrequencyField own;
+  if (frequency) own = constant_frequency_field(*frequency, u.positions.size());
+  return waves_across(u, surface.normals(), own);
 }
 
 SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
@@ -129,7 +127,7 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   patterns.field = waves.milliseconds;
   const auto frequency_v = frequency_of_v(arguments, patterns.surface->diagonal());
   WaveSet across;
-  if (with_v) across = waves_across(waves.waves, *patterns.surface, frequency_v);
+  if (with_v) across = waves_of_v(waves.waves, *patterns.surface, frequency_v);
   const auto make = [&](WaveSet& set) {
     stage("stripes");
     return solve(ranks, patterns, std::move(set), arguments, display.progress());

@@ -4,13 +4,13 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed_pattern.h"
+#include "brindle/distributed_waves.h"
 #include "brindle/waves_of.h"
 #include "input/make_waves.h"
 #include "piece_detail.h"
 #include "piece_fields.h"
 #include "piece_frequencies.h"
 #include "piece_slack.h"
-#include "piece_surface.h"
 
 namespace brindle::tool {
 
@@ -45,7 +45,7 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   found.is_near = [&](Index v) { return field.arrays->is_near(v); };
   found.missing = field.missing;
   found.measured = std::move(measured);
-  MadeWaves seen = waves_of(PieceSurface(ranks, surface, read), wave_wishes(options),
+  MadeWaves seen = waves_of(PieceSurface(surface, read.piece.mesh), wave_wishes(options),
                             std::move(found), listener.progress());
   listener.note(field.notes);
   made.waves = std::move(seen.waves);

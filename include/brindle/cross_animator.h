@@ -72,6 +72,15 @@ class CrossAnimator {
   /// Forgets the last frame: the next one is matched and solved afresh.
   void restart();
 
+  /// Lets the next frame follow these phases instead of the last frame's: a unit number per node of
+  /// `cover`, for the waves that it has, or 0 where none is known; as a CrossPattern or a frame of
+  /// another animator of the surface has them. Crosses are matched afresh. Throws Error for other
+  /// phases and for the cover of another surface, and leaves all as it was.
+  void set_last_phases(const CrossCover& cover, std::span<const Complex> z);
+
+  /// As StripeAnimator's; of slack and calm by vertex both waves have the same.
+  void set_slack(const Slack& slack);
+
  private:
   struct State;
   Pimpl<State> state_;

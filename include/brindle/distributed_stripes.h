@@ -72,6 +72,10 @@ class DistributedStripeAnimator {
   /// has been dealt to ranks anew. What counts of a vertex is what its owner says.
   void set_last_phases(std::span<const Complex> z);
 
+  /// As StripeAnimator::set_slack; of slack and calm by vertex, what counts of a vertex is what its
+  /// owner says.
+  void set_slack(const Slack& slack);
+
   /// Milliseconds of the first frame that later ones do not need.
   double topology_milliseconds() const;
 

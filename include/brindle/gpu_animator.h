@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -103,6 +104,8 @@ class GpuAnimator {
   /// As StripeAnimator's.
   GpuAnimator sibling() const;
   void restart();
+  void set_last_phases(std::span<const Complex> z);
+  void set_slack(const Slack& slack);
   double topology_milliseconds() const;
 
  private:

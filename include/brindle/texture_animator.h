@@ -92,6 +92,13 @@ class TextureAnimator {
   /// Forgets the last frame: the next one is solved and oriented afresh.
   void restart();
 
+  /// As StripeAnimator's, of both patterns. How triangles run is not theirs: it goes on, or is
+  /// found afresh.
+  void set_last_phases(std::span<const Complex> u, std::span<const Complex> v);
+
+  /// As StripeAnimator's, for both patterns.
+  void set_slack(const Slack& slack);
+
  private:
   struct State;
   Pimpl<State> state_;

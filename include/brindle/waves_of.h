@@ -6,18 +6,44 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/frequency_field.h"
 #include "brindle/measured_field.h"
+#include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 
 namespace BRINDLE_EXPORT brindle {
+
+/// A field as it was read.
+struct FieldData {
+  DataArray array;            ///< vectors or tensors; no rows if the field is neither
+  bool of_triangles = false;  ///< a row per triangle, not per vertex
+};
+
+/// How much every datum of it counts.
+struct FieldWeight {
+  std::string word;  ///< "length" or "anisotropy", of the data themselves; or empty
+  /// Otherwise one per vertex, or per triangle where the data are; not finite: no datum. Empty:
+  /// tensors by their anisotropy, others alike.
+  std::vector<float> values;
+};
+
+/// The data of a field with their weights, for `FoundWaves::measured`; `directions` are those at
+/// vertices. Throws Error for weights below zero, and for words that the data have no such thing
+/// for.
+MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
+                             const FieldWeight& weight);
+
+/// Numbers of triangles, such as weights: those of their corners on average.
+std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);
 
 /// Vertices without a wave, by what a tensor's axis is to them.
 struct MissingTensorWaves {
@@ -119,6 +145,11 @@ class WholeSurface final : public WaveSurface {
  private:
   const Surface& surface_;
 };
+
+/// The same waves turned by 90 degrees about the normals: those of V beside U, of strokes that
+/// cross. `frequencies` are theirs; empty: those of `waves`.
+WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
+                     std::span<const float> frequencies = {});
 
 /// Sees frequencies at their detail, takes waves where there is none, sees the field at its detail
 /// with those frequencies, and turns it. Throws what these throw.

@@ -8,6 +8,7 @@
 
 #include <brindle/carried_phases.h>
 #include <brindle/corner_phases.h>
+#include <brindle/pattern_of.h>
 #include <brindle/quality.h>
 
 namespace brindle::paraview {
@@ -223,15 +224,7 @@ void PatternSeries::solve(WaveSet waves, const Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   const FrameResult frame = solve_frame(waves, progress);
   solve_milliseconds_ = milliseconds_since(begin);
-  StripePattern made;
-  made.solution.z.assign(frame.z.begin(), frame.z.end());
-  made.solution.energy = energy();
-  made.waves = std::move(waves);
-  if (!frame.frequencies.empty()) {
-    made.frequencies_wanted =
-        std::exchange(made.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
-    made.frequency_change = frame.frequency_change;
-  }
+  StripePattern made = pattern_of_frame(frame, std::move(waves), energy(), PhaseShiftKind::aligned);
   measure(made);
   pattern_ = std::move(made);
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <brindle/adjacency.h>
+#include <brindle/distributed_waves.h>
 #include <brindle/error.h>
 #include <brindle/frequency_field.h>
 #include <brindle/measured_field.h>
@@ -43,27 +44,6 @@ std::vector<float> lengths_of(const DataArray& array) {
     lengths.push_back(static_cast<float>(length));
   }
   return lengths;
-}
-
-std::vector<Vec3> unit_vectors(const DataArray& array) {
-  const std::vector<double> numbers = doubles_of(array);
-  const auto columns = static_cast<std::size_t>(array.components);
-  std::vector<Vec3> vectors;
-  for (std::size_t row = 0; row < array.rows(); ++row) {
-    const double* first = &numbers[columns * row];
-    const Eigen::Vector3d vector(first[0], first[1], columns > 2 ? first[2] : 0);
-    vectors.push_back(vector.stableNormalized().cast<float>());
-  }
-  return vectors;
-}
-
-/// Of triangles: those of their corners on average.
-std::vector<float> means_of(const Mesh& mesh, const std::vector<float>& of_vertices) {
-  std::vector<float> means;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    means.push_back((of_vertices[a] + of_vertices[b] + of_vertices[c]) / 3);
-  }
-  return means;
 }
 
 /// What the whole surface says where a piece does not know it.
@@ -151,29 +131,22 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
 }
 
 /// The data of the field: those of cells as they are, as lines or arrows of triangles.
-MeasuredField measured_field(const Surface& surface, const WaveArrays& arrays,
-                             const DirectionField& directions) {
-  MeasuredField measured;
-  const bool tensor = is_tensor(*arrays.vectors);
-  measured.of_triangles = arrays.cell_vectors != nullptr && !tensor;
-  if (measured.of_triangles) {
-    measured.directions = unit_vectors(*arrays.cell_vectors);
-  } else {
-    measured.directions = directions;
+MeasuredField measured_data(const Surface& surface, const WaveArrays& arrays,
+                            const DirectionField& directions) {
+  const bool of_triangles = arrays.cell_vectors != nullptr && !is_tensor(*arrays.vectors);
+  const FieldData data{of_triangles ? *arrays.cell_vectors : *arrays.vectors, of_triangles};
+  FieldWeight weight;
+  if (arrays.weights != nullptr && of_triangles && arrays.cell_weights != nullptr) {
+    weight.values = lengths_of(*arrays.cell_weights);
+  } else if (arrays.weights != nullptr) {
+    weight.values = lengths_of(*arrays.weights);
+    if (of_triangles) weight.values = corner_means(surface.mesh, weight.values);
   }
-  if (arrays.weights == nullptr) {
-    if (tensor) measured.confidence = tensor_anisotropy(*arrays.vectors);
-  } else if (measured.of_triangles && arrays.cell_weights != nullptr) {
-    measured.confidence = lengths_of(*arrays.cell_weights);
-  } else {
-    measured.confidence = lengths_of(*arrays.weights);
-    if (measured.of_triangles) measured.confidence = means_of(surface.mesh, measured.confidence);
+  const auto is_below_zero = [](float value) { return value < 0; };
+  if (std::ranges::any_of(weight.values, is_below_zero)) {
+    throw Error("Field Weight: there are weights below zero");
   }
-  for (float& confidence : measured.confidence) {
-    if (confidence < 0) throw Error("Field Weight: there are weights below zero");
-    if (!std::isfinite(confidence)) confidence = 0;
-  }
-  return measured;
+  return measured_field(data, directions, weight);
 }
 
 FieldDetailOptions detail_options(const WaveSettings& settings) {
@@ -187,35 +160,6 @@ FieldDetailOptions detail_options(const WaveSettings& settings) {
   }
   return options;
 }
-
-/// A piece as what waves are on; its functions are collective.
-class PieceSurface final : public WaveSurface {
- public:
-  PieceSurface(const Surface& surface, const RankPiece& piece) : surface_(surface), piece_(piece) {}
-
-  std::vector<Vec3> positions() const override { return surface_.mesh.positions; }
-  std::span<const Vec3> normals() const override { return surface_.normals; }
-  bool any(bool here) const override { return piece_.ranks().any(here); }
-  std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override {
-    return drop_waves_without_frequency(directions, frequencies);
-  }
-  DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                            const FrequencyDetailOptions& options,
-                                            const Progress& progress) const override {
-    return detailed_frequencies(piece_.surface(), frequencies, options, progress);
-  }
-  std::pair<DetailedField, FieldDetailFigures> field_at_detail(
-      const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-      const FieldDetailOptions& options, const Progress& progress) const override {
-    DistributedDetail whole =
-        detailed_field(piece_.surface(), measured, places, options, {last, {}}, progress);
-    return {std::move(whole.field), whole.figures};
-  }
-
- private:
-  const Surface& surface_;
-  const RankPiece& piece_;
-};
 
 WaveWishes wishes_of(const WaveSettings& settings) {
   WaveWishes wishes;
@@ -241,7 +185,7 @@ FoundWaves found_waves(const Surface& surface, const WaveSettings& settings, con
       make_frequencies(surface, settings, whole, found.directions, arrays.frequencies);
   found.may_have_gaps = settings.needs_frequency_array();
   if (settings.detail > 0 && settings.field == FieldSource::array) {
-    found.measured = measured_field(surface, arrays, found.directions);
+    found.measured = measured_data(surface, arrays, found.directions);
   }
   return found;
 }
@@ -271,7 +215,8 @@ MadeWaves make_waves(const Surface& surface, const WaveSettings& settings, Direc
     return waves_of(WholeSurface(surface), wishes_of(settings), std::move(found));
   }
   piece->ranks().together(find);
-  MadeWaves result = waves_of(PieceSurface(surface, *piece), wishes_of(settings), std::move(found));
+  MadeWaves result =
+      waves_of(PieceSurface(piece->surface(), surface.mesh), wishes_of(settings), std::move(found));
   piece->owners().from_owners(std::span(result.waves.directions));
   piece->owners().from_owners(std::span(result.waves.frequencies));
   return result;

@@ -13,7 +13,7 @@
 #include "brindle/branch_pairs.h"
 #include "brindle/cross_texture.h"
 #include "brindle/recipe/field_data.h"
-#include "brindle/recipe/making.h"
+#include "brindle/recipe/making_report.h"
 #include "brindle/recipe/preparation_figures.h"
 #include "brindle/recipe/report.h"
 #include "brindle/stripe_pattern.h"

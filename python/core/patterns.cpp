@@ -78,13 +78,12 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
       followed = follow(*previous, *surface, in.waves, match, options.lambda);
       options.last_phases = followed->z;
     }
-    made->pattern = saying_in_pythons_words([&] {
-      return brindle::make_pattern(surface->surface, std::move(in.waves), options, solving.making,
-                                   reports, made->making);
+    MadePattern pattern = saying_in_pythons_words([&] {
+      return pattern_of(surface->surface, std::move(in.waves),
+                        {PatternKind::stripes, options, solving.making}, reports);
     });
-    if (!solving.making.windings.empty()) {
-      brindle::measure_windings(surface->surface, made->pattern, made->making);
-    }
+    made->pattern = std::get<StripePattern>(std::move(pattern.of));
+    made->making = std::move(pattern.making);
     made->surface = surface;
     made->prepared = in.prepared;
     made->solver = options.solver.solver;
@@ -195,10 +194,7 @@ std::string report_of(const StripesData& data, const std::string& invocation) {
 
 // What the tool's report of a family of curves says of loops, windings and branches.
 std::string making_of(const StripesData& data) {
-  brindle::MakingFigures figures = data.making;
-  figures.loops.clear();
-  figures.windings.clear();
-  figures.branches.clear();
+  MakingFigures figures = data.making;
   without_lock([&] { brindle::measure_windings(data.surface->surface, data.pattern, figures); });
   auto json = nlohmann::ordered_json::object();
   brindle::add_to_json(figures, json);

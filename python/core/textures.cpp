@@ -50,21 +50,22 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
                        const py::object& progress) {
   if (surface->is_points()) throw Error("points have no triangles to lay a texture on");
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
-  TextureOptions options{
-      crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField()), oriented,
-      solving.stripes};
+  PatternWishes wishes{PatternKind::texture, solving.stripes};
+  wishes.frequencies_v =
+      crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField());
+  wishes.oriented = oriented;
   if (origin.frequency_detail.periods > 0 && !frequency_v.is_none() &&
       !table_of(frequency_v, "frequency_v").is_number) {
-    options.frequencies_v =
-        seen_frequencies(surface->surface, std::move(options.frequencies_v), origin).frequencies;
+    wishes.frequencies_v =
+        seen_frequencies(surface->surface, std::move(wishes.frequencies_v), origin).frequencies;
   }
   return Job(progress, solving.threads).run([&](const Progress& reports) {
-    const Solver solver = options.stripes.solver.solver;
-    TexturePattern pattern =
-        texture_pattern(surface->surface, std::move(in.waves), options, reports);
+    const Solver solver = wishes.solving.solver.solver;
+    MadePattern laid = pattern_of(surface->surface, std::move(in.waves), wishes, reports);
+    TexturePattern& pattern = std::get<TexturePattern>(laid.of);
     auto made = std::make_shared<TextureData>();
     made->report =
-        brindle::to_json(brindle::make_report(surface->surface, in.prepared, pattern, solver));
+        brindle::to_json(brindle::make_report(surface->surface, in.prepared, laid, solver));
     made->surface = surface;
     made->figures = in.prepared.figures;
     made->branches = pattern.u.quality.branches;
@@ -98,11 +99,12 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     const StripeOptions& options = solving.stripes;
-    CrossPattern cross = cross_pattern(surface->surface, in.waves, options, reports);
-    CrossTexture texture = cross_texture(surface->surface, cross, options.phase_shift);
+    MadePattern laid =
+        pattern_of(surface->surface, std::move(in.waves), {PatternKind::crosses, options}, reports);
+    auto& [cross, texture] = std::get<MadeCrosses>(laid.of);
     auto made = std::make_shared<TextureData>();
     made->report = brindle::to_json(
-        brindle::make_report(surface->surface, in.prepared, texture, options.solver.solver));
+        brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver));
     made->figures = in.prepared.figures;
     made->branches = cross.quality.branches;
     made->field_singularities = cross.quality.field_singularities;

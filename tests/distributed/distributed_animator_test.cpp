@@ -346,6 +346,41 @@ TEST(DistributedAnimator, FollowsPhasesThatAreGiven) {
   }
 }
 
+/// One rank has the bits of one process; many have its bounds.
+TEST(DistributedAnimator, TakesAnotherSlackFromFrameToFrame) {
+  const Parts parts(wavy_surface("torus,resolution=40", kAxis, 20));
+  const WaveSet own = parts.of_piece(parts.whole.waves);
+  const WavySurface& w = parts.whole;
+  DistributedOptions options;
+  options.slack = 0.3f;
+  StripeAnimator one(Surface{w.mesh, w.neighborhood, w.normals}, options);
+  DistributedStripeAnimator many(parts.surface(), options);
+  std::vector<float> calm(w.mesh.vertex_count());
+  for (std::size_t v = 0; v < calm.size(); ++v) calm[v] = w.mesh.positions[v].x() > 0 ? 1.0f : 0.0f;
+  Slack with_calm = 0.1f, of_piece = 0.1f;
+  with_calm.calm = calm;
+  of_piece.calm = parts.of_piece(calm);
+  const std::pair<Slack, Slack> steps[] = {{0.3f, 0.3f}, {0.1f, 0.1f}, {with_calm, of_piece}};
+  for (const auto& [of_one, of_many] : steps) {
+    one.set_slack(of_one);
+    many.set_slack(of_many);
+    const FrameResult expected = one.frame(frame_of(w.waves));
+    const FrameResult frame = many.frame(frame_of(own));
+    EXPECT_FALSE(frame.unchanged);
+    ASSERT_EQ(frame.frequencies.size(), own.frequencies.size());
+    double difference = 0;
+    for (std::size_t v = 0; v < own.frequencies.size(); ++v) {
+      const double f = static_cast<double>(expected.frequencies[parts.ids[v]]);
+      difference =
+          std::max(difference, std::abs(static_cast<double>(frame.frequencies[v]) / f - 1));
+    }
+    EXPECT_LT(difference, rank_count() == 1 ? 1e-30 : 0.02);
+  }
+  DistributedStripeAnimator without(parts.surface());
+  EXPECT_THROW(without.set_slack(0.1f), Error);
+  EXPECT_THROW(many.set_slack(-1), Error);
+}
+
 TEST(DistributedAnimator, KeepsPhasesOfInputThatDoesNotChange) {
   const Parts parts(wavy_surface("sphere,resolution=30", kAxis, 20));
   const WaveSet own = parts.of_piece(parts.whole.waves);

@@ -257,6 +257,46 @@ TEST_F(GpuAnimatorTest, SiblingSolvesItsOwnFieldOnTheSameTopology) {
   EXPECT_EQ(u.read_phases(), u_phases);
 }
 
+TEST_F(GpuAnimatorTest, GivenPhasesAreThoseOfTheLastFrame) {
+  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+    auto s = wavy_surface("torus,resolution=60", kAxis, 25);
+    AnimatorOptions options = options_with(0.2f);
+    options.solver = solver;
+    GpuAnimator goes_on(device.solver.kernels(), s.neighborhood, options);
+    GpuAnimator resumed(device.solver.kernels(), s.neighborhood, options);
+    resumed.frame(input_of(s.waves));  // aggregates follow the first frame
+    goes_on.frame(input_of(s.waves));
+    const auto last = goes_on.read_phases();
+    for (float& f : s.waves.frequencies) f *= 1.02f;
+    goes_on.frame(input_of(s.waves));
+    resumed.restart();
+    resumed.set_last_phases(last);
+    EXPECT_TRUE(resumed.frame(input_of(s.waves)));
+    EXPECT_EQ(resumed.read_phases(), goes_on.read_phases());
+    resumed.set_last_phases(last);
+    EXPECT_TRUE(resumed.frame(input_of(s.waves))) << "given phases count for the same input, too";
+    EXPECT_FALSE(resumed.frame(input_of(s.waves)));
+    EXPECT_THROW(resumed.set_last_phases(std::span(last).first(3)), Error);
+  }
+}
+
+TEST_F(GpuAnimatorTest, TakesAnotherSlackAsTheProcessorDoes) {
+  const auto s = wavy_surface("torus,resolution=60", kAxis, 25);
+  AnimatorOptions options = options_with(0.02f);
+  options.slack = 0.3f;
+  StripeAnimator cpu(surface_with(s), options);
+  GpuAnimator gpu(device.solver.kernels(), surface_with(s), options);
+  for (const float slack : {0.3f, 0.1f, 0.2f}) {
+    cpu.set_slack(slack);
+    gpu.set_slack(slack);
+    const auto expected = cpu.frame(input_of(s.waves)).frequencies;
+    gpu.frame(input_of(s.waves));
+    EXPECT_TRUE(std::ranges::equal(gpu.frequencies(), expected)) << slack;
+  }
+  GpuAnimator without(device.solver.kernels(), surface_with(s), options_with(0.02f));
+  EXPECT_THROW(without.set_slack(0.1f), Error);
+}
+
 TEST_F(GpuAnimatorTest, RestartForgetsTheLastFrame) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   GpuAnimator used(device.solver.kernels(), surface.neighborhood);

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/recipe/making.h"
+#include "brindle/pattern_of.h"
 
 namespace brindle::tool {
 

@@ -64,18 +64,19 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
 
 // Solved, noted and traced.
 CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, const char* name,
-                      WaveSet waves, const MakingOptions& wanted, JobListener& listener) {
+                      WaveSet waves, MakingOptions making, JobListener& listener) {
   const Surface& surface = job.prepared.surface;
-  MakingFigures making;
   listener.stage(stripes_of(name));
-  StripePattern pattern =
-      make_pattern(surface, std::move(waves), job.options, wanted, listener.progress(), making);
-  measure_windings(surface, pattern, making);
+  making.measure_windings = true;
+  MadePattern made =
+      pattern_of(surface, std::move(waves), {PatternKind::stripes, job.options, std::move(making)},
+                 listener.progress());
+  StripePattern& pattern = std::get<StripePattern>(made.of);
   listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
                                pattern.quality.field_singularities, surface.mesh.triangle_count()));
   CurveFamily family = traced_family(arguments, surface, job.edges, name, std::move(pattern),
                                      CurveFigures::all, listener);
-  family.making = std::move(making);
+  family.making = std::move(made.making);
   return family;
 }
 

@@ -7,6 +7,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/recipe/frequency_report.h"
+#include "brindle/recipe/making_report.h"
 #include "brindle/recipe/report.h"
 
 namespace brindle::tool {

@@ -2,67 +2,59 @@
 
 #include <utility>
 
-#include "brindle/cross_texture.h"
+#include "brindle/pattern_of.h"
 #include "input/device.h"
 #include "input/followed_field.h"
 
 namespace brindle::tool {
 namespace {
 
-Texture make_texture(Preparation& prepared, const StripeArguments& arguments, TextureTile tile,
-                     const Progress& progress) {
-  const TextureOptions options{std::move(prepared.frequencies_v), arguments.texture.oriented,
-                               arguments.solving.stripes};
-  TexturePattern pattern =
-      texture_pattern(prepared.surface, std::move(prepared.waves), options, progress);
-  return texture_of(prepared.surface.mesh, std::move(pattern), std::move(tile),
+PatternKind kind_of(const StripeArguments& arguments, const std::optional<TextureTile>& tile) {
+  if (arguments.waves.cross) return PatternKind::crosses;
+  return tile ? PatternKind::texture : PatternKind::stripes;
+}
+
+PatternWishes wishes_of(const StripeArguments& arguments, Preparation& prepared, PatternKind kind) {
+  PatternWishes wishes{kind, arguments.solving.stripes};
+  if (kind == PatternKind::stripes) wishes.making = arguments.making;
+  if (kind == PatternKind::texture) {
+    wishes.frequencies_v = std::move(prepared.frequencies_v);
+    wishes.oriented = arguments.texture.oriented;
+  }
+  return wishes;
+}
+
+Texture drawn_texture(const Mesh& mesh, TexturePattern pattern, std::optional<TextureTile> tile,
+                      const StripeArguments& arguments) {
+  return texture_of(mesh, std::move(pattern),
+                    tile ? std::move(*tile) : TextureTile(BuiltInTile::checker),
                     {arguments.texture.whole});
-}
-
-StripeResult make_result(Preparation& prepared, const StripeArguments& arguments,
-                         std::optional<TextureTile> tile, const Progress& progress,
-                         MakingFigures& figures) {
-  if (tile) return {make_texture(prepared, arguments, std::move(*tile), progress)};
-  const MakingOptions& making = arguments.making;
-  StripePattern pattern = make_pattern(prepared.surface, std::move(prepared.waves),
-                                       arguments.solving.stripes, making, progress, figures);
-  if (!making.windings.empty()) measure_windings(prepared.surface, pattern, figures);
-  return {std::move(pattern)};
-}
-
-StripeJob make_cross(Preparation prepared, const StripeArguments& arguments, TextureTile tile,
-                     const Progress& progress) {
-  const StripeOptions& options = arguments.solving.stripes;
-  const CrossPattern cross = cross_pattern(prepared.surface, prepared.waves, options, progress);
-  CrossTexture texture = cross_texture(prepared.surface, cross, options.phase_shift);
-  const Report report = make_report(prepared.surface, prepared, texture, options.solver.solver);
-  InputData data =
-      on_cross_texture(take_input_data(prepared), prepared.surface.mesh.triangles, cross.cover);
-  Texture drawn = texture_of(texture.surface.mesh, std::move(texture.pattern), std::move(tile),
-                             {arguments.texture.whole});
-  return {std::make_shared<const Surface>(std::move(texture.surface)),
-          {std::move(drawn)},
-          report,
-          std::move(data)};
 }
 
 StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
                    std::optional<TextureTile> tile, const Progress& progress) {
-  if (arguments.waves.cross) {
-    return make_cross(std::move(prepared), arguments, tile.value_or(BuiltInTile::checker),
-                      progress);
+  const PatternWishes wishes = wishes_of(arguments, prepared, kind_of(arguments, tile));
+  MadePattern made = pattern_of(prepared.surface, std::move(prepared.waves), wishes, progress);
+  StripeJob job;
+  job.report = make_report(prepared.surface, prepared, made, wishes.solving.solver.solver);
+  job.data = take_input_data(prepared);
+  if (auto* crosses = std::get_if<MadeCrosses>(&made.of)) {
+    CrossTexture& texture = crosses->texture;
+    job.data = on_cross_texture(std::move(job.data), prepared.surface.mesh.triangles,
+                                crosses->cross.cover);
+    job.result = {drawn_texture(texture.surface.mesh, std::move(texture.pattern), std::move(tile),
+                                arguments)};
+    job.surface = std::make_shared<const Surface>(std::move(texture.surface));
+    return job;
   }
-  MakingFigures figures;
-  StripeResult result = make_result(prepared, arguments, std::move(tile), progress, figures);
-  const Solver solver = arguments.solving.stripes.solver.solver;
-  Report report = result.texture() != nullptr
-                      ? make_report(prepared.surface, prepared, result.texture()->pattern, solver)
-                      : make_report(prepared.surface, prepared, result.stripes(), solver);
-  add_to_json(figures, report.making);
-  report.making_lines = lines_of(figures);
-  InputData data = take_input_data(prepared);
-  return {std::make_shared<const Surface>(std::move(prepared.surface)), std::move(result), report,
-          std::move(data)};
+  if (auto* texture = std::get_if<TexturePattern>(&made.of)) {
+    job.result = {
+        drawn_texture(prepared.surface.mesh, std::move(*texture), std::move(tile), arguments)};
+  } else {
+    job.result = {std::get<StripePattern>(std::move(made.of))};
+  }
+  job.surface = std::make_shared<const Surface>(std::move(prepared.surface));
+  return job;
 }
 
 // The phases of the pattern that this one stays near to.

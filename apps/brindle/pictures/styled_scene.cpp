@@ -1,7 +1,6 @@
 #include "pictures/styled_scene.h"
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -81,12 +80,6 @@ Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others) {
   Mesh framed = mesh;
   for (const Preparation& other : others) append(other.surface.mesh, framed);
   return framed;
-}
-
-WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals) {
-  WaveSet across = waves;
-  across.directions = rotated(across.directions, normals, std::numbers::pi_v<float> / 2);
-  return across;
 }
 
 StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,

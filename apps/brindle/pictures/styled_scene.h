@@ -36,9 +36,6 @@ float mean_frequency(const WaveSet& waves);
 /// This mesh and all others as one, for a camera to frame.
 Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others);
 
-/// The waves of `waves` turned by 90 degrees: those of strokes that cross.
-WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals);
-
 struct StripesView {
   const WaveSet& waves;
   std::span<const Complex> z;

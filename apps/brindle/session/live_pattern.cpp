@@ -14,6 +14,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/carried_phases.h"
 #include "brindle/error.h"
+#include "brindle/pattern_of.h"
 #include "brindle/phase_graph.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_animator.h"
@@ -142,16 +143,10 @@ SolvedPattern pattern_of_angles(const StripeArguments& arguments,
                                 const std::shared_ptr<const Preparation>& prepared,
                                 const PreparedWaves& waves,
                                 std::shared_ptr<const std::vector<float>> angles,
-                                const FrameResult& frame = {}) {
+                                const FrameResult& frame = {}, double energy = 0) {
   Stopwatch watch;
-  StripePattern pattern;
-  pattern.waves = waves.waves;
-  if (!frame.frequencies.empty()) {
-    pattern.frequencies_wanted = std::exchange(
-        pattern.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
-    pattern.frequency_change = frame.frequency_change;
-  }
-  pattern.phase_shift = arguments.solving.stripes.phase_shift;
+  StripePattern pattern =
+      pattern_of_frame(frame, waves.waves, energy, arguments.solving.stripes.phase_shift);
   pattern.solution.z = phases_of(*angles);
   measure_pattern(prepared->surface, {}, pattern);
   pattern.milliseconds.pattern = watch.lap();
@@ -458,11 +453,8 @@ class StageUpdate {
         matched_phases({stages_.surface.made->surface.mesh, last.waves, last.solution.z}, waves));
     const FrameResult frame =
         frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
-    StripePattern pattern;
-    pattern.waves = std::move(waves);
-    pattern.phase_shift = arguments().solving.stripes.phase_shift;
-    pattern.solution.z.assign(frame.z.begin(), frame.z.end());
-    return pattern;
+    return pattern_of_frame(frame, std::move(waves), frames.energy(),
+                            arguments().solving.stripes.phase_shift);
   }
 
   // Whether stripes that cross the pattern may go on from these.
@@ -499,15 +491,10 @@ class StageUpdate {
         matched_phases({stages_.surface.made->surface.mesh, last.waves, last.solution.z}, waves));
     const FrameResult frame =
         frames.frame({waves.positions, waves.directions, waves.frequencies}, progress_);
-    SolvedPattern solved =
-        pattern_of_angles(arguments(), stages_.surface.made, *stages_.waves.made,
-                          std::make_shared<const std::vector<float>>(angles_of(frame.z)), frame);
+    SolvedPattern solved = pattern_of_angles(
+        arguments(), stages_.surface.made, *stages_.waves.made,
+        std::make_shared<const std::vector<float>>(angles_of(frame.z)), frame, frames.energy());
     solved.loosely = !frame.frequencies.empty();
-    Report& report = solved.job.report;
-    report.energy = frames.energy();
-    report.milliseconds.frequency = frame.milliseconds.frequency;
-    report.milliseconds.couple = frame.milliseconds.couple;
-    report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
     solved.phase_step = frame.phase_step;
     return solved;
   }
@@ -627,9 +614,10 @@ class StageUpdate {
     if (parsed_->samples() != nullptr) {
       return stripe_pattern(prepared.surface, std::move(waves), options, progress_);
     }
-    MakingFigures figures;
-    return brindle::make_pattern(prepared.surface, std::move(waves), options,
-                                 making_of_v(*parsed_->curves()), progress_, figures);
+    return std::get<StripePattern>(
+        pattern_of(prepared.surface, std::move(waves),
+                   {PatternKind::stripes, options, making_of_v(*parsed_->curves())}, progress_)
+            .of);
   }
 
   const StripePattern& second() {

@@ -455,6 +455,18 @@ void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
   s.has_given = true;
 }
 
+void DistributedStripeAnimator::set_slack(const Slack& slack) {
+  State& s = *state_;
+  s.ranks().together([&] { s.yielding.check_yields(); });
+  check_on_all(*s.surface, slack);
+  auto setting = rank_yielding_setting(*s.surface, slack);
+  const bool differs = setting->triangles.weights != s.yielding.setting().triangles.weights;
+  s.yielding.set_setting(std::move(setting), !s.ranks().any(differs));
+  s.options.slack = slack;
+  s.has_calm = s.ranks().any(!slack.calm.empty());
+  s.calm = owners_values(*s.surface, slack.calm);
+}
+
 void DistributedStripeAnimator::restart() {
   state_->last_z.clear();
   state_->has_last = state_->has_given = false;

@@ -17,6 +17,7 @@
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/frame_check.h"
 #include "brindle/pipeline/yielding_frames.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -36,9 +37,10 @@ enum Binding : unsigned {
   kPhasesByNode = 7
 };
 
-constexpr GLint kHasLast = 0;    // of load_waves
-constexpr GLint kLambda = 0;     // of couple
-constexpr GLint kTrapezoid = 1;  // of couple
+constexpr GLint kLast = 0;                                 // of load_waves
+constexpr int kNoLast = 0, kByLastWaves = 1, kByNode = 2;  // what it is
+constexpr GLint kLambda = 0;                               // of couple
+constexpr GLint kTrapezoid = 1;                            // of couple
 
 /// One list of the caller's input on both sides.
 template <class Item>
@@ -117,12 +119,17 @@ struct GpuAnimator::State {
   GlBuffer waves, last_z, z_by_node;  ///< of the last frame
   GlBuffer next_waves;                ///< of the frame that is solved
   GlBuffer turned_z;                  ///< the last phases, turned with its directions
+  std::vector<Complex> given_z;       ///< what the next frame follows instead, by node; or empty
+  GlBuffer given;                     ///< the same
   Input input;
   YieldingFrames yielding;
   NormalsInPlace in_place;
   bool has_frame = false;   ///< whether a frame has come to its end
   bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
+
+  bool follows() const { return has_last || !given_z.empty(); }
+
   int frames = 0;
   int measured_frames = 0;
   bool measures = false;
@@ -195,9 +202,13 @@ void GpuAnimator::State::load_waves(const WaveBuffers& buffers) {
   bind_storage(kFrequencies, buffers.frequencies);
   bind_storage(kLoadedWaves, next_waves);
   bind_storage(kLoadedLastWaves, waves);
-  bind_storage(kLoadedLastPhases, last_z);
   bind_storage(kLoadedTurnedPhases, turned_z);
-  glProgramUniform1i(kernels->load_waves.name(), kHasLast, has_last ? 1 : 0);
+  if (!given_z.empty()) {
+    given = make_buffer(given_z.size() * sizeof(Complex), given_z.data(), "phases");
+  }
+  bind_storage(kLoadedLastPhases, given_z.empty() ? last_z : given);
+  const int last = given_z.empty() ? (has_last ? kByLastWaves : kNoLast) : kByNode;
+  glProgramUniform1i(kernels->load_waves.name(), kLast, last);
   dispatch(kernels->load_waves, topology->level(0).slot_count);
 }
 
@@ -207,7 +218,7 @@ void GpuAnimator::State::couple() {
   bind_storage(kCoupledLastPhases, turned_z);
   const bool paper = options.phase_shift == PhaseShiftKind::common_source;
   const ShaderProgram& kernel = paper ? kernels->couple_common_source : kernels->couple;
-  const bool anchored = has_last && options.solver == FrameSolver::multilevel;
+  const bool anchored = follows() && options.solver == FrameSolver::multilevel;
   glProgramUniform1f(kernel.name(), kLambda, anchored ? options.lambda : 0);
   if (!paper) {
     const bool trapezoid = options.phase_shift == PhaseShiftKind::trapezoid;
@@ -217,7 +228,7 @@ void GpuAnimator::State::couple() {
 }
 
 void GpuAnimator::State::solve(const Progress& progress) {
-  if (options.solver == FrameSolver::multilevel || !has_last) {
+  if (options.solver == FrameSolver::multilevel || !follows()) {
     hierarchy->solve(&timer);
     hierarchy->run_cycles(options.cycles, progress);
     if (options.cycles > 0) timer.stage("cycles");
@@ -241,6 +252,7 @@ void GpuAnimator::State::keep() {
   std::swap(waves, next_waves);
   input.is_last = false;
   has_last = has_frame = true;
+  given_z.clear();
   ++frames;
 }
 
@@ -259,7 +271,7 @@ void GpuAnimator::State::take_measure() {
   if (!measure) measure.emplace(*hierarchy);
   const auto last = measure->end();
   if (last) measured = FrameMeasure{measured_frames, last->energy, last->phase_step};
-  measure->begin(*hierarchy, has_last ? GLuint{turned_z} : hierarchy->phases());
+  measure->begin(*hierarchy, follows() ? GLuint{turned_z} : hierarchy->phases());
   measured_frames = frames;
   timer.stage("measure");
 }
@@ -295,13 +307,14 @@ GpuAnimator& GpuAnimator::operator=(GpuAnimator&&) noexcept = default;
 bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check_frame_input(input, s.neighborhood->node_count());
-  if (s.has_last && s.yielding.is_kept(input)) {
+  const bool may_stay = s.has_last && s.given_z.empty();
+  if (may_stay && s.yielding.is_kept(input)) {
     s.timer.start();
     return false;
   }
   if (s.yielding.yields()) check_values(input, *s.neighborhood, s.in_place);
   const FrameInput yielded = s.yielding.yielded(input, progress);
-  if (!s.input.compare(yielded) && s.has_last) {
+  if (!s.input.compare(yielded) && may_stay) {
     s.timer.start();
     return false;
   }
@@ -406,8 +419,19 @@ GpuAnimator GpuAnimator::sibling() const {
   return GpuAnimator(std::move(state));
 }
 
+void GpuAnimator::set_last_phases(std::span<const Complex> z) {
+  check_last_phases(z, state_->neighborhood->node_count());
+  state_->given_z.assign(z.begin(), z.end());
+}
+
+void GpuAnimator::set_slack(const Slack& slack) {
+  state_->yielding.set_slack(slack);
+  state_->options.slack = slack;
+}
+
 void GpuAnimator::restart() {
   state_->has_last = false;
+  state_->given_z.clear();
   state_->yielding.restart();
 }
 

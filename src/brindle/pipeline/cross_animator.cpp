@@ -120,6 +120,7 @@ struct CrossAnimator::State {
   Surface surface;  ///< at the place of the last frame
   AnimatorOptions options;
   AnimatorOptions on_cover = {};
+  bool made_with_slack = false;
 
   std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
   LaidCrosses laid = {};                        ///< the last frame
@@ -171,6 +172,7 @@ CrossAnimator::CrossAnimator(const Surface& surface, const AnimatorOptions& opti
   state_ = std::make_unique<State>(State{surface, options});
   state_->on_cover = options;
   state_->on_cover.slack = slack_on_cover(options.slack);
+  state_->made_with_slack = options.slack.yields();
   state_->on_cover.edge_weights = weights_on_cover(*surface.neighborhood, options.edge_weights);
 }
 
@@ -252,6 +254,38 @@ CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progre
 double CrossAnimator::energy() const {
   if (!state_->animator) throw Error("cross animator: there is no frame yet");
   return state_->animator->energy();
+}
+
+void CrossAnimator::set_last_phases(const CrossCover& cover, std::span<const Complex> z) {
+  State& s = *state_;
+  const std::size_t nodes = 2 * s.surface.mesh.vertex_count();
+  if (cover.waves.directions.size() != nodes) {
+    throw Error("cross animator: the cover is of " +
+                std::to_string(cover.waves.directions.size() / 2) + " vertices; the surface has " +
+                std::to_string(nodes / 2));
+  }
+  check_last_phases(z, nodes);
+  LaidCrosses last;
+  last.cover = cover;
+  last.cover_mesh.triangles = cover.triangles;
+  last.cover_mesh.positions = cover.waves.positions;
+  last.z.assign(z.begin(), z.end());
+  s.laid = std::move(last);
+  s.animator.reset();
+}
+
+void CrossAnimator::set_slack(const Slack& slack) {
+  State& s = *state_;
+  check_slack(slack, s.surface.mesh.vertex_count());
+  if (!s.made_with_slack) {
+    throw Error("animator: it was made without slack; make it of a Surface with some");
+  }
+  Slack of_cover = slack_on_cover(slack);
+  // Made of a cover while there was none, an animator knows no slack: another one goes on.
+  if (s.animator && !s.on_cover.slack.yields()) s.animator.reset();
+  if (s.animator) s.animator->set_slack(of_cover);
+  s.on_cover.slack = std::move(of_cover);
+  s.options.slack = slack;
 }
 
 void CrossAnimator::restart() {

@@ -64,6 +64,7 @@ struct TextureAnimator::State {
   KeptOrientation orientation;
   AnimatedPattern u;
   std::optional<AnimatedPattern> v;  ///< after the first frame of U, whose topology it shares
+  std::vector<Complex> given_v;      ///< last phases of V for its first frame
   TextureWaves waves;
   std::optional<BrokenTileFinder> finder;  ///< where somebody asks
   BrokenTiles broken;
@@ -118,7 +119,10 @@ TextureFrameResult TextureAnimator::State::solve(NextWaves& next, const Progress
   const bool first = !v;
   bool has_v = false;
   try {
-    if (first) v = AnimatedPattern{u.animator.sibling()};
+    if (first) {
+      v = AnimatedPattern{u.animator.sibling()};
+      if (!given_v.empty()) v->animator.set_last_phases(given_v);
+    }
     stripes_v = v->animator.solve(input_v, progress);
     has_v = true;
     result.milliseconds.solve = watch.lap();
@@ -134,6 +138,7 @@ TextureFrameResult TextureAnimator::State::solve(NextWaves& next, const Progress
   result.milliseconds.orient = watch.lap();
   u.animator.keep(input_u, stripes_u);
   v->animator.keep(input_v, stripes_v);
+  given_v.clear();
   result.milliseconds.solve += watch.lap();
   return result;
 }
@@ -211,8 +216,29 @@ double TextureAnimator::energy_v() const {
   return state_->v->animator.energy();
 }
 
+void TextureAnimator::set_last_phases(std::span<const Complex> u, std::span<const Complex> v) {
+  State& s = *state_;
+  for (const std::span<const Complex> z : {u, v}) {
+    check_last_phases(z, s.surface.mesh.vertex_count());
+  }
+  s.u.animator.set_last_phases(u);
+  if (s.v) {
+    s.v->animator.set_last_phases(v);
+  } else {
+    s.given_v.assign(v.begin(), v.end());
+  }
+}
+
+void TextureAnimator::set_slack(const Slack& slack) {
+  State& s = *state_;
+  s.u.animator.set_slack(slack);
+  if (s.v) s.v->animator.set_slack(slack);
+  s.options.stripes.slack = slack;
+}
+
 void TextureAnimator::restart() {
   state_->orientation.forget();
+  state_->given_v.clear();
   state_->u.animator.restart();
   if (state_->v) state_->v->animator.restart();
 }

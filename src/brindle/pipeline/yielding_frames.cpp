@@ -34,11 +34,21 @@ YieldingFrames YieldingFrames::sibling() const {
   return other;
 }
 
-void YieldingFrames::set_slack(const Slack& slack) {
+void YieldingFrames::check_yields() const {
   if (!yielding_) {
     throw Error("animator: it was made without slack; make it of a Surface with some");
   }
+}
+
+void YieldingFrames::set_slack(const Slack& slack) {
+  check_yields();
   yielding_->set_slack(slack);
+  has_kept_ = false;
+}
+
+void YieldingFrames::set_setting(std::shared_ptr<const YieldingSetting> setting,
+                                 bool weighs_as_before) {
+  yielding_->set_setting(std::move(setting), weighs_as_before);
   has_kept_ = false;
 }
 

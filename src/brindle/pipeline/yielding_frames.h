@@ -1,6 +1,7 @@
 /// Frames whose frequencies yield before they are solved: what all animators share.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -32,8 +33,15 @@ class YieldingFrames {
   /// Another one for the same surface and slack.
   YieldingFrames sibling() const;
 
+  /// Throws Error where nothing yields.
+  void check_yields() const;
+
   /// As StripeAnimator's.
   void set_slack(const Slack& slack);
+
+  /// As YieldingSolver's, where frequencies yield.
+  void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
+  const YieldingSetting& setting() const { return yielding_->setting(); }
 
   /// Whether frequencies yield and the input is that which was kept last.
   bool is_kept(const FrameInput& input) const;

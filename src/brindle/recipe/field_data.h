@@ -1,35 +1,16 @@
-/// What a measured field was made of, and how much every datum counts.
+/// Directions on a globe, and gaps of fields.
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "brindle/data_arrays.h"
 #include "brindle/frequency_field.h"
 #include "brindle/measured_field.h"
 #include "brindle/mesh.h"
+#include "brindle/waves_of.h"
 
 namespace brindle {
-
-/// A field as it was read.
-struct FieldData {
-  DataArray array;            ///< vectors or tensors; no rows if the field is neither
-  bool of_triangles = false;  ///< a row per triangle, not per vertex
-};
-
-/// What --field-weight says.
-struct FieldWeight {
-  std::string word;  ///< "length" or "anisotropy", of the data themselves; or empty
-  std::vector<float>
-      values;  ///< otherwise one per vertex, or per triangle where the data are; not
-               ///< finite: no datum. Empty: tensors by their anisotropy, others alike
-};
-
-/// The data of a field with their weights; `directions` are those at vertices. Throws RefusedOption
-/// for weights below zero, and for words that the data have no such thing for.
-MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
-                             const FieldWeight& weight);
 
 /// Whether there is a direction at all.
 bool has_data(const MeasuredField& measured);
@@ -52,8 +33,5 @@ DataArray globe_vectors(const Mesh& part, const DataArray& east_north, const Glo
 /// Gives `frequencies` the gaps of others: where a field's file has no frequency it has no wave,
 /// whatever the frequency of the others is. `of_file` may be empty.
 void keep_gaps(const FrequencyField& of_file, FrequencyField& frequencies);
-
-/// Numbers of triangles: those of their corners on average.
-std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);
 
 }  // namespace brindle

@@ -9,7 +9,7 @@
 
 #include "brindle/error.h"
 #include "brindle/option_table.h"
-#include "brindle/recipe/making.h"
+#include "brindle/pattern_of.h"
 
 namespace brindle {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "brindle/base/formatted.h"
+#include "brindle/recipe/making_report.h"
 #include "brindle/threads.h"
 
 namespace brindle {
@@ -141,6 +142,20 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   Report report = make_report(surface, prepared, texture.pattern.u, solver);
   report.milliseconds.pattern += texture.pattern.orientation_milliseconds;
   report.cross = texture.pattern.quality;
+  return report;
+}
+
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const MadePattern& pattern, Solver solver) {
+  if (const auto* crosses = std::get_if<MadeCrosses>(&pattern.of)) {
+    return make_report(surface, prepared, crosses->texture, solver);
+  }
+  if (const auto* texture = std::get_if<TexturePattern>(&pattern.of)) {
+    return make_report(surface, prepared, *texture, solver);
+  }
+  Report report = make_report(surface, prepared, std::get<StripePattern>(pattern.of), solver);
+  add_to_json(pattern.making, report.making);
+  report.making_lines = lines_of(pattern.making);
   return report;
 }
 

@@ -9,11 +9,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/cross_texture.h"
+#include "brindle/pattern_of.h"
 #include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/preparation_figures.h"
 #include "brindle/samples.h"
-#include "brindle/texture_pattern.h"
 
 namespace brindle {
 
@@ -74,6 +73,10 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const CrossTexture& texture, Solver solver);
+
+/// The same of whatever was made, with what became of the maker's wishes.
+Report make_report(const Surface& surface, const PreparationFigures& prepared,
+                   const MadePattern& pattern, Solver solver);
 
 /// "mesh" or "points".
 std::string_view kind_of(const Mesh& mesh);

@@ -64,6 +64,14 @@ std::pair<DetailedField, FieldDetailFigures> WholeSurface::field_at_detail(
   return {std::move(field), detail.figures()};
 }
 
+WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
+                     std::span<const float> frequencies) {
+  WaveSet across = waves;
+  across.directions = rotated(across.directions, normals, std::numbers::pi_v<float> / 2);
+  if (!frequencies.empty()) across.frequencies.assign(frequencies.begin(), frequencies.end());
+  return across;
+}
+
 MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWaves found,
                    const Progress& progress) {
   constexpr double kFrequencies = 0.3;  // of the time

@@ -108,6 +108,11 @@ void YieldingSolver::set_slack(const Slack& slack) {
   setting->calm = slack.calm;
   setting->triangles.weights = calm_weights(setting->triangles.corners, slack.calm);
   const bool weighs_as_before = setting->triangles.weights == setting_->triangles.weights;
+  set_setting(std::move(setting), weighs_as_before);
+}
+
+void YieldingSolver::set_setting(std::shared_ptr<const YieldingSetting> setting,
+                                 bool weighs_as_before) {
   setting_ = std::move(setting);
   if (!weighs_as_before) {
     settled_ = false;

@@ -60,6 +60,11 @@ class YieldingSolver {
   /// triangles change with calm. Throws Error as `check` does; only without peers.
   void set_slack(const Slack& slack);
 
+  /// The same by a setting of the same adjacency; with peers, all must call it. `weighs_as_before`
+  /// says whether all triangles, also those of peers, have the weights that they had.
+  void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
+  const YieldingSetting& setting() const { return *setting_; }
+
   /// As those of YieldingFrequency; frequencies are of others' vertices, too.
   std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
   void keep();

@@ -8,7 +8,10 @@ layout(std430, binding = 5) readonly buffer LastWaves { Wave last_waves[]; };
 layout(std430, binding = 6) readonly buffer LastPhases { vec2 last_z[]; };
 layout(std430, binding = 7) writeonly buffer TurnedPhases { vec2 turned_z[]; };
 
-layout(location = 0) uniform bool has_last;
+// Of last phases there are none, or those of `last_waves`, or those that were given by node, for the
+// waves that are loaded.
+const int kByLastWaves = 1, kByNode = 2;
+layout(location = 0) uniform int last;
 
 void main() {
   const uint slot = invocation();
@@ -16,12 +19,14 @@ void main() {
   const uint node = topology[node_at + slot];
   if (node == kNone) {
     waves[slot] = Wave(vec3(0), 0.0, vec3(0), 0.0);
-    if (has_last) turned_z[slot] = last_z[slot];
+    if (last == kByLastWaves) turned_z[slot] = last_z[slot];
+    if (last == kByNode) turned_z[slot] = vec2(0);
     return;
   }
   const vec3 direction =
       vec3(directions[3u * node], directions[3u * node + 1u], directions[3u * node + 2u]);
-  if (has_last) {
+  if (last == kByNode) turned_z[slot] = last_z[node];
+  if (last == kByLastWaves) {
     const bool turned = dot(last_waves[slot].direction, direction) < 0.0;
     turned_z[slot] = turned ? -conjugate(last_z[slot]) : last_z[slot];
   }

@@ -1,4 +1,4 @@
-/// A piece of a surface as what waves are on.
+/// Waves of a surface that many processes hold together.
 #pragma once
 
 #include <cstddef>
@@ -6,23 +6,24 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
+#include "brindle/export.h"
+#include "brindle/mesh.h"
 #include "brindle/waves_of.h"
-#include "mesh_pieces.h"
 
-namespace brindle::tool {
+namespace BRINDLE_EXPORT brindle {
 
-/// Its functions are collective and give what those of a `WholeSurface` give of the whole.
+/// A piece of a surface as what waves are on. Its functions are collective, and give what those of
+/// a `WholeSurface` give of the whole: what counts of a vertex is what its owner says.
 class PieceSurface final : public WaveSurface {
  public:
-  /// Refers to all of them.
-  PieceSurface(Communicator& ranks, const DistributedSurface& surface, const ReadPiece& read)
-      : ranks_(ranks), surface_(surface), read_(read) {}
+  /// Refers to both; `piece` is the mesh that the surface was made of.
+  PieceSurface(const DistributedSurface& surface, const Mesh& piece)
+      : surface_(surface), piece_(piece) {}
 
-  std::vector<Vec3> positions() const override { return read_.piece.mesh.positions; }
+  std::vector<Vec3> positions() const override { return piece_.positions; }
   std::span<const Vec3> normals() const override { return surface_.normals(); }
-  bool any(bool here) const override { return ranks_.any(here); }
+  bool any(bool here) const override;
   /// The mean frequency and the number are those of all ranks.
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
   DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
@@ -33,9 +34,8 @@ class PieceSurface final : public WaveSurface {
       const FieldDetailOptions& options, const Progress& progress) const override;
 
  private:
-  Communicator& ranks_;
   const DistributedSurface& surface_;
-  const ReadPiece& read_;
+  const Mesh& piece_;
 };
 
-}  // namespace brindle::tool
+}  // namespace brindle

@@ -1,34 +1,14 @@
-#include "brindle/recipe/making.h"
+#include "brindle/recipe/making_report.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
 
 #include "brindle/base/formatted.h"
-#include "brindle/base/ranges.h"
-#include "brindle/boundary_phases.h"
-#include "brindle/error.h"
-#include "brindle/pipeline/yielded_stripes.h"
 
 namespace brindle {
 namespace {
 
 constexpr std::size_t kMostLines = 12;  // of windings, for people
-
-// What was asked of boundaries, which a wave that was turned no longer is asked.
-StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, StripeOptions stripes,
-                            const MakingOptions& options, MakingFigures& figures) {
-  if (!options.anchor_boundary) return stripes;
-  stripes.fixed_phases = boundary_phases(surface, waves, *options.anchor_boundary);
-  figures.fixed_vertices = static_cast<std::size_t>(
-      ranges::count_if(stripes.fixed_phases, [](const Complex& z) { return z != Complex(0); }));
-  if (figures.fixed_vertices == 0) {
-    throw Error(
-        "--anchor-boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "
-        "field by --along or --rotate, or leave out the option");
-  }
-  return stripes;
-}
 
 std::string text_of(const Winding& winding) { return winding ? std::to_string(*winding) : "none"; }
 
@@ -58,51 +38,7 @@ std::string differences(const MakingFigures& figures) {
   return text;
 }
 
-// With the phases of `stripes` fixed where a boundary asks for them.
-StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& stripes,
-                            const MakingOptions& options, const Progress& progress,
-                            MakingFigures& figures) {
-  if (options.windings.empty()) {
-    stripes = with_boundary(surface, waves, stripes, options, figures);
-    return stripe_pattern(surface, std::move(waves), stripes, progress);
-  }
-  WoundPattern wound = wind(surface, stripe_pattern(surface, std::move(waves), stripes, progress),
-                            options.windings, stripes, progress);
-  figures.windings_before = wound.before;
-  figures.energy_before = wound.energy_before;
-  figures.largest_turn_deg = wound.largest_turn_deg;
-  figures.mean_turn_deg = wound.mean_turn_deg;
-  figures.largest_frequency_change = wound.largest_frequency_change;
-  if (!options.anchor_boundary) return std::move(wound.pattern);
-  stripes = with_boundary(surface, wound.pattern.waves, stripes, options, figures);
-  WaveSet turned = wound.pattern.waves;
-  return stripes_of_yielded(surface, std::move(turned), wound.pattern, stripes, progress);
-}
-
 }  // namespace
-
-StripePattern make_pattern(const Surface& surface, WaveSet waves, StripeOptions stripes,
-                           const MakingOptions& options, const Progress& progress,
-                           MakingFigures& figures) {
-  StripePattern pattern =
-      wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
-  if (options.merge_branches) {
-    figures.merged = merge_branches(surface, pattern, static_cast<double>(*options.merge_branches),
-                                    stripes, progress);
-  }
-  return pattern;
-}
-
-void measure_windings(const Surface& surface, const StripePattern& pattern,
-                      MakingFigures& figures) {
-  figures.loops = surface_loops(surface);
-  figures.windings = windings(surface, figures.loops, pattern);
-  for (const SurfaceLoop& loop : figures.loops) {
-    figures.branches.push_back(branches_of_piece(surface, loop, pattern));
-    figures.centers.push_back(loop.center + surface.mesh.origin);
-  }
-  figures.sums = winding_sums(surface, figures.loops, pattern);
-}
 
 void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json) {
   auto loops = nlohmann::ordered_json::array();

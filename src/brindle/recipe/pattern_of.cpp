@@ -1,0 +1,203 @@
+#include "brindle/pattern_of.h"
+
+#include <utility>
+
+#include "brindle/base/ranges.h"
+#include "brindle/boundary_phases.h"
+#include "brindle/error.h"
+#include "brindle/pipeline/yielded_stripes.h"
+#include "brindle/waves_of.h"
+
+namespace brindle {
+namespace {
+
+// What was asked of boundaries, which a wave that was turned no longer is asked.
+StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, StripeOptions stripes,
+                            const MakingOptions& options, MakingFigures& figures) {
+  if (!options.anchor_boundary) return stripes;
+  stripes.fixed_phases = boundary_phases(surface, waves, *options.anchor_boundary);
+  figures.fixed_vertices = static_cast<std::size_t>(
+      ranges::count_if(stripes.fixed_phases, [](const Complex& z) { return z != Complex(0); }));
+  if (figures.fixed_vertices == 0) {
+    throw Error(
+        "--anchor-boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "
+        "field by --along or --rotate, or leave out the option");
+  }
+  return stripes;
+}
+
+// With the phases of `stripes` fixed where a boundary asks for them.
+StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& stripes,
+                            const MakingOptions& options, const Progress& progress,
+                            MakingFigures& figures) {
+  if (options.windings.empty()) {
+    stripes = with_boundary(surface, waves, stripes, options, figures);
+    return stripe_pattern(surface, std::move(waves), stripes, progress);
+  }
+  WoundPattern wound = wind(surface, stripe_pattern(surface, std::move(waves), stripes, progress),
+                            options.windings, stripes, progress);
+  figures.windings_before = wound.before;
+  figures.energy_before = wound.energy_before;
+  figures.largest_turn_deg = wound.largest_turn_deg;
+  figures.mean_turn_deg = wound.mean_turn_deg;
+  figures.largest_frequency_change = wound.largest_frequency_change;
+  if (!options.anchor_boundary) return std::move(wound.pattern);
+  stripes = with_boundary(surface, wound.pattern.waves, stripes, options, figures);
+  WaveSet turned = wound.pattern.waves;
+  return stripes_of_yielded(surface, std::move(turned), wound.pattern, stripes, progress);
+}
+
+StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions stripes,
+                           const MakingOptions& options, const Progress& progress,
+                           MakingFigures& figures) {
+  StripePattern pattern =
+      wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
+  if (options.merge_branches) {
+    figures.merged = merge_branches(surface, pattern, static_cast<double>(*options.merge_branches),
+                                    stripes, progress);
+  }
+  return pattern;
+}
+
+TexturePattern made_texture(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
+                            const Progress& progress) {
+  return texture_pattern(surface, std::move(waves),
+                         {wishes.frequencies_v, wishes.oriented, wishes.solving}, progress);
+}
+
+MadeCrosses made_crosses(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
+                         const Progress& progress) {
+  CrossPattern cross = cross_pattern(surface, waves, options, progress.part(0, 0.9));
+  CrossTexture texture =
+      cross_texture(surface, cross, options.phase_shift, progress.part(0.9, 1).step("texture"));
+  return {std::move(cross), std::move(texture)};
+}
+
+bool is_made_by_hand(const MakingOptions& making) {
+  return making.anchor_boundary || !making.windings.empty() || making.merge_branches ||
+         making.measure_windings;
+}
+
+void check_wishes(const PatternWishes& wishes) {
+  if (wishes.kind != PatternKind::stripes && is_made_by_hand(wishes.making)) {
+    throw Error(
+        "windings, anchored boundaries and merged branches are for stripes: ask for no texture and "
+        "no crosses, or leave them out");
+  }
+  if (wishes.kind != PatternKind::texture && (wishes.oriented || !wishes.frequencies_v.empty())) {
+    throw Error(
+        "frequencies of V and directions that are vectors are for textures: ask for one, or leave "
+        "them out");
+  }
+}
+
+StripeMilliseconds times_of(const FrameMilliseconds& frame) {
+  StripeMilliseconds times;
+  times.frequency = frame.frequency;
+  times.couple = frame.couple;
+  times.solve = frame.sum + frame.solve;
+  return times;
+}
+
+StripePattern pattern_of_frame(const TexturePatternFrame& frame, WaveSet waves, double energy,
+                               PhaseShiftKind phase_shift) {
+  StripePattern pattern =
+      brindle::pattern_of_frame(frame.stripes, std::move(waves), energy, phase_shift);
+  pattern.corners.assign(frame.corners.begin(), frame.corners.end());
+  pattern.quality = frame.quality;
+  return pattern;
+}
+
+}  // namespace
+
+MadePattern pattern_of(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
+                       const Progress& progress) {
+  check_wishes(wishes);
+  switch (wishes.kind) {
+    case PatternKind::stripes:
+      break;
+    case PatternKind::texture:
+      return {made_texture(surface, std::move(waves), wishes, progress)};
+    case PatternKind::crosses:
+      return {made_crosses(surface, waves, wishes.solving, progress)};
+  }
+  MakingFigures figures;
+  StripePattern stripes =
+      made_stripes(surface, std::move(waves), wishes.solving, wishes.making, progress, figures);
+  const bool winds = wishes.making.measure_windings || !wishes.making.windings.empty();
+  if (winds) measure_windings(surface, stripes, figures);
+  return {std::move(stripes), std::move(figures)};
+}
+
+void measure_windings(const Surface& surface, const StripePattern& pattern,
+                      MakingFigures& figures) {
+  figures.loops = surface_loops(surface);
+  figures.windings = windings(surface, figures.loops, pattern);
+  figures.branches.clear();
+  figures.centers.clear();
+  for (const SurfaceLoop& loop : figures.loops) {
+    figures.branches.push_back(branches_of_piece(surface, loop, pattern));
+    figures.centers.push_back(loop.center + surface.mesh.origin);
+  }
+  figures.sums = winding_sums(surface, figures.loops, pattern);
+}
+
+StripePattern pattern_of_frame(const FrameResult& frame, WaveSet waves, double energy,
+                               PhaseShiftKind phase_shift) {
+  StripePattern pattern;
+  pattern.waves = std::move(waves);
+  if (!frame.frequencies.empty()) {
+    pattern.frequencies_wanted = std::exchange(
+        pattern.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
+    pattern.frequency_change = frame.frequency_change;
+  }
+  pattern.phase_shift = phase_shift;
+  pattern.solution.z.assign(frame.z.begin(), frame.z.end());
+  pattern.solution.energy = energy;
+  pattern.milliseconds = times_of(frame.milliseconds);
+  return pattern;
+}
+
+TexturePattern pattern_of_frame(const TextureFrameResult& frame, const TextureAnimator& animator,
+                                WaveSet waves, std::span<const float> frequencies_v,
+                                std::span<const Vec3> normals, PhaseShiftKind phase_shift) {
+  WaveSet v = waves_across(waves, normals, frequencies_v);
+  TexturePattern pattern;
+  pattern.u = pattern_of_frame(frame.u, std::move(waves), animator.energy_u(), phase_shift);
+  pattern.v = pattern_of_frame(frame.v, std::move(v), animator.energy_v(), phase_shift);
+  pattern.waves = frame.waves;
+  pattern.seams = frame.seams;
+  pattern.quality = frame.quality;
+  pattern.phase_shift = phase_shift;
+  pattern.orientation_milliseconds = frame.milliseconds.orient + frame.milliseconds.measure;
+  return pattern;
+}
+
+TexturePattern pattern_of_frame(const CrossFrameResult& frame, const CrossAnimator& animator,
+                                PhaseShiftKind phase_shift) {
+  TexturePattern pattern;
+  StripePattern& u = pattern.u;
+  const WaveSet& nodes = frame.cover.waves;
+  u.waves.positions = frame.mesh.positions;
+  u.waves.directions.assign(frame.mesh.vertex_count(), Vec3::Zero());
+  u.waves.frequencies.assign(frame.mesh.vertex_count(), nodes.frequencies.front());
+  for (std::size_t i = 0; 2 * i < nodes.directions.size(); ++i) {
+    u.waves.directions[i] = nodes.directions[2 * i];
+    u.waves.frequencies[i] = nodes.frequencies[2 * i];
+  }
+  u.corners = corner_phases(frame.waves.u, phase_shift);
+  for (std::size_t t = frame.cover.base.size(); t < u.corners.size(); ++t) {
+    u.corners[t].kind = TriangleKind::field_singularity;  // parts of singular triangles
+  }
+  u.phase_shift = phase_shift;
+  u.solution.energy = animator.energy();
+  u.quality = frame.quality;
+  u.milliseconds = times_of(frame.stripes.milliseconds);
+  pattern.waves = frame.waves;
+  pattern.quality = frame.texture;
+  pattern.phase_shift = phase_shift;
+  pattern.orientation_milliseconds = frame.milliseconds.orient + frame.milliseconds.measure;
+  return pattern;
+}
+
+}  // namespace brindle
