@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -85,13 +85,18 @@ std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
   return kind == PhaseShiftKind::common_source ? std::nullopt : kind;
 }
 
-// What only series have.
-constexpr const char* kFieldOptions[] = {
-    "--field",         "--curvature-direction", "--curvature-anchor", "--feature-anchor",
-    "--feature-angle", "--feature-radius",      "--strokes",          "--rotate",
-    "--tensor",        "--frequency-by",        "--frequency-range",  "--field-mesh",
-    "--max-distance",  "--field-detail",        "--field-weight",     "--fill",
-    "--field-arrows",  "--field-singularities", "--frequency-detail", "--field-memory"};
+/// What of fields and waves only series have: all but what scenes have, too.
+std::vector<std::string> series_options() {
+  const std::set<std::string_view> of_scenes = {"direction", "along", "stripes", "frequency"};
+  std::vector<std::string> options;
+  for (const OptionInfo& row : option_table()) {
+    const bool of_waves =
+        row.group == "Field" || (row.group == "Stripes" && has(row.stale, OptionStage::waves));
+    if (!row.is_for(PatternJob::animate) || !of_waves || of_scenes.contains(row.name)) continue;
+    options.push_back("--" + std::string(row.name));
+  }
+  return options;
+}
 
 void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   AnimationOptions& animation = arguments.animation;
@@ -101,7 +106,7 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   add_parsed_option(app, "--field-memory", arguments.waves.detail.memory,
                     parse_not_negative_number);
   describe_options(app, PatternJob::animate);
-  for (const char* option : kFieldOptions) {
+  for (const std::string& option : series_options()) {
     CLI::Option* added = app.get_option(option);
     added->description("series: " + added->get_description());
   }
@@ -213,8 +218,7 @@ void check_series_options(const CLI::App& command, const AnimateArguments& argum
 
 void check_scene_options(const CLI::App& command, const AnimateArguments& arguments) {
   refuse_given(command, {"--between", "--match"}, "it is for --series");
-  refuse_given(command, {std::begin(kFieldOptions), std::end(kFieldOptions)},
-               "scenes have fields of their own; add --series");
+  refuse_given(command, series_options(), "scenes have fields of their own; add --series");
   if (!arguments.waves.arrays.frequency.empty()) {
     throw CLI::ValidationError("--frequency", "arrays are for --series");
   }

@@ -227,7 +227,7 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
                                       const SmoothFieldOptions& options, HierarchyBounds bounds) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
-  ranks.together([&] { check(options); });
+  ranks.together([&] { check_smoothing(options); });
   if (surface.vertices == 0) return {};
   const auto normals = std::span(surface.normals).first(surface.graph.node_count());
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);

@@ -56,6 +56,21 @@ std::vector<Index> twins_of(std::span<const Triangle> triangles) {
   return twins;
 }
 
+/// What of a mesh stays the same for all its textures.
+struct MeshEdgeTwins {
+  explicit MeshEdgeTwins(std::span<const Triangle> all)
+      : triangles(all.begin(), all.end()), twins(twins_of(all)) {
+    for (Index h = 0; h < twins.size() && wound_alike; ++h) {
+      const Index twin = twins[h];
+      wound_alike = twin >= kManyTwins || triangles[h / 3][h % 3] != triangles[twin / 3][twin % 3];
+    }
+  }
+
+  std::vector<Triangle> triangles;
+  std::vector<Index> twins;
+  bool wound_alike = true;  ///< on both sides of every edge
+};
+
 /// To the nearest whole number; without a call, which is half of the time otherwise.
 float nearest_whole(float x) {
   return static_cast<float>(static_cast<std::int32_t>(x < 0 ? x - 0.5f : x + 0.5f));
@@ -110,12 +125,16 @@ struct Stretch {
   bool empty() const { return !(begin <= end); }
 };
 
+/// Neither both axes nor what is orthogonal to the segment part it from the rectangle.
 bool meets(const Place& a, const Place& b, const Rect& rect) {
-  Stretch stretch;
-  for (int axis = 0; axis < 2; ++axis) {
-    stretch.bound(a[axis], b[axis], rect.min()[axis], rect.max()[axis]);
+  const Place least = a.cwiseMin(b), most = a.cwiseMax(b);
+  if ((least.array() > rect.max().array()).any() || (most.array() < rect.min().array()).any()) {
+    return false;
   }
-  return !stretch.empty();
+  const Place along = b - a, half = (rect.max() - rect.min()) / 2;
+  const Place from = a - (rect.min() + half);
+  return std::abs(along.x() * from.y() - along.y() * from.x()) <=
+         half.x() * std::abs(along.y()) + half.y() * std::abs(along.x());
 }
 
 /// Calls `visit(middle)` for every figure of one kind that a segment meets; `rect` is what that
@@ -145,26 +164,49 @@ struct ListedFigure {
   std::uint32_t next;  ///< one more than its place among all; 0: none
 };
 
-// Of a triangle's coordinates.
-constexpr std::uint8_t kOpen = 0, kClosed = 1, kMirrored = 2;
+// Of a triangle's coordinates: whether they close, and the sign of their area.
+constexpr std::uint8_t kOpen = 0, kClosed = 1, kMirrored = 2, kClosing = 3;
+constexpr int kSignsAt = 2;  // above, bits of CornerSigns that say how waves were turned
+
+/// Which waves at the ends of an edge were turned, from the corner on and back to it, by the
+/// CornerSigns of the triangle: U and V at the first end, then at the second.
+struct EdgeSigns {
+  std::array<std::array<std::uint8_t, 3>, kTurnedRound + 1> onward{}, back{};
+
+  EdgeSigns() {
+    for (CornerSigns signs = 0; signs <= kTurnedRound; ++signs) {
+      for (Index corner = 0; corner < 3; ++corner) {
+        const Index next = corner == 2 ? 0 : corner + 1;
+        onward[signs][corner] = at(signs, corner, next);
+        back[signs][corner] = at(signs, next, corner);
+      }
+    }
+  }
+  static std::uint8_t at(CornerSigns signs, Index first, Index second) {
+    const unsigned of_first = (turns_u(signs, first) ? 1 : 0) | (turns_v(signs, first) ? 2 : 0);
+    const unsigned of_second = (turns_u(signs, second) ? 4 : 0) | (turns_v(signs, second) ? 8 : 0);
+    return static_cast<std::uint8_t>(of_first | of_second);
+  }
+};
 
 /// A texture on a mesh, and how far breaks reach.
 class Breaks {
  public:
-  Breaks(std::span<const Triangle> triangles, std::span<const Index> twins,
-         std::span<const CornerPhases> u, std::span<const CornerPhases> v,
-         std::span<const CornerSigns> turned, const TileFigures& figures)
-      : triangles_(triangles),
-        twins_(twins),
+  Breaks(const MeshEdgeTwins& mesh, std::span<const CornerPhases> u,
+         std::span<const CornerPhases> v, std::span<const CornerSigns> turned,
+         const TileFigures& figures)
+      : triangles_(mesh.triangles),
+        twins_(mesh.twins),
+        wound_alike_(mesh.wound_alike),
+        u_(u),
+        v_(v),
+        turned_(turned),
         figures_(figures),
-        places_(u.size()),
         closed_(u.size()),
         ends_(figures.split ? u.size() : 0),
         lists_(u.size()) {
     parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t) {
-        lift(t, u[t], v[t], turned.empty() ? CornerSigns{0} : turned[t]);
-      }
+      for (std::size_t t = begin; t < end; ++t) close(t);
     });
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
       const Rect& covered = figures.extents[kind];
@@ -186,7 +228,9 @@ class Breaks {
     BrokenTiles broken{figures_.layout, figures_.shift, figures_.split, {}};
     const std::size_t count = closed_.size();
     const std::vector<std::uint8_t>& all = figures_.split ? ends_ : closed_;
-    const auto is_whole = [&](std::uint8_t flag) { return (flag == 0) == figures_.split; };
+    const auto is_whole = [&](std::uint8_t flag) {
+      return figures_.split ? flag == 0 : (flag & kClosing) != kOpen;
+    };
     if (listed_.empty() && ranges::all_of(all, is_whole)) return broken;
     broken.words.assign(count, 0);
     std::vector<Middle> middles;
@@ -214,40 +258,59 @@ class Breaks {
 
   std::size_t kinds() const { return figures_.layout == TileLayout::single ? 1 : 2; }
 
+  CornerSigns signs_of(std::size_t t) const {
+    return turned_.empty() ? CornerSigns{0} : turned_[t];
+  }
+
   /// Phases are those of waves that run as the first corner's own; turned round, coordinates are
   /// negated.
-  void lift(std::size_t t, const CornerPhases& u, const CornerPhases& v, CornerSigns turned) {
-    std::array<Place, 3>& places = places_[t];
+  Place place(std::size_t t, Index m) const {
+    const CornerSigns signs = signs_of(t);
+    const Place sense(turns_u(signs, 0) ? -1.0f : 1.0f, turns_v(signs, 0) ? -1.0f : 1.0f);
+    const Place own = Place(u_[t].phase[m], v_[t].phase[m]) / kTwoPi + Place(0.25f, 0.25f);
+    return own.cwiseProduct(sense) - figures_.shift;
+  }
+
+  Place place(Index corner) const { return place(corner / 3, corner % 3); }
+
+  std::array<Place, 3> places(std::size_t t) const {
+    return {place(t, 0), place(t, 1), place(t, 2)};
+  }
+
+  void close(std::size_t t) {
+    const CornerPhases &u = u_[t], &v = v_[t];
+    const CornerSigns signs = signs_of(t);
     bool closed = u.kind == TriangleKind::regular && v.kind == TriangleKind::regular &&
-                  (turned & kUnoriented) == 0;
-    const Place sense(turns_u(turned, 0) ? -1.0f : 1.0f, turns_v(turned, 0) ? -1.0f : 1.0f);
+                  (signs & kUnoriented) == 0;
     for (Index m = 0; m < 3; ++m) {
-      const Place own = Place(u.phase[m], v.phase[m]) / kTwoPi + Place(0.25f, 0.25f);
-      places[m] = own.cwiseProduct(sense) - figures_.shift;
-      closed = closed && (u.sign[m] > 0) == (turns_u(turned, m) == turns_u(turned, 0)) &&
-               (v.sign[m] > 0) == (turns_v(turned, m) == turns_v(turned, 0));
+      closed = closed && (u.sign[m] > 0) == (turns_u(signs, m) == turns_u(signs, 0)) &&
+               (v.sign[m] > 0) == (turns_v(signs, m) == turns_v(signs, 0));
     }
     // Beyond, rounding leaves nothing of where a tile is.
     constexpr float kFarthest = 1e6f;
+    const std::array<Place, 3> lifted = places(t);
     const auto near = [](const Place& p) { return p.cwiseAbs().maxCoeff() < kFarthest; };
-    const bool all_near = ranges::all_of(places, near);
-    const float area = doubled_area(places);
-    closed_[t] = !closed || !all_near || area == 0 ? kOpen : area > 0 ? kClosed : kMirrored;
+    const bool all_near = ranges::all_of(lifted, near);
+    const float area = doubled_area(lifted);
+    const std::uint8_t closing = !closed || !all_near || area == 0 ? kOpen
+                                 : area > 0                        ? kClosed
+                                                                   : kMirrored;
+    closed_[t] = static_cast<std::uint8_t>(closing | (signs & kTurnedRound) << kSignsAt);
     if (!figures_.split) return;
     ends_[t] = u.kind == TriangleKind::branch && v.kind == TriangleKind::regular && all_near;
   }
 
-  const Place& place(Index corner) const { return places_[corner / 3][corner % 3]; }
+  std::uint8_t closing(std::size_t t) const { return closed_[t] & kClosing; }
 
   /// Along an edge of triangles whose coordinates close. Lengths and signs of areas leave no choice
   /// between turns.
   std::optional<Passage> passage(Index h, Index twin) const {
     // Triangles that are wound alike run along their edge in opposite ways.
     const bool alike = vertices_alike(h, twin);
-    const Place &from = place(h), &to = place(next_corner(h));
-    const Place& other_from = place(alike ? next_corner(twin) : twin);
-    const Place& other_to = place(alike ? twin : next_corner(twin));
-    const bool same_side = closed_[h / 3] == closed_[twin / 3];
+    const Place from = place(h), to = place(next_corner(h));
+    const Place other_from = place(alike ? next_corner(twin) : twin);
+    const Place other_to = place(alike ? twin : next_corner(twin));
+    const bool same_side = closing(h / 3) == closing(twin / 3);
     for (unsigned turn = 0; turn < 8; ++turn) {
       if (mirrors(turn) != (same_side != alike)) continue;
       const Place away = other_from - turned(from, turn), away_to = other_to - turned(to, turn);
@@ -262,22 +325,49 @@ class Breaks {
     return std::nullopt;
   }
 
+  /// The same from a place that is known, without a search nearly everywhere.
+  std::optional<Passage> passage_from(Index t, Index corner, const Place& from, Index twin) const {
+    const bool plainly = !turned_.empty() && joins_plainly(t, corner, twin);
+    if (!plainly || (figures_.symmetries & 1) == 0) return passage(3 * t + corner, twin);
+    const Place away = place(next_corner(twin)) - from;
+    return Passage{0, static_cast<std::int32_t>(nearest_whole(away.x())),
+                   static_cast<std::int32_t>(nearest_whole(away.y()))};
+  }
+
   bool vertices_alike(Index h, Index twin) const {
     return triangles_[h / 3][h % 3] != triangles_[twin / 3][twin % 3];
   }
 
-  /// The same, where coordinates differ by whole tiles alone and triangles are wound alike: nearly
-  /// everywhere. Says no of all other edges.
+  /// Whether coordinates of both sides differ by whole tiles alone, as they do nearly everywhere:
+  /// triangles are wound alike, and the waves at the edge's ends run alike in both. Says no also of
+  /// edges of which only `passage` knows.
   bool joins_plainly(std::size_t t, Index corner, Index twin) const {
     const Index there = twin / 3, at = twin - 3 * there;
-    if (closed_[t] != closed_[there]) return false;
+    const std::uint8_t own = closed_[t], other = closed_[there];
+    if (((own ^ other) & kClosing) != 0) return false;
+    if (!wound_alike_ && triangles_[t][corner] == triangles_[there][at]) return false;
+    return signs_.onward[own >> kSignsAt][corner] == signs_.back[other >> kSignsAt][at];
+  }
+
+  /// The same of waves that corners have of their own, whose signs say nothing.
+  bool meets_plainly(std::size_t t, Index corner, Index twin) const {
+    const Index there = twin / 3, at = twin - 3 * there;
+    if (closed_[t] != closed_[there] || triangles_[t][corner] == triangles_[there][at]) {
+      return false;
+    }
     const Index next = corner == 2 ? 0 : corner + 1, next_there = at == 2 ? 0 : at + 1;
-    if (triangles_[t][corner] == triangles_[there][at]) return false;
-    const Place away = places_[there][next_there] - places_[t][corner];
-    const Place away_to = places_[there][at] - places_[t][next];
+    const std::array<Place, 3> own = places(t), other = places(there);
+    const Place away = other[next_there] - own[corner], away_to = other[at] - own[next];
     const Place whole(nearest_whole(away.x()), nearest_whole(away.y()));
     const Place rest = (away - whole).cwiseAbs().cwiseMax((away_to - whole).cwiseAbs());
     return rest.maxCoeff() <= kRounding;
+  }
+
+  bool is_joined(std::size_t t, Index corner, Index twin) const {
+    if (closing(t) == kOpen || closing(twin / 3) == kOpen) return false;
+    const bool plainly =
+        turned_.empty() ? meets_plainly(t, corner, twin) : joins_plainly(t, corner, twin);
+    return plainly || passage(static_cast<Index>(3 * t + corner), twin);
   }
 
   std::vector<std::uint8_t> torn_half_edges(const Progress& progress) const {
@@ -288,15 +378,11 @@ class Breaks {
           const auto h = static_cast<Index>(3 * t + corner);
           const Index twin = twins_[h];
           if (twin >= kManyTwins) {
-            torn[h] = closed_[t];
-          } else if (h < twin) {
+            torn[h] = closing(t);
+          } else if (h < twin && !is_joined(t, corner, twin)) {
             // No other triangle writes to its twin.
-            const std::uint8_t own = closed_[t], other = closed_[twin / 3];
-            const bool joined =
-                own && other && (joins_plainly(t, corner, twin) || passage(h, twin));
-            if (joined) continue;
-            torn[h] = own;
-            torn[twin] = other;
+            torn[h] = closing(t);
+            torn[twin] = closing(twin / 3);
           }
         }
       }
@@ -326,18 +412,18 @@ class Breaks {
       if (!ends_[t]) return;
       for (Index h = static_cast<Index>(3 * t); h < 3 * t + 3; ++h) {
         const Index twin = twins_[h];
-        if (twin < kManyTwins && closed_[twin / 3]) split_beyond(h, twin);
+        if (twin < kManyTwins && closing(twin / 3) != kOpen) split_beyond(h, twin);
       }
     });
   }
 
   /// The figures beyond an edge of such a triangle that are in the course of its middle.
   void split_beyond(Index h, Index twin) {
-    const std::array<Place, 3>& own = places_[h / 3];
+    const std::array<Place, 3> own = places(h / 3);
     const float middle = (own[0].y() + own[1].y() + own[2].y()) / 3;
     const bool alike = vertices_alike(h, twin);
-    const Place& from = place(alike ? next_corner(twin) : twin);
-    const Place& to = place(alike ? twin : next_corner(twin));
+    const Place from = place(alike ? next_corner(twin) : twin);
+    const Place to = place(alike ? twin : next_corner(twin));
     const float along = place(next_corner(h)).y() - place(h).y(), there = to.y() - from.y();
     const float sense = std::abs(there + along) < std::abs(there - along) ? -1.0f : 1.0f;
     const float course = from.y() + sense * (middle - place(h).y());
@@ -352,7 +438,7 @@ class Breaks {
   /// Breaks those of the figures that an edge meets which `counts` takes, all of each.
   template <class Counts>
   void break_along(Index h, const Counts& counts) {
-    const Place &a = place(h), &b = place(next_corner(h));
+    const Place a = place(h), b = place(next_corner(h));
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
       figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const Middle& m) {
         if (counts(m) && list(h / 3, m)) pending_.push_back({h / 3, m});
@@ -367,11 +453,12 @@ class Breaks {
 
   void pass_on(Index t, const Middle& middle) {
     const Rect rect = rect_of(middle);
-    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-      const Index twin = twins_[h];
-      if (twin >= kManyTwins || !closed_[twin / 3]) continue;
-      if (!meets(place(h), place(next_corner(h)), rect)) continue;
-      const auto way = passage(h, twin);
+    const std::array<Place, 3> own = places(t);
+    for (Index corner = 0; corner < 3; ++corner) {
+      const Index twin = twins_[3 * t + corner];
+      if (twin >= kManyTwins || closing(twin / 3) == kOpen) continue;
+      if (!meets(own[corner], own[corner == 2 ? 0 : corner + 1], rect)) continue;
+      const auto way = passage_from(t, corner, own[corner], twin);
       if (!way) continue;
       const Middle there = way->of(middle);
       if (list(twin / 3, there)) pending_.push_back({twin / 3, there});
@@ -381,9 +468,10 @@ class Breaks {
   void add_record(std::size_t t, const std::vector<Middle>& middles,
                   std::vector<std::uint32_t>& words) const {
     words[t] = static_cast<std::uint32_t>(words.size());
+    const std::array<Place, 3> lifted = places(t);
     for (int axis = 0; axis < 2; ++axis) {
-      for (const Place& place : places_[t]) {
-        words.push_back(bit_cast<std::uint32_t>(place[axis]));
+      for (const Place& at : lifted) {
+        words.push_back(bit_cast<std::uint32_t>(at[axis]));
       }
     }
     words.push_back(static_cast<std::uint32_t>(middles.size()));
@@ -395,12 +483,14 @@ class Breaks {
 
   std::span<const Triangle> triangles_;
   std::span<const Index> twins_;
+  bool wound_alike_;
+  std::span<const CornerPhases> u_, v_;
+  std::span<const CornerSigns> turned_;  ///< empty: corners have waves of their own
   const TileFigures& figures_;
-  std::array<Rect, 2> reach_;  ///< from middles: where triangles list a figure
-  std::array<Rect, 2> rects_;  ///< of the first figures: what has to be clear
-  std::vector<std::array<Place, 3>> places_;
-  std::vector<std::uint8_t> closed_;  ///< whether a triangle's coordinates close, and the sign of
-                                      ///< its area in them
+  EdgeSigns signs_;
+  std::array<Rect, 2> reach_;         ///< from middles: where triangles list a figure
+  std::array<Rect, 2> rects_;         ///< of the first figures: what has to be clear
+  std::vector<std::uint8_t> closed_;  ///< how a triangle's coordinates close, and its signs
   std::vector<std::uint8_t> ends_;    ///< of figures that are split: where U alone does not
   std::vector<std::uint32_t> lists_;  ///< of every triangle: one more than the place of the newest
   std::vector<ListedFigure> listed_;
@@ -446,13 +536,11 @@ bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
 }
 
 struct BrokenTileFinder::State {
-  std::vector<Triangle> triangles;
-  std::vector<Index> twins;
+  MeshEdgeTwins mesh;
 };
 
 BrokenTileFinder::BrokenTileFinder(std::span<const Triangle> triangles)
-    : state_(std::make_shared<const State>(
-          State{{triangles.begin(), triangles.end()}, twins_of(triangles)})) {}
+    : state_(std::make_shared<const State>(State{MeshEdgeTwins(triangles)})) {}
 
 BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
                                    const TileFigures& figures, const Progress& progress) const {
@@ -462,13 +550,14 @@ BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<co
 BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
                                    std::span<const std::uint8_t> turned, const TileFigures& figures,
                                    const Progress& progress) const {
-  const State& s = *state_;
+  const MeshEdgeTwins& mesh = state_->mesh;
+  const std::size_t count = mesh.triangles.size();
   check_figures(figures);
-  if (u.size() != s.triangles.size() || v.size() != s.triangles.size()) {
+  if (u.size() != count || v.size() != count) {
     throw Error("tiles: there are waves of " + std::to_string(u.size()) + " and " +
-                std::to_string(v.size()) + " triangles for " + std::to_string(s.triangles.size()));
+                std::to_string(v.size()) + " triangles for " + std::to_string(count));
   }
-  Breaks breaks(s.triangles, s.twins, u, v, turned, figures);
+  Breaks breaks(mesh, u, v, turned, figures);
   breaks.spread(progress);
   return breaks.result();
 }

@@ -11,7 +11,7 @@
 namespace brindle {
 
 /// Throws Error for options out of range.
-void check(const SmoothFieldOptions& options);
+void check_smoothing(const SmoothFieldOptions& options);
 
 /// How far the principal curvatures of each vertex differ.
 std::vector<float> curvature_differences(std::span<const PrincipalCurvature> curvatures);

@@ -42,7 +42,7 @@ void require(bool holds, const std::string& message) {
 
 bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
 
-void check(const FieldDetailOptions& options) {
+void check_detail(const FieldDetailOptions& options) {
   check_scale("measured field", options.periods, options.fill);
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
   require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
@@ -107,7 +107,7 @@ struct FieldDatum {
 struct FieldDetail::State {
   State(const Surface& given, const FieldDetailOptions& wanted, const Progress& progress)
       : options(wanted), surface(given) {
-    check(options);
+    check_detail(options);
     check_positions(surface.mesh.positions);
     require(!options.singularities || !surface.mesh.triangles.empty(),
             "points have no triangles that a field could turn round");

@@ -119,7 +119,7 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
 
 }  // namespace
 
-void check(const SmoothFieldOptions& options) {
+void check_smoothing(const SmoothFieldOptions& options) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw Error(std::string("smooth field: ") + message);
   };
@@ -135,7 +135,7 @@ void check(const SmoothFieldOptions& options) {
 
 DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options,
                                       const Progress& progress) {
-  check(options);
+  check_smoothing(options);
   check_positions(surface.mesh.positions);
   if (surface.mesh.vertex_count() == 0) return {};
   check_known(options.last, surface.mesh.vertex_count(), "the last field");
