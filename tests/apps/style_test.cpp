@@ -194,6 +194,9 @@ TEST_F(StyleTool, DrawsOutlinesOfStripes) {
             std::string::npos);
   EXPECT_NE(svg.find("<g id=\"stripes\" fill=\"#1c325a\""), std::string::npos);
   EXPECT_NE(svg.find("<g id=\"lines\" fill=\"none\""), std::string::npos);
+  EXPECT_NE(svg.find("stroke-width=\"1.20\""), std::string::npos) << "as wide as in pictures";
+  const std::size_t path = svg.find("<path d=\"M") + 10;
+  EXPECT_LT(svg.find('c', path), svg.find('"', path)) << "curves";
   const Arguments to_svg = {"stripe", "shape:torus,resolution=24", "-o", "out.svg"};
   for (const Arguments& more : std::vector<Arguments>{{"--color-by", "height"},
                                                       {"--transparent"},
