@@ -208,6 +208,31 @@ TEST_F(StyleTool, DrawsOutlinesOfStripes) {
   }
 }
 
+// Where the tool was built without Cairo, its message says how to have it.
+TEST_F(StyleTool, WritesDrawingsAsPdf) {
+  const auto draw = [&](const std::string& name) {
+    return run({"stripe", "shape:torus,resolution=24", "--stripes", "8", "--outline", "solid", "-o",
+                name, "--size", "96x72", "-q"});
+  };
+  const ToolResult result = draw("out.pdf");
+  if (result.exit_code == 2) {
+    EXPECT_NE(result.err.find("BRINDLE_CAIRO"), std::string::npos) << result.err;
+    return;
+  }
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string pdf = content(folder / "out.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_NE(pdf.find("/MediaBox [ 0 0 72 54 ]"), std::string::npos) << "96 pixels are an inch";
+  EXPECT_EQ(pdf.find("/CreationDate"), std::string::npos);
+  ASSERT_EQ(draw("again.pdf").exit_code, 0);
+  EXPECT_EQ(content(folder / "again.pdf"), pdf);
+  EXPECT_EQ(run({"curves", "shape:torus,resolution=24", "--stripes", "8", "-o", "lines.pdf",
+                 "--size", "96x72", "-q"})
+                .exit_code,
+            0);
+  EXPECT_TRUE(content(folder / "lines.pdf").starts_with("%PDF-"));
+}
+
 TEST_F(StyleTool, GlyphsFollowValues) {
   const auto glyphs = [&](const Arguments& more) {
     Arguments arguments = {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
 #include "brindle/line_drawing.h"
 #include "brindle/stripe_outlines.h"
+#include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
@@ -40,7 +40,7 @@ void write_outlines(const std::filesystem::path& path, const StyledPicture& pict
   for (Pen& pen : pens_on_top(picture, style, progress.part(kTraced, kLined))) {
     if (!pen.strokes.empty()) pens.push_back(std::move(pen));
   }
-  write_svg(path, render.width, render.height, pens, progress.part(kLined, 1));
+  write_drawing(path, render.width, render.height, pens, progress.part(kLined, 1));
 }
 
 StyledScene scene_of(const Surface& surface, const StripeResult& result, const StyleOptions& style,
@@ -144,7 +144,7 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
                           const StyleOptions& style, const StyleInput& input,
                           const PictureOptions& picture, const Progress& progress) {
   StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
-  if (lower_extension(path) == ".svg") {
+  if (is_drawing_file(path)) {
     return write_outlines(path, styled, style, progress);
   }
   constexpr double kPainted = 0.5;
