@@ -77,6 +77,8 @@ struct Pen {
   float width = 1;  ///< pixels
   std::vector<Stroke> strokes;
   bool filled = false;  ///< strokes are closed and bound an area; those within are its holes
+  /// Strokes are smooth: a point, then two control points and the end of each cubic Bézier.
+  bool curved = false;
 };
 
 /// Lines to draw with one pen.

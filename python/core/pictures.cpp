@@ -87,6 +87,10 @@ HeldLines pen_lines(const std::string& name, const std::string& color, py::handl
 
 void draw_lines(const std::string& path, const SurfaceData& data,
                 const std::vector<HeldLines>& pens, const Picture& picture) {
+  if (path.ends_with(".pdf")) {
+    throw Error("cannot draw '" + path +
+                "': a drawing is an .svg here; brindle curves writes .pdf");
+  }
   const RenderOptions& options = picture.options;
   const Surface& surface = data.surface;
   std::vector<PenLines> lines;

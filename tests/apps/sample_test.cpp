@@ -83,7 +83,7 @@ TEST_F(SampleTool, SaysThatThereAreNone) {
 }
 
 TEST_F(SampleTool, FormatsThatHoldNoSamplesNameOneThatDoes) {
-  for (const char* name : {"a.obj", "a.glb", "a.svg", "a"}) {
+  for (const char* name : {"a.obj", "a.glb", "a.svg", "a.pdf", "a"}) {
     expect_refusal(2, ".csv", {"sample", kSmallTorus, "-o", name});
   }
   expect_refusal(1, "none", {"sample", kSmallTorus, "-o", "none/a.csv"});

@@ -194,6 +194,9 @@ TEST_F(StyleTool, DrawsOutlinesOfStripes) {
             std::string::npos);
   EXPECT_NE(svg.find("<g id=\"stripes\" fill=\"#1c325a\""), std::string::npos);
   EXPECT_NE(svg.find("<g id=\"lines\" fill=\"none\""), std::string::npos);
+  EXPECT_NE(svg.find("stroke-width=\"1.20\""), std::string::npos) << "as wide as in pictures";
+  const std::size_t path = svg.find("<path d=\"M") + 10;
+  EXPECT_LT(svg.find('c', path), svg.find('"', path)) << "curves";
   const Arguments to_svg = {"stripe", "shape:torus,resolution=24", "-o", "out.svg"};
   for (const Arguments& more : std::vector<Arguments>{{"--color-by", "height"},
                                                       {"--transparent"},
@@ -203,6 +206,31 @@ TEST_F(StyleTool, DrawsOutlinesOfStripes) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run(arguments).exit_code, 2) << more[0];
   }
+}
+
+// Where the tool was built without Cairo, its message says how to have it.
+TEST_F(StyleTool, WritesDrawingsAsPdf) {
+  const auto draw = [&](const std::string& name) {
+    return run({"stripe", "shape:torus,resolution=24", "--stripes", "8", "--outline", "solid", "-o",
+                name, "--size", "96x72", "-q"});
+  };
+  const ToolResult result = draw("out.pdf");
+  if (result.exit_code == 2) {
+    EXPECT_NE(result.err.find("BRINDLE_CAIRO"), std::string::npos) << result.err;
+    return;
+  }
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string pdf = content(folder / "out.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_NE(pdf.find("/MediaBox [ 0 0 72 54 ]"), std::string::npos) << "96 pixels are an inch";
+  EXPECT_EQ(pdf.find("/CreationDate"), std::string::npos);
+  ASSERT_EQ(draw("again.pdf").exit_code, 0);
+  EXPECT_EQ(content(folder / "again.pdf"), pdf);
+  EXPECT_EQ(run({"curves", "shape:torus,resolution=24", "--stripes", "8", "-o", "lines.pdf",
+                 "--size", "96x72", "-q"})
+                .exit_code,
+            0);
+  EXPECT_TRUE(content(folder / "lines.pdf").starts_with("%PDF-"));
 }
 
 TEST_F(StyleTool, GlyphsFollowValues) {

@@ -168,6 +168,7 @@ TEST_F(RenderTool, OutputsMustSuit) {
   write_session(folder / "s.json", small_document());
   expect_refusal(2, "--output is required", {"render", "s.json"});
   expect_refusal(2, ".svg", {"render", "s.json", "-o", "a.svg"});
+  expect_refusal(2, "pixels", {"render", "s.json", "-o", "a.pdf"});
   expect_refusal(2, "use .png for a picture, .obj", {"render", "s.json", "-o", "a.jpg"});
   expect_refusal(2, "is read by SESSION", {"render", "s.json", "-o", "s.json"});
   expect_refusal(2, "--size", {"render", "s.json", "-o", "a.vtp", "--size", "10x10"});

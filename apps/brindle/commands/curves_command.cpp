@@ -21,7 +21,7 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
 
 Files by extension: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh
-of tubes; .svg a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in
+of tubes; .svg or .pdf a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in
 the mesh's units, or in percent of the bounding box's diagonal. --help of 'brindle stripe' tells
 more of fields and cameras.)";
 

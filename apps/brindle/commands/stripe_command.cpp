@@ -45,7 +45,7 @@ Examples:
   brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
   brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
 
-Files by extension: .png a picture; .svg a drawing of the stripes' outlines; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
+Files by extension: .png a picture; .svg or .pdf a drawing of the stripes' outlines; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
 where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,
 branch (1 at the corners of triangles where a stripe begins or ends) and original_id (the number in
 MESH) at every vertex, and all arrays that MESH has; .obj the mesh alone; .json a report. With

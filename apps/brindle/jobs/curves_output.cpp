@@ -11,6 +11,7 @@
 #include "brindle/geometry/append_mesh.h"
 #include "outputs/carried_arrays.h"
 #include "outputs/outputs.h"
+#include "pictures/drawing_file.h"
 
 namespace brindle::tool {
 
@@ -18,9 +19,10 @@ CurveOutput planned_curves(const std::string& path, bool tubes) {
   const std::string kind = lower_extension(path);
   check_output_path(path);
   if (kind == ".json") return CurveOutput::report;
-  if (kind == ".svg" || kind == ".png") {
+  if (is_drawing_file(path) || kind == ".png") {
     check_pictures_available();
-    return kind == ".svg" ? CurveOutput::drawing : CurveOutput::picture;
+    check_drawing_file(path);
+    return is_drawing_file(path) ? CurveOutput::drawing : CurveOutput::picture;
   }
   const bool mesh = kind == ".gltf" || kind == ".glb";
   if (mesh && !tubes) {
@@ -35,7 +37,7 @@ CurveOutput planned_curves(const std::string& path, bool tubes) {
   if (mesh || is_polyline_format(path)) return tubes ? CurveOutput::tubes : CurveOutput::lines;
   refuse_output(path, "unknown extension '" + kind +
                           "'; use .obj, .ply, .vtp or .csv for lines, .gltf or .glb for tubes, "
-                          ".svg for a drawing, .png for a picture, .json for a report");
+                          ".svg or .pdf for a drawing, .png for a picture, .json for a report");
 }
 
 void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
 #include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 #include "outputs/mesh_output.h"
+#include "pictures/drawing_file.h"
 
 namespace brindle::tool {
 namespace {
@@ -47,7 +47,7 @@ void check_cross(const StripeArguments& arguments, const std::vector<Output>& ou
 }
 
 bool is_drawing(const Output& output) {
-  return output.kind == OutputKind::picture && lower_extension(output.path) == ".svg";
+  return output.kind == OutputKind::picture && is_drawing_file(output.path);
 }
 
 bool has(const std::vector<Output>& outputs, OutputKind kind) {

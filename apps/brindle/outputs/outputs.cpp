@@ -12,14 +12,16 @@
 #include "brindle/recipe/json_text.h"
 #include "cli/command_line.h"
 #include "input/vertex_values.h"
+#include "pictures/drawing_file.h"
 
 namespace brindle::tool {
 namespace {
 
 Output plan_output(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".png" || extension == ".svg") {
+  if (extension == ".png" || is_drawing_file(path)) {
     check_pictures_available();
+    check_drawing_file(path);
     return {path, OutputKind::picture};
   }
   if (extension == ".json") return {path, OutputKind::report};
@@ -31,13 +33,19 @@ Output plan_output(const std::filesystem::path& path) {
                             "' has no place for phases or texture coordinates; use .ply, .vtp or "
                             ".glb");
   }
-  refuse_output(path, "unknown extension '" + extension +
-                          "'; use .png for a picture, .svg for a drawing, .obj, .ply, .vtp, .gltf "
-                          "or .glb for a mesh, "
-                          ".json for a report");
+  refuse_output(
+      path, "unknown extension '" + extension +
+                "'; use .png for a picture, .svg or .pdf for a drawing, .obj, .ply, .vtp, .gltf "
+                "or .glb for a mesh, "
+                ".json for a report");
 }
 
 }  // namespace
+
+void check_drawing_file(const std::filesystem::path& path) {
+  const std::string why = drawing_refusal(path);
+  if (!why.empty()) refuse_output(path, why);
+}
 
 void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
                         bool& quiet) {

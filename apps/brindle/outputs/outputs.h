@@ -52,6 +52,9 @@ void write_output(const Output& output, const MadeMesh& made, const Report& repo
 /// The wrong use of --output: `path` cannot be written, and `why`.
 [[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);
 
+/// Refuses a .pdf where this build cannot write it.
+void check_drawing_file(const std::filesystem::path& path);
+
 /// Writes a report behind `invocation_of` the command and the kind of surface that it worked on.
 void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
                   const nlohmann::ordered_json& report);

@@ -5,6 +5,7 @@
 #include "brindle/geometry/append_mesh.h"
 #include "brindle/geometry/normals.h"
 #include "brindle/line_drawing.h"
+#include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
@@ -59,7 +60,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
   const int width = render.width, height = render.height;
   const std::vector<Pen> pens = line_drawing(surface.mesh, surface.normals, lines, render.camera,
                                              width, height, progress.part(0, 0.8));
-  write_svg(path, width, height, pens, progress.part(0.8, 1));
+  write_drawing(path, width, height, pens, progress.part(0.8, 1));
 }
 
 }  // namespace brindle::tool

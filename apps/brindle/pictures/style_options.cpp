@@ -361,7 +361,7 @@ void refuse_for_outlines(const CLI::App& command) {
   refuse_given(command,
                {"--color-by", "--opacity-by", "--legend", "--no-legend", "--flat", "--transparent",
                 "--depth-cue", "--occlusion", "--ground-shadow"},
-               "outlines in .svg have one colour each and no background; write .png");
+               "outlines in drawings have one colour each and no background; write .png");
 }
 
 bool StyleOptions::follows_camera() const {

@@ -1,76 +1,46 @@
 #include "pictures/styled_output.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
 #include "brindle/line_drawing.h"
-#include "brindle/region_outlines.h"
+#include "brindle/stripe_outlines.h"
+#include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
 namespace {
 
-constexpr float kOutlineScale = 2;  // drawings are traced in pictures so much larger
+constexpr float kLeastArea = 0.1f;  // square pixels
 
-/// A pen that fills what is white in a picture where all else is black.
-Pen traced(std::string name, const Color& color, std::span<const StyledSurface> surfaces,
-           const StyledOptions& options) {
-  const Image image = render_styled(surfaces, options);
-  std::vector<Stroke> loops = region_outlines(image.width, image.height, light_shares(image));
-  for (Stroke& loop : loops) {
-    for (Eigen::Vector2f& point : loop) point /= kOutlineScale;
-  }
-  return {std::move(name), color, 1, std::move(loops), true};
+/// Outlines and creases, as wide as in pictures. What hides them is looked at twice as finely,
+/// where that is not too large.
+std::vector<Pen> pens_on_top(const StyledPicture& picture, StyleOptions style,
+                             const Progress& progress) {
+  constexpr int kLargest = 8192;
+  StyledOptions options = picture.options;
+  RenderOptions& render = options.render;
+  const int finer = 2 * std::max(render.width, render.height) <= kLargest ? 2 : 1;
+  style.line_width = static_cast<float>(finer) * line_width_of(style, render.height);
+  render.width *= finer;
+  render.height *= finer;
+  options.right_margin *= finer;
+  return pens_of_lines(picture.scene, picture.surfaces, style, options,
+                       1 / static_cast<float>(finer), progress);
 }
 
-/// All surfaces in black, `white` with its strokes, or its strokes alone, in white.
-std::vector<StyledSurface> black_and_white(std::span<const StyledSurface> surfaces,
-                                           std::size_t white, bool strokes_alone) {
-  constexpr Color kBlack{0, 0, 0}, kWhite{1, 1, 1};
-  std::vector<StyledSurface> result;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    StyledSurface& surface = result.emplace_back(surfaces[i]);
-    surface.shading = false;
-    surface.color = i == white && !strokes_alone ? kWhite : kBlack;
-    for (Strokes& strokes : surface.strokes) {
-      strokes.color = i == white ? kWhite : kBlack;
-      if (strokes.unit == WidthUnit::pixels) strokes.width *= kOutlineScale;
-      strokes.spacing *= kOutlineScale;
-    }
-  }
-  return result;
-}
-
-void write_outlines(const std::filesystem::path& path, const StyledScene& scene,
-                    std::vector<StyledSurface> surfaces, const StyleOptions& style,
-                    StyledOptions options, const Progress& progress) {
-  const int width = options.render.width, height = options.render.height;
-  options.render.width *= static_cast<int>(kOutlineScale);
-  options.render.height *= static_cast<int>(kOutlineScale);
-  options.render.transparent = true;
-  options.depth_cue = DepthCue::none;
-  options.occlusion = 0;
-  options.ground_shadow = false;
+/// Outlines of strokes, then lines on top of them.
+void write_outlines(const std::filesystem::path& path, const StyledPicture& picture,
+                    const StyleOptions& style, const Progress& progress) {
   constexpr double kTraced = 0.7, kLined = 0.9;
-  std::vector<Pen> pens;
-  for (std::size_t i = surfaces.size(); i-- > 0;) {
-    const auto done = static_cast<double>(surfaces.size() - 1 - i);
-    progress.report(kTraced * done / static_cast<double>(surfaces.size()));
-    const StyledSurface& surface = surfaces[i];
-    const std::string number = i == 0 ? "" : "_" + std::to_string(i);
-    if (surface.between == BetweenStrokes::surface) {
-      pens.push_back(
-          traced("surface" + number, surface.color, black_and_white(surfaces, i, false), options));
-    }
-    if (surface.strokes.empty()) continue;
-    pens.push_back(traced("stripes" + number, surface.strokes[0].color,
-                          black_and_white(surfaces, i, true), options));
-  }
-  for (Pen& pen : pens_of_lines(scene, surfaces, style, options, 1 / kOutlineScale,
-                                progress.part(kTraced, kLined))) {
+  const RenderOptions& render = picture.options.render;
+  std::vector<Pen> pens = stripe_outlines(
+      picture.surfaces, styled_camera(picture.surfaces, picture.options), render.camera.up,
+      render.width, render.height, kLeastArea, progress.part(0, kTraced));
+  for (Pen& pen : pens_on_top(picture, style, progress.part(kTraced, kLined))) {
     if (!pen.strokes.empty()) pens.push_back(std::move(pen));
   }
-  write_svg(path, width, height, pens, progress.part(kLined, 1));
+  write_drawing(path, render.width, render.height, pens, progress.part(kLined, 1));
 }
 
 StyledScene scene_of(const Surface& surface, const StripeResult& result, const StyleOptions& style,
@@ -174,9 +144,8 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
                           const StyleOptions& style, const StyleInput& input,
                           const PictureOptions& picture, const Progress& progress) {
   StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
-  if (lower_extension(path) == ".svg") {
-    return write_outlines(path, styled.scene, std::move(styled.surfaces), style, styled.options,
-                          progress);
+  if (is_drawing_file(path)) {
+    return write_outlines(path, styled, style, progress);
   }
   constexpr double kPainted = 0.5;
   Image image = render_styled(styled.surfaces, styled.options, progress.part(0, kPainted));

@@ -79,8 +79,8 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
 void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style,
                  const Progress& progress);
 
-/// A .png picture, or an .svg drawing of stripes' outlines. Throws Error if no OpenGL context is to
-/// be had or the file cannot be written; Cancelled if `progress` asks for it.
+/// A .png picture, or an .svg or .pdf drawing of stripes' outlines. Throws Error if no OpenGL
+/// context is to be had or the file cannot be written; Cancelled if `progress` asks for it.
 void write_styled_picture(const std::filesystem::path& path, const Surface& surface,
                           const StripeResult& result, const StylePatterns& patterns,
                           const StyleOptions& style, const StyleInput& input,

@@ -226,8 +226,7 @@ class LineInk {
         camera_(styled_camera(surfaces, options)),
         visibility_(hiding_mesh(surfaces), camera_, options.render.width, options.render.height,
                     progress),
-        width_(style.line_width.value_or(
-            std::max(1.2f, 0.0025f * static_cast<float>(options.render.height)))) {}
+        width_(line_width_of(style, options.render.height)) {}
 
   void add_outline(const StyledSurface& surface, const StripesView* pattern,
                    const Progress& progress) {
@@ -309,6 +308,10 @@ LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfac
 }
 
 }  // namespace
+
+float line_width_of(const StyleOptions& style, int height) {
+  return style.line_width.value_or(std::max(1.2f, 0.0025f * static_cast<float>(height)));
+}
 
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
                 const StyleOptions& style, const StyledOptions& options, const Progress& progress) {

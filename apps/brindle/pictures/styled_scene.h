@@ -75,6 +75,9 @@ std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOpti
 StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
                            const RenderOptions& render, const Followed& followed);
 
+/// How wide outlines and creases are, in pixels of a picture of this height.
+float line_width_of(const StyleOptions& style, int height);
+
 /// Outlines and creases on top of a picture of these surfaces.
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
                 const StyleOptions& style, const StyledOptions& options, const Progress& progress);

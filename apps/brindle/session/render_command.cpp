@@ -18,6 +18,7 @@
 #include "cli/progress_display.h"
 #include "jobs/curves_output.h"
 #include "outputs/written_files.h"
+#include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
 #include "session/live_picture.h"
 #include "session/session.h"
@@ -95,7 +96,7 @@ void check_outputs(const CLI::App& command, const RenderArguments& arguments,
                    const ParsedSession& parsed) {
   bool picture = false;
   for (const std::string& path : arguments.outputs) {
-    if (lower_extension(path) == ".svg") refuse_output(path, picture_refusal(path));
+    if (is_drawing_file(path)) refuse_output(path, picture_refusal(path));
     if (!is_picture(path)) {
       check_file(path, parsed);
       continue;

@@ -6,6 +6,7 @@
 #include "brindle/files.h"
 #include "cli/command_line.h"
 #include "jobs/curves_output.h"
+#include "pictures/drawing_file.h"
 #include "pictures/styled_scene.h"
 
 namespace brindle::tool {
@@ -20,7 +21,7 @@ namespace {
 std::string picture_refusal(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".png") return "";
-  if (extension == ".svg") return "sessions have pictures of pixels; write .png";
+  if (is_drawing_file(path)) return "sessions have pictures of pixels; write .png";
   return "'" + extension + "' is no picture; write .png";
 }
 

@@ -53,6 +53,85 @@ std::string hexadecimal(const Color& color) {
   return text;
 }
 
+/// Whole hundredths of a pixel: what files keep.
+using Hundredths = Eigen::Vector2i;
+
+Hundredths hundredths_of(const Eigen::Vector2f& point) {
+  return {static_cast<int>(std::lround(100 * point.x())),
+          static_cast<int>(std::lround(100 * point.y()))};
+}
+
+/// The number as short as it can be written: "-.5" for -50.
+std::string short_number(int hundredths) {
+  const int size = std::abs(hundredths);
+  std::string digits = hundredths < 0 ? "-" : "";
+  if (size >= 100 || size == 0) digits += std::to_string(size / 100);
+  if (size % 100 == 0) return digits;
+  digits += '.';
+  digits += static_cast<char>('0' + size % 100 / 10);
+  if (size % 10 != 0) digits += static_cast<char>('0' + size % 10);
+  return digits;
+}
+
+/// Numbers of a path behind a letter that stands for all that follow it.
+class PathText {
+ public:
+  explicit PathText(TextOutput& text) : text_(text) {}
+
+  void put(char letter, std::initializer_list<Hundredths> points) {
+    bool begins = letter != letter_;
+    if (begins) text_ << std::string(1, letter);
+    letter_ = letter;
+    for (const Hundredths& point : points) {
+      for (const int number : {point.x(), point.y()}) {
+        if (!begins && number >= 0) text_ << ' ';
+        text_ << short_number(number);
+        begins = false;
+      }
+    }
+  }
+  void close() {
+    text_ << "z\n";
+    letter_ = 0;
+  }
+
+ private:
+  TextOutput& text_;
+  char letter_ = 0;
+};
+
+/// Whether a piece from 0 to `end` is a straight line, to half a hundredth of a pixel.
+bool is_line(const Hundredths& first, const Hundredths& last, const Hundredths& end) {
+  const Eigen::Vector2d way = end.cast<double>();
+  for (const Hundredths& control : {first, last}) {
+    const Eigen::Vector2d off = control.cast<double>();
+    const double across = off.x() * way.y() - off.y() * way.x();
+    if (std::abs(across) > way.norm() || off.dot(way) < 0 || off.dot(way) > way.squaredNorm()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A closed path, relative to where each piece begins: errors of rounding do not add up.
+void put_curves(TextOutput& text, const Stroke& path) {
+  PathText out(text);
+  Hundredths from = hundredths_of(path[0]);
+  out.put('M', {from});
+  for (std::size_t i = 1; i + 2 < path.size(); i += 3) {
+    const Hundredths first = hundredths_of(path[i]) - from;
+    const Hundredths last = hundredths_of(path[i + 1]) - from;
+    const Hundredths end = hundredths_of(path[i + 2]) - from;
+    from += end;
+    if (is_line(first, last, end)) {
+      if (!end.isZero()) out.put('l', {end});
+    } else {
+      out.put('c', {first, last, end});
+    }
+  }
+  out.close();
+}
+
 void put_points(TextOutput& text, const Stroke& stroke) {
   for (std::size_t i = 0; i < stroke.size(); ++i) {
     text << (i == 0 ? "M" : i == 1 ? "L" : " ");
@@ -67,6 +146,10 @@ void put_pen(TextOutput& text, const Pen& pen) {
   if (pen.filled) {
     text << "\" fill-rule=\"evenodd\">\n<path d=\"";
     for (const Stroke& stroke : pen.strokes) {
+      if (pen.curved) {
+        put_curves(text, stroke);
+        continue;
+      }
       put_points(text, stroke);
       text << "Z\n";
     }

@@ -8,6 +8,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "brindle/render/outer_side.h"
+#include "brindle/render/surface_light.h"
 
 namespace brindle {
 namespace {
@@ -45,6 +46,10 @@ float tone_of(const Vec3& light) {
 
 }  // namespace
 
+float tone_at(const Vec3& view_normal, const Vec3& sight, const Vec3& up) {
+  return tone_of(light_on_white(view_normal, sight, up));
+}
+
 std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals,
                                  const Camera& camera, UpAxis up) {
   if (normals.size() != mesh.vertex_count()) {
@@ -64,7 +69,7 @@ std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals
     if (hidden == HiddenSide::front || (hidden == HiddenSide::none && turned_away)) {
       normal = -normal;
     }
-    tones[v] = tone_of(light_on_white(normal, place, upwards));
+    tones[v] = tone_at(normal, place, upwards);
   }
   return tones;
 }

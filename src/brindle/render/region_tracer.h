@@ -1,0 +1,68 @@
+/// Outlines of regions that a function knows at every point, between the points of a grid as well.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "brindle/progress.h"
+
+namespace brindle {
+
+/// A closed line; the first point is not repeated.
+using OutlineLoop = std::vector<Eigen::Vector2d>;
+
+/// Looks at a picture at every half pixel, so that no region that is wider than that is missed, and
+/// finds outlines where the function changes.
+class RegionTracer {
+ public:
+  using CodeAt = std::function<std::uint16_t(double x, double y)>;
+
+  /// `code_at` says what a point shows, in pixels from the upper left corner; 0 beyond the picture.
+  /// It must outlive this, and is called by many threads at once. Throws Cancelled if `progress`
+  /// asks for it.
+  RegionTracer(int width, int height, const CodeAt& code_at, const Progress& progress);
+
+  /// Closed lines around all that shows `first` to `last`, which is on their left on the screen;
+  /// holes run the other way round. Points lie where the function changes, within a thousandth of a
+  /// pixel; between them lines leave the outline by less than `tolerance` pixels, as far as it does
+  /// not turn within a tenth of a pixel. Throws Cancelled if `progress` asks for it.
+  std::vector<OutlineLoop> outlines(std::uint16_t first, std::uint16_t last, double tolerance,
+                                    const Progress& progress) const;
+
+ private:
+  struct Region {
+    std::uint16_t first, last;
+    bool has(std::uint16_t code) const { return first <= code && code <= last; }
+  };
+  /// A line enters a cell across `edge` and leaves it across `next`. Edge 2 p leads from point p of
+  /// the grid to the right, edge 2 p + 1 downwards.
+  struct Passage {
+    std::size_t edge, next;
+  };
+
+  std::size_t point_number(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+  Eigen::Vector2d place_of(std::size_t point) const;
+  bool covered(const Region& region, const Eigen::Vector2d& place) const {
+    return region.has(code_at_(place.x(), place.y()));
+  }
+  void add_passages(const Region& region, int column, int row,
+                    std::vector<Passage>& passages) const;
+  std::vector<Passage> passages_of(const Region& region, const Progress& progress) const;
+  Eigen::Vector2d crossing(const Region& region, std::size_t edge) const;
+  Eigen::Vector2d change_between(const Region& region, Eigen::Vector2d in,
+                                 Eigen::Vector2d out) const;
+  void refine(const Region& region, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+              double tolerance, int depth, OutlineLoop& loop) const;
+
+  int columns_, rows_;
+  const CodeAt& code_at_;
+  std::vector<std::uint16_t> codes_;
+};
+
+}  // namespace brindle
