@@ -23,8 +23,9 @@ GalleryItem crosses_item() {
           make_parts,
           {{"tiles",
             "tiles along a cross field that follows edges and curvature",
-            "stripe {surface=parts.vtp} --cross --field {field=curvature} --texture checker "
-            "--stripes 42 --colors #2f5d73,#f3ede0,#ffffff --up z --camera 0,32,0.95",
+            "stripe {surface=parts.vtp} --cross --field {field=curvature} "
+            "--feature-anchor 1 --texture checker --stripes 54 "
+            "--colors #2f5d73,#f3ede0,#ffffff --up z --camera 0,38,0.98",
             "720x420",
             {"stripes", "texture", "curvature-anchor", "feature-anchor"}}}};
 }

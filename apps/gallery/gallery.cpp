@@ -56,6 +56,12 @@ std::string filled(const Place& place, const GalleryChoice& choice) {
   return (std::filesystem::path(choice.folder) / place.value).string();
 }
 
+/// Whether it belongs to data that users have replaced.
+bool is_left_out(const Place& place, const GalleryChoice& choice) {
+  return (place.role == "part" && !choice.surface.empty()) ||
+         (place.role == "own" && !choice.values.empty());
+}
+
 }  // namespace
 
 const std::vector<GalleryItem>& gallery_items() {
@@ -66,11 +72,17 @@ const std::vector<GalleryItem>& gallery_items() {
 }
 
 std::vector<std::string> filled_words(const GalleryPicture& picture, const GalleryChoice& choice) {
-  std::vector<std::string> words = words_in(picture.line);
-  for (std::string& word : words) {
+  std::vector<std::string> words;
+  for (std::string word : words_in(picture.line)) {
     if (const auto place = place_in(word)) {
+      if (is_left_out(*place, choice)) {
+        const bool flag = place->value.starts_with("--");
+        if (!flag) words.pop_back();  // the option that it is the value of
+        continue;
+      }
       word.replace(place->begin, place->end - place->begin, filled(*place, choice));
     }
+    words.push_back(std::move(word));
   }
   return words;
 }

@@ -23,7 +23,11 @@ struct GalleryFile {
 
 /// A picture of an item: the command line that draws it, without the tool's name and its output. In
 /// it, "{file=NAME}" is the path of a data file, and "{surface=NAME}", "{field=VALUE}" and
-/// "{values=VALUE}" are what users may replace by their own.
+/// "{values=VALUE}" are what users may replace by their own. "{part=NAME}" is a data file that
+/// belongs to the item's own surface: with another one, the option whose value it is in is left
+/// out. "{own=VALUE}" is left out with its option where "values" are replaced: ranges, thresholds
+/// and titles then follow from the data.
+/// "{own=--FLAG}" is a flag of that kind.
 struct GalleryPicture {
   std::string name;
   std::string what;  ///< one line

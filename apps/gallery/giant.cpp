@@ -19,9 +19,9 @@ GalleryItem giant_item() {
           make_giant,
           {{"stripes",
             "fine stripes over all of it",
-            "stripe {surface=giant.vtp} --field {field=curvature} --along --stripes 150 "
-            "--colors #1c325a,#f4efe6,#ffffff --up z --camera 35,10,0.93",
-            "560x620",
+            "stripe {surface=giant.vtp} --field {field=curvature} --along --stripes 110 "
+            "--colors #1c325a,#f4efe6,#ffffff --up z --camera 35,10,1.02",
+            "600x690",
             {"stripes", "rotate", "stripe-width"}}}};
 }
 

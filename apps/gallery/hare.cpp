@@ -67,6 +67,22 @@ Mesh hare_mesh(float edge_length, const Progress& progress) {
   return isosurface(hare(), {{-1.1f, -0.7f, -0.1f}, {1.1f, 0.7f, 2.5f}}, edge_length, progress);
 }
 
+Mesh hare_pupils(float edge_length, const Progress& progress) {
+  std::vector<ImplicitFunction> pupils;
+  add_pair(pupils, [](double side) {
+    return ellipsoid({0.712, 0.192 * side, 1.402}, {0.047, 0.042, 0.047});
+  });
+  return isosurface(blended(std::move(pupils), 0.001), {{0.6f, -0.3f, 1.3f}, {0.8f, 0.3f, 1.5f}},
+                    edge_length, progress);
+}
+
+Mesh hare_glints(float edge_length, const Progress& progress) {
+  std::vector<ImplicitFunction> glints;
+  add_pair(glints, [](double side) { return ball({0.724, 0.226 * side, 1.421}, 0.0135); });
+  return isosurface(blended(std::move(glints), 0.001), {{0.6f, -0.3f, 1.3f}, {0.8f, 0.3f, 1.5f}},
+                    edge_length, progress);
+}
+
 Mesh fine_hare_mesh(float edge_length, const Progress& progress) {
   Mesh mesh = hare_mesh(4 * edge_length, progress.part(0, 0.5));
   mesh = subdivide(std::move(mesh), 2, progress.part(0.5, 0.6));

@@ -8,6 +8,10 @@ namespace brindle {
 ImplicitFunction hare();
 Mesh hare_mesh(float edge_length, const Progress& progress = {});
 
+/// What a pen draws black in its eyes, and what it leaves white in there.
+Mesh hare_pupils(float edge_length, const Progress& progress = {});
+Mesh hare_glints(float edge_length, const Progress& progress = {});
+
 /// With every triangle of such a mesh cut into 16, whose vertices are on the surface, too: faster
 /// than to make it of short edges.
 Mesh fine_hare_mesh(float edge_length, const Progress& progress = {});

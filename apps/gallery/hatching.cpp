@@ -5,7 +5,10 @@ namespace brindle {
 namespace {
 
 std::vector<GalleryFile> make_figure(double detail, const Progress& progress) {
-  return {{"hare.vtp", hare_mesh(static_cast<float>(0.016 / detail), progress), {}, {}}};
+  const auto edge = static_cast<float>(0.016 / detail);
+  return {{"hare.vtp", hare_mesh(edge, progress.part(0, 0.9)), {}, {}},
+          {"pupils.vtp", hare_pupils(0.4f * edge, progress.part(0.9, 0.95)), {}, {}},
+          {"glints.vtp", hare_glints(0.2f * edge, progress.part(0.95, 1)), {}, {}}};
 }
 
 }  // namespace
@@ -16,14 +19,15 @@ GalleryItem hatching_item() {
           make_figure,
           {{"pen",
             "strokes as thick as it is dark, crossed in the dark, with an outline",
-            "stripe {surface=hare.vtp} --field {field=curvature} --stripes 125 --width-by light "
-            "--tones 0.5,1 --cross-hatch 0.62 --outline solid --line-width 2 "
-            "--colors #1b1b1f,#f7f3ea,#f7f3ea --up z --camera 35,10,0.93",
+            "stripe {surface=hare.vtp} --field {field=curvature} --stripes 150 --width-by light "
+            "--width-range 0,0.68 --tones 0.36,1 --cross-hatch 0.45 --outline solid "
+            "--line-width 2 --with {part=pupils.vtp}@#1b1b1f --with {part=glints.vtp}@#f7f3ea "
+            "--colors #1b1b1f,#f7f3ea,#f7f3ea --up z --camera 35,10,0.98",
             "640x700",
             {"stripes", "tones", "cross-hatch", "line-width"}},
            {"dashed",
             "the outline dashed by the pattern, for what matters less",
-            "stripe {surface=hare.vtp} --direction 0.7,0.3,1 --stripes 84 --stripe-width 0 "
+            "stripe {surface=hare.vtp} --direction 0.35,0.6,1 --stripes 96 --stripe-width 0 "
             "--outline dashed --line-width 2.4 --flat --colors #1b1b1f,#f7f3ea,#f7f3ea --up z "
             "--camera 35,10,0.93",
             "640x700",

@@ -21,10 +21,11 @@ GalleryPicture needle_picture(const std::string& name, const std::string& what,
           "--frequency-by {values=distance:" +
               tip +
               "} --frequency-range 0.001,0.125,reciprocal --width-by {values=distance:" + tip +
-              "} --width-range 0.68,0.3 --no-legend --depth-cue chroma "
-              "--with {file=tumour.vtp}@#e6c9a0 --with {file=needle.vtp}@#ffffff@" +
-              tip + " --colors #2a2522,#f4efe6,#ffffff --up z --camera 20,12",
-          "760x620",
+              "} --width-range 0.55,0.22 --legend {own='mm to the tip: ten stripes'} "
+              "--depth-cue chroma --with {file=tumour.vtp}@untinted@#eab04c "
+              "--with {file=needle.vtp}@untinted@#9aa1a8@" +
+              tip + " --colors #17141c,#ffffff,#ffffff --up z --camera 20,12,0.86",
+          "760x560",
           {"frequency", "width-range", "depth-cue"}};
 }
 
@@ -50,12 +51,13 @@ GalleryItem nested_item() {
           make_nested,
           {{"focus",
             "thin strokes where one looks inside",
-            "stripe {surface=hull.vtp} --field {field=smooth} --stripes 64 --between nothing "
-            "--width-by {values=distance:-42,-60,10} --width-range 0.08,0.62 --no-legend "
-            "--with {file=vessels.vtp}@#b5352b --with {file=tumour.vtp}@#d9a441 "
-            "--colors #8f5a4a,#8f5a4a,#ffffff --occlusion 0.5 --up z --camera 20,12",
-            "640x470",
-            {"stripes", "width-range", "between", "occlusion"}}}};
+            "stripe {surface=hull.vtp} --field {field=smooth} --stripes 56 --between nothing "
+            "--width-by {values=distance:-42,-60,10} --width-range 0.07,0.5 --no-legend "
+            "--with {file=vessels.vtp}@untinted@#c02a24 "
+            "--with {file=tumour.vtp}@untinted@#e0a92f --colors #4f7891,#4f7891,#ffffff "
+            "--depth-cue haze --occlusion 0.4 --up z --camera 20,12,0.9",
+            "720x500",
+            {"stripes", "width-range", "between", "depth-cue", "occlusion"}}}};
 }
 
 }  // namespace brindle

@@ -84,10 +84,15 @@ std::vector<GalleryFile> make_rough(double detail, const Progress& progress) {
   const std::array<Mesh, 4> meshes = {
       incomplete_mesh(detail, progress.part(0, 0.6)), non_manifold_mesh(detail),
       segmented_mesh(detail, progress.part(0.6, 1)), noisy_mesh(detail)};
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    Mesh mesh = meshes[k];
+  // All are equally high, and stand side by side on the same ground.
+  constexpr float kHeight = 2.2f, kGap = 0.28f;
+  float left = 0;
+  for (Mesh mesh : meshes) {
+    const BoundingBox before = bounding_box(mesh);
+    for (Vec3& p : mesh.positions) p *= kHeight / (before.upper.z() - before.lower.z());
     const BoundingBox box = bounding_box(mesh);
-    translate(mesh, Vec3(2.25f * static_cast<float>(k), 0, 0) - box.center());
+    translate(mesh, Vec3(left - box.lower.x(), -box.center().y(), -box.lower.z()));
+    left += box.upper.x() - box.lower.x() + kGap;
     append(mesh, file.mesh);
   }
   return {std::move(file)};
@@ -132,7 +137,7 @@ Mesh segmented_mesh(double detail, const Progress& progress) {
                ball({0.2, -0.75, 0.72}, 0.17), ball({-0.3, -0.6, 0.85}, 0.09),
                ball({0.1, 0.85, -0.55}, 0.14), ball({0, -0.95, -0.5}, 0.12)},
               0.035);
-  const double voxel = 0.062 / std::sqrt(detail);
+  const double voxel = 0.085 / std::sqrt(detail);
   const int reach = static_cast<int>(std::ceil(1.3 / voxel));
   VoxelFaces faces(tumour, voxel);
   for (int x = -reach; x < reach; ++x) {
@@ -141,7 +146,7 @@ Mesh segmented_mesh(double detail, const Progress& progress) {
       for (int z = -reach; z < reach; ++z) faces.add({x, y, z});
     }
   }
-  return std::move(faces.mesh);
+  return subdivide(std::move(faces.mesh), 1);  // else stripes are finer than the triangles
 }
 
 Mesh noisy_mesh(double detail) {
@@ -158,9 +163,9 @@ GalleryItem rough_item() {
           make_rough,
           {{"all",
             "one pattern over all of them",
-            "stripe {surface=rough.vtp} --field {field=smooth} --stripes 130 "
-            "--colors #1c325a,#f4efe6,#ffffff --up z --camera 8,14,0.95",
-            "1100x330",
+            "stripe {surface=rough.vtp} --field {field=smooth} --stripes 92 "
+            "--colors #1c325a,#f4efe6,#ffffff --up z --camera 8,12,0.95",
+            "880x320",
             {"stripes", "rotate", "curvature-anchor"}}}};
 }
 

@@ -21,9 +21,11 @@ std::vector<GalleryFile> make_vortices(double detail, const Progress& progress) 
 
 GalleryItem vortices_item() {
   const std::string style =
-      "--field {field=array:velocity} --oriented --stripes 44 --frequency-by array:speed "
+      "--field {field=array:velocity} --oriented --stripes 44 "
+      "--frequency-by {values=array:speed} "
       "--frequency-range 0.7,1.6,inverse --texture arrows --texture-by {values=array:near} "
-      "--regions 0.62,dots@#9fb0bd --color-by array:core --colormap coolwarm --no-legend "
+      "--regions 0.62,dots@#8fa3b3 --color-by {own=array:core} --colormap {own=coolwarm} "
+      "{own=--no-legend} "
       "--colors #243b55,#f2efe8,#ffffff --up z --camera 50,22,0.95";
   return {"vortices",
           "arrows around two vortices that move, dots where little happens",

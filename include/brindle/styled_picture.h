@@ -82,6 +82,7 @@ struct StyledSurface {
   std::span<const float> color_places = {};             ///< as those of strokes, instead of `color`
   bool shading = true;                                  ///< false: plain colours without light
   std::optional<RegionTexture> texture = std::nullopt;  ///< instead of strokes
+  bool tinted = true;  ///< false: the picture's depth cue leaves its colours as they are
 };
 
 /// How values become colours, for all surfaces of a picture.

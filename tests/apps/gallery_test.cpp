@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -26,12 +27,12 @@ INSTANTIATE_TEST_SUITE_P(
     Gallery, EveryGalleryPicture,
     testing::Values(ItemAndPicture{"liver", "near"}, ItemAndPicture{"liver", "far"},
                     ItemAndPicture{"nested", "focus"}, ItemAndPicture{"vortices", "still"},
-                    ItemAndPicture{"aneurysm", "stress"}, ItemAndPicture{"molecule", "signs"},
-                    ItemAndPicture{"molecule", "colors"}, ItemAndPicture{"hatching", "pen"},
-                    ItemAndPicture{"hatching", "dashed"}, ItemAndPicture{"hatching", "strokes"},
-                    ItemAndPicture{"glyphs", "arrows"}, ItemAndPicture{"glyphs", "ellipses"},
-                    ItemAndPicture{"crosses", "tiles"}, ItemAndPicture{"rough", "all"},
-                    ItemAndPicture{"giant", "stripes"}));
+                    ItemAndPicture{"aneurysm", "stress"}, ItemAndPicture{"aneurysm", "second"},
+                    ItemAndPicture{"molecule", "signs"}, ItemAndPicture{"molecule", "colors"},
+                    ItemAndPicture{"hatching", "pen"}, ItemAndPicture{"hatching", "dashed"},
+                    ItemAndPicture{"hatching", "strokes"}, ItemAndPicture{"glyphs", "arrows"},
+                    ItemAndPicture{"glyphs", "ellipses"}, ItemAndPicture{"crosses", "tiles"},
+                    ItemAndPicture{"rough", "all"}, ItemAndPicture{"giant", "stripes"}));
 
 /// The words of the command line that the tool printed, with its line breaks and quotes.
 std::vector<std::string> words_of_printed(const std::string& out) {
@@ -112,6 +113,64 @@ TEST_F(GalleryTool, TakesTheUsersOwnFiles) {
   const std::string own = draw({});
   EXPECT_NE(draw({"--values", "array:second"}), own);
   EXPECT_NE(draw({"--field", "curvature"}), own);
+}
+
+TEST_F(GalleryTool, TakesTheOptionsOfItsCommandLines) {
+  const auto printed = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"gallery", "crosses"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ToolResult result = run(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return words_of_printed(result.out);
+  };
+  const auto value_of = [](const std::vector<std::string>& words, const std::string& option) {
+    const auto at = std::find(words.begin(), words.end(), option);
+    EXPECT_EQ(std::count(words.begin(), words.end(), option), 1) << option;
+    return at == words.end() ? "" : *(at + 1);
+  };
+  const auto words = printed({"--up", "y", "--camera", "10,20", "--stripes", "30"});
+  EXPECT_EQ(value_of(words, "--up"), "y");
+  EXPECT_EQ(value_of(words, "--camera"), "10,20");
+  EXPECT_EQ(value_of(words, "--stripes"), "30");
+  // What excludes an option of the line takes its place.
+  const auto by_frequency = printed({"--frequency", "2"});
+  EXPECT_EQ(value_of(by_frequency, "--frequency"), "2");
+  EXPECT_EQ(std::count(by_frequency.begin(), by_frequency.end(), "--stripes"), 0);
+  const auto draw = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = {"gallery", "rough", "--detail", "0.25", "--size",
+                                    "96x72",   "-q",    "-o",       "a.png"};
+    all.insert(all.end(), more.begin(), more.end());
+    const ToolResult result = run(all);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return content(folder / "a.png");
+  };
+  const std::string plain = draw({});
+  EXPECT_NE(draw({"--depth-cue", "haze"}), plain);
+  EXPECT_NE(draw({"--flat"}), plain);
+  expect_refusal(2, "--min-distance", {"gallery", "rough", "--min-distance", "1", "-o", "x.png"});
+  expect_refusal(2, "--stripes", {"gallery", "--stripes", "30"});
+}
+
+TEST_F(GalleryTool, OwnFilesStandUpright) {
+  write_text(folder / "own.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write_text(folder / "own.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write_text(folder / "own.stl",
+             "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+             "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+  const auto up_of = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"gallery", "crosses", "--surface"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ToolResult result = run(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const auto line = words_of_printed(result.out);
+    return *(std::find(line.begin(), line.end(), "--up") + 1) +
+           (result.err.find("points up") == std::string::npos ? "" : " said");
+  };
+  EXPECT_EQ(up_of({"own.obj"}), "y said");
+  EXPECT_EQ(up_of({"own.off"}), "y said");
+  EXPECT_EQ(up_of({"own.stl"}), "z said");
+  EXPECT_EQ(up_of({"own.stl", "--up", "y"}), "y");
+  EXPECT_EQ(up_of({"shape:box"}), "z");
 }
 
 TEST_F(GalleryTool, SaysWhatIsWrong) {

@@ -75,6 +75,44 @@ TEST_F(StyleTool, OtherSurfacesAreOpaqueStripedOrDiscarded) {
   EXPECT_NE(discarded.pixels, striped.pixels);
 }
 
+TEST_F(StyleTool, RegionsHaveALegendWhereItHasATitle) {
+  const Arguments tiles = {"--texture", "minus",          "--texture-by", "height",
+                           "--regions", "0,plus@#ff0000", "--colors",     "0000ff,ffffff,ffffff",
+                           "--flat"};
+  Arguments titled = with(tiles);
+  titled[7] = "320x240";
+  titled.insert(titled.end(), {"--legend", "sign"});
+  const ToolResult result = run(titled);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Image drawn = read_png(folder / "out.png");
+  // Below each other at the right: the tile of large values, red, then that of small ones, blue.
+  int red = 0, blue = 0, last_red = 0, first_blue = drawn.height;
+  for (int y = 0; y < drawn.height; ++y) {
+    for (int x = 2 * drawn.width / 3; x < drawn.width; ++x) {
+      const Pixel p = drawn.at(x, y);
+      if (p.red > 200 && p.blue < 80 && p.green < 80) ++red, last_red = y;
+      if (p.blue > 200 && p.red < 80 && p.green < 80) ++blue, first_blue = std::min(first_blue, y);
+    }
+  }
+  EXPECT_GT(red, 5);
+  EXPECT_GT(blue, 5);
+  EXPECT_LT(last_red, first_blue);
+  Arguments refused = with(tiles);
+  refused.push_back("--no-legend");
+  expect_refusal(2, "--no-legend", refused);
+}
+
+TEST_F(StyleTool, UntintedSurfacesKeepTheirColours) {
+  for (const char* cue : {"chroma", "haze"}) {
+    const auto drawn = [&](const std::string& other) {
+      return picture({"--flat", "--colors", "000,fff", "--depth-cue", cue, "--with", other});
+    };
+    const Image own = drawn("shape:sphere,radius=2,resolution=8@untinted@#e6c9a0");
+    EXPECT_EQ(own.at(48, 36), (Pixel{0xe6, 0xc9, 0xa0, 255}));
+    EXPECT_NE(drawn("shape:sphere,radius=2,resolution=8@#e6c9a0").pixels, own.pixels);
+  }
+}
+
 TEST_F(StyleTool, ValuesComeFromFilesToo) {
   write_text(folder / "mesh.obj", kSquare);
   write_text(folder / "values.csv", "a,b\n1,4\n2,3\n3,nan\n4,1\n");

@@ -97,6 +97,19 @@ TEST(GalleryPicture, TakesWhatUsersHaveInstead) {
   EXPECT_FALSE(has_place(picture, "values"));
 }
 
+TEST(GalleryPicture, LeavesOutWhatBelongsToItsOwnData) {
+  const GalleryPicture picture{
+      "p", "",
+      "stripe {surface=a.vtp} --with {part=eyes.vtp}@#000 --color-by {values=array:f} "
+      "--color-range {own=0,3} {own=--no-legend} --flat"};
+  EXPECT_EQ(filled_words(picture, {"data", "", "", ""}),
+            (std::vector<std::string>{"stripe", "data/a.vtp", "--with", "data/eyes.vtp@#000",
+                                      "--color-by", "array:f", "--color-range", "0,3",
+                                      "--no-legend", "--flat"}));
+  EXPECT_EQ(filled_words(picture, {"data", "own.ply", "", "height"}),
+            (std::vector<std::string>{"stripe", "own.ply", "--color-by", "height", "--flat"}));
+}
+
 TEST(Aneurysm, WallsHoldThePressureEverywhere) {
   const GalleryFile wall = aneurysm_wall(0.5);
   const auto first = numbers_of(wall, "first"), second = numbers_of(wall, "second");

@@ -501,6 +501,25 @@ Image draw_updated(const std::vector<StyledSurface>& first, std::size_t number,
   return renderer.draw(options);
 }
 
+TEST(StyledPicture, DepthCuesLeaveUntintedSurfacesAsTheyAre) {
+  const Mesh first = square(2);
+  Mesh far = square(2);
+  for (Vec3& p : far.positions) p += Vec3(0.6f, 0, -1.5f);
+  StyledOptions options = styled_options(200, 100);
+  const std::vector<StyledSurface> plain = {{.mesh = first}, {.mesh = far}};
+  std::vector<StyledSurface> spared = plain;
+  spared[1].tinted = false;
+  const Pixel own = draw_styled(plain, options).at(140, 50);
+  for (const DepthCue cue : {DepthCue::chroma, DepthCue::haze}) {
+    options.depth_cue = cue;
+    EXPECT_EQ(draw_styled(spared, options).at(140, 50), own);
+    EXPECT_NE(draw_styled(plain, options).at(140, 50), own);
+    // So it is where a surface is replaced alone.
+    EXPECT_EQ(draw_updated(plain, 1, spared[1], options).pixels,
+              draw_styled(spared, options).pixels);
+  }
+}
+
 TEST(StyledPicture, IsCancelledBetweenSurfacesAndDrawnAsEverThen) {
   const Sheets sheets;
   const std::vector<StyledSurface> surfaces{

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/option_table.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/option_values.h"
@@ -36,7 +39,8 @@ constexpr const char* kGalleryExamples = R"(Examples:
   brindle gallery hatching --surface scan.obj --output scan.png
 
 Without a name, all items are listed; with a name alone, its pictures and the command lines that draw
-them. --data keeps the item's data, so that these command lines can be run and changed.)";
+them. --data keeps the item's data, so that these command lines can be run and changed. All options of
+these command lines are taken here, too, such as --up, --camera, --stripes or --depth-cue.)";
 
 struct GalleryArguments {
   std::string name;
@@ -45,6 +49,7 @@ struct GalleryArguments {
   std::string data;
   std::string surface, field, values;
   std::string size, quality;
+  std::map<std::string, std::vector<std::string>> options;  ///< of its command lines, by name
   double detail = 1;
   bool quiet = false;
 };
@@ -105,6 +110,51 @@ std::string command_line_of(const std::vector<std::string>& words) {
   return text + line;
 }
 
+/// The job of the command that draws the picture.
+PatternJob job_of(const GalleryPicture& picture) {
+  if (picture.line.starts_with("animate ")) return PatternJob::animate;
+  return picture.line.starts_with("sample ") ? PatternJob::sample : PatternJob::stripe;
+}
+
+/// Leaves an option out of a command line, with its value if it has one.
+void leave_out(std::vector<std::string>& words, std::string_view option) {
+  const std::string word = "--" + std::string(option);
+  const auto at = std::ranges::find(words, word);
+  if (at == words.end()) return;
+  const bool has_value = at + 1 != words.end() && !(at + 1)->starts_with("--");
+  words.erase(at, at + (has_value ? 2 : 1));
+}
+
+/// Puts the user's options in the place of the picture's, and of those that they exclude.
+void put_options(std::vector<std::string>& words, const GalleryPicture& picture,
+                 const std::map<std::string, std::vector<std::string>>& options) {
+  for (const auto& [name, values] : options) {
+    const OptionInfo* option = find_option(name, job_of(picture));
+    if (option == nullptr) continue;
+    if (!option->several) leave_out(words, name);
+    std::istringstream excluded{std::string(option->excludes)};
+    for (std::string other; excluded >> other;) leave_out(words, other);
+    for (const std::string& value : values) {
+      words.push_back("--" + name);
+      if (option->kind != OptionKind::flag) words.push_back(value);
+    }
+  }
+}
+
+/// The axis that files of this kind are said, or wont, to have up.
+const char* up_of_file(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  const bool is_y = extension == ".gltf" || extension == ".glb" || extension == ".obj" ||
+                    extension == ".ply" || extension == ".off";
+  return is_y ? "y" : "z";
+}
+
+/// Whether the user's own file says nothing of what is up, and its kind has to.
+bool guesses_up(const GalleryArguments& arguments) {
+  return !arguments.surface.empty() && !arguments.surface.starts_with("shape:") &&
+         !arguments.options.contains("up");
+}
+
 bool is_moving(const GalleryPicture& picture) { return picture.line.starts_with("animate "); }
 
 std::string default_output(const GalleryItem& item, const GalleryPicture& picture) {
@@ -126,6 +176,11 @@ std::vector<std::string> words_of(const GalleryPicture& picture, const GalleryAr
                                   const std::string& folder, const std::string& output) {
   std::vector<std::string> words =
       filled_words(picture, {folder, arguments.surface, arguments.field, arguments.values});
+  if (guesses_up(arguments)) {
+    leave_out(words, "up");
+    words.insert(words.end(), {"--up", up_of_file(arguments.surface)});
+  }
+  put_options(words, picture, arguments.options);
   words.insert(words.end(), {"--size", arguments.size.empty() ? picture.size : arguments.size});
   if (!arguments.quality.empty()) words.insert(words.end(), {"--quality", arguments.quality});
   words.insert(words.end(), {"--output", output});
@@ -168,8 +223,32 @@ void check_replacements(const GalleryItem& item, const GalleryArguments& argumen
   }
 }
 
+/// Whether a picture is drawn, or its command line printed.
+bool is_shown(const GalleryPicture& picture, const GalleryArguments& arguments,
+              const GalleryItem& item) {
+  if (!arguments.picture.empty()) return picture.name == arguments.picture;
+  return arguments.output.empty() || &picture == &item.pictures.front();
+}
+
+/// Options that no picture's command has.
+void check_options(const GalleryItem& item, const GalleryArguments& arguments) {
+  for (const auto& [name, values] : arguments.options) {
+    const bool used = std::ranges::any_of(item.pictures, [&, &option = name](const auto& picture) {
+      return is_shown(picture, arguments, item) && find_option(option, job_of(picture)) != nullptr;
+    });
+    if (!used) {
+      throw CLI::ValidationError(
+          "--" + name, "has no effect here: the command of '" + item.name + "' has no such option");
+    }
+  }
+}
+
 void check(const CLI::App& command, const GalleryArguments& arguments) {
   if (arguments.name.empty()) {
+    if (!arguments.options.empty()) {
+      throw CLI::ValidationError("--" + arguments.options.begin()->first,
+                                 "has no effect here: name an item of the gallery");
+    }
     refuse_given(command,
                  {"--picture", "--output", "--data", "--surface", "--field", "--values", "--size",
                   "--quality", "--detail", "--quiet"},
@@ -179,6 +258,7 @@ void check(const CLI::App& command, const GalleryArguments& arguments) {
   const GalleryItem& item = item_named(arguments.name);
   picture_named(item, arguments.picture);
   check_replacements(item, arguments);
+  check_options(item, arguments);
   if (arguments.output.empty() && arguments.data.empty()) {
     refuse_given(command, {"--detail", "--quiet"}, "nothing is made; add --output or --data");
   }
@@ -222,6 +302,10 @@ void run_gallery(const CLI::App& command, const GalleryArguments& arguments) {
   if (arguments.name.empty()) return list_items();
   const GalleryItem& item = item_named(arguments.name);
   const GalleryPicture& picture = picture_named(item, arguments.picture);
+  if (guesses_up(arguments) && !arguments.quiet) {
+    std::cerr << "brindle: " << up_of_file(arguments.surface) << " points up, as in most files '"
+              << lower_extension(arguments.surface) << "'; --up y|z says otherwise\n";
+  }
   if (arguments.output.empty() && arguments.data.empty()) {
     std::cout << item.name << ": " << item.what << "\n\n";
     return print_commands(item, arguments, item.name);
@@ -258,6 +342,33 @@ double parse_detail(const std::string& option, const std::string& text) {
   return static_cast<double>(detail);
 }
 
+/// All options of the command lines of items, which help names together.
+void add_line_options(CLI::App& command, GalleryArguments& arguments) {
+  for (const OptionInfo& option : option_table()) {
+    const std::string name(option.name);
+    const bool drawn = option.is_for(PatternJob::stripe) || option.is_for(PatternJob::sample) ||
+                       option.is_for(PatternJob::animate);
+    if (!drawn || command.get_option_no_throw("--" + name) != nullptr) continue;
+    if (option.kind == OptionKind::flag) {
+      command
+          .add_flag_function("--" + name,
+                             [&arguments, name](std::int64_t) { arguments.options[name] = {""}; })
+          ->group("");
+    } else {
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--" + name,
+              [&arguments, name](const std::vector<std::string>& values) {
+                arguments.options[name] = values;
+              })
+          ->expected(1)
+          ->take_all()
+          ->allow_extra_args(false)
+          ->group("");
+    }
+  }
+}
+
 void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
   command.add_option("NAME", arguments.name, "the item; without, all are listed");
   command.add_option("--picture", arguments.picture, "which of its pictures (default: the first)")
@@ -282,6 +393,7 @@ void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
       "how fine its data are: a factor of edges along a length, 0.25 to 4 (default 1)")
       ->type_name("F");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
+  add_line_options(command, arguments);
 }
 
 }  // namespace

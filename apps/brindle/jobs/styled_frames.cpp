@@ -242,8 +242,9 @@ void StyledFrames::show(const std::vector<StyledSurface>& surfaces, std::span<co
 Image StyledFrames::paint(const SolvedFrame& frame) {
   const Surface surface{frame.scene.mesh, frame.data.surface.neighborhood, frame.scene.normals};
   if (count_ == 0) begin(frame, surface);
-  const Followed followed = follow(style_.style, values_.read(frame.data, surface, viewpoint_));
+  Followed followed = follow(style_.style, values_.read(frame.data, surface, viewpoint_));
   StyledOptions options = styled_options(style_.style, picture_, followed);
+  if (style_.tile) name_tiles(style_.style, *style_.tile, options.render, followed);
   options.framed = framed_;
   const StyledScene scene = scene_of(frame, surface, followed);
   const std::vector<StyledSurface> surfaces =

@@ -121,12 +121,14 @@ OtherSurfaceChoice parse_other(const std::string& option, const std::string& tex
   std::vector<std::string> parts = split(text, '@');
   OtherSurfaceChoice choice;
   choice.mesh = parts.front();
-  const char* expected = "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z]";
+  const char* expected = "MESH[@opaque|striped|discarded][@untinted][@#rrggbb][@X,Y,Z]";
   if (choice.mesh.empty()) wrong_usage(option, expected, text);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i] == "striped" || parts[i] == "discarded") {
       choice.striped = true;
       if (parts[i] == "discarded") choice.between = BetweenStrokes::discarded;
+    } else if (parts[i] == "untinted") {
+      choice.tinted = false;
     } else if (parts[i].find(',') != std::string::npos) {
       choice.moved = parse_place(option, parts[i]);
     } else if (parts[i] != "opaque") {
@@ -310,9 +312,11 @@ void check_colors(const CLI::App& command, const StyleOptions& options) {
   }
   const bool by_value =
       !options.color_by.empty() || (!options.width_by.empty() && !options.by_light());
-  if (!by_value) {
+  if (!by_value && !options.regions.empty()) {
+    refuse_given(command, {"--no-legend"}, "without --legend TEXT there is none of tiles");
+  } else if (!by_value) {
     refuse_given(command, {"--legend", "--no-legend"},
-                 "there is none; add --color-by or --width-by VALUE");
+                 "there is none; add --color-by or --width-by VALUE, or --regions");
   }
   if (options.no_legend) refuse_given(command, {"--legend"}, "--no-legend leaves it out");
   if (options.discard && options.color_surface) {

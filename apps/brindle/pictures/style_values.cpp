@@ -64,7 +64,46 @@ void follow_colors(const StyleOptions& style, const VertexValues& color, Followe
   followed.legends.insert(followed.legends.begin(), std::move(legend));
 }
 
+std::string number_text(float value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", static_cast<double>(value));
+  return text;
+}
+
+/// Where tiles by value are all that a title can be for.
+bool has_region_legend(const StyleOptions& style) {
+  return !style.regions.empty() && style.color_by.empty() && !style.legend.empty();
+}
+
+/// From the largest values down. `name_tiles` says which the tiles are.
+Legend region_legend(const StyleOptions& style) {
+  Legend legend{.title = style.legend};
+  const std::vector<RegionChoice>& regions = style.regions;
+  for (std::size_t i = regions.size(); i-- > 0;) {
+    const std::string from = number_text(regions[i].from);
+    const std::string meaning =
+        i + 1 == regions.size() ? "from " + from : from + " to " + number_text(regions[i + 1].from);
+    legend.tiles.push_back({.tile = regions[i].tile, .meaning = meaning});
+  }
+  legend.tiles.push_back(
+      {.tile = regions.front().tile, .meaning = "below " + number_text(regions.front().from)});
+  return legend;
+}
+
 }  // namespace
+
+void name_tiles(const StyleOptions& style, const TextureTile& first, const RenderOptions& render,
+                Followed& followed) {
+  if (followed.legends.empty() || followed.legends.front().tiles.empty()) return;
+  Legend& legend = followed.legends.front();
+  legend.ground = render.base_color;
+  const std::size_t count = style.regions.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    legend.tiles[count - 1 - i].figure = style.regions[i].color.value_or(render.stripe_color);
+  }
+  legend.tiles.back().tile = first;
+  legend.tiles.back().figure = render.stripe_color;
+}
 
 Followed follow(const StyleOptions& style, const StyleValues& input) {
   Followed followed;
@@ -83,6 +122,7 @@ Followed follow(const StyleOptions& style, const StyleValues& input) {
     followed.tile_sizes =
         rescaled(input.tile_size->values, range[0], range[1], shares.lowest, shares.highest);
   }
+  if (has_region_legend(style)) followed.legends.push_back(region_legend(style));
   if (!style.legend.empty()) followed.legends.front().title = style.legend;
   if (style.no_legend) followed.legends.clear();
   return followed;

@@ -42,4 +42,9 @@ struct Followed {
 
 Followed follow(const StyleOptions& style, const StyleValues& values);
 
+/// Puts the tiles of a picture and their colours into the legend of its regions, if it has one:
+/// `first` is the tile of the smallest values.
+void name_tiles(const StyleOptions& style, const TextureTile& first, const RenderOptions& render,
+                Followed& followed);
+
 }  // namespace brindle::tool

@@ -129,6 +129,9 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
     styled.scene.texture->broken = styled.broken;
   }
   styled.options = styled_options(style, picture, styled.followed);
+  if (const Texture* texture = result.texture()) {
+    name_tiles(style, texture->tile, styled.options.render, styled.followed);
+  }
   styled.surfaces = surfaces_of(styled.scene, style, styled.options.render, styled.followed);
   return styled;
 }

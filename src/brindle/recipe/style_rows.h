@@ -163,7 +163,8 @@ constexpr OptionInfo kStyleRows[] = {
      .stale = OptionStage::style,
      .jobs = kStripe | kAnimate,
      .help = "picture: another surface, plain unless it says more: "
-             "MESH[@opaque|striped|discarded][@#rrggbb][@X,Y,Z], moved by X,Y,Z; repeatable"},
+             "MESH[@opaque|striped|discarded][@untinted][@#rrggbb][@X,Y,Z], untinted: without "
+             "--depth-cue, moved by X,Y,Z; repeatable"},
     {.name = "up",
      .group = "Outlines and depth",
      .kind = OptionKind::choice,

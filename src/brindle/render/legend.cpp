@@ -73,6 +73,19 @@ std::string text_beyond(const Legend& legend) {
   return text;
 }
 
+/// The side of a tile in a legend, in pixels.
+int tile_side(const LegendSizes& sizes) {
+  return static_cast<int>(std::lround(3.2f * sizes.letter));
+}
+
+float tiles_width(const Legend& legend, const LegendSizes& sizes) {
+  float widest = 0;
+  for (const LegendTile& tile : legend.tiles) {
+    widest = std::max(widest, text_width(tile.meaning, sizes.letter));
+  }
+  return static_cast<float>(tile_side(sizes)) + sizes.letter + widest;
+}
+
 float label_width(const Legend& legend, const LegendSizes& sizes) {
   float widest = has_field_beyond(legend) ? text_width(text_beyond(legend), sizes.letter) : 0;
   for (const Tick& tick : ticks_of(legend)) {
@@ -82,7 +95,9 @@ float label_width(const Legend& legend, const LegendSizes& sizes) {
 }
 
 float width_of(const Legend& legend, const LegendSizes& sizes) {
-  const float bar = sizes.bar + 1.25f * sizes.letter + label_width(legend, sizes);
+  const float bar = legend.tiles.empty()
+                        ? sizes.bar + 1.25f * sizes.letter + label_width(legend, sizes)
+                        : tiles_width(legend, sizes);
   return std::max(bar, text_width(legend.title, sizes.letter)) + 2 * sizes.margin;
 }
 
@@ -117,10 +132,35 @@ float draw_field_beyond(Image& image, const Legend& legend, const LegendSizes& s
   return height + 0.6f * sizes.letter;
 }
 
+/// Draws the legend's tiles below each other from `top` on, their meanings beside them.
+void draw_tiles(Image& image, const Legend& legend, const LegendSizes& sizes, const Vector2f& top,
+                std::vector<Stroke>& lines) {
+  const int side = tile_side(sizes), left = static_cast<int>(std::lround(top.x()));
+  int upper = static_cast<int>(std::lround(top.y()));
+  for (const LegendTile& tile : legend.tiles) {
+    const Image picture = tile_picture(tile.tile, side, tile.figure, legend.ground);
+    for (int y = 0; y < std::min(side, image.height - upper); ++y) {
+      for (int x = 0; x < std::min(side, image.width - left); ++x) {
+        image.at(left + x, upper + y) = picture.at(x, y);
+      }
+    }
+    const Vector2f label(
+        static_cast<float>(left + side) + sizes.letter,
+        static_cast<float>(upper) + 0.5f * (static_cast<float>(side) + sizes.letter));
+    const std::vector<Stroke> letters = text_strokes(tile.meaning, label, sizes.letter);
+    lines.insert(lines.end(), letters.begin(), letters.end());
+    upper += side + static_cast<int>(std::lround(0.7f * sizes.letter));
+  }
+}
+
 void draw_legend(Image& image, const Legend& legend, const LegendSizes& sizes, float left,
                  float top, float bottom) {
   std::vector<Stroke> lines = text_strokes(legend.title, {left, top + sizes.letter}, sizes.letter);
   Vector2f bar(left, top + 2.3f * sizes.letter);
+  if (!legend.tiles.empty()) {
+    draw_tiles(image, legend, sizes, bar, lines);
+    return ink(image, lines, sizes.line, legend.ink);
+  }
   if (has_field_beyond(legend)) bar.y() += draw_field_beyond(image, legend, sizes, bar, lines);
   draw_bar(image, legend, bar, bottom, sizes.bar);
   const float range = legend.highest - legend.lowest;

@@ -33,6 +33,7 @@ struct DrawnSurface {
   Mesh mesh;  ///< relative to the origin of the first surface
   GlSurface surface;
   GlStyle style;
+  bool tinted = true;    ///< by the depth cue
   int first_number = 0;  ///< of its triangles among those of all surfaces
 };
 
@@ -278,8 +279,10 @@ void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Drawin
                                          const Part& part, const Target& light) {
   const StyledOptions& options = drawing.options;
   const bool texture = drawn.style.regions() > 0, occlusion = options.occlusion > 0;
-  const std::string features = drawn.style.features() + "const int kDepthCue = " +
-                               std::to_string(static_cast<int>(options.depth_cue)) + ";\n";
+  const DepthCue cue = drawn.tinted ? options.depth_cue : DepthCue::none;
+  const std::string features = drawn.style.features() +
+                               "const int kDepthCue = " + std::to_string(static_cast<int>(cue)) +
+                               ";\n";
   const ShaderProgram& program =
       texture ? programs.texture(features, occlusion) : programs.strokes(features, occlusion);
   groups.find(drawn.surface, visible, drawing.camera, part.transform, light, part.size,
@@ -363,7 +366,7 @@ SurfaceDrawing drawing_of(const StyledSurface& styled, const Mesh& mesh) {
 }
 
 DrawnSurface drawn_surface(const StyledSurface& styled, const Eigen::Vector3d& origin) {
-  DrawnSurface drawn{moved_to(styled.mesh, origin), {}, GlStyle(styled)};
+  DrawnSurface drawn{moved_to(styled.mesh, origin), {}, GlStyle(styled), styled.tinted};
   drawn.surface.upload(drawing_of(styled, drawn.mesh));
   return drawn;
 }
@@ -430,6 +433,7 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
     if (surface.texture) drawn.surface.update_texture(*surface.texture->waves);
     drawn.mesh = std::move(mesh);
     drawn.style = std::move(style);
+    drawn.tinted = surface.tinted;
   } else {
     std::size_t triangles = surface.mesh.triangle_count();
     for (const DrawnSurface& other : s.surfaces) triangles += other.mesh.triangle_count();
