@@ -457,7 +457,7 @@ void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
 
 void DistributedStripeAnimator::set_slack(const Slack& slack) {
   State& s = *state_;
-  s.ranks().together([&] { s.yielding.check_yields(); });
+  s.ranks().together([&] { check_made_with_slack(s.yielding.yields()); });
   check_on_all(*s.surface, slack);
   auto setting = rank_yielding_setting(*s.surface, slack);
   const bool differs = setting->triangles.weights != s.yielding.setting().triangles.weights;

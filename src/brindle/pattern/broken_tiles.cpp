@@ -346,7 +346,8 @@ class Breaks {
     const std::uint8_t own = closed_[t], other = closed_[there];
     if (((own ^ other) & kClosing) != 0) return false;
     if (!wound_alike_ && triangles_[t][corner] == triangles_[there][at]) return false;
-    return signs_.onward[own >> kSignsAt][corner] == signs_.back[other >> kSignsAt][at];
+    static const EdgeSigns signs;
+    return signs.onward[own >> kSignsAt][corner] == signs.back[other >> kSignsAt][at];
   }
 
   /// The same of waves that corners have of their own, whose signs say nothing.
@@ -487,7 +488,6 @@ class Breaks {
   std::span<const CornerPhases> u_, v_;
   std::span<const CornerSigns> turned_;  ///< empty: corners have waves of their own
   const TileFigures& figures_;
-  EdgeSigns signs_;
   std::array<Rect, 2> reach_;         ///< from middles: where triangles list a figure
   std::array<Rect, 2> rects_;         ///< of the first figures: what has to be clear
   std::vector<std::uint8_t> closed_;  ///< how a triangle's coordinates close, and its signs

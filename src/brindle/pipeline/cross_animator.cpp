@@ -15,6 +15,7 @@
 #include "brindle/pattern/texture_quality.h"
 #include "brindle/pipeline/cross_parts.h"
 #include "brindle/pipeline/frame_check.h"
+#include "brindle/pipeline/yielding_frames.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
@@ -277,9 +278,7 @@ void CrossAnimator::set_last_phases(const CrossCover& cover, std::span<const Com
 void CrossAnimator::set_slack(const Slack& slack) {
   State& s = *state_;
   check_slack(slack, s.surface.mesh.vertex_count());
-  if (!s.made_with_slack) {
-    throw Error("animator: it was made without slack; make it of a Surface with some");
-  }
+  check_made_with_slack(s.made_with_slack);
   Slack of_cover = slack_on_cover(slack);
   // Made of a cover while there was none, an animator knows no slack: another one goes on.
   if (s.animator && !s.on_cover.slack.yields()) s.animator.reset();

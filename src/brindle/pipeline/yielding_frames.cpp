@@ -23,6 +23,11 @@ void refuse_slack(const AnimatorOptions& options) {
   throw Error("animator options: slack needs the surface; make the animator of a Surface");
 }
 
+void check_made_with_slack(bool made_with_slack) {
+  if (made_with_slack) return;
+  throw Error("animator: it was made without slack; make it of a Surface with some");
+}
+
 YieldingFrames::YieldingFrames(const Surface& surface, const Slack& slack) {
   check_slack(slack, surface.mesh.vertex_count());
   if (slack.yields()) yielding_.emplace(yielding_setting(surface, slack));
@@ -34,14 +39,8 @@ YieldingFrames YieldingFrames::sibling() const {
   return other;
 }
 
-void YieldingFrames::check_yields() const {
-  if (!yielding_) {
-    throw Error("animator: it was made without slack; make it of a Surface with some");
-  }
-}
-
 void YieldingFrames::set_slack(const Slack& slack) {
-  check_yields();
+  check_made_with_slack(yields());
   yielding_->set_slack(slack);
   has_kept_ = false;
 }

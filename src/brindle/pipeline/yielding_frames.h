@@ -17,6 +17,9 @@ namespace brindle {
 AnimatorOptions without_slack(AnimatorOptions options);
 void refuse_slack(const AnimatorOptions& options);
 
+/// Throws Error for an animator that was made without slack and is to take another one.
+void check_made_with_slack(bool made_with_slack);
+
 class YieldingFrames {
  public:
   /// Frequencies stay as they are.
@@ -32,9 +35,6 @@ class YieldingFrames {
 
   /// Another one for the same surface and slack.
   YieldingFrames sibling() const;
-
-  /// Throws Error where nothing yields.
-  void check_yields() const;
 
   /// As StripeAnimator's.
   void set_slack(const Slack& slack);

@@ -15,6 +15,7 @@
 #include "brindle/base/reported_sort.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
+#include "brindle/render/drawing_size.h"
 #include "brindle/render/simplified_stroke.h"
 
 namespace brindle {
@@ -202,13 +203,6 @@ Polylines chains(const Mesh& mesh, std::span<const Vec3> normals,
 }  // namespace
 
 namespace {
-
-void check_drawing_size(int width, int height) {
-  if (width < 1 || height < 1 || width > 8192 || height > 8192) {
-    throw Error("a drawing has 1 to 8192 pixels along each side, not " + std::to_string(width) +
-                "x" + std::to_string(height));
-  }
-}
 
 Camera drawing_camera(const Mesh& mesh, const CameraView& view, int width, int height) {
   check_drawing_size(width, height);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/render/drawing_size.h"
 #include "brindle/render/region_tracer.h"
 #include "brindle/render/seen_surfaces.h"
 #include "brindle/render/smooth_path.h"
@@ -17,12 +18,6 @@ namespace {
 // Together with the hundredths that files keep, a twentieth of a pixel.
 constexpr double kTraceTolerance = 0.015;
 constexpr double kFitTolerance = 0.03;
-
-void check_outline_sides(int width, int height) {
-  if (width >= 1 && height >= 1 && width <= 8192 && height <= 8192) return;
-  throw Error("a drawing has 1 to 8192 pixels along each side, not " + std::to_string(width) + "x" +
-              std::to_string(height));
-}
 
 void check_entries(std::span<const StyledSurface> surfaces) {
   constexpr std::size_t kMostSurfaces = std::numeric_limits<std::uint16_t>::max() / 2 - 1;
@@ -72,7 +67,7 @@ Pen pen_of(std::string name, const Color& color, const std::vector<OutlineLoop>&
 std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const Camera& camera,
                                  UpAxis up, int width, int height, float least_area,
                                  const Progress& heard) {
-  check_outline_sides(width, height);
+  check_drawing_size(width, height);
   check_entries(surfaces);
   if (!(least_area >= 0)) throw Error("the least area of an outline is a number from 0 on");
   JobStages stages(heard, {{"outlines", 1}});
