@@ -7,7 +7,7 @@ The table whose first column is 'room' has, in a row per room, what is in it, it
 the rooms that it may include, which stand for all that these may include, too. The README's program must be that of tests/consumer. Fails if a file
 includes what its room may not, if a room, a public header or a permission is missing from the
 table, or if the table has one that the sources do not. The table of the tool's rooms, in apps/brindle,
-is checked in the same way.
+is checked in the same way, and so is the one of programs: whose private headers of the library they may include.
 """
 import pathlib
 import re
@@ -116,6 +116,41 @@ def check_tool(root):
     return complaints + check_arrows(root, rooms, files, TOOL_INCLUDE, lambda target: target.split('/')[0])
 
 
+PRIVATE_INCLUDE = re.compile(r'^\s*#\s*include [<"]brindle/([a-z_]+)/(?:[a-z_]+/)*([a-z_0-9]+)\.h[>"]',
+                             re.MULTILINE)
+
+
+def read_programs(text):
+    """Folders of programs, and the rooms whose private headers they may include."""
+    section = text[text.index('\n| program |'):]
+    section = section[:section.index('\n\n')]
+    rows = re.findall(r'^\| `([a-z_/]+)` \| ([^|]*)\|$', section, re.MULTILINE)
+    return {folder: words(rooms) for folder, rooms in rows}
+
+
+def check_programs(root):
+    complaints = []
+    programs = read_programs((root / 'docs/architecture.md').read_text())
+    used = {folder: set() for folder in programs}
+    for path in [p for top in ('apps', 'python', 'paraview', 'web') for p in (root / top).glob('**/*.[hc]*')]:
+        name = path.relative_to(root).as_posix()
+        if name.startswith(('paraview/tests/', 'web/node_modules/')):
+            continue
+        folder = max((f for f in programs if name.startswith(f + '/')), key=len, default=None)
+        if folder is None:
+            complaints.append(f'{name} is of no program that the table has')
+            continue
+        for room, header in PRIVATE_INCLUDE.findall(path.read_text()):
+            if header == 'parsed_words':
+                continue
+            used[folder].add(room)
+            if room not in programs[folder]:
+                complaints.append(f'{name} includes {header}.h, which is private to {room}')
+    complaints += [f"'{folder}' may include private headers of '{room}' but does not"
+                   for folder, rooms in programs.items() for room in rooms if room not in used[folder]]
+    return complaints
+
+
 def check_program(root):
     program = (root / 'tests/consumer/main.cpp').read_text()
     if f'```cpp\n{program}```' in (root / 'README.md').read_text():
@@ -125,7 +160,7 @@ def check_program(root):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
-    complaints = check(root) + check_tool(root) + check_program(root)
+    complaints = check(root) + check_tool(root) + check_programs(root) + check_program(root)
     print('\n'.join(complaints) or 'the rooms are as drawn')
     return 1 if complaints else 0
 

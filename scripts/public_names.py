@@ -1,7 +1,25 @@
-"""What public headers declare at the level of the namespace: functions and types."""
+#!/usr/bin/env python3
+"""What public headers declare at the level of the namespace: functions and types.
+
+usage: public_names.py
+
+Writes docs/headers.md anew: all public headers, room by room in the order of docs/architecture.md.
+"""
+import pathlib
 import re
 
-TYPE = re.compile(r"\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum class)\s+(?:BRINDLE_EXPORT\s+)?(\w+)")
+from check_rooms import read_table
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TITLES = {"gl": "OpenGL", "gpu": "GPU"}
+INTRODUCTION = """# The headers
+
+All public headers of [the library](library.md), room by room, and what each declares. What functions take, give and
+throw stands in the headers themselves; `./dev docs` makes a reference of them that can be searched
+(`build/docs/html/index.html`). `brindle/brindle.h` includes all but those that need OpenGL or MPI.
+"""
+
+TYPE = re.compile(r"\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum class|enum)\s+(?:BRINDLE_EXPORT\s+)?(\w+)")
 FUNCTION = re.compile(r"\b([a-z]\w*)\s*\(")
 NO_FUNCTION = re.compile(r"\s*(?:using|extern|friend|inline constexpr|constexpr)\b")
 
@@ -31,3 +49,35 @@ def functions_and_types(text):
                     functions.append(match[1])
                 seen = ""
     return list(dict.fromkeys(functions)), list(dict.fromkeys(types))
+
+
+def purpose(text):
+    """The first sentence of a header's comment."""
+    words = []
+    for line in text.splitlines():
+        if not line.startswith("///") or line == "///":
+            break
+        words.append(line[3:].strip())
+    sentence = re.split(r"(?<=[^.])\.(?: (?=[A-Z])|$)", " ".join(words))[0]
+    return re.sub(r" \(docs/[^)]*\)$", "", sentence).replace("|", "\\|")
+
+
+def row(name):
+    text = (ROOT / f"include/brindle/{name}.h").read_text()
+    cells = [purpose(text), *(", ".join(f"`{one}`" for one in names) for names in functions_and_types(text))]
+    return f"| `{name}` | " + "".join(f"{cell} | " if cell else "| " for cell in cells).rstrip()
+
+
+def page():
+    """The text of docs/headers.md."""
+    parts = [INTRODUCTION]
+    for room, columns in read_table((ROOT / "docs/architecture.md").read_text()).items():
+        if columns["public"]:
+            rows = "\n".join(row(name) for name in sorted(columns["public"]))
+            parts.append(f"## {TITLES.get(room, room.capitalize())}\n\n"
+                         "| header | what it is for | functions | types |\n|---|---|---|---|\n" + rows + "\n")
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    (ROOT / "docs/headers.md").write_text(page())

@@ -10,8 +10,8 @@
 #include "brindle/direction_field.h"
 #include "brindle/frequency_field.h"
 #include "brindle/geometry/neighborhood.h"
-#include "brindle/geometry/normals.h"
 #include "brindle/mesh.h"
+#include "brindle/normals.h"
 #include "brindle/phase_graph.h"
 #include "brindle/shapes.h"
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 
 namespace brindle::tool {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "brindle/base/printable.h"
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/error.h"
 #include "brindle/version.h"
 #include "cli/blas_threads.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
-#include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
 #include "cli/job_listener.h"
 #include "input/surface_options.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "brindle/base/file_extension.h"
-#include "brindle/files/named_file.h"
+#include "brindle/base/named_file.h"
 #include "cli/command_line.h"
 #include "pvtp_pieces.h"
 #include "request.h"

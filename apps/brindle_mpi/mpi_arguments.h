@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"

@@ -20,7 +20,7 @@
 #include "brindle/distributed/surface/whole_on_first.h"
 #include "brindle/files.h"
 #include "brindle/files/vtk/vtp_rows.h"
-#include "brindle/points/point_tree.h"
+#include "brindle/points.h"
 #include "brindle/recipe/making_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
@@ -142,7 +142,7 @@ JoinedFamily join_family(const CutFamily& cut, const PiecePatterns& patterns,
   family.branches = solved.quality.branches;
   family.field_singularities = solved.quality.field_singularities;
   family.yields = solved.frequency_change.has_value();
-  if (PointTree::available()) {
+  if (has_point_trees()) {
     const CurveSpacing spacing = measure_joined_spacing(patterns.piece(solved, arguments),
                                                         family.curves, solved.frequencies_wanted);
     if (spacing.measured > 0) family.spacing = spacing;

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed_stripes.h"
 
 namespace brindle::tool {

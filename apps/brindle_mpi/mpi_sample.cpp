@@ -14,7 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/vtk/vtp_rows.h"
-#include "brindle/points/point_tree.h"
+#include "brindle/points.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
@@ -56,7 +56,7 @@ GatheredSamples gather_samples(Communicator& ranks, const PiecePatterns& pattern
   std::vector<Sample> own =
       wave_samples(patterns.piece(*patterns.u, arguments), patterns.piece(*patterns.v, arguments));
   GatheredSamples gathered;
-  if (PointTree::available()) gathered.doubles = drop_doubles(surface, own, arguments.min_distance);
+  if (has_point_trees()) gathered.doubles = drop_doubles(surface, own, arguments.min_distance);
   const std::vector<std::size_t> counts = ranks.all(own.size());
   gathered.samples = gathered_samples(surface, own);
   gathered.own = std::move(own);
@@ -132,7 +132,7 @@ void check(const CLI::App& command, const MpiSampleArguments& arguments, Communi
                   "samples over many processes are written as .csv, .ply or .vtp, or in pieces as "
                   ".pvtp; 'brindle sample' draws");
   }
-  if (!PointTree::available()) {
+  if (!has_point_trees()) {
     refuse_given(command, {"--min-distance"},
                  "this build has no nanoflann; configure with -DBRINDLE_NANOFLANN=ON");
   }
@@ -153,7 +153,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
     Stopwatch watch;
     gathered = gather_samples(ranks, patterns, arguments);
     ranks.together([&] {
-      if (PointTree::available()) gathered.spacing = measure_sample_spacing(gathered.samples);
+      if (has_point_trees()) gathered.spacing = measure_sample_spacing(gathered.samples);
     });
     extract = watch.lap();
     if (writes_pieces(arguments)) {

@@ -1,7 +1,7 @@
 /// `brindle-mpi sample`.
 #pragma once
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "cli/commands.h"
 
 namespace brindle::tool {

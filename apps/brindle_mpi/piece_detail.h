@@ -1,7 +1,7 @@
 /// Measured fields of pieces.
 #pragma once
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/measured_field.h"
 #include "input/wave_options.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/frequency_field.h"

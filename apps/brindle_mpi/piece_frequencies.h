@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed_surface.h"
 #include "input/wave_options.h"
 #include "mesh_pieces.h"

@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
+#include "brindle/base/named_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
-#include "brindle/files/named_file.h"
 #include "brindle/files/vtk/pvtp_file.h"
 #include "brindle/files/vtk/vtp_file.h"
 #include "brindle/files/vtk/xml_text.h"

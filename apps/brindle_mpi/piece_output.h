@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
-#include "brindle/distributed/communicator.h"
 #include "brindle/mesh.h"
 #include "input/used_files.h"
 

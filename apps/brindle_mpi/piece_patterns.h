@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/distributed_stripes.h"
 #include "cli/progress_display.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
-#include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
 #include "input/array_source.h"
 #include "mesh_pieces.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/recipe/wave_report.h"
 #include "cli/job_listener.h"

@@ -21,7 +21,7 @@
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"
 #include "brindle/files/vtk/vtk_xml_file.h"
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 #include "input/array_source.h"
 #include "rank_arrays.h"
 #include "request.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "cli/job_listener.h"
 #include "input/used_files.h"
 #include "mesh_pieces.h"

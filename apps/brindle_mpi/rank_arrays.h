@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
-#include "brindle/distributed/communicator.h"
 
 namespace brindle::tool {
 

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 
 namespace brindle::tool {
 

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "cli/job_listener.h"
 
 namespace brindle::tool {

@@ -1,5 +1,4 @@
-#include "brindle/geometry/append_mesh.h"
-#include "brindle/geometry/translate_mesh.h"
+#include "brindle/mesh.h"
 #include "gallery/items.h"
 #include "gallery/machine_parts.h"
 

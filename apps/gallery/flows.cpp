@@ -9,9 +9,8 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
-#include "brindle/geometry/append_mesh.h"
-#include "brindle/geometry/normals.h"
-#include "brindle/geometry/translate_mesh.h"
+#include "brindle/mesh.h"
+#include "brindle/normals.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "gallery/hare.h"
 #include "gallery/implicit.h"

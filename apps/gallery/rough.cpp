@@ -6,8 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/geometry/append_mesh.h"
-#include "brindle/geometry/translate_mesh.h"
+#include "brindle/mesh.h"
 #include "brindle/shapes/noise.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "brindle/shapes/random.h"

@@ -11,7 +11,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/smooth_field.h"
 #include "scenes/brush_stroke.h"
 

@@ -33,6 +33,17 @@ struct CurveGaps {
   double least_ratio_chosen = 0, mean_ratio_chosen = 0, most_ratio_chosen = 0;
 };
 
+/// Distances between neighbouring curves over 1/f of the frequencies chosen, measured on both sides
+/// of the curves at points about a fifth of 1/f apart; `wanted` against those that were asked for.
+struct CurveSpacing {
+  std::size_t measured = 0;            ///< how often a neighbour was there
+  double mean = 0;                     ///< of the ratio; 1 is ideal
+  double deviation = 0;                ///< standard deviation of the ratio
+  double share_within_10_percent = 0;  ///< of what was measured, ratios from 0.9 to 1.1
+  double mean_wanted = 0, deviation_wanted = 0, share_within_10_percent_wanted = 0;
+  CurveGaps gaps;  ///< measured farther, for makers
+};
+
 /// The share of the surface's area, 0 to 1, that is nearer to a curve than half of `width` (units
 /// of length), through space: the other side of a sheet thinner than that counts too. Measured at
 /// 100,000 places spread evenly over the area: good to about 0.002. 0 for a surface without area.

@@ -77,6 +77,10 @@ struct LoadedMesh {
 /// Cancelled if `progress`, which hears how much of the file is read, asks for it.
 LoadedMesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
+/// The files that `read_mesh` reads besides a .gltf; nothing of one that cannot be read, which is
+/// for the reader to say.
+std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& gltf);
+
 /// The vertices that `read_mesh` reads, of a file with or without triangles. Coordinates that are
 /// no numbers stay so. Throws Error as `read_mesh` does.
 Mesh read_vertices(const std::filesystem::path& path);
@@ -193,6 +197,10 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
 /// than there are names.
 std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path);
 
+/// The same from the first row alone: every array has one row, with the numbers of its columns,
+/// counted from 0. Columns of words have not been left out.
+std::vector<DataArray> csv_columns(const std::filesystem::path& path);
+
 /// What a field file holds: one row per vertex.
 struct FieldFile {
   std::vector<Vec3> vectors;
@@ -215,6 +223,12 @@ struct FieldFile {
 /// is neither of both.
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
                          std::span<const Index> vertex_of_row = {});
+
+/// Reads a CSV file of one number from 0 to 1 a row, or with a column of the name `calm`: how
+/// little frequencies are to yield (`Slack::calm`). A row stands for a vertex as in
+/// `read_field_csv`; of the rows of one vertex the greatest counts. Throws Error as that does.
+std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
+                                 std::span<const Index> vertex_of_row = {});
 
 /// Reads strokes from JSON, with these keys and no others:
 ///

@@ -1,4 +1,4 @@
-/// What colours and widths of a picture mean.
+/// What colours, widths and tiles of a picture mean.
 #pragma once
 
 #include <optional>

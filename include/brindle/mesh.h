@@ -127,6 +127,13 @@ std::size_t join_vertices(Mesh& mesh, std::span<const Index> first);
 /// number of every vertex that is left.
 std::vector<Index> drop_unreferenced_vertices(Mesh& mesh);
 
+/// Adds all vertices and triangles of `other` behind those of `mesh`, whose origin stays unless it
+/// is empty.
+void append(const Mesh& other, Mesh& mesh);
+
+/// Adds `way` to all positions; the origin stays.
+void translate(Mesh& mesh, const Vec3& way);
+
 /// Splits every triangle in four at the midpoints of its edges, `times` times. Triangles that share
 /// an edge, however many, share its midpoint. Old vertices keep their numbers; the midpoints
 /// follow, ordered by the numbers of their edge's ends. The triangles of triangle t are 4 t .. 4 t

@@ -36,6 +36,9 @@ struct MakingOptions {
   std::vector<WantedWinding> windings;
   std::optional<float> merge_branches;  ///< how much the energy may rise, as a share of it
   bool measure_windings = false;        ///< also where none are asked for
+
+  /// Whether they make another pattern of the waves.
+  bool change_pattern() const { return anchor_boundary || !windings.empty() || merge_branches; }
 };
 
 /// What became of them.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/adjacency.h"
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/progress.h"
@@ -53,6 +54,17 @@ LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> nor
 /// The same of coordinates as a file has them, relative to `origin_near` (local_positions.h).
 LoadedPoints make_placed_point_cloud(std::span<const Eigen::Vector3d> positions,
                                      std::vector<Vec3> normals = {}, const Progress& progress = {});
+
+/// Whether this build has trees of points, which all that looks for near points needs: nanoflann.
+bool has_point_trees();
+
+/// Joins each of the `used` points to the `count` nearest others of them; j is a neighbour of i if
+/// either is among the nearest of the other. `used` is in ascending order; all other points have no
+/// neighbours. Positions are finite and different from each other where used. Of points equally far
+/// away any may be taken, the same ones in every run. Throws Error for a count below 1, and in a
+/// build without nanoflann; TooLarge (memory.h) for neighbours that memory does not hold.
+Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const Index> used,
+                             int count, const Progress& progress = {});
 
 /// Joins every point to its `neighbors` nearest and, if the cloud has no normals, fits and orients
 /// them. Points that are not used, and those whose neighbours lie on a line, have a zero normal and

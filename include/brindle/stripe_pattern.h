@@ -87,6 +87,11 @@ StripePattern stripe_pattern(const Surface& surface, DirectionField field,
                              FrequencyField frequencies, const StripeOptions& options = {},
                              const Progress& progress = {});
 
+/// Renews `corners` and `quality`, the latter also against the frequencies asked for, from the
+/// other parts of the pattern: of one whose phases were found elsewhere. `calm` is that of a Slack.
+void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
+                     const Progress& progress = {});
+
 /// The centre lines of the pattern's stripes, sin Phi = 1, over the whole surface that it was made
 /// for. Several cross a triangle where the frequency asks for it. Curves do not cross; each is
 /// closed, or both its ends have one of the reasons of CurveEnd. They run so that waves run to

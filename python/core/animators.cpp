@@ -8,7 +8,7 @@
 #include "brindle/recipe/refusals.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
-#include "brindle/waves/parsed_phase_shift.h"
+#include "brindle/waves/parsed_words.h"
 #include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"

@@ -8,13 +8,10 @@
 #include "brindle/curve_measures.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/geometry/mesh_edges.h"
-#include "brindle/pattern/point_sampling.h"
-#include "brindle/pattern/sampling.h"
-#include "brindle/pattern/stripe_curves.h"
 #include "brindle/recipe/curve_notes.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/samples.h"
+#include "brindle/stripe_tracer.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -37,7 +34,7 @@ void check_not_negative(float value, const char* name) {
 }
 
 // Shares of making curves.
-constexpr double kEdges = 0.1, kLifted = 0.3, kTraced = 0.7, kResampled = 0.5;
+constexpr double kTraced = 0.7, kResampled = 0.5;
 
 struct CurveWishes {
   bool join = false;
@@ -74,16 +71,15 @@ CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
     auto made = std::make_shared<CurvesData>();
     made->surface = stripes.surface;
     const Surface& surface = stripes.surface->surface;
-    const MeshEdges edges =
-        mesh_edges(surface.mesh, *surface.neighborhood, progress.part(0, kEdges));
-    WaveSet waves = stripes.pattern.waves;
-    std::vector<Complex> z = stripes.pattern.solution.z;
-    made->jogs = shift_phases(*surface.neighborhood, wishes.offset, waves, z);
-    const WavePattern pattern{surface.mesh, edges, surface.normals,
-                              waves,        z,     stripes.pattern.phase_shift};
-    made->curves =
-        stripe_curves(LiftedWaves(pattern, progress.part(kEdges, kLifted)),
-                      {.join = wishes.join, .trim = wishes.trim}, progress.part(kLifted, kTraced));
+    const CurveOptions options{.join = wishes.join, .trim = wishes.trim};
+    const Progress tracing = progress.part(0, kTraced);
+    if (wishes.offset == 0) {
+      made->curves = stripe_curves(surface, stripes.pattern, options, tracing);
+    } else {
+      StripePattern moved = stripes.pattern;
+      made->jogs = shift_stripes(surface, wishes.offset, moved);
+      made->curves = stripe_curves(surface, moved, options, tracing);
+    }
     shape_lines(*made, wishes, progress.part(kTraced, 1));
     return made;
   });
@@ -250,27 +246,6 @@ void check_same(const StripesData& u, const StripesData& v) {
   throw Error("samples: both patterns must be of one surface");
 }
 
-std::vector<Sample> crossings(const StripesData& u, const StripesData& v,
-                              const Progress& progress) {
-  const Surface& surface = u.surface->surface;
-  const PointWaves waves_u{u.pattern.waves, u.pattern.solution.z};
-  const PointWaves waves_v{v.pattern.waves, v.pattern.solution.z};
-  if (surface.mesh.triangles.empty()) {
-    return point_samples(*surface.neighborhood, surface.normals, waves_u, waves_v);
-  }
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, progress.part(0, kEdges));
-  const auto lifted = [&](const StripesData& data, const Progress& part) {
-    return LiftedWaves({surface.mesh, edges, surface.normals, data.pattern.waves,
-                        data.pattern.solution.z, data.pattern.phase_shift},
-                       part);
-  };
-  const double between = (kEdges + kTraced) / 2;
-  const LiftedWaves lifted_u = lifted(u, progress.part(kEdges, between));
-  const LiftedWaves lifted_v = lifted(v, progress.part(between, kTraced));
-  return wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
-                      sampled_waves(lifted_v), progress.part(kTraced, 1));
-}
-
 SamplesPointer samples(const StripesData& u, const StripesData& v, float min_distance) {
   check_same(u, v);
   check_not_negative(min_distance, "min_distance");
@@ -278,10 +253,11 @@ SamplesPointer samples(const StripesData& u, const StripesData& v, float min_dis
     saying_in_pythons_words([&] { brindle::check_min_distance_on_points(min_distance); });
   }
   return until_interrupted([&](const Progress& progress) {
-    constexpr double kFound = 0.8;
+    constexpr double kEdges = 0.1, kFound = 0.8;
     auto made = std::make_shared<SamplesData>();
     made->surface = u.surface;
-    made->samples = crossings(u, v, progress.part(0, kFound));
+    const StripeTracer tracer(u.surface->surface, progress.part(0, kEdges));
+    made->samples = tracer.crossings(u.pattern, v.pattern, progress.part(kEdges, kFound));
     made->doubles = drop_doubles(made->samples, min_distance, progress.part(kFound, 1));
     return made;
   });

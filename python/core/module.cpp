@@ -5,7 +5,7 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
-#include "brindle/phases/solver_options.h"
+#include "brindle/phases/parsed_words.h"
 #include "brindle/progress.h"
 #include "brindle/solver.h"
 #include "brindle/threads.h"

@@ -3,8 +3,8 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
-#include "brindle/geometry/append_mesh.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/mesh.h"
+#include "brindle/normals.h"
 #include "brindle/quality.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/render/parsed_words.h"

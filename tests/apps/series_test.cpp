@@ -13,7 +13,7 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/files.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "tool.h"
 

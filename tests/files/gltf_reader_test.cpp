@@ -12,7 +12,6 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/gltf/gltf_buffers.h"
 #include "test_folder.h"
 
 namespace brindle {

@@ -1,6 +1,6 @@
-#include "brindle/geometry/append_mesh.h"
-
 #include <gtest/gtest.h>
+
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/geometry/neighborhood.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes/parametric_shapes.h"
 
 namespace brindle {

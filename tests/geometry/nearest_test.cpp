@@ -1,4 +1,4 @@
-#include "brindle/geometry/nearest.h"
+#include "brindle/nearest.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 
 #include <algorithm>
 #include <cmath>

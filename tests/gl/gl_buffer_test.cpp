@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/gl/gl_device.h"
+#include "brindle/gl_device.h"
 #include "brindle/headless_context.h"
 
 namespace brindle {

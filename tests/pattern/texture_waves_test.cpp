@@ -9,7 +9,7 @@
 
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "phase_graphs.h"
 
 namespace brindle {

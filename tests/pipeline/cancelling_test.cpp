@@ -17,7 +17,7 @@
 #include "brindle/mesh_data.h"
 #include "brindle/nearby_data.h"
 #include "brindle/points.h"
-#include "brindle/points/point_tree.h"
+#include "brindle/points.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
@@ -200,7 +200,7 @@ std::vector<std::pair<std::string, Job>> jobs() {
       throw;
     }
   });
-  if (PointTree::available()) {
+  if (has_point_trees()) {
     add("make_point_surface", [](const Progress& progress) {
       make_point_surface(make_point_cloud(torus().mesh.positions).cloud, 8, progress);
     });
@@ -308,7 +308,7 @@ TEST(Cancelling, ReportsAreNeverFarApart) {
     EXPECT_LE(most, farthest.at(name)) << name;
     EXPECT_GE(reports, 8) << name;
   }
-  if (PointTree::available()) {
+  if (has_point_trees()) {
     EXPECT_EQ(found, farthest.size());
   }
 }

@@ -11,7 +11,7 @@
 
 #include "brindle/fragment_phase.h"
 #include "brindle/frequency_field.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 

@@ -1,5 +1,3 @@
-#include "brindle/points/point_neighborhood.h"
-
 #include <algorithm>
 #include <numeric>
 #include <random>
@@ -10,6 +8,7 @@
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/points.h"
 #include "test_points.h"
 
 namespace brindle {

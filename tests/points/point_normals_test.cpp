@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/geometry/neighborhood.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 
 namespace brindle {

@@ -23,7 +23,7 @@ std::vector<Index> by_distance(const std::vector<Vec3>& points, const Vec3& poin
 
 TEST(PointTree, FindsWhatALookAtAllPointsFinds) {
   const std::vector<Vec3> points = random_points(400);
-  if (!PointTree::available()) {
+  if (!has_point_trees()) {
     EXPECT_THROW(PointTree tree(points), Error);
     return;
   }
@@ -40,7 +40,7 @@ TEST(PointTree, FindsWhatALookAtAllPointsFinds) {
 }
 
 TEST(PointTree, OfFewPointsOrNoneFindsWhatThereIs) {
-  if (!PointTree::available()) GTEST_SKIP() << "this build has no nanoflann";
+  if (!has_point_trees()) GTEST_SKIP() << "this build has no nanoflann";
   std::vector<Index> found = {1, 2, 3};
   const std::vector<Vec3> none;
   PointTree(none).nearest(Vec3::Zero(), 5, found);

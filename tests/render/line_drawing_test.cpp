@@ -11,7 +11,7 @@
 
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "brindle/surface.h"
 #include "progress_reports.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/append_mesh.h"
+#include "brindle/mesh.h"
 #include "brindle/shapes.h"
 #include "render/test_drawings.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "render/test_drawings.h"
 

@@ -5,9 +5,9 @@
 
 #include "brindle/feature_lines.h"
 #include "brindle/geometry/neighborhood.h"
-#include "brindle/geometry/normals.h"
 #include "brindle/headless_context.h"
 #include "brindle/line_drawing.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"

@@ -16,7 +16,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/half_edges.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/shapes/implicit_shapes.h"
 #include "brindle/shapes/isosurface.h"
 #include "brindle/shapes/parametric_shapes.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/waves/parsed_phase_shift.h"
+#include "brindle/waves/parsed_words.h"
 
 namespace brindle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
-#include "brindle/waves/parsed_phase_shift.h"
+#include "brindle/waves/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/option_values.h"

@@ -116,13 +116,13 @@ PatternJob job_of(const GalleryPicture& picture) {
   return picture.line.starts_with("sample ") ? PatternJob::sample : PatternJob::stripe;
 }
 
-/// Leaves an option out of a command line, with its value if it has one.
-void leave_out(std::vector<std::string>& words, std::string_view option) {
-  const std::string word = "--" + std::string(option);
-  const auto at = std::ranges::find(words, word);
-  if (at == words.end()) return;
-  const bool has_value = at + 1 != words.end() && !(at + 1)->starts_with("--");
-  words.erase(at, at + (has_value ? 2 : 1));
+/// Leaves an option out of a picture's command line, with its value if it has one.
+void leave_out(std::vector<std::string>& words, std::string_view name,
+               const GalleryPicture& picture) {
+  const auto at = std::ranges::find(words, "--" + std::string(name));
+  const OptionInfo* option = find_option(name, job_of(picture));
+  if (at == words.end() || option == nullptr) return;
+  words.erase(at, at + (option->kind == OptionKind::flag ? 1 : 2));
 }
 
 /// Puts the user's options in the place of the picture's, and of those that they exclude.
@@ -131,9 +131,9 @@ void put_options(std::vector<std::string>& words, const GalleryPicture& picture,
   for (const auto& [name, values] : options) {
     const OptionInfo* option = find_option(name, job_of(picture));
     if (option == nullptr) continue;
-    if (!option->several) leave_out(words, name);
+    if (!option->several) leave_out(words, name, picture);
     std::istringstream excluded{std::string(option->excludes)};
-    for (std::string other; excluded >> other;) leave_out(words, other);
+    for (std::string other; excluded >> other;) leave_out(words, other, picture);
     for (const std::string& value : values) {
       words.push_back("--" + name);
       if (option->kind != OptionKind::flag) words.push_back(value);
@@ -177,7 +177,7 @@ std::vector<std::string> words_of(const GalleryPicture& picture, const GalleryAr
   std::vector<std::string> words =
       filled_words(picture, {folder, arguments.surface, arguments.field, arguments.values});
   if (guesses_up(arguments)) {
-    leave_out(words, "up");
+    leave_out(words, "up", picture);
     words.insert(words.end(), {"--up", up_of_file(arguments.surface)});
   }
   put_options(words, picture, arguments.options);

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "brindle/base/printable.h"
-#include "brindle/geometry/local_positions.h"
-#include "brindle/points/point_neighborhood.h"
+#include "brindle/local_positions.h"
+#include "brindle/points.h"
 #include "cli/commands.h"
 #include "cli/progress_display.h"
 #include "input/mesh_statistics.h"

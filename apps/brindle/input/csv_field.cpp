@@ -9,23 +9,10 @@
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/component_groups.h"
-#include "brindle/files/text/csv_file.h"
 #include "input/array_source.h"
 
 namespace brindle::tool {
 namespace {
-
-/// What the columns of a file would make, with one row: the columns' places.
-std::vector<DataArray> arrays_named_in(const std::string& path) {
-  const CsvFile file(path, {"field", "x,y,z or x,y,z,frequency"});
-  std::vector<DataArray> columns;
-  for (const std::string& name : file.names()) {
-    const std::vector<double> place = {static_cast<double>(columns.size())};
-    columns.push_back(make_data_array(name, 1, place));
-  }
-  return grouped_columns(std::move(columns));
-}
 
 /// ParaView writes positions and normals with all that it writes.
 bool is_data_vector(const DataArray& array) {
@@ -68,13 +55,13 @@ bool is_regular(const std::string& path) {
 }
 
 bool is_of_globe(const std::string& path) {
-  return is_regular(path) && has_east_and_north(arrays_named_in(path));
+  return is_regular(path) && has_east_and_north(csv_columns(path));
 }
 
 /// Empty if there is none, or if it stands where files without names have it.
 std::string only_vector_in(const std::string& path) {
   if (!is_regular(path)) return "";
-  const std::vector<DataArray> arrays = arrays_named_in(path);
+  const std::vector<DataArray> arrays = csv_columns(path);
   const auto vector = std::find_if(arrays.begin(), arrays.end(), is_data_vector);
   if (vector == arrays.end() || has_vector_first(arrays)) return "";
   if (std::count_if(vector, arrays.end(), is_data_vector) > 1) {

@@ -4,7 +4,7 @@
 
 #include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/pattern_arrays.h"
 #include "brindle/points.h"
 #include "input/surface_options.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/gl/gl_device.h"
+#include "brindle/gl_device.h"
 #include "brindle/gpu_animator.h"
 #include "brindle/gpu_solver.h"
 #include "brindle/headless_context.h"

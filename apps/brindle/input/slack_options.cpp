@@ -1,65 +1,10 @@
 #include "input/slack_options.h"
 
-#include <algorithm>
-
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
-#include "brindle/error.h"
-#include "brindle/files/text/csv_file.h"
+#include "brindle/files.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 
 namespace brindle::tool {
-namespace {
-
-void refuse_rows(const std::string& path, std::size_t rows, std::size_t line,
-                 std::size_t vertex_count, std::size_t file_vertices) {
-  std::string count = std::to_string(vertex_count);
-  if (file_vertices > vertex_count)
-    count += ", or " + std::to_string(file_vertices) + " in its file,";
-  throw Error("'" + shown(path) + "' ends at line " + std::to_string(line) + " after " +
-              std::to_string(rows) + " rows, but the mesh has " + count +
-              " vertices; give one row per vertex");
-}
-
-float checked_calm(const std::string& path, std::size_t line, double value) {
-  if (value >= 0 && value <= 1) return static_cast<float>(value);
-  throw Error(at_line(path, line) + formatted("calm is %g; give a number from 0 to 1", value));
-}
-
-// Rows and the line of each.
-struct CalmRows {
-  std::vector<float> calm;
-  std::size_t last_line = 0;
-};
-
-CalmRows read_rows(const std::string& path) {
-  CalmRows rows;
-  const auto add = [&](std::size_t line, double value) {
-    rows.calm.push_back(checked_calm(path, line, value));
-    rows.last_line = line;
-  };
-  CsvFile file(path, {"calm", "one number from 0 to 1"});
-  if (file.names().size() > 1) {
-    const CsvTable table = file.read_table();
-    const std::vector<double> values = table.numbers_of("calm");
-    if (values.empty()) {
-      throw Error("'" + shown(path) + "' has no column of numbers named calm; name one so");
-    }
-    for (std::size_t row = 0; row < values.size(); ++row) add(table.lines[row], values[row]);
-    return rows;
-  }
-  file.read([&](std::size_t line, std::span<const double> values) {
-    if (values.size() != 1) {
-      throw Error(at_line(path, line) + std::to_string(values.size()) +
-                  " columns; give one number from 0 to 1 a row, or name a column calm");
-    }
-    add(line, values[0]);
-  });
-  return rows;
-}
-
-}  // namespace
 
 void add_slack_options(CLI::App& app, SlackOptions& options) {
   add_parsed_option(app, "--slack", options.slack, parse_not_negative_number);
@@ -77,19 +22,8 @@ void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs)
 Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
                  std::span<const Index> vertex_of_row) {
   Slack slack = options.slack;
-  if (options.calm.empty()) return slack;
-  CalmRows rows = read_rows(options.calm);
-  if (rows.calm.size() == vertex_count) {
-    slack.calm = std::move(rows.calm);
-    return slack;
-  }
-  if (vertex_of_row.empty() || rows.calm.size() != vertex_of_row.size()) {
-    refuse_rows(options.calm, rows.calm.size(), rows.last_line, vertex_count, vertex_of_row.size());
-  }
-  slack.calm.resize(vertex_count);
-  for (std::size_t row = 0; row < rows.calm.size(); ++row) {
-    float& calm = slack.calm[vertex_of_row[row]];
-    calm = std::max(calm, rows.calm[row]);
+  if (!options.calm.empty()) {
+    slack.calm = read_calm_csv(options.calm, vertex_count, vertex_of_row);
   }
   return slack;
 }

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "brindle/phases/solver_options.h"
-#include "brindle/waves/parsed_phase_shift.h"
+#include "brindle/phases/parsed_words.h"
+#include "brindle/waves/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 

@@ -10,7 +10,7 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/gltf/gltf_buffers.h"
+#include "brindle/files.h"
 #include "input/csv_field.h"
 #include "input/vertex_values.h"
 

@@ -5,7 +5,6 @@
 
 #include "brindle/base/memory.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/points/point_tree.h"
 #include "brindle/polylines.h"
 #include "brindle/recipe/curve_notes.h"
 
@@ -26,10 +25,10 @@ std::string fewer_stripes(const WaveOptions& waves, double share) {
   return waves.frequency ? fewer("--frequency", *waves.frequency) : "";
 }
 
-StripeCurves traced_curves(const LiftedWaves& waves, const CurvesArguments& arguments,
-                           const Progress& progress) {
+StripeCurves traced_curves(const StripeTracer& tracer, const StripePattern& pattern,
+                           const CurvesArguments& arguments, const Progress& progress) {
   try {
-    return stripe_curves(waves, {.join = arguments.join, .trim = arguments.trim}, progress);
+    return tracer.curves(pattern, {.join = arguments.join, .trim = arguments.trim}, progress);
   } catch (const TooLarge& error) {
     throw Error(error.what() + fewer_stripes(arguments.waves, error.share()));
   }
@@ -63,8 +62,9 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
 }
 
 // Solved, noted and traced.
-CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, const char* name,
-                      WaveSet waves, MakingOptions making, JobListener& listener) {
+CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job,
+                      const StripeTracer& tracer, const char* name, WaveSet waves,
+                      MakingOptions making, JobListener& listener) {
   const Surface& surface = job.prepared.surface;
   listener.stage(stripes_of(name));
   making.measure_windings = true;
@@ -74,7 +74,7 @@ CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, co
   StripePattern& pattern = std::get<StripePattern>(made.of);
   listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
                                pattern.quality.field_singularities, surface.mesh.triangle_count()));
-  CurveFamily family = traced_family(arguments, surface, job.edges, name, std::move(pattern),
+  CurveFamily family = traced_family(arguments, surface, tracer, name, std::move(pattern),
                                      CurveFigures::all, listener);
   family.making = std::move(made.making);
   return family;
@@ -83,30 +83,22 @@ CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job, co
 }  // namespace
 
 CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
-                          const MeshEdges& edges, std::string name, StripePattern traced,
+                          const StripeTracer& tracer, std::string name, StripePattern traced,
                           CurveFigures figures, JobListener& listener) {
   CurveFamily family;
   family.name = std::move(name);
   family.pattern = std::move(traced);
   StripePattern& pattern = family.pattern;
-  family.jogs =
-      shift_phases(*surface.neighborhood, arguments.offset, pattern.waves, pattern.solution.z);
+  family.jogs = shift_stripes(surface, arguments.offset, pattern);
   listener.stage("curves");
   Stopwatch watch;
-  const WavePattern wave_pattern{surface.mesh,       edges,
-                                 surface.normals,    pattern.waves,
-                                 pattern.solution.z, arguments.solving.stripes.phase_shift};
-  const Progress tracing = listener.progress();
-  const LiftedWaves lifted(wave_pattern, tracing.part(0, 0.2));
-  family.curves = traced_curves(lifted, arguments, tracing.part(0.2, 1));
+  family.curves = traced_curves(tracer, pattern, arguments, listener.progress());
   family.extract_milliseconds = watch.lap();
   family.ends = family.curves.end_counts();
-  if (figures == CurveFigures::all && PointTree::available()) {
+  if (figures == CurveFigures::all) {
     listener.stage("spacing");
-    const CurveSpacing spacing =
-        measure_curve_spacing(wave_pattern, family.curves, kMostSpacingPoints,
-                              pattern.frequencies_wanted, listener.progress());
-    if (spacing.measured > 0) family.spacing = spacing;
+    const auto spacing = tracer.spacing(pattern, family.curves, listener.progress());
+    if (spacing && spacing->measured > 0) family.spacing = spacing;
   }
   shape_lines(arguments, surface.mesh, family, listener);
   return family;
@@ -140,15 +132,15 @@ CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listene
   job.options = stripe_options(arguments.solving, prepared);
   Stopwatch watch;
   listener.stage(kEdges);
-  job.edges =
-      mesh_edges(prepared.surface.mesh, *prepared.surface.neighborhood, listener.progress());
+  const StripeTracer tracer(prepared.surface, listener.progress());
   job.edges_milliseconds = watch.lap();
   WaveSet v;
   if (arguments.traced != TracedWaves::u) {
     v = make_second_waves(first_waves(prepared), arguments.second, listener);
   }
   const auto add = [&](const char* name, WaveSet& waves, const MakingOptions& making) {
-    job.families.push_back(family_of(arguments, job, name, std::move(waves), making, listener));
+    job.families.push_back(
+        family_of(arguments, job, tracer, name, std::move(waves), making, listener));
   };
   if (arguments.traced != TracedWaves::v) add("u", prepared.waves, arguments.making);
   if (arguments.traced != TracedWaves::u) add("v", v, making_of_v(arguments));

@@ -10,7 +10,7 @@
 
 #include "brindle/curve_measures.h"
 #include "brindle/curves.h"
-#include "brindle/pattern/curve_spacing.h"
+#include "brindle/stripe_tracer.h"
 #include "cli/job_listener.h"
 #include "jobs/curves_arguments.h"
 
@@ -35,7 +35,6 @@ struct CurveFamily {
 struct CurvesJob {
   Preparation prepared;
   StripeOptions options;
-  MeshEdges edges;
   std::vector<CurveFamily> families;
   double edges_milliseconds = 0;
   std::optional<double> draw_milliseconds;
@@ -45,9 +44,9 @@ struct CurvesJob {
 /// curves.
 enum class CurveFigures { few, all };
 
-/// The curves of a pattern that is there.
+/// The curves of a pattern that is there; `tracer` is of the same surface.
 CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
-                          const MeshEdges& edges, std::string name, StripePattern pattern,
+                          const StripeTracer& tracer, std::string name, StripePattern pattern,
                           CurveFigures figures, JobListener& listener);
 
 /// What is asked of V: windings are those of U, but for what --wales counts.

@@ -8,7 +8,7 @@
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/geometry/append_mesh.h"
+#include "brindle/mesh.h"
 #include "outputs/carried_arrays.h"
 #include "outputs/outputs.h"
 #include "pictures/drawing_file.h"

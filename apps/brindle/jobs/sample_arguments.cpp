@@ -5,7 +5,7 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/output_file.h"
 #include "brindle/files.h"
-#include "brindle/points/point_tree.h"
+#include "brindle/points.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 #include "outputs/outputs.h"
@@ -53,7 +53,7 @@ void check_sample_options(const CLI::App& command, const SampleArguments& argume
     refuse_picture_options(command, arguments.waves,
                            "no picture is written; add --output FILE.png");
   }
-  if (!PointTree::available()) {
+  if (!has_point_trees()) {
     refuse_given(command, {"--min-distance"},
                  "this build has no nanoflann; configure with -DBRINDLE_NANOFLANN=ON");
   }

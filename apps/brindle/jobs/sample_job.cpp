@@ -11,36 +11,20 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/files.h"
-#include "brindle/pattern/point_sampling.h"
-#include "brindle/points/point_tree.h"
+#include "brindle/points.h"
+#include "brindle/stripe_tracer.h"
 #include "outputs/carried_arrays.h"
 
 namespace brindle::tool {
 namespace {
 
-WavePattern wave_pattern(const SampleArguments& arguments, const Surface& surface,
-                         const MeshEdges& edges, const StripePattern& pattern) {
-  return {surface.mesh,       edges,
-          surface.normals,    pattern.waves,
-          pattern.solution.z, arguments.solving.stripes.phase_shift};
-}
-
-TakenSamples all_samples(const SampleArguments& arguments, const Surface& surface,
-                         const StripePattern& u, const StripePattern& v, const Progress& progress) {
+TakenSamples all_samples(const Surface& surface, const StripePattern& u, const StripePattern& v,
+                         const Progress& progress) {
   TakenSamples taken;
   Stopwatch watch;
-  if (surface.mesh.triangles.empty()) {
-    taken.samples = point_samples(*surface.neighborhood, surface.normals, {u.waves, u.solution.z},
-                                  {v.waves, v.solution.z});
-    taken.extract_milliseconds = watch.lap();
-    return taken;
-  }
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, progress.part(0, 0.3));
+  const StripeTracer tracer(surface, progress.part(0, 0.3));
   taken.edges_milliseconds = watch.lap();
-  const LiftedWaves lifted_u(wave_pattern(arguments, surface, edges, u), progress.part(0.3, 0.4));
-  const LiftedWaves lifted_v(wave_pattern(arguments, surface, edges, v), progress.part(0.4, 0.5));
-  taken.samples = wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
-                               sampled_waves(lifted_v), progress.part(0.5, 1));
+  taken.samples = tracer.crossings(u, v, progress.part(0.3, 1));
   taken.extract_milliseconds = watch.lap();
   return taken;
 }
@@ -50,8 +34,8 @@ TakenSamples all_samples(const SampleArguments& arguments, const Surface& surfac
 TakenSamples taken_samples(const SampleArguments& arguments, const Surface& surface,
                            const StripePattern& u, const StripePattern& v, JobListener& listener) {
   listener.stage("samples");
-  TakenSamples taken = all_samples(arguments, surface, u, v, listener.progress());
-  if (surface.mesh.triangles.empty() || PointTree::available()) {
+  TakenSamples taken = all_samples(surface, u, v, listener.progress());
+  if (surface.mesh.triangles.empty() || has_point_trees()) {
     listener.stage("doubles");
     taken.doubles = drop_doubles(taken.samples, arguments.min_distance, listener.progress());
     listener.stage("spacing");

@@ -5,7 +5,7 @@
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "input/followed_field.h"
 #include "input/vertex_values.h"
 #include "jobs/series_files.h"

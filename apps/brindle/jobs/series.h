@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/files/vtk/pvd_file.h"
+#include "brindle/time_series.h"
 #include "cli/progress_display.h"
 #include "input/followed_field.h"
 #include "input/preparation.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/files/vtk/pvd_file.h"
+#include "brindle/time_series.h"
 
 namespace brindle::tool {
 

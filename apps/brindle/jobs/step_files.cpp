@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/files/vtk/pvd_file.h"
+#include "brindle/time_series.h"
 #include "outputs/mesh_output.h"
 
 namespace brindle::tool {

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "brindle/base/file_extension.h"
+#include "brindle/base/named_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/files/named_file.h"
 #include "cli/option_values.h"
 #include "pictures/video_file.h"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "brindle/geometry/append_mesh.h"
-#include "brindle/geometry/normals.h"
 #include "brindle/line_drawing.h"
+#include "brindle/mesh.h"
+#include "brindle/normals.h"
 #include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
 

@@ -7,8 +7,8 @@
 #include "brindle/base/printable.h"
 #include "brindle/direction_field.h"
 #include "brindle/feature_lines.h"
-#include "brindle/geometry/append_mesh.h"
-#include "brindle/render/ink.h"
+#include "brindle/ink.h"
+#include "brindle/mesh.h"
 #include "pictures/picture_options.h"
 #include "pictures/texture_options.h"
 

@@ -16,7 +16,6 @@
 #include "brindle/error.h"
 #include "brindle/pattern_of.h"
 #include "brindle/phase_graph.h"
-#include "brindle/pipeline/measured_pattern.h"
 #include "brindle/stripe_animator.h"
 #include "input/vertex_values.h"
 #include "pictures/picture_options.h"
@@ -251,7 +250,7 @@ struct StyleStages {
 
 /// What is shown instead of stripes.
 struct ShownStages {
-  Stage<MeshEdges> edges;
+  Stage<StripeTracer> tracer;
   Stage<StripePattern> second;  ///< V
   Stage<ShownCurves> curves;
   Stage<ShownSamples> samples;
@@ -633,13 +632,15 @@ class StageUpdate {
     return *stage.made;
   }
 
-  const MeshEdges& edges() {
-    Stage<MeshEdges>& stage = stages_.shown.edges;
+  const StripeTracer& tracer() {
+    Stage<StripeTracer>& stage = stages_.shown.tracer;
     if (!stage.holds(stages_.surface.key)) {
-      const Surface& surface = stages_.surface.made->surface;
-      stage = {stages_.surface.key,
-               std::make_shared<const MeshEdges>(mesh_edges(surface.mesh, *surface.neighborhood)),
-               {}};
+      struct Held {
+        std::shared_ptr<const Preparation> prepared;
+        StripeTracer tracer{prepared->surface};
+      };
+      const auto held = std::make_shared<const Held>(Held{stages_.surface.made});
+      stage = {stages_.surface.key, {held, &held->tracer}, {}};
     }
     return *stage.made;
   }
@@ -658,7 +659,7 @@ class StageUpdate {
     if (stage.holds(key)) return false;
     const StripeJob& job = stages_.pattern.made->job;
     auto made = std::make_shared<const ShownCurves>(
-        shown_curves(curves, job.surface, edges(), {job.result.stripes(), v}, listener_));
+        shown_curves(curves, job.surface, tracer(), {job.result.stripes(), v}, listener_));
     stage = {key, std::move(made), listener_.take()};
     return true;
   }

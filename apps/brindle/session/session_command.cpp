@@ -4,11 +4,11 @@
 #include <ostream>
 #include <utility>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
-#include "brindle/files/input_file.h"
 #include "brindle/recipe/json_text.h"
 #include "session/json_reader.h"
 

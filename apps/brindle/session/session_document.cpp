@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/files/base64.h"
-#include "brindle/files/input_file.h"
+#include "brindle/base/base64.h"
 #include "brindle/image.h"
 #include "session/json_reader.h"
 

@@ -240,9 +240,7 @@ bool can_have_frames(const StripeArguments& arguments) {
 }  // namespace
 
 bool can_follow_loosely(const StripeArguments& arguments) {
-  const MakingOptions& making = arguments.making;
-  const bool given = making.anchor_boundary || !making.windings.empty() || making.merge_branches;
-  return can_have_frames(arguments) && !has_tiles(arguments) && !given;
+  return can_have_frames(arguments) && !has_tiles(arguments) && !arguments.making.change_pattern();
 }
 
 bool can_follow_tiles(const StripeArguments& arguments) {

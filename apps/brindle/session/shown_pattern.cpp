@@ -8,12 +8,12 @@
 namespace brindle::tool {
 
 ShownCurves shown_curves(const CurvesArguments& arguments,
-                         const std::shared_ptr<const Surface>& surface, const MeshEdges& edges,
+                         const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
                          const CrossingPatterns& patterns, JobListener& listener) {
   ShownCurves shown;
   const auto add = [&](const char* name, const StripePattern& pattern) {
     shown.families.push_back(
-        traced_family(arguments, *surface, edges, name, pattern, CurveFigures::few, listener));
+        traced_family(arguments, *surface, tracer, name, pattern, CurveFigures::few, listener));
   };
   if (arguments.traced != TracedWaves::v) add("u", patterns.u);
   if (arguments.traced != TracedWaves::u) add("v", *patterns.v);

@@ -36,7 +36,7 @@ struct CrossingPatterns {
 };
 
 ShownCurves shown_curves(const CurvesArguments& arguments,
-                         const std::shared_ptr<const Surface>& surface, const MeshEdges& edges,
+                         const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
                          const CrossingPatterns& patterns, JobListener& listener);
 
 /// `command` says whether glyphs are asked for; their values are those of `prepared`.

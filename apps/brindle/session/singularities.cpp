@@ -15,7 +15,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "brindle/base/elementary.h"
-#include "brindle/waves/field_index.h"
+#include "brindle/field_index.h"
 
 namespace brindle::tool {
 namespace {

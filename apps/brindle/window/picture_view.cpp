@@ -7,26 +7,29 @@
 #include <imgui.h>
 
 namespace brindle::tool {
-// Only when there is a new one; the texture is made anew when the size changes.
+
+PictureView::~PictureView() { glDeleteTextures(1, &texture_); }
+
+// Only when there is a new one; the texture gets other room when the size changes.
 void PictureView::upload() {
   if (uploaded_ == live_.frame()) return;
   uploaded_ = live_.frame();
   const Image& image = uploaded_->image;
-  if (texture_ == 0 || image.width != width_ || image.height != height_) {
-    width_ = image.width;
-    height_ = image.height;
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    texture_ = GlTexture(name);
-    glBindTexture(GL_TEXTURE_2D, name);
+  if (texture_ == 0) {
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  if (image.width != width_ || image.height != height_) {
+    width_ = image.width;
+    height_ = image.height;
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  nullptr);
   }
-  glBindTexture(GL_TEXTURE_2D, texture_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
                   image.pixels.data());
@@ -65,7 +68,7 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
 
 void PictureView::show(const PicturePlace& place) {
   const ImVec2 end = place.unit({place.size.width, place.size.height});
-  const auto id = static_cast<std::uintptr_t>(static_cast<GLuint>(texture_));
+  const auto id = std::uintptr_t{texture_};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (shown_options(live_.document()).contains("transparent")) {
     // What lies behind a transparent picture.

@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "brindle/gl/gl_name.h"
+#include <epoxy/gl.h>
+
 #include "window/camera_motion.h"
 #include "window/place_handles.h"
 #include "window/stroke_tool.h"
@@ -16,6 +17,9 @@ class PictureView {
  public:
   PictureView(LiveSession& live, StrokeTool& tool, PlaceHandles& places, WindowLog& log)
       : live_(live), tool_(tool), places_(places), log_(log) {}
+  ~PictureView();
+  PictureView(const PictureView&) = delete;
+  PictureView& operator=(const PictureView&) = delete;
 
   /// Fills the rest of Dear ImGui's current window, and asks for pictures of that size. `trail`:
   /// where the mouse has been since the last call with its left button down.
@@ -39,7 +43,7 @@ class PictureView {
   PlaceHandles& places_;
   WindowLog& log_;
   std::shared_ptr<const SessionFrame> uploaded_;
-  GlTexture texture_;
+  GLuint texture_ = 0;
   int width_ = 0;  // of the texture
   int height_ = 0;
   bool drawing_ = false;  // with the tool

@@ -1,4 +1,4 @@
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 
 #include <algorithm>
 #include <exception>

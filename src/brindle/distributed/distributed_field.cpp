@@ -16,15 +16,15 @@
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
+#include "brindle/orientation.h"
 #include "brindle/phases/multilevel.h"
-#include "brindle/pipeline/curvature_anchors.h"
-#include "brindle/pipeline/feature_anchors.h"
-#include "brindle/pipeline/field_anchors.h"
-#include "brindle/pipeline/known_directions.h"
+#include "brindle/pipeline/fields/curvature_anchors.h"
+#include "brindle/pipeline/fields/feature_anchors.h"
+#include "brindle/pipeline/fields/field_anchors.h"
+#include "brindle/pipeline/fields/known_directions.h"
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/least_curl.h"
-#include "brindle/waves/orientation.h"
 
 namespace brindle {
 namespace {

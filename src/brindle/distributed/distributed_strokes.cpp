@@ -14,8 +14,8 @@
 #include "brindle/distributed_surface.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/mesh_edges.h"
-#include "brindle/geometry/nearest.h"
 #include "brindle/geometry/neighborhood.h"
+#include "brindle/nearest.h"
 #include "brindle/waves/stroke_parts.h"
 
 namespace brindle {

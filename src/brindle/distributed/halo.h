@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brindle/base/compressed_rows.h"
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/phases/coloring.h"
 #include "brindle/phases/sliced_graph.h"
 

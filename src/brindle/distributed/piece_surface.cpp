@@ -1,7 +1,7 @@
 #include <cmath>
 #include <utility>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_waves.h"
 #include "brindle/waves/frequency_parts.h"

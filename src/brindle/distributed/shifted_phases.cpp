@@ -10,8 +10,8 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/distributed/surface/rank_surface.h"
+#include "brindle/orientation.h"
 #include "brindle/pattern/stripe_curves.h"
-#include "brindle/waves/orientation.h"
 
 namespace brindle {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/ranges.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/text/letters.h"
 
 namespace brindle {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 #include "brindle/polygon.h"
 
 namespace brindle {

@@ -2,14 +2,14 @@
 #include <string>
 
 #include "brindle/base/file_extension.h"
+#include "brindle/base/input_file.h"
+#include "brindle/base/named_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/gltf/gltf_reader.h"
 #include "brindle/files/gltf/gltf_writer.h"
-#include "brindle/files/input_file.h"
-#include "brindle/files/named_file.h"
 #include "brindle/files/ply_file.h"
 #include "brindle/files/stl_file.h"
 #include "brindle/files/surface_file.h"

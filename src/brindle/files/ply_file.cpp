@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/ranges.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/component_groups.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_positions.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brindle/files/binary_output.h"
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 
 namespace brindle {
 

@@ -15,7 +15,7 @@
 #include "brindle/files/vtk/vtp_file.h"
 #include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 
 namespace brindle {
 namespace {

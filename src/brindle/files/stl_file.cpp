@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
 
 namespace brindle {

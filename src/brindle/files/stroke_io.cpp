@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 #endif
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/input_file.h"
 #include "brindle/strokes.h"
 
 namespace brindle {

@@ -6,7 +6,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 
 namespace brindle {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/reported_sort.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 
 namespace brindle {
 namespace {

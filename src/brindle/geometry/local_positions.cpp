@@ -1,4 +1,4 @@
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 
 #include <sstream>
 

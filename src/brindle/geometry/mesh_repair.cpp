@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/bits.h"
-#include "brindle/geometry/local_positions.h"
 #include "brindle/geometry/same_corners.h"
+#include "brindle/local_positions.h"
 #include "brindle/mesh.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/nearest.h"
+#include "brindle/nearest.h"
 
 namespace brindle {
 namespace {

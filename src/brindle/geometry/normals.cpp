@@ -1,5 +1,3 @@
-#include "brindle/geometry/normals.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/normals_around.h"
 
 namespace brindle {
 namespace {

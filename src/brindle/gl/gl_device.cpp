@@ -1,4 +1,4 @@
-#include "brindle/gl/gl_device.h"
+#include "brindle/gl_device.h"
 
 #include <array>
 

@@ -11,7 +11,7 @@
 #include <epoxy/gl.h>
 
 #include "brindle/error.h"
-#include "brindle/gl/gl_device.h"
+#include "brindle/gl_device.h"
 
 namespace brindle {
 

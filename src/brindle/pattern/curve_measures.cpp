@@ -8,7 +8,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/areas.h"
-#include "brindle/geometry/nearest.h"
+#include "brindle/nearest.h"
 #include "brindle/pattern/coverage_places.h"
 
 namespace brindle {

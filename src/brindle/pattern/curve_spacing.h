@@ -12,17 +12,6 @@
 
 namespace brindle {
 
-/// Distances between neighbouring curves over 1/f of the frequencies chosen, measured on both sides
-/// of the curves at points about a fifth of 1/f apart; `wanted` against those that were asked for.
-struct CurveSpacing {
-  std::size_t measured = 0;            ///< how often a neighbour was there
-  double mean = 0;                     ///< of the ratio; 1 is ideal
-  double deviation = 0;                ///< standard deviation of the ratio
-  double share_within_10_percent = 0;  ///< of what was measured, ratios from 0.9 to 1.1
-  double mean_wanted = 0, deviation_wanted = 0, share_within_10_percent_wanted = 0;
-  CurveGaps gaps;  ///< measured farther, for makers
-};
-
 /// How much longer than `way`, which is straight, an arc is that meets the normals at both its
 /// ends.
 float arc_over_chord(const Vec3& way, const Vec3& normal, const Vec3& other);

@@ -16,11 +16,11 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
+#include "brindle/orientation.h"
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/end_walks.h"
 #include "brindle/pattern/trimmed_ends.h"
-#include "brindle/waves/orientation.h"
 
 namespace brindle {
 namespace {

@@ -10,6 +10,7 @@
 #include "brindle/phases/global.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/relaxation.h"
+#include "brindle/phases/parsed_words.h"
 #include "brindle/phases/solver_options.h"
 
 namespace brindle {

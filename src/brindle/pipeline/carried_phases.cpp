@@ -9,7 +9,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/geometry/nearest.h"
+#include "brindle/nearest.h"
 #include "brindle/phase_shift.h"
 
 namespace brindle {

@@ -7,7 +7,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/normals.h"
 #include "brindle/pattern/corner_signs.h"
 
 namespace brindle {

@@ -8,11 +8,6 @@
 
 namespace brindle {
 
-/// Renews `corners` and `quality`, the latter also against the frequencies asked for, from the
-/// other parts of the pattern. `calm` is that of a Slack.
-void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
-                     const Progress& progress = {});
-
 /// How many stripes begin or end in triangles where that is unwelcome; `calm` is by vertex.
 std::size_t count_in_calm(std::span<const Triangle> triangles,
                           std::span<const CornerPhases> corners, std::span<const float> calm);

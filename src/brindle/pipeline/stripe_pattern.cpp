@@ -11,17 +11,10 @@
 #include "brindle/error.h"
 #include "brindle/geometry/areas.h"
 #include "brindle/geometry/cotangent_weights.h"
-#include "brindle/geometry/mesh_edges.h"
-#include "brindle/pattern/curve_spacing.h"
-#include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/point_quality.h"
-#include "brindle/pattern/point_sampling.h"
-#include "brindle/pattern/sampling.h"
-#include "brindle/pattern/stripe_curves.h"
 #include "brindle/phases/multilevel_waves.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/yielded_stripes.h"
-#include "brindle/points/point_tree.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/slack_check.h"
@@ -261,92 +254,6 @@ StripePattern stripe_pattern(const Surface& surface, DirectionField field, float
   return stripe_pattern(surface, std::move(field),
                         constant_frequency_field(frequency, surface.mesh.vertex_count()), options,
                         progress);
-}
-
-namespace {
-
-void check_belongs(const Surface& surface, const StripePattern& pattern) {
-  if (pattern.solution.z.size() == surface.mesh.vertex_count() &&
-      pattern.corners.size() == surface.mesh.triangle_count()) {
-    return;
-  }
-  throw Error("a pattern of " + std::to_string(pattern.solution.z.size()) + " vertices and " +
-              std::to_string(pattern.corners.size()) + " triangles was not made for a surface of " +
-              std::to_string(surface.mesh.vertex_count()) + " and " +
-              std::to_string(surface.mesh.triangle_count()));
-}
-
-LiftedWaves lifted(const Surface& surface, const MeshEdges& edges, const StripePattern& pattern,
-                   const Progress& progress) {
-  return LiftedWaves({surface.mesh, edges, surface.normals, pattern.waves, pattern.solution.z,
-                      pattern.phase_shift},
-                     progress);
-}
-
-}  // namespace
-
-StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
-                           const CurveOptions& options, const Progress& progress) {
-  check_belongs(surface, pattern);
-  if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
-  JobStages stages(progress, {{"edges", 3}, {"lift", 2}, {"trace", 10}});
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, stages.begin("edges"));
-  const LiftedWaves waves = lifted(surface, edges, pattern, stages.begin("lift"));
-  StripeCurves curves = stripe_curves(waves, options, stages.begin("trace"));
-  stages.finish();
-  return curves;
-}
-
-CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
-                             const StripeCurves& curves, double line_width,
-                             const Progress& progress) {
-  check_belongs(surface, pattern);
-  if (surface.mesh.triangles.empty()) throw Error("curves need triangles; points have none");
-  JobStages stages(progress, {{"lengths", 1}, {"gaps", 10}, {"coverage", 5}});
-  stages.begin("lengths");
-  CurveMeasures measures;
-  measures.lengths = curve_lengths(curves.lines);
-  if (PointTree::available()) {
-    const Progress measuring = stages.begin("gaps");
-    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, measuring.part(0, 0.1));
-    const CurveGaps gaps =
-        measure_curve_spacing({surface.mesh, edges, surface.normals, pattern.waves,
-                               pattern.solution.z, pattern.phase_shift},
-                              curves, kMostSpacingPoints, pattern.frequencies_wanted,
-                              measuring.part(0.1, 1))
-            .gaps;
-    if (gaps.measured > 0) measures.gaps = gaps;
-  }
-  if (line_width != 0) {
-    const CurveCoverage coverage =
-        measure_coverage(surface.mesh, curves.lines, line_width, stages.begin("coverage"));
-    measures.coverage = coverage.once;
-    measures.covered_twice = coverage.twice;
-  }
-  stages.finish();
-  return measures;
-}
-
-std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,
-                                   const StripePattern& v, const Progress& progress) {
-  check_belongs(surface, u);
-  check_belongs(surface, v);
-  JobStages stages(progress, {{"lift", 4}, {"crossings", 5}, {"doubles", 3}});
-  const Progress lifting = stages.begin("lift");
-  std::vector<Sample> samples;
-  if (surface.mesh.triangles.empty()) {
-    samples = point_samples(*surface.neighborhood, surface.normals, {u.waves, u.solution.z},
-                            {v.waves, v.solution.z});
-  } else {
-    const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood, lifting.part(0, 0.5));
-    const LiftedWaves lifted_u = lifted(surface, edges, u, lifting.part(0.5, 0.75));
-    const LiftedWaves lifted_v = lifted(surface, edges, v, lifting.part(0.75, 1));
-    samples = wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
-                           sampled_waves(lifted_v), stages.begin("crossings"));
-  }
-  drop_doubles(samples, kDoubleShare, stages.begin("doubles"));
-  stages.finish();
-  return samples;
 }
 
 }  // namespace brindle

@@ -9,7 +9,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/reported_sort.h"
 #include "brindle/error.h"
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
 

@@ -1,5 +1,3 @@
-#include "brindle/points/point_neighborhood.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,6 +9,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
+#include "brindle/points.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {

@@ -6,7 +6,6 @@
 #include "brindle/error.h"
 #include "brindle/geometry/edge_lengths.h"
 #include "brindle/points.h"
-#include "brindle/points/point_neighborhood.h"
 #include "brindle/points/point_normals.h"
 
 namespace brindle {

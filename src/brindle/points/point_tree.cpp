@@ -54,7 +54,7 @@ PointTree::PointTree(std::span<const Vec3> points, const Progress& progress)
   state_->points.progress = nullptr;
 }
 PointTree::~PointTree() = default;
-bool PointTree::available() { return true; }
+bool has_point_trees() { return true; }
 
 void PointTree::within(const Vec3& point, float radius, std::vector<Index>& found) const {
   found.clear();
@@ -81,7 +81,7 @@ PointTree::PointTree(std::span<const Vec3> /*points*/, const Progress& /*progres
   throw Error("this build cannot find points near points; configure with -DBRINDLE_NANOFLANN=ON");
 }
 PointTree::~PointTree() = default;
-bool PointTree::available() { return false; }
+bool has_point_trees() { return false; }
 
 void PointTree::within(const Vec3& /*point*/, float /*radius*/,
                        std::vector<Index>& /*found*/) const {}

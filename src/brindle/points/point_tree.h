@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/points.h"
 #include "brindle/progress.h"
 #include "brindle/types.h"
 
@@ -19,9 +20,6 @@ class PointTree {
   ~PointTree();
   PointTree(const PointTree&) = delete;
   PointTree& operator=(const PointTree&) = delete;
-
-  /// Whether this build has trees.
-  static bool available();
 
   /// Replaces `found` by the numbers of all points nearer to `point` than `radius`, nearest first.
   void within(const Vec3& point, float radius, std::vector<Index>& found) const;

@@ -74,8 +74,7 @@ MadeCrosses made_crosses(const Surface& surface, const WaveSet& waves, const Str
 }
 
 bool is_made_by_hand(const MakingOptions& making) {
-  return making.anchor_boundary || !making.windings.empty() || making.merge_branches ||
-         making.measure_windings;
+  return making.change_pattern() || making.measure_windings;
 }
 
 void check_wishes(const PatternWishes& wishes) {

@@ -1,4 +1,4 @@
-#include "brindle/render/ink.h"
+#include "brindle/ink.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "brindle/error.h"
-#include "brindle/render/ink.h"
+#include "brindle/ink.h"
 #include "brindle/render/stroke_font.h"
 #include "brindle/render/ticks.h"
 

@@ -4,7 +4,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/geometry/normals_around.h"
 #include "brindle/shapes/random.h"
 
 namespace brindle {

@@ -1,4 +1,4 @@
-#include "brindle/waves/field_index.h"
+#include "brindle/field_index.h"
 
 #include <algorithm>
 #include <cmath>

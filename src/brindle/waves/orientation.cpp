@@ -1,4 +1,4 @@
-#include "brindle/waves/orientation.h"
+#include "brindle/orientation.h"
 
 #include <cstdint>
 #include <vector>

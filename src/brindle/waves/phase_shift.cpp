@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "brindle/base/two_pi.h"
-#include "brindle/waves/parsed_phase_shift.h"
+#include "brindle/waves/parsed_words.h"
 
 namespace brindle {
 namespace {

@@ -11,7 +11,7 @@
 #include "brindle/base/array_rows.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/waves/orientation.h"
+#include "brindle/orientation.h"
 
 namespace brindle {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/halo.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/row_levels.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/levels/gathered_rows.h"
 #include "brindle/distributed/levels/rank_graph.h"
 #include "brindle/waves/row_peers.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/levels/rank_graph.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phases/several_starts.h"

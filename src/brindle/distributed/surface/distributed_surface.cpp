@@ -14,7 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/edge_lengths.h"
 #include "brindle/geometry/neighborhood.h"
-#include "brindle/geometry/normals.h"
+#include "brindle/geometry/normals_around.h"
 
 namespace brindle {
 namespace {

@@ -1,8 +1,8 @@
 /// Arrays that belong to a surface in pieces.
 #pragma once
 
+#include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
-#include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
 
 namespace brindle {

@@ -3,7 +3,7 @@
 #include <tuple>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/surface/piece_check.h"
 #include "brindle/distributed_surface.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 
 namespace brindle {
 

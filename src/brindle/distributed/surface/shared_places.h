@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 #include "brindle/types.h"
 
 namespace brindle {

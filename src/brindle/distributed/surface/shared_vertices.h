@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/distributed/communicator.h"
+#include "brindle/communicator.h"
 
 namespace brindle {
 

@@ -1,8 +1,8 @@
 /// Subdivision of a surface that no rank has whole.
 #pragma once
 
+#include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
-#include "brindle/distributed/communicator.h"
 #include "brindle/distributed_surface.h"
 
 namespace brindle {

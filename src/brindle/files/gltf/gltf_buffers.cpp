@@ -7,7 +7,8 @@
 #include "brindle/base/input_stream.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/files/base64.h"
+#include "brindle/files.h"
+#include "brindle/base/base64.h"
 #include "brindle/files/gltf/percent_decoded.h"
 
 namespace brindle {

@@ -12,10 +12,6 @@
 
 namespace brindle {
 
-/// The files that `read_gltf` reads besides a .gltf; nothing of one that cannot be read, which is
-/// for the reader to say.
-std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& gltf);
-
 #ifdef BRINDLE_HAS_JSON
 
 /// The buffers of a checked document, read when they are asked for. All functions throw Error

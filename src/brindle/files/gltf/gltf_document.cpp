@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "brindle/base/file_extension.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/input_file.h"
 
 namespace brindle {
 namespace {

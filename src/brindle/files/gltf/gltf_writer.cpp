@@ -15,7 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/files/base64.h"
+#include "brindle/base/base64.h"
 #include "brindle/files/gltf/gltf_document.h"
 
 namespace brindle {

@@ -7,13 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/input_stream.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/text/letters.h"
 
@@ -233,6 +233,16 @@ CsvTable CsvFile::read_table() {
 void read_csv(const std::filesystem::path& path, const CsvKind& kind,
               const std::function<void(std::size_t line, std::span<const double> values)>& use) {
   CsvFile(path, kind).read(use);
+}
+
+std::vector<DataArray> csv_columns(const std::filesystem::path& path) {
+  const CsvFile file(path, {"field", "x,y,z or x,y,z,frequency"});
+  std::vector<DataArray> columns;
+  for (const std::string& name : file.names()) {
+    const std::vector<double> place = {static_cast<double>(columns.size())};
+    columns.push_back(make_data_array(name, 1, place));
+  }
+  return grouped_columns(std::move(columns));
 }
 
 std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path) {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "brindle/base/bits.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files/byte_order.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/polygon.h"
 

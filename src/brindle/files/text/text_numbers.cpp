@@ -6,9 +6,9 @@
 #include <type_traits>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/input_file.h"
 
 namespace brindle {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "brindle/base/text_output.h"
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 
 namespace brindle {
 

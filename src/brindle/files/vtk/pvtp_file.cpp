@@ -1,8 +1,8 @@
 #include "brindle/files/vtk/pvtp_file.h"
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/files/input_file.h"
 
 #ifdef BRINDLE_HAS_VTK
 #include <pugixml.hpp>

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/printable.h"
 #include "brindle/files.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/color_byte.h"
 #include "brindle/files/gltf/percent_decoded.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/text/letters.h"
 #include "brindle/files/text/text_numbers.h"
 #include "brindle/files/vtk/vtk_surface.h"

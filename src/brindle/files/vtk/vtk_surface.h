@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/input_file.h"
 #include "brindle/data_arrays.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/raw_mesh.h"

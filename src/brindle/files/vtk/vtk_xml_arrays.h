@@ -9,8 +9,8 @@
 
 #include <pugixml.hpp>
 
+#include "brindle/base/input_file.h"
 #include "brindle/data_arrays.h"
-#include "brindle/files/input_file.h"
 
 namespace brindle {
 

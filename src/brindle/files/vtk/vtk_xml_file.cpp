@@ -14,8 +14,8 @@
 
 #include <pugixml.hpp>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/input_file.h"
 #include "brindle/files/vtk/vtk_surface.h"
 #include "brindle/files/vtk/vtk_xml_arrays.h"
 

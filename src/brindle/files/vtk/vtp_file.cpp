@@ -11,7 +11,7 @@
 
 #include "brindle/files/binary_output.h"
 #include "brindle/files/vtk/xml_text.h"
-#include "brindle/geometry/local_positions.h"
+#include "brindle/local_positions.h"
 
 namespace brindle {
 namespace {

@@ -1,0 +1,191 @@
+#include "brindle/base/input_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "brindle/base/input_stream.h"
+#include "brindle/base/number_text.h"
+#include "brindle/base/printable.h"
+#include "brindle/error.h"
+
+namespace brindle {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Who wants the header alone reads little more.
+constexpr std::size_t kFirstSize = std::size_t{1} << 14;
+constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+constexpr std::size_t kReportedSize = std::size_t{1} << 24;
+
+constexpr std::string_view kTruncated = "ends too early: it is truncated; copy or export it again";
+
+std::string_view without_plus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+/// Whether the value is as far from one float as from the next.
+bool halfway_between_floats(double value) {
+  if (!(std::abs(value) <= std::numeric_limits<float>::max())) return false;
+  const double nearest = static_cast<float>(value);
+  const double other = 2 * value - nearest;
+  return other != nearest && static_cast<double>(static_cast<float>(other)) == other;
+}
+
+/// A word that was rounded to a double and then to a float could be rounded the wrong way; one step
+/// from the middle it is not.
+double towards_nearest_float(double value, std::string_view word) {
+  float nearest = 0;
+  const auto read = read_number(word.data(), word.data() + word.size(), nearest);
+  if (read.ec != std::errc() || static_cast<float>(value) == nearest) return value;
+  return std::nextafter(value, static_cast<double>(nearest));
+}
+
+}  // namespace
+
+InputFile::InputFile(const fs::path& path, Progress progress)
+    : path_(path),
+      progress_(std::move(progress)),
+      stage_("loading " + shown(path.native())),
+      stream_(open_input(path, "a mesh file")) {
+  std::error_code error;
+  remaining_ = fs::file_size(path, error);
+  if (error) fail("cannot be read: " + error.message());
+  size_ = remaining_;
+  if (remaining_ == 0) fail("is empty; export the mesh again");
+  buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kFirstSize, remaining_)));
+}
+
+bool InputFile::fill() {
+  if (begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  if (read_ > 0 && buffer_.size() < kBufferSize) {
+    buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, size_)));
+  }
+  stream_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
+  const auto read = static_cast<std::size_t>(stream_.gcount());
+  end_ += read;
+  if (stream_.bad()) fail_whole("cannot be read: input error");
+  report(read);
+  return read > 0;
+}
+
+void InputFile::report(std::uint64_t count) {
+  read_ += count;
+  // What is read twice does not count twice.
+  progress_.report(stage_, std::min(1.0, static_cast<double>(read_) / static_cast<double>(size_)));
+}
+
+std::optional<std::string_view> InputFile::next_line() {
+  std::size_t searched = 0;
+  const char* line_end = nullptr;
+  while (true) {
+    const std::size_t left = end_ - begin_ - searched;
+    line_end = static_cast<const char*>(
+        left > 0 ? std::memchr(buffer_.data() + begin_ + searched, '\n', left) : nullptr);
+    if (line_end) break;
+    searched = end_ - begin_;
+    if (!fill()) break;
+  }
+  if (!line_end && begin_ == end_) return std::nullopt;
+  const char* start = buffer_.data() + begin_;
+  const std::size_t taken =
+      line_end ? static_cast<std::size_t>(line_end - start) + 1 : end_ - begin_;
+  begin_ += taken;
+  remaining_ -= std::min<std::uint64_t>(remaining_, taken);
+  ++line_;
+  std::string_view line(start, line_end ? taken - 1 : taken);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+  return line;
+}
+
+const char* InputFile::take(std::size_t count) {
+  while (end_ - begin_ < count) {
+    if (!fill()) fail_whole(std::string(kTruncated));
+  }
+  const char* start = buffer_.data() + begin_;
+  begin_ += count;
+  remaining_ -= std::min<std::uint64_t>(remaining_, count);
+  return start;
+}
+
+void InputFile::read_at(std::uint64_t place, std::span<std::byte> bytes) {
+  if (bytes.size() > size_ || place > size_ - bytes.size()) fail_whole(std::string(kTruncated));
+  const auto here = stream_.tellg();
+  stream_.seekg(static_cast<std::streamoff>(place));
+  while (!bytes.empty()) {
+    const std::span<std::byte> piece = bytes.first(std::min(bytes.size(), kReportedSize));
+    stream_.read(reinterpret_cast<char*>(piece.data()), static_cast<std::streamsize>(piece.size()));
+    if (stream_.bad()) fail_whole("cannot be read: input error");
+    if (static_cast<std::size_t>(stream_.gcount()) < piece.size())
+      fail_whole(std::string(kTruncated));
+    report(piece.size());
+    bytes = bytes.subspan(piece.size());
+  }
+  stream_.clear();
+  stream_.seekg(here);
+}
+
+void InputFile::fail(const std::string& message) const {
+  if (line_ == 0) fail_whole(message);
+  fail_at(line_, message);
+}
+
+void InputFile::fail_at(std::size_t line, const std::string& message) const {
+  throw Error(shown(path_.native()) + ":" + std::to_string(line) + ": " + message);
+}
+
+void InputFile::fail_whole(const std::string& message) const {
+  throw Error(shown(path_.native()) + ": " + message);
+}
+
+std::string_view take_word(std::string_view& line) {
+  constexpr std::string_view kBetween = " \t\r\v\f";
+  const std::size_t begin = line.find_first_not_of(kBetween);
+  if (begin == std::string_view::npos) {
+    line = {};
+    return {};
+  }
+  const std::size_t end = std::min(line.find_first_of(kBetween, begin), line.size());
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+std::optional<double> parse_number(std::string_view word) {
+  const std::optional<double> value = parse_double(word);
+  if (!value || !halfway_between_floats(*value)) return value;
+  return towards_nearest_float(*value, without_plus(word));
+}
+
+std::optional<double> parse_double(std::string_view word) {
+  word = without_plus(word);
+  double value = 0;
+  const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
+  // Too large or too small: strtod says which.
+  if (error == std::errc::result_out_of_range)
+    return std::strtod(std::string(word).c_str(), nullptr);
+  return value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word) {
+  word = without_plus(word);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || error != std::errc()) return std::nullopt;
+  return value;
+}
+
+}  // namespace brindle

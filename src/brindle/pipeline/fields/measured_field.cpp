@@ -1,0 +1,440 @@
+#include "brindle/measured_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
+#include "brindle/error.h"
+#include "brindle/field_index.h"
+#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/orientation.h"
+#include "brindle/phases/screened.h"
+#include "brindle/pipeline/fields/opposite_singularities.h"
+#include "brindle/pipeline/fields/period_walk.h"
+#include "brindle/pipeline/fields/scale_check.h"
+#include "brindle/pipeline/fields/surface_elements.h"
+#include "brindle/waves/direction_graph.h"
+
+namespace brindle {
+namespace {
+
+/// The residual that is left, as a share of the data: directions then are off by some hundredths of
+/// a degree, in frames that go on from the last one by a tenth. What is far from all data asks for
+/// more.
+constexpr float kTolerance = 5e-3f, kToleranceInFrames = 1e-2f, kToleranceInHoles = 5e-4f;
+constexpr int kMostIterations = 2000;
+
+constexpr float kFarthestPair = 64;  // in periods
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw Error("measured field: " + message);
+}
+
+bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
+
+void check_detail(const FieldDetailOptions& options) {
+  check_scale("measured field", options.periods, options.fill);
+  require(options.symmetry >= 1, "the symmetry N must be 1 or above");
+  require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
+}
+
+void check_field(const MeasuredField& field, std::size_t places, const std::string& what) {
+  const auto count = [&](std::size_t entries, const std::string& name) {
+    require(entries == places, "there are " + std::to_string(entries) + " " + name + " of " + what +
+                                   " for " + std::to_string(places) +
+                                   (field.of_triangles ? " triangles" : " vertices") +
+                                   "; give one to each");
+  };
+  count(field.directions.size(), "directions");
+  if (field.confidence.empty()) return;
+  count(field.confidence.size(), "confidences");
+  require(ranges::all_of(field.confidence, is_strength),
+          "confidences must be finite numbers of 0 or above");
+}
+
+/// A value for people: the angle by which a direction was turned, and the area it stands for.
+struct DatumTurn {
+  float degrees;
+  float weight;
+};
+
+/// The turn that `share` of all weight is below.
+double quantile(std::span<const DatumTurn> sorted, double total, double share) {
+  double sum = 0;
+  for (const DatumTurn& turn : sorted) {
+    sum += static_cast<double>(turn.weight);
+    if (sum >= share * total) return static_cast<double>(turn.degrees);
+  }
+  return sorted.empty() ? 0 : static_cast<double>(sorted.back().degrees);
+}
+
+void tell_turns(std::vector<DatumTurn> turns, FieldDetailFigures& figures) {
+  ranges::sort(turns, {}, &DatumTurn::degrees);
+  double total = 0, sum = 0, over = 0;
+  for (const DatumTurn& turn : turns) {
+    const auto weight = static_cast<double>(turn.weight);
+    total += weight;
+    sum += weight * static_cast<double>(turn.degrees);
+    over += turn.degrees > 20 ? weight : 0;
+  }
+  if (!(total > 0)) return;
+  figures.turned_mean_deg = sum / total;
+  figures.turned_median_deg = quantile(turns, total, 0.5);
+  figures.turned_p95_deg = quantile(turns, total, 0.95);
+  figures.turned_share_over_20deg = over / total;
+}
+
+}  // namespace
+
+/// One datum that a vertex hears of: its direction there, the area it stands for, and that times
+/// its confidence.
+struct FieldDatum {
+  Complex u;  ///< a unit number but for rounding
+  float area;
+  float weight;
+};
+
+struct FieldDetail::State {
+  State(const Surface& given, const FieldDetailOptions& wanted, const Progress& progress)
+      : options(wanted), surface(given) {
+    check_detail(options);
+    check_positions(surface.mesh.positions);
+    require(!options.singularities || !surface.mesh.triangles.empty(),
+            "points have no triangles that a field could turn round");
+    const std::vector<float> stiffness = edge_stiffness(surface, progress.part(0, 0.5));
+    graph = build_weighted_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
+                                           stiffness, progress.part(0.5, 1));
+    degrees = stiffness_sums(*surface.neighborhood, stiffness);
+    bases.resize(count());
+    parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) bases[i] = tangent_basis(surface.normals[i]);
+    });
+    triangle_areas = areas_of_triangles(surface.mesh);
+    areas = areas_of_vertices(surface, triangle_areas);
+  }
+
+  std::size_t count() const { return surface.mesh.vertex_count(); }
+
+  /// The datum of a direction as vertex `i` has it.
+  FieldDatum datum(const MeasuredField& field, std::size_t place, Index i, float area) const {
+    const Vec3 tangent = tangent_direction(field.directions[place], surface.normals[i]);
+    const float confidence = field.confidence.empty() ? 1 : field.confidence[place];
+    if (tangent.isZero(0) || confidence == 0) return {0, 0, 0};
+    const Complex in_basis(tangent.dot(bases[i].x), tangent.dot(bases[i].y));
+    Complex power = in_basis;
+    for (int n = 1; n < options.symmetry; ++n) power *= in_basis;
+    return {power, area, area * confidence};
+  }
+
+  /// Calls `body` with every datum around a vertex.
+  template <class Body>
+  void for_data(const MeasuredField& field, Index i, const Body& body) const {
+    if (!field.of_triangles) return body(datum(field, i, i, areas[i]));
+    for (const Index t : around.of(i)) body(datum(field, t, i, triangle_areas[t] / 3));
+  }
+
+  /// The sum of data around every vertex, times their weights; those weights' sum; and the area
+  /// that they stand for.
+  struct Sums {
+    std::vector<Complex> pull;
+    std::vector<float> weight, area;
+  };
+
+  Sums sums_of(const MeasuredField& field) const {
+    Sums sums{std::vector<Complex>(count()), std::vector<float>(count()),
+              std::vector<float>(count())};
+    if (field.directions.empty()) return sums;
+    parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+      for (Index i = static_cast<Index>(begin); i < end; ++i) {
+        for_data(field, i, [&](const FieldDatum& d) {
+          sums.pull[i] += d.weight * d.u;
+          sums.weight[i] += d.weight;
+          sums.area[i] += d.area;
+        });
+      }
+    });
+    return sums;
+  }
+
+  /// What the weights are divided by, so that the mean confidence of data is 1.
+  static double mean_confidence(const Sums& sums) {
+    const auto sum = [](const std::vector<float>& values) {
+      return parallel_sum<double>(values.size(), [&](std::size_t begin, std::size_t end) {
+        return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                               values.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+      });
+    };
+    const double area = sum(sums.area);
+    return area > 0 ? sum(sums.weight) / area : 1;
+  }
+
+  DetailedField frame(const MeasuredField& measured, std::span<const float> frequencies,
+                      const MeasuredField& last, const Progress& progress);
+  void check_frame(const MeasuredField& measured, std::span<const float> frequencies,
+                   const MeasuredField& last) const;
+  void solve(const MeasuredField& measured, std::span<const float> frequencies,
+             const MeasuredField& last, const Progress& progress);
+  std::vector<float> distances(std::span<const float> frequencies) const;
+  FoundSingularities pairs_to_undo(std::span<const float> frequencies, std::size_t more) const;
+  void undo_singularities(std::span<const float> frequencies, std::vector<float>& screening,
+                          const ScreenedOptions& solving);
+  DetailedField seen(std::span<const float> frequencies, const Progress& progress) const;
+  void sign_like_last(DirectionField& field, const Progress& progress) const;
+  std::vector<DatumTurn> turns() const;
+
+  FieldDetailOptions options;
+  Surface surface;
+  PhaseGraph graph;            // transport, times stiffness
+  std::vector<float> degrees;  // sums of stiffness
+  std::vector<TangentBasis> bases;
+  std::vector<float> areas, triangle_areas;
+  VertexTriangles around;
+
+  // Of the last frame.
+  std::optional<MeasuredField> measured_;
+  Sums data;
+  std::vector<Complex> u;
+  DirectionField directions;
+};
+
+void FieldDetail::State::check_frame(const MeasuredField& measured,
+                                     std::span<const float> frequencies,
+                                     const MeasuredField& last) const {
+  require(!measured.of_triangles || !surface.mesh.triangles.empty(),
+          "points have no triangles that data could be of");
+  check_field(measured, measured.of_triangles ? surface.mesh.triangle_count() : count(),
+              "the data");
+  if (!last.directions.empty()) {
+    require(!last.of_triangles, "the last field has one direction per vertex");
+    check_field(last, count(), "the last field");
+  }
+  require(frequencies.size() == count(), "there are " + std::to_string(frequencies.size()) +
+                                             " frequencies for " + std::to_string(count()) +
+                                             " vertices; give one to each");
+  require(ranges::all_of(frequencies, is_strength),
+          "frequencies must be finite numbers of 0 or above");
+}
+
+void FieldDetail::State::solve(const MeasuredField& measured, std::span<const float> frequencies,
+                               const MeasuredField& last, const Progress& progress) {
+  data = sums_of(measured);
+  const auto even = static_cast<float>(1 / mean_confidence(data));
+  const Sums before = options.memory > 0 ? sums_of(last) : Sums{};
+  std::vector<float> screening(count());
+  std::vector<Complex> start(count());
+  graph.anchor.assign(count(), Complex(0));
+  parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float inverse = 2 * frequencies[i] / options.periods;  // of the length l
+      const float square = inverse * inverse;
+      graph.anchor[i] = square * even * data.pull[i];
+      screening[i] = square * even * data.weight[i];
+      if (!before.pull.empty()) {
+        graph.anchor[i] += square * options.memory * before.pull[i];
+        screening[i] += square * options.memory * before.weight[i];
+      }
+      if (screening[i] > 0) start[i] = graph.anchor[i] / screening[i];
+      // What the last frame found is nearer, where it found anything.
+      if (!u.empty() && u[i] != Complex(0)) start[i] = u[i];
+    }
+  });
+  const bool has_holes = ranges::find(screening, 0.0f) != screening.end();
+  ScreenedOptions solving = {.max_iterations = kMostIterations,
+                             .tolerance = has_holes   ? kToleranceInHoles
+                                          : u.empty() ? kTolerance
+                                                      : kToleranceInFrames,
+                             .of_anchors = true,
+                             .degrees = degrees,
+                             .progress = options.singularities ? progress.part(0, 0.5) : progress};
+  u = smooth_screened(graph, screening, std::move(start), solving);
+  if (!options.singularities) return;
+  solving.progress = progress.part(0.5, 1);
+  undo_singularities(frequencies, screening, solving);
+}
+
+/// How far every vertex is from the next datum, along edges, in periods; infinitely far beyond
+/// what is filled. Nothing where there are no holes.
+std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
+  if (ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
+  const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
+  return periods_from_data(surface, frequencies, std::not_fn(is_hole), is_hole, options.fill);
+}
+
+/// The singularities of `u`, and the nearest pairs of them: as many as bring them down to what the
+/// options ask for, and `more`, or as there are. They are looked for ever farther away.
+FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const float> frequencies,
+                                                     std::size_t more) const {
+  const DirectionField field = directions_of(u, surface.normals, options.symmetry);
+  FoundSingularities found;
+  for (float reach = 1; reach <= kFarthestPair; reach *= 2) {
+    found = opposite_singularities(surface, field, options.symmetry, frequencies, reach);
+    if (found.count <= *options.singularities) return {found.count, {}};
+    const std::size_t most = (found.count - *options.singularities + 1) / 2 + more;
+    if (found.pairs.size() > most) found.pairs.resize(most);
+    if (!found.pairs.empty()) return found;
+  }
+  return found;
+}
+
+/// Averages over more where pairs of singularities are, until there are few enough of them.
+void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
+                                            std::vector<float>& screening,
+                                            const ScreenedOptions& solving) {
+  constexpr int kMostRounds = 30;
+  PeriodWalk walk(surface, frequencies);
+  std::size_t fewest = std::numeric_limits<std::size_t>::max(), in_vain = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    // Where a vertex is so sharp that every field turns round beside it, other pairs must do.
+    const FoundSingularities found = pairs_to_undo(frequencies, in_vain);
+    if (found.pairs.empty()) return;
+    in_vain = found.count < fewest ? 0 : in_vain + 2;
+    fewest = std::min(fewest, found.count);
+    // Pairs that stay need the field farther around them to give way.
+    const float grown = 1 + 0.2f * static_cast<float>(round);
+    std::vector<std::uint8_t> is_near(count());
+    for (const OppositeSingularities& pair : found.pairs) {
+      for (const Index triangle : {pair.positive, pair.negative}) {
+        walk.from(surface.mesh.triangles[triangle], grown * (0.5f + pair.distance),
+                  [&](Index i, float) {
+                    is_near[i] = 1;
+                    return true;
+                  });
+      }
+    }
+    constexpr float kLess = 0.25f;  // twice the scale
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (is_near[i] == 0) continue;
+      screening[i] *= kLess;
+      graph.anchor[i] *= kLess;
+    }
+    ScreenedOptions again = solving;
+    again.progress =
+        solving.progress.part(round / double{kMostRounds}, (round + 1) / double{kMostRounds});
+    u = smooth_screened(graph, screening, std::move(u), again);
+  }
+}
+
+/// Like the neighbours in the first frame, then like the frame before.
+void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& progress) const {
+  if (directions.empty()) return orient_alike(*surface.neighborhood, field, progress);
+  std::vector<std::uint8_t> settled(count());
+  parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      settled[i] = directions[i].isZero(0) ? 0 : 1;
+      if (field[i].dot(directions[i]) < 0) field[i] = -field[i];
+    }
+  });
+  const bool all = ranges::find(settled, std::uint8_t{0}) == settled.end();
+  if (!all) orient_alike(*surface.neighborhood, settled, field);
+}
+
+DetailedField FieldDetail::State::seen(std::span<const float> frequencies,
+                                       const Progress& progress) const {
+  DetailedField field{DirectionField(count()), std::vector<float>(count())};
+  const std::vector<float> distance = distances(frequencies);
+  parallel_for(count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      field.directions[i] = Vec3::Zero();
+      const bool is_near = distance.empty() || distance[i] <= options.fill;
+      const bool has_wave = frequencies[i] > 0 && u[i] != Complex(0) && is_near;
+      if (!has_wave || surface.normals[i].isZero(0)) continue;
+      const Complex root = unit_root(u[i], options.symmetry);
+      field.directions[i] = root.real() * bases[i].x + root.imag() * bases[i].y;
+      field.agreement[i] = std::min(std::sqrt(std::norm(u[i])), 1.0f);
+    }
+  });
+  if (options.symmetry % 2 == 0) sign_like_last(field.directions, progress);
+  return field;
+}
+
+DetailedField FieldDetail::State::frame(const MeasuredField& measured,
+                                        std::span<const float> frequencies,
+                                        const MeasuredField& last, const Progress& progress) {
+  check_frame(measured, frequencies, last);
+  if (measured.of_triangles && around.entries.empty()) around = vertex_triangles(surface.mesh);
+  progress.report(0);
+  solve(measured, frequencies, last, progress.part(0, 0.8));
+  const bool is_any = ranges::any_of(data.weight, [](float w) { return w > 0; });
+  require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
+  DetailedField field = seen(frequencies, progress.part(0.8, 1));
+  measured_ = measured;
+  directions = field.directions;
+  return field;
+}
+
+std::vector<DatumTurn> FieldDetail::State::turns() const {
+  const MeasuredField& measured = *measured_;
+  const auto in_degrees = [&](const Complex& turned) {
+    return std::abs(elementary::arg(turned)) * 180 /
+           (std::numbers::pi_v<float> * static_cast<float>(options.symmetry));
+  };
+  std::vector<DatumTurn> turns(measured.directions.size(), DatumTurn{0, 0});
+  parallel_for(turns.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) {
+      Complex turned = 0;
+      const auto add = [&](Index i, float area) {
+        const FieldDatum d = datum(measured, place, i, area);
+        if (d.weight == 0 || directions[i].isZero(0)) return;
+        turned += std::conj(d.u) * u[i];
+        turns[place].weight += area;
+      };
+      if (!measured.of_triangles) {
+        add(static_cast<Index>(place), areas[place]);
+      } else {
+        for (const Index i : surface.mesh.triangles[place]) add(i, triangle_areas[place] / 3);
+      }
+      turns[place].degrees = in_degrees(turned);
+    }
+  });
+  std::erase_if(turns, [](const DatumTurn& turn) { return turn.weight == 0; });
+  return turns;
+}
+
+FieldDetail::FieldDetail(const Surface& surface, const FieldDetailOptions& options,
+                         const Progress& progress)
+    : state_(std::make_unique<State>(surface, options, progress)) {}
+FieldDetail::~FieldDetail() = default;
+FieldDetail::FieldDetail(FieldDetail&&) noexcept = default;
+FieldDetail& FieldDetail::operator=(FieldDetail&&) noexcept = default;
+
+DetailedField FieldDetail::frame(const MeasuredField& measured, std::span<const float> frequencies,
+                                 const MeasuredField& last, const Progress& progress) {
+  return state_->frame(measured, frequencies, last, progress);
+}
+
+FieldDetailFigures FieldDetail::figures() const {
+  const State& state = *state_;
+  require(state.measured_.has_value(), "there is no frame yet that figures could be of");
+  FieldDetailFigures figures;
+  tell_turns(state.turns(), figures);
+  std::vector<Complex> before(state.count());
+  for (Index i = 0; i < state.count(); ++i) {
+    const bool has_datum = state.data.weight[i] > 0, has_direction = !state.directions[i].isZero(0);
+    if (has_datum) before[i] = state.data.pull[i];
+    figures.filled += has_direction && !has_datum ? 1 : 0;
+    figures.unfilled += !has_direction && !state.surface.neighborhood->of(i).empty() ? 1 : 0;
+    figures.data += has_datum ? 1 : 0;
+  }
+  const int symmetry = state.options.symmetry;
+  DirectionField given = directions_of(before, state.surface.normals, symmetry);
+  for (Index i = 0; i < state.count(); ++i) {
+    if (before[i] == Complex(0)) given[i] = Vec3::Zero();
+  }
+  figures.singularities_of_data = count_singularities(state.surface.mesh, given, symmetry);
+  figures.singularities = count_singularities(state.surface.mesh, state.directions, symmetry);
+  const std::size_t wanted = state.options.singularities.value_or(figures.singularities);
+  figures.singularities_too_many = figures.singularities - std::min(wanted, figures.singularities);
+  return figures;
+}
+
+}  // namespace brindle

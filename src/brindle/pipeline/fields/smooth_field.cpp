@@ -1,0 +1,166 @@
+#include "brindle/smooth_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
+#include "brindle/curvature.h"
+#include "brindle/error.h"
+#include "brindle/orientation.h"
+#include "brindle/phases/hierarchy.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/phases/several_starts.h"
+#include "brindle/pipeline/fields/curvature_anchors.h"
+#include "brindle/pipeline/fields/feature_anchors.h"
+#include "brindle/pipeline/fields/field_anchors.h"
+#include "brindle/pipeline/fields/followed_field.h"
+#include "brindle/pipeline/fields/known_directions.h"
+#include "brindle/solver.h"
+#include "brindle/waves/direction_graph.h"
+#include "brindle/waves/least_curl.h"
+
+namespace brindle {
+namespace {
+
+void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldOptions& options,
+                   const Progress& progress) {
+  const auto curvatures = principal_curvatures(surface.mesh.positions, surface.normals,
+                                               *surface.neighborhood, progress);
+  std::vector<float> sorted = curvature_differences(curvatures);
+  const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
+  std::nth_element(sorted.begin(), tenth, sorted.end());
+  add_curvature_anchors(graph, surface.normals, curvatures, *tenth, options);
+}
+
+void add_anchors(PhaseGraph& graph, const Surface& surface, std::span<const FieldAnchor> anchors,
+                 int symmetry) {
+  for (const FieldAnchor& anchor : anchors) check_field_anchor(anchor, graph.node_count());
+  for (const FieldAnchor& anchor : anchors) {
+    graph.anchor[anchor.vertex] +=
+        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], symmetry);
+  }
+}
+
+void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
+                         const SmoothFieldOptions& options, const Progress& progress) {
+  if (options.feature_radius > 0) {
+    const std::vector<FieldStroke> strokes =
+        feature_strokes(surface, options.feature_angle_deg, options.feature_radius,
+                        options.feature_anchor, progress.part(0, 0.5));
+    return add_anchors(graph, surface, stroke_anchors(surface, strokes, progress.part(0.5, 1)),
+                       options.symmetry);
+  }
+  add_feature_anchors(graph, surface.mesh, *surface.neighborhood, surface.normals, options);
+}
+
+std::vector<JobStage> stages_of(const SmoothFieldOptions& options) {
+  std::vector<JobStage> stages = {{"transport", 4}};
+  if (options.curvature_anchor > 0) stages.push_back({"curvature", 4});
+  if (options.feature_anchor > 0) stages.push_back({"features", 4});
+  stages.insert(stages.end(), {{"solve", 10}, {"directions", 1}, {"orient", 2}});
+  return stages;
+}
+
+bool has_anchors(const SmoothFieldOptions& options) {
+  return options.curvature_anchor > 0 || options.feature_anchor > 0 || !options.anchors.empty();
+}
+
+/// Returns how strongly curvature attracts.
+std::vector<float> add_all_anchors(PhaseGraph& graph, const Surface& surface,
+                                   const SmoothFieldOptions& options, JobStages& stages) {
+  if (has_anchors(options)) graph.anchor.resize(graph.node_count());
+  if (options.curvature_anchor > 0)
+    add_curvature(graph, surface, options, stages.begin("curvature"));
+  std::vector<float> of_curvature = anchor_strengths(graph);
+  if (options.feature_anchor > 0) {
+    add_feature_anchors(graph, surface, options, stages.begin("features"));
+  }
+  add_anchors(graph, surface, options.anchors, options.symmetry);
+  return of_curvature;
+}
+
+SolverOptions solver_options(const SmoothFieldOptions& options) {
+  SolverOptions solver;
+  solver.sweeps = options.sweeps;
+  solver.cycles = options.cycles;
+  return solver;
+}
+
+std::vector<Complex> values_from(const PhaseGraph& graph, std::vector<Complex> start,
+                                 const SmoothFieldOptions& options, const Progress& progress) {
+  // Nodes that nothing pulls.
+  ranges::replace(start, Complex(0), kPeak);
+  Hierarchy hierarchy = build_hierarchy(graph, progress.part(0, 0.3));
+  Level& finest = hierarchy.levels[0];
+  to_slots(finest.layout(), start, finest.z);
+  run_cycles(hierarchy, options.sweeps, std::max(1, options.cycles), progress.part(0.3, 1));
+  return to_nodes(finest.layout(), finest.z);
+}
+
+DirectionField following_field(const Surface& surface, PhaseGraph& graph,
+                               std::vector<float> of_curvature, const SmoothFieldOptions& options,
+                               const Progress& progress) {
+  LastValues last = last_values(options.last, surface.normals, options.symmetry);
+  last.noisy = std::move(of_curvature);
+  const std::vector<Complex> start = follow_last(graph, last, surface.mesh.vertex_count(), [&] {
+    return solve_phases(graph, solver_options(options), progress.part(0, 0.5)).z;
+  });
+  const std::vector<Complex> u = values_from(graph, start, options, progress.part(0.5, 1));
+  DirectionField field = directions_of(u, surface.normals, options.symmetry);
+  name_like_last(*surface.neighborhood, u, surface.normals, options.last.directions,
+                 options.symmetry, field);
+  return field;
+}
+
+}  // namespace
+
+void check_smoothing(const SmoothFieldOptions& options) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw Error(std::string("smooth field: ") + message);
+  };
+  const auto strength = [](float anchor) { return std::isfinite(anchor) && anchor >= 0; };
+  require(options.symmetry >= 1, "the symmetry N must be 1 or above");
+  require(strength(options.curvature_anchor) && strength(options.feature_anchor),
+          "anchors must be finite numbers of 0 or above");
+  require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
+  require(strength(options.feature_radius), "the feature radius must be finite and 0 or above");
+  require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
+          "edges have no sign; feature anchors need an even symmetry");
+}
+
+DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options,
+                                      const Progress& progress) {
+  check_smoothing(options);
+  check_positions(surface.mesh.positions);
+  if (surface.mesh.vertex_count() == 0) return {};
+  check_known(options.last, surface.mesh.vertex_count(), "the last field");
+  JobStages stages(progress, stages_of(options));
+  PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
+                                           stages.begin("transport"));
+  std::vector<float> of_curvature = add_all_anchors(graph, surface, options, stages);
+  if (!options.last.directions.empty()) {
+    DirectionField field =
+        following_field(surface, graph, std::move(of_curvature), options, stages.begin("solve"));
+    stages.finish();
+    return field;
+  }
+  const bool has_triangles = !surface.mesh.triangles.empty();
+  const LowestPhases u = solve_from(starts_of_field(graph, has_triangles), graph, options.sweeps,
+                                    options.cycles, stages.begin("solve"));
+  DirectionField field =
+      directions_of(u.z, surface.normals, options.symmetry, stages.begin("directions"));
+  if (has_triangles && turns_freely(graph, options.symmetry)) {
+    const CurlSums sums = curl_sums(surface.mesh, field, surface.normals);
+    turn_to_least_curl(sums, u.is_lower, surface.normals, field);
+  }
+  orient_alike(*surface.neighborhood, field, stages.begin("orient"));
+  stages.finish();
+  return field;
+}
+
+}  // namespace brindle

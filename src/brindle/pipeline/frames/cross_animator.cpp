@@ -1,0 +1,295 @@
+#include "brindle/cross_animator.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/carried_phases.h"
+#include "brindle/cross_texture.h"
+#include "brindle/error.h"
+#include "brindle/pattern/texture_quality.h"
+#include "brindle/pipeline/cross_parts.h"
+#include "brindle/pipeline/frames/frame_check.h"
+#include "brindle/pipeline/frames/yielding_frames.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/waves/slack_check.h"
+#include "brindle/waves/wave_check.h"
+
+namespace brindle {
+namespace {
+
+/// Calls the direction that is nearest to wave (i, 0) of the last frame so again: a cross may be
+/// given by any of its directions.
+void keep_names(const WaveSet& last, WaveSet& crosses) {
+  parallel_for(crosses.directions.size() / 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Vec3& first = crosses.directions[2 * i];
+      Vec3& second = crosses.directions[2 * i + 1];
+      const Vec3& before = last.directions[2 * i];
+      if (std::abs(before.dot(second)) <= std::abs(before.dot(first))) continue;
+      std::swap(first, second);
+      second = -second;
+    }
+  });
+}
+
+/// Rows of both waves of a vertex have its edges in the same order.
+std::vector<float> weights_on_cover(const Adjacency& neighborhood, std::span<const float> weights) {
+  std::vector<float> result;
+  if (weights.empty()) return result;
+  result.reserve(2 * weights.size());
+  for (Index i = 0; i < neighborhood.node_count(); ++i) {
+    const auto row = weights.subspan(neighborhood.offsets[i],
+                                     neighborhood.offsets[i + 1] - neighborhood.offsets[i]);
+    for (int wave = 0; wave < 2; ++wave) result.insert(result.end(), row.begin(), row.end());
+  }
+  return result;
+}
+
+/// Of waves (i, r). Vertices behind those of the surface have no wave of their own.
+FrequencyField frequencies_of(const CrossCover& cover, std::size_t r, std::size_t vertices) {
+  const FrequencyField& nodes = cover.waves.frequencies;
+  FrequencyField result(vertices, nodes.front());
+  for (std::size_t i = 0; 2 * i < nodes.size(); ++i) result[i] = nodes[2 * i + r];
+  return result;
+}
+
+FrameInput frame_input(const WaveSet& waves) {
+  return {waves.positions, waves.directions, waves.frequencies};
+}
+
+}  // namespace
+
+namespace {
+
+/// What a frame has come to.
+struct LaidCrosses {
+  CrossCover cover = {};
+  Mesh cover_mesh = {};  ///< positions and triangles of the cover
+  std::vector<Complex> z = {};
+  CrossParts parts = {};
+
+  void take(const FrameResult& stripes);
+};
+
+/// The frame's phases, and the frequencies that they are for.
+void LaidCrosses::take(const FrameResult& stripes) {
+  cover_mesh.positions = cover.waves.positions;
+  if (!stripes.frequencies.empty()) {
+    cover.waves.frequencies.assign(stripes.frequencies.begin(), stripes.frequencies.end());
+  }
+  z.assign(stripes.z.begin(), stripes.z.end());
+}
+
+void measure(const LaidCrosses& laid, PhaseShiftKind kind, const Progress& progress,
+             CrossFrameResult& result) {
+  const auto& [cover, cover_mesh, z, parts] = laid;
+  const auto corners = corner_phases(cover.triangles, cover.waves, z, kind, progress.part(0, 0.3));
+  result.quality = cross_quality(
+      cover, measure_quality(cover_mesh, cover.waves, corners, progress.part(0.3, 0.6)), corners);
+  // The texture's triangles are those of the cover, whichever way their waves run, and the parts of
+  // the singular ones.
+  const std::size_t pairs = cover.base.size();
+  const auto behind = [&](std::span<const CornerPhases> first,
+                          const std::vector<CornerWaves>& all) {
+    std::vector<CornerPhases> phases;
+    phases.reserve(all.size());
+    phases.assign(first.begin(), first.end());
+    for (const CornerPhases& part : corner_phases(std::span(all).subspan(pairs), kind)) {
+      phases.push_back(part);
+    }
+    return phases;
+  };
+  progress.report(0.6);
+  const auto u = behind(std::span(corners).first(pairs), parts.waves.u);
+  const auto v = behind(std::span(corners).last(pairs), parts.waves.v);
+  progress.report(0.65);
+  const auto frequencies_u = frequencies_of(cover, 0, parts.mesh.vertex_count());
+  const auto frequencies_v = frequencies_of(cover, 1, parts.mesh.vertex_count());
+  result.texture =
+      measure_texture(parts.mesh, {u, frequencies_u}, {v, frequencies_v}, progress.part(0.7, 1));
+}
+
+}  // namespace
+
+struct CrossAnimator::State {
+  Surface surface;  ///< at the place of the last frame
+  AnimatorOptions options;
+  AnimatorOptions on_cover = {};
+  bool made_with_slack = false;
+
+  std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
+  LaidCrosses laid = {};                        ///< the last frame
+
+  WaveSet checked_waves(const CrossFrameInput& input) const;
+  std::span<const Vec3> normals_of(const CrossFrameInput& input) const {
+    return input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals;
+  }
+  StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
+  void solve_again(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
+                   CrossFrameResult& result);
+  void solve_afresh(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
+                    CrossFrameResult& result);
+  void lay(const Mesh& placed, LaidCrosses& next, const Progress& progress,
+           CrossFrameResult& result) const;
+};
+
+WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const {
+  const std::size_t vertices = surface.mesh.vertex_count();
+  check_frame_input(input.waves, vertices);
+  if (!input.normals.empty() && input.normals.size() != vertices) {
+    throw Error("cross animator: there are " + std::to_string(input.normals.size()) +
+                " normals for " + std::to_string(vertices) + " vertices");
+  }
+  const FrameInput& given = input.waves;
+  WaveSet waves{{given.positions.begin(), given.positions.end()},
+                {given.directions.begin(), given.directions.end()},
+                {given.frequencies.begin(), given.frequencies.end()}};
+  check_tangent_waves(normals_of(input), waves);
+  return waves;
+}
+
+/// Goes on from the last frame's phases, if there are any.
+StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
+                                                 std::span<const Vec3> normals) const {
+  StripeAnimator result = on_cover.slack.yields()
+                              ? StripeAnimator(cover_surface(made, normals), on_cover)
+                              : StripeAnimator(made.neighborhood, on_cover);
+  if (!laid.z.empty()) {
+    result.set_last_phases(matched_phases({laid.cover_mesh, laid.cover.waves, laid.z}, made.waves));
+  }
+  return result;
+}
+
+CrossAnimator::CrossAnimator(const Surface& surface, const AnimatorOptions& options) {
+  check_animator_options(options);
+  check_slack(options.slack, surface.mesh.vertex_count());
+  if (surface.mesh.triangles.empty()) throw Error("cross fields need triangles; points have none");
+  state_ = std::make_unique<State>(State{surface, options});
+  state_->on_cover = options;
+  state_->on_cover.slack = slack_on_cover(options.slack);
+  state_->made_with_slack = options.slack.yields();
+  state_->on_cover.edge_weights = weights_on_cover(*surface.neighborhood, options.edge_weights);
+}
+
+CrossAnimator::~CrossAnimator() = default;
+CrossAnimator::CrossAnimator(CrossAnimator&&) noexcept = default;
+CrossAnimator& CrossAnimator::operator=(CrossAnimator&&) noexcept = default;
+
+/// The triangles of a frame whose phases are known, and what is measured of them.
+void CrossAnimator::State::lay(const Mesh& placed, LaidCrosses& next, const Progress& progress,
+                               CrossFrameResult& result) const {
+  Stopwatch watch;
+  next.parts = cross_parts(placed, next.cover, next.z, options.phase_shift, std::move(next.parts),
+                           progress.part(0, 0.5));
+  result.milliseconds.orient = watch.lap();
+  measure(next, options.phase_shift, progress.part(0.5, 1), result);
+  result.milliseconds.measure = watch.lap();
+}
+
+/// Crosses belong together as in the last frame, whose memory is used again: once phases are known,
+/// the frame is the last one, and nobody is asked any more.
+void CrossAnimator::State::solve_again(WaveSet crosses, const CrossFrameInput& input,
+                                       const Progress& progress, CrossFrameResult& result) {
+  Stopwatch watch;
+  result.matching = CrossMatching::kept;
+  result.stripes = animator->frame(frame_input(crosses), progress);
+  laid.cover.waves = std::move(crosses);
+  laid.take(result.stripes);
+  result.milliseconds.solve = watch.lap();
+  surface.mesh.positions.assign(input.waves.positions.begin(), input.waves.positions.end());
+  lay(surface.mesh, laid, {}, result);
+}
+
+/// Crosses belong together in another way, or there is no last frame. Everything is made beside
+/// that of the last frame.
+void CrossAnimator::State::solve_afresh(WaveSet crosses, const CrossFrameInput& input,
+                                        const Progress& progress, CrossFrameResult& result) {
+  JobStages stages(progress, {{"match crosses", 2}, {"frame", 10}, {"texture", 4}});
+  Stopwatch watch;
+  result.matching = animator ? CrossMatching::renewed : CrossMatching::afresh;
+  const Progress matching = stages.begin("match crosses");
+  LaidCrosses next;
+  next.cover = cross_cover(*surface.neighborhood, surface.mesh.triangles, std::move(crosses),
+                           matching.part(0, 0.8));
+  StripeAnimator first = animator_of(next.cover, normals_of(input));
+  result.milliseconds.match += watch.lap();
+  const WaveSet& waves = next.cover.waves;
+  result.stripes = first.frame(frame_input(waves), stages.begin("frame"));
+  const Progress texturing = stages.begin("texture");
+  next.cover_mesh.triangles = next.cover.triangles;
+  next.take(result.stripes);
+  result.milliseconds.solve = watch.lap();
+  Mesh placed = surface.mesh;
+  placed.positions.assign(input.waves.positions.begin(), input.waves.positions.end());
+  lay(placed, next, texturing, result);
+  stages.finish();
+  animator = std::move(first);
+  laid = std::move(next);
+  surface.mesh.positions = std::move(placed.positions);
+}
+
+CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progress& progress) {
+  State& s = *state_;
+  const WaveSet waves = s.checked_waves(input);
+  CrossFrameResult result{{}, s.laid.cover, s.laid.parts.mesh, s.laid.parts.waves, {}, {}, {}, {}};
+  Stopwatch watch;
+  WaveSet crosses = cross_waves(waves, s.normals_of(input));
+  if (s.animator) keep_names(s.laid.cover.waves, crosses);
+  const bool kept = s.animator && are_matched_alike(*s.surface.neighborhood, crosses, s.laid.cover);
+  result.milliseconds.match = watch.lap();
+  if (kept) {
+    s.solve_again(std::move(crosses), input, progress, result);
+  } else {
+    s.solve_afresh(std::move(crosses), input, progress, result);
+  }
+  if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
+  return result;
+}
+
+double CrossAnimator::energy() const {
+  if (!state_->animator) throw Error("cross animator: there is no frame yet");
+  return state_->animator->energy();
+}
+
+void CrossAnimator::set_last_phases(const CrossCover& cover, std::span<const Complex> z) {
+  State& s = *state_;
+  const std::size_t nodes = 2 * s.surface.mesh.vertex_count();
+  if (cover.waves.directions.size() != nodes) {
+    throw Error("cross animator: the cover is of " +
+                std::to_string(cover.waves.directions.size() / 2) + " vertices; the surface has " +
+                std::to_string(nodes / 2));
+  }
+  check_last_phases(z, nodes);
+  LaidCrosses last;
+  last.cover = cover;
+  last.cover_mesh.triangles = cover.triangles;
+  last.cover_mesh.positions = cover.waves.positions;
+  last.z.assign(z.begin(), z.end());
+  s.laid = std::move(last);
+  s.animator.reset();
+}
+
+void CrossAnimator::set_slack(const Slack& slack) {
+  State& s = *state_;
+  check_slack(slack, s.surface.mesh.vertex_count());
+  check_made_with_slack(s.made_with_slack);
+  Slack of_cover = slack_on_cover(slack);
+  // Made of a cover while there was none, an animator knows no slack: another one goes on.
+  if (s.animator && !s.on_cover.slack.yields()) s.animator.reset();
+  if (s.animator) s.animator->set_slack(of_cover);
+  s.on_cover.slack = std::move(of_cover);
+  s.options.slack = slack;
+}
+
+void CrossAnimator::restart() {
+  state_->animator.reset();
+  state_->laid.z.clear();
+}
+
+}  // namespace brindle

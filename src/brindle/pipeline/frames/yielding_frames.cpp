@@ -1,0 +1,87 @@
+#include "brindle/pipeline/frames/yielding_frames.h"
+
+#include <algorithm>
+
+#include "brindle/base/ranges.h"
+#include "brindle/error.h"
+#include "brindle/waves/slack_check.h"
+
+namespace brindle {
+namespace {
+
+bool same_bits(const Vec3& a, const Vec3& b) { return a == b; }
+
+}  // namespace
+
+AnimatorOptions without_slack(AnimatorOptions options) {
+  options.slack = {};
+  return options;
+}
+
+void refuse_slack(const AnimatorOptions& options) {
+  if (!options.slack.yields()) return;
+  throw Error("animator options: slack needs the surface; make the animator of a Surface");
+}
+
+void check_made_with_slack(bool made_with_slack) {
+  if (made_with_slack) return;
+  throw Error("animator: it was made without slack; make it of a Surface with some");
+}
+
+YieldingFrames::YieldingFrames(const Surface& surface, const Slack& slack) {
+  check_slack(slack, surface.mesh.vertex_count());
+  if (slack.yields()) yielding_.emplace(yielding_setting(surface, slack));
+}
+
+YieldingFrames YieldingFrames::sibling() const {
+  YieldingFrames other;
+  if (yielding_) other.yielding_.emplace(yielding_->sibling());
+  return other;
+}
+
+void YieldingFrames::set_slack(const Slack& slack) {
+  check_made_with_slack(yields());
+  yielding_->set_slack(slack);
+  has_kept_ = false;
+}
+
+void YieldingFrames::set_setting(std::shared_ptr<const YieldingSetting> setting,
+                                 bool weighs_as_before) {
+  yielding_->set_setting(std::move(setting), weighs_as_before);
+  has_kept_ = false;
+}
+
+bool YieldingFrames::is_kept(const FrameInput& input) const {
+  return yielding_ && has_kept_ && ranges::equal(input.frequencies, wanted_) &&
+         ranges::equal(input.directions, directions_, same_bits) &&
+         ranges::equal(input.positions, positions_, same_bits);
+}
+
+FrameInput YieldingFrames::yielded(const FrameInput& input, const Progress& progress) {
+  if (!yielding_) return input;
+  positions_.reserve(input.positions.size());
+  directions_.reserve(input.directions.size());
+  wanted_.reserve(input.frequencies.size());
+  return {input.positions, input.directions,
+          yielding_->solve({input.positions, input.directions, input.frequencies}, progress)};
+}
+
+void YieldingFrames::keep(const FrameInput& input) {
+  if (!yielding_) return;
+  yielding_->keep();
+  has_kept_ = true;
+  change_ = yielding_->change();
+  positions_.assign(input.positions.begin(), input.positions.end());
+  directions_.assign(input.directions.begin(), input.directions.end());
+  wanted_.assign(input.frequencies.begin(), input.frequencies.end());
+}
+
+void YieldingFrames::restart() {
+  if (yielding_) yielding_->restart();
+}
+
+std::span<const float> YieldingFrames::frequencies() const {
+  return yielding_ ? yielding_->frequencies() : std::span<const float>();
+}
+
+}  // namespace brindle

@@ -1,0 +1,586 @@
+#include "brindle/branch_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <queue>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
+#include "brindle/error.h"
+#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/pipeline/measured_pattern.h"
+#include "brindle/pipeline/windings/twisted_forms.h"
+
+namespace brindle {
+namespace {
+
+constexpr double kReach = 10;  // periods from a branch to its partner
+constexpr double kAround = 4;  // periods around the way between them that are solved for
+constexpr int kPolishSweeps = 4;
+constexpr int kMostMergeRounds = 12;
+/// What is looked at between two reports: where periods are many edges long, a pair has as many
+/// vertices around as take a second.
+constexpr std::size_t kStepsPerReport = 1 << 13;
+constexpr Index kNoNumber = std::numeric_limits<Index>::max();
+
+/// The share of a list's entry, of what the list was handed.
+Progress of_entry(const Progress& progress, std::size_t entry, std::size_t count) {
+  return progress.part(static_cast<double>(entry) / static_cast<double>(count),
+                       static_cast<double>(entry + 1) / static_cast<double>(count));
+}
+
+/// Conjugate gradients, which report at every iteration: the preconditioner is asked in each.
+class HeardPreconditioner : public Eigen::DiagonalPreconditioner<double> {
+ public:
+  void set_progress(const Progress& progress) { progress_ = &progress; }
+
+  template <class Right>
+  Eigen::Solve<Eigen::DiagonalPreconditioner<double>, Right> solve(
+      const Eigen::MatrixBase<Right>& b) const {
+    // The more iterations there have been, the fewer are left.
+    ++asked_;
+    if (progress_) progress_->report(1 - 1 / (1 + 0.02 * asked_));
+    return Eigen::DiagonalPreconditioner<double>::solve(b);
+  }
+
+ private:
+  const Progress* progress_ = nullptr;
+  mutable int asked_ = 0;
+};
+
+/// An edge that a change of phase crosses, and its number of whole turns.
+struct Crossed {
+  Index edge;
+  int turns;
+};
+
+/// What is tried for a pair: new phases of some vertices.
+struct Trial {
+  double raise = 0;              ///< of the energy's sum
+  std::vector<Index> triangles;  ///< around, with their branch indices then:
+  std::vector<int> indices;
+  std::vector<Index> vertices;
+  std::vector<Complex> z;
+};
+
+struct BranchPair {
+  double length = 0;
+  std::array<Index, 2> triangles{};
+  std::vector<Crossed> way;
+  Trial trial = {};
+};
+
+class PairMerger {
+ public:
+  PairMerger(const Surface& surface, const StripePattern& pattern, const StripeOptions& options,
+             const Progress& progress)
+      : mesh_(surface.mesh),
+        adjacency_(*surface.neighborhood),
+        waves_(pattern.waves),
+        kind_(pattern.phase_shift),
+        fixed_(options.fixed_phases),
+        z_(pattern.solution.z),
+        edges_(mesh_edges(mesh_, adjacency_, progress.part(0, 0.2))),
+        forms_(mesh_, edges_, waves_.directions),
+        triangles_of_(triangles_of_edges(edges_, progress.part(0.2, 0.3))),
+        index_(mesh_.triangle_count()),
+        number_(mesh_.vertex_count(), kNoNumber),
+        best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()) {
+    weigh_edges(options.weights, progress.part(0.3, 0.4));
+    shift_edges(progress.part(0.4, 0.7));
+    changed_.assign(mesh_.vertex_count(), true);
+    reported_for(mesh_.triangle_count(), progress.part(0.7, 0.9),
+                 [&](std::size_t t) { index_[t] = index_of(static_cast<Index>(t)); });
+    reported_for(edges_.count(), progress.part(0.9, 1),
+                 [&](std::size_t e) { energy_ += term(static_cast<Index>(e)); });
+  }
+
+  /// Removes what it can within the energy, and returns how many pairs that were.
+  std::size_t merge(double share, const Progress& progress) {
+    const double most = (1 + share) * energy_;
+    std::size_t merged = 0;
+    for (int round = 0; round < kMostMergeRounds; ++round) {
+      const Progress of_round =
+          progress.part(1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1));
+      of_round.report(0);
+      std::vector<BranchPair> pairs = find_pairs(of_round.part(0, 0.3));
+      const std::size_t all = pairs.size();
+      std::size_t number = 0;
+      std::erase_if(pairs, [&](BranchPair& pair) {
+        std::optional<Trial> trial =
+            try_pair(pair, of_entry(of_round.part(0.3, 0.9), number++, all));
+        if (trial) pair.trial = std::move(*trial);
+        return !trial;
+      });
+      std::sort(pairs.begin(), pairs.end(), [](const BranchPair& a, const BranchPair& b) {
+        return std::pair(a.trial.raise, a.triangles) < std::pair(b.trial.raise, b.triangles);
+      });
+      std::fill(changed_.begin(), changed_.end(), false);
+      const std::size_t before = merged;
+      for (std::size_t p = 0; p < pairs.size(); ++p) {
+        merged += apply(pairs[p], most, of_entry(of_round.part(0.9, 1), p, pairs.size()));
+      }
+      if (merged == before) break;
+    }
+    return merged;
+  }
+
+  const std::vector<Complex>& phases() const { return z_; }
+
+ private:
+  void weigh_edges(EdgeWeights weights, const Progress& progress) {
+    weight_.resize(edges_.count());
+    std::vector<float> cotangents;
+    if (weights == EdgeWeights::cotangent)
+      cotangents = cotangent_weights(mesh_, adjacency_, progress.part(0, 0.5));
+    reported_for(edges_.count(), progress.part(0.5, 1), [&](std::size_t e) {
+      const auto [a, b] = edges_.vertices[e];
+      weight_[e] = std::abs(static_cast<double>(waves_.directions[a].dot(waves_.directions[b])));
+      if (cotangents.empty()) return;
+      const auto row = adjacency_.of(b);
+      const auto at = std::lower_bound(row.begin(), row.end(), a) - row.begin();
+      weight_[e] *=
+          static_cast<double>(cotangents[adjacency_.offsets[b] + static_cast<std::size_t>(at)]);
+    });
+  }
+
+  /// Shifts from the lower end in its sense; and of every directed edge the edge.
+  void shift_edges(const Progress& progress) {
+    shift_.resize(edges_.count());
+    reported_for(edges_.count(), progress.part(0, 0.4), [&](std::size_t number) {
+      const auto e = static_cast<Index>(number);
+      const auto [a, b] = edges_.vertices[e];
+      Wave there = waves_.wave(b);
+      if (forms_.sign(e) < 0) there.direction = -there.direction;
+      shift_[e] = static_cast<double>(phase_shift(kind_, waves_.wave(a), there).radians);
+    });
+    edge_at_.resize(adjacency_.directed_edge_count());
+    reported_for(adjacency_.node_count(), progress.part(0.4, 1), [&](std::size_t node) {
+      const auto v = static_cast<Index>(node);
+      for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
+        edge_at_[k] = edge_between(v, adjacency_.neighbors[k]);
+      }
+    });
+  }
+
+  /// The phase of an edge's higher end, in the sense of its lower one.
+  Complex seen_from_lower(Index e, Complex z) const {
+    return forms_.sign(e) < 0 ? -std::conj(z) : z;
+  }
+
+  /// What the waves of the edge's ends leave of the difference of their phases, from the lower end
+  /// in its sense, between -pi and pi.
+  double remainder(Index e) const {
+    const auto [a, b] = edges_.vertices[e];
+    const Complex difference = seen_from_lower(e, z_[b]) * std::conj(z_[a]);
+    return std::remainder(static_cast<double>(elementary::arg(difference)) - shift_[e],
+                          2 * std::numbers::pi);
+  }
+
+  double term(Index e) const {
+    return forms_.sign(e) == 0 ? 0 : weight_[e] * (1 - elementary::cos(remainder(e)));
+  }
+
+  int index_of(Index t) const {
+    return corner_phases(corner_waves(mesh_.triangles[t], waves_, z_), kind_).branch_index;
+  }
+
+  Vec3 barycentre(Index t) const {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    return (mesh_.positions[a] + mesh_.positions[b] + mesh_.positions[c]) / 3;
+  }
+
+  double period_at(Index t) const {
+    return 1 / static_cast<double>(waves_.frequencies[mesh_.triangles[t][0]]);
+  }
+
+  /// Of every branch, the way to the nearest that is its opposite.
+  std::vector<BranchPair> find_pairs(const Progress& progress) {
+    std::vector<BranchPair> pairs;
+    const auto branches = static_cast<std::size_t>(
+        ranges::count_if(index_, [](int index) { return std::abs(index) == 1; }));
+    std::size_t number = 0;
+    for (Index t = 0; t < index_.size(); ++t) {
+      if (std::abs(index_[t]) != 1) continue;
+      const Progress of_branch = of_entry(progress, number++, branches);
+      if (auto pair = nearest_partner(t, of_branch)) pairs.push_back(std::move(*pair));
+    }
+    const auto ends = [](const BranchPair& p) {
+      return std::minmax(p.triangles[0], p.triangles[1]);
+    };
+    std::sort(pairs.begin(), pairs.end(), [&](const BranchPair& a, const BranchPair& b) {
+      return std::pair(ends(a), a.length) < std::pair(ends(b), b.length);
+    });
+    const auto last =
+        std::unique(pairs.begin(), pairs.end(),
+                    [&](const BranchPair& a, const BranchPair& b) { return ends(a) == ends(b); });
+    pairs.erase(last, pairs.end());
+    return pairs;
+  }
+
+  struct Step {
+    double length;
+    Index triangle;
+    Index edge;  ///< entered through
+    int turns;
+    int before;  ///< step
+    bool operator>(const Step& other) const {
+      return std::pair(length, triangle) > std::pair(other.length, other.triangle);
+    }
+  };
+
+  std::optional<BranchPair> nearest_partner(Index start, const Progress& progress) {
+    steps_.clear();
+    std::vector<Index> touched;
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+    const double reach = kReach * period_at(start);
+    const auto push = [&](Index from, int out, int turns, double length, int before) {
+      const Index e = edges_.of_triangle[from][out];
+      const auto& sides = triangles_of_[e];
+      const Index to = sides[0] == from ? sides[1] : sides[0];
+      if (to == kNoTriangle || edges_.triangle_counts[e] != 2) return;
+      const double reached =
+          length + static_cast<double>((barycentre(to) - barycentre(from)).norm());
+      if (reached > reach || reached >= best_[to]) return;
+      if (std::isinf(best_[to])) touched.push_back(to);
+      best_[to] = reached;
+      queue.push({reached, to, e, turns, before});
+    };
+    best_[start] = 0;
+    touched.push_back(start);
+    const auto own = forms_.senses(start);
+    for (int m = 0; own && m < 3; ++m) {
+      push(start, m, forms_.number(start, *own, m, -index_[start]), 0, -1);
+    }
+    std::optional<BranchPair> found;
+    for (std::size_t steps = 0; !queue.empty() && !found; ++steps) {
+      if (steps % kStepsPerReport == 0) progress.report(0);
+      const Step step = queue.top();
+      queue.pop();
+      if (step.length > best_[step.triangle]) continue;
+      found = visit(start, step, push);
+    }
+    for (const Index t : touched) best_[t] = std::numeric_limits<double>::infinity();
+    return found;
+  }
+
+  template <class Push>
+  std::optional<BranchPair> visit(Index start, const Step& step, const Push& push) {
+    const auto own = forms_.senses(step.triangle);
+    if (!own) return std::nullopt;
+    const auto& sides = edges_.of_triangle[step.triangle];
+    const int in =
+        static_cast<int>(std::find(sides.begin(), sides.end(), step.edge) - sides.begin());
+    steps_.push_back(step);
+    const auto number = static_cast<int>(steps_.size() - 1);
+    const int gained = forms_.round(step.triangle, *own, in, step.turns);
+    if (index_[step.triangle] != 0) {
+      if (index_[step.triangle] != -gained) return std::nullopt;
+      BranchPair pair{step.length, {start, step.triangle}, {}};
+      for (int i = number; i >= 0; i = steps_[i].before) {
+        pair.way.push_back({steps_[i].edge, steps_[i].turns});
+      }
+      return pair;
+    }
+    for (int out = 0; out < 3; ++out) {
+      if (out == in) continue;
+      push(step.triangle, out, forms_.number(step.triangle, *own, out, -gained), step.length,
+           number);
+    }
+    return std::nullopt;
+  }
+
+  bool is_free(Index v) const {
+    return !waves_.directions[v].isZero(0) && (fixed_.empty() || fixed_[v] == Complex(0));
+  }
+
+  /// Free vertices within a few periods of the way, nearest first.
+  std::vector<Index> vertices_around(const BranchPair& pair, const Progress& progress) const {
+    const double reach = kAround * period_at(pair.triangles[0]);
+    std::vector<Index> found;
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    std::vector<Entry> reached;
+    const auto seen = [&](Index v) { return number_[v] != kNoNumber; };
+    for (const Crossed& crossed : pair.way) {
+      for (const Index v : edges_.vertices[crossed.edge]) queue.push({0, v});
+    }
+    for (std::size_t steps = 0; !queue.empty(); ++steps) {
+      if (steps % kStepsPerReport == 0) progress.report(0);
+      const auto [distance, v] = queue.top();
+      queue.pop();
+      if (seen(v)) continue;
+      number_[v] = 0;
+      reached.push_back({distance, v});
+      for (const Index n : adjacency_.of(v)) {
+        const double next =
+            distance + static_cast<double>((mesh_.positions[n] - mesh_.positions[v]).norm());
+        if (next <= reach && !seen(n)) queue.push({next, n});
+      }
+    }
+    for (const auto& [distance, v] : reached) {
+      number_[v] = kNoNumber;
+      if (is_free(v)) found.push_back(v);
+    }
+    return found;
+  }
+
+  /// Edges with an end among vertices that have a number.
+  std::vector<Index> edges_around(const std::vector<Index>& vertices) const {
+    std::vector<Index> found;
+    for (const Index v : vertices) {
+      for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
+        const Index n = adjacency_.neighbors[k];
+        if (number_[n] == kNoNumber || v < n) found.push_back(edge_at_[k]);
+      }
+    }
+    return found;
+  }
+
+  /// Edges are ordered by their higher vertex, then the lower one (`mesh_edges`).
+  Index edge_between(Index a, Index b) const {
+    const std::array<Index, 2> wanted = {std::min(a, b), std::max(a, b)};
+    const auto at = std::lower_bound(
+        edges_.vertices.begin(), edges_.vertices.end(), wanted,
+        [](const auto& x, const auto& y) { return std::pair(x[1], x[0]) < std::pair(y[1], y[0]); });
+    return static_cast<Index>(at - edges_.vertices.begin());
+  }
+
+  /// The phases that are best with so many turns across the way, if both branches go and no other
+  /// comes.
+  std::optional<Trial> try_pair(const BranchPair& pair, const Progress& progress) {
+    Trial trial;
+    trial.vertices = vertices_around(pair, progress);
+    if (!is_changed(trial.vertices)) return std::nullopt;  // the same as before
+    for (std::size_t i = 0; i < trial.vertices.size(); ++i) {
+      number_[trial.vertices[i]] = static_cast<Index>(i);
+    }
+    progress.report(0.1);
+    const std::vector<Index> edges = edges_around(trial.vertices);
+    double before = 0;
+    reported_for(edges.size(), progress.part(0.1, 0.2),
+                 [&](std::size_t e) { before += term(edges[e]); });
+    const std::vector<Complex> old = phases_of(trial.vertices);
+    turn_phases(trial.vertices, edges, pair.way, progress.part(0.2, 0.6));
+    for (int sweep = 0; sweep < kPolishSweeps; ++sweep) {
+      polish(trial.vertices, of_entry(progress.part(0.6, 0.8), sweep, kPolishSweeps));
+    }
+    double after = 0;
+    reported_for(edges.size(), progress.part(0.8, 0.85),
+                 [&](std::size_t e) { after += term(edges[e]); });
+    trial.raise = after - before;
+    trial.z = phases_of(trial.vertices);
+    trial.triangles = triangles_around(edges);
+    const bool good = is_merged(pair, trial, progress.part(0.85, 1));
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      z_[trial.vertices[i]] = old[i];
+      number_[trial.vertices[i]] = kNoNumber;
+    }
+    if (!good) return std::nullopt;
+    return trial;
+  }
+
+  std::vector<Complex> phases_of(const std::vector<Index>& vertices) const {
+    std::vector<Complex> z;
+    for (const Index v : vertices) z.push_back(z_[v]);
+    return z;
+  }
+
+  /// Least squares of all remainders, with whole turns added on the way; phases outside stay.
+  void turn_phases(const std::vector<Index>& vertices, const std::vector<Index>& edges,
+                   const std::vector<Crossed>& way, const Progress& progress) {
+    const auto count = static_cast<Eigen::Index>(vertices.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+    for (Index i = 0; i < vertices.size(); ++i) entries.emplace_back(i, i, 1e-9);
+    reported_for(edges.size(), progress.part(0, 0.2), [&](std::size_t number) {
+      const Index e = edges[number];
+      const int sign = forms_.sign(e);
+      if (sign == 0) return;
+      double wanted = remainder(e);
+      for (const Crossed& crossed : way) {
+        if (crossed.edge == e) wanted += 2 * std::numbers::pi * crossed.turns;
+      }
+      const Index a = number_[edges_.vertices[e][0]], b = number_[edges_.vertices[e][1]];
+      const double w = weight_[e];
+      if (a != kNoNumber) {
+        entries.emplace_back(a, a, w);
+        right[a] += w * wanted;
+      }
+      if (b != kNoNumber) {
+        entries.emplace_back(b, b, w);
+        right[b] -= sign * w * wanted;
+      }
+      if (a == kNoNumber || b == kNoNumber) return;
+      entries.emplace_back(a, b, -sign * w);
+      entries.emplace_back(b, a, -sign * w);
+    });
+    progress.report(0.2);
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
+                             HeardPreconditioner>
+        solver(matrix);
+    const Progress iterating = progress.part(0.3, 1);
+    solver.preconditioner().set_progress(iterating);
+    solver.setTolerance(1e-3);
+    const Eigen::VectorXd turn = solver.solve(right);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      Complex& z = z_[vertices[static_cast<std::size_t>(i)]];
+      z = Complex(std::complex<double>(z) * elementary::polar(1.0, turn[i]));
+      z /= std::abs(z);
+    }
+  }
+
+  /// Every vertex goes where its neighbours want it: down to the nearest minimum of the energy.
+  void polish(const std::vector<Index>& vertices, const Progress& progress) {
+    reported_for(vertices.size(), progress, [&](std::size_t number) {
+      const Index v = vertices[number];
+      std::complex<double> sum = 0;
+      for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
+        const Index e = edge_at_[k];
+        if (forms_.sign(e) == 0) continue;
+        const auto [a, b] = edges_.vertices[e];
+        const std::complex<double> turn =
+            elementary::polar(weight_[e], v == a ? -shift_[e] : shift_[e]);
+        const Complex other = z_[v == a ? b : a];
+        // What the lower end makes of the higher one, or the reverse of that.
+        sum += v == a ? std::complex<double>(seen_from_lower(e, other)) * turn
+                      : std::complex<double>(
+                            seen_from_lower(e, Complex(std::complex<double>(other) * turn)));
+      }
+      if (std::abs(sum) > 0) z_[v] = Complex(sum / std::abs(sum));
+    });
+  }
+
+  std::vector<Index> triangles_around(const std::vector<Index>& edges) const {
+    std::vector<Index> found;
+    for (const Index e : edges) {
+      for (const Index t : triangles_of_[e]) {
+        if (t != kNoTriangle) found.push_back(t);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// Whether there are two branches fewer; others may have moved to a neighbouring triangle.
+  bool is_merged(const BranchPair& pair, Trial& trial, const Progress& progress) const {
+    int fewer = 0;
+    reported_for(trial.triangles.size(), progress, [&](std::size_t number) {
+      const Index t = trial.triangles[number];
+      trial.indices.push_back(index_of(t));
+      fewer += std::abs(index_[t]) - std::abs(trial.indices.back());
+    });
+    const auto gone = [&](Index t) { return index_of(t) == 0; };
+    return fewer >= 2 && gone(pair.triangles[0]) && gone(pair.triangles[1]);
+  }
+
+  bool is_changed(const std::vector<Index>& vertices) const {
+    return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return changed_[v]; });
+  }
+
+  /// Tries the pair once more, if others have gone nearby.
+  bool apply(BranchPair& pair, double most, const Progress& progress) {
+    if (is_changed(pair.trial.vertices)) {
+      if (index_[pair.triangles[0]] == 0 || index_[pair.triangles[1]] == 0) return false;
+      std::optional<Trial> again = try_pair(pair, progress);
+      if (!again) return false;
+      pair.trial = std::move(*again);
+    }
+    const Trial& trial = pair.trial;
+    if (trial.raise > 0 && energy_ + trial.raise > most) return false;
+    for (std::size_t i = 0; i < trial.z.size(); ++i) {
+      const Index v = trial.vertices[i];
+      z_[v] = trial.z[i];
+      changed_[v] = true;
+      for (const Index n : adjacency_.of(v)) changed_[n] = true;
+    }
+    energy_ += trial.raise;
+    for (std::size_t i = 0; i < trial.triangles.size(); ++i) {
+      index_[trial.triangles[i]] = trial.indices[i];
+    }
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const Adjacency& adjacency_;
+  const WaveSet& waves_;
+  PhaseShiftKind kind_;
+  std::span<const Complex> fixed_;
+  std::vector<Complex> z_;
+  MeshEdges edges_;
+  TwistedForms forms_;
+  std::vector<std::array<Index, 2>> triangles_of_;
+  std::vector<int> index_;
+  mutable std::vector<Index> number_;  ///< of the vertices that are solved for
+  std::vector<double> best_;
+  std::vector<Step> steps_;
+  std::vector<double> weight_, shift_;
+  std::vector<Index> edge_at_;
+  std::vector<bool> changed_;  ///< since all pairs were tried
+  double energy_ = 0;
+};
+
+double energy_of(const Surface& surface, const StripePattern& pattern, EdgeWeights weights,
+                 const Progress& progress) {
+  std::vector<float> cotangents;
+  if (weights == EdgeWeights::cotangent) {
+    cotangents = cotangent_weights(surface.mesh, *surface.neighborhood, progress.part(0, 0.5));
+  }
+  const PhaseGraph graph = build_phase_graph(
+      surface.neighborhood, pattern.waves, pattern.phase_shift, cotangents, progress.part(0.5, 1));
+  progress.report(1);
+  return energy(graph, pattern.solution.z);
+}
+
+}  // namespace
+
+MergedBranches merge_branches(const Surface& surface, StripePattern& pattern, double share,
+                              const StripeOptions& options, const Progress& progress) {
+  if (!(share >= 0) || !std::isfinite(share)) {
+    throw Error("merging branches: the share must be a finite number of 0 or above");
+  }
+  if (surface.mesh.triangles.empty()) throw Error("merging branches needs triangles");
+  if (pattern.solution.z.size() != surface.mesh.vertex_count() ||
+      pattern.corners.size() != surface.mesh.triangle_count()) {
+    throw Error("merging branches: the pattern was made for another surface");
+  }
+  MergedBranches merged;
+  merged.branches_before = pattern.quality.branches;
+  merged.energy_before = pattern.solution.energy;
+  JobStages stages(progress, {{"branches", 1}, {"merging branches", 5}, {"pattern", 1}});
+  PairMerger merger(surface, pattern, options, stages.begin("branches"));
+  merged.pairs = merger.merge(share, stages.begin("merging branches"));
+  const Progress measuring = stages.begin("pattern");
+  if (merged.pairs > 0) {
+    StripePattern result = pattern;
+    result.solution.z = merger.phases();
+    result.solution.energy = energy_of(surface, result, options.weights, measuring.part(0, 0.4));
+    measure_pattern(surface, options.slack.calm, result, measuring.part(0.4, 1));
+    stages.finish();
+    pattern = std::move(result);
+  } else {
+    stages.finish();
+  }
+  merged.branches_after = pattern.quality.branches;
+  merged.energy_after = pattern.solution.energy;
+  return merged;
+}
+
+}  // namespace brindle

@@ -1,0 +1,211 @@
+#include "brindle/render/drawing/seen_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "brindle/render/surface_light.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kSquare = 4;            // pixels along the side of a square
+constexpr double kEdgeSlack = 1e-10;  // weights so little below zero are rounding
+constexpr double kTurnsStep = 0.02;   // pixels over which the phase is differenced
+
+/// From the viewer to a point.
+Vec3 sight_to(const Camera& camera, const Vec3& view_position) {
+  return camera.orthographic() ? Vec3(0, 0, -1) : view_position;
+}
+
+}  // namespace
+
+SeenSurfaces::SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera, UpAxis up,
+                           int width, int height, const Progress& progress)
+    : surfaces_(surfaces),
+      camera_(camera),
+      up_(camera.view_from_world.topLeftCorner<3, 3>() *
+          (up == UpAxis::z ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitY()))),
+      width_(width),
+      height_(height),
+      columns_((width + kSquare - 1) / kSquare),
+      rows_((height + kSquare - 1) / kSquare) {
+  for (const StyledSurface& surface : surfaces) project(surface);
+  sort_into_squares(progress);
+}
+
+void SeenSurfaces::project(const StyledSurface& surface) {
+  const std::size_t first = corners_.size();
+  first_entry_.push_back(triangles_.size());
+  const Vec3 offset =
+      (surface.mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
+  const Eigen::Matrix4d view = camera_.view_from_world.cast<double>();
+  const Eigen::Matrix4d clip = camera_.clip_from_view.cast<double>();
+  for (const Vec3& position : surface.mesh.positions) {
+    const Eigen::Vector4d seen = view * (position + offset).cast<double>().homogeneous();
+    const Eigen::Vector4d c = clip * seen;
+    corners_.push_back(
+        {0.5 * width_ * (c.w() + c.x()), 0.5 * height_ * (c.w() - c.y()), c.w(), -seen.z()});
+  }
+  for (const Triangle& t : surface.mesh.triangles) {
+    triangles_.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+}
+
+void SeenSurfaces::sort_into_squares(const Progress& progress) {
+  constexpr std::size_t kPerReport = 1 << 16;
+  // Written so that what is no number, or behind the camera, is nowhere.
+  const auto for_squares = [&](std::size_t entry, const auto& visit) {
+    Eigen::AlignedBox2d box;
+    for (const std::size_t v : triangles_[entry]) {
+      const Corner& c = corners_[v];
+      if (!(c.w > 0)) return;
+      box.extend(Eigen::Vector2d(c.x / c.w, c.y / c.w));
+    }
+    const auto square = [](double pixel, int count) {
+      return static_cast<int>(std::clamp(std::floor(pixel / kSquare), 0.0, count - 1.0));
+    };
+    if (!(box.min().x() <= width_ && box.min().y() <= height_ && box.max().x() >= 0 &&
+          box.max().y() >= 0)) {
+      return;
+    }
+    for (int r = square(box.min().y(), rows_); r <= square(box.max().y(), rows_); ++r) {
+      for (int c = square(box.min().x(), columns_); c <= square(box.max().x(), columns_); ++c) {
+        visit(static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+              static_cast<std::size_t>(c));
+      }
+    }
+  };
+  square_begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+  const auto count = static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    if (t % kPerReport == 0) progress.report(0.5 * static_cast<double>(t) / count);
+    for_squares(t, [&](std::size_t square) { ++square_begin_[square + 1]; });
+  }
+  for (std::size_t s = 1; s < square_begin_.size(); ++s) square_begin_[s] += square_begin_[s - 1];
+  listed_.resize(square_begin_.back());
+  std::vector<std::size_t> next(square_begin_.begin(), square_begin_.end() - 1);
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    if (t % kPerReport == 0) progress.report(0.5 + 0.5 * static_cast<double>(t) / count);
+    for_squares(
+        t, [&](std::size_t square) { listed_[next[square]++] = static_cast<std::uint32_t>(t); });
+  }
+}
+
+/// Weights of the corners at a point, linear on the surface; false if the triangle is not there.
+bool SeenSurfaces::weights_at(std::size_t entry, double x, double y, Hit& hit) const {
+  std::array<double, 3> to_x, to_y;
+  for (std::size_t m = 0; m < 3; ++m) {
+    const Corner& c = corners_[triangles_[entry][m]];
+    to_x[m] = c.x - x * c.w;
+    to_y[m] = c.y - y * c.w;
+  }
+  double sum = 0;
+  for (std::size_t m = 0; m < 3; ++m) {
+    const std::size_t next = (m + 1) % 3, last = (m + 2) % 3;
+    hit.weights[m] = to_x[next] * to_y[last] - to_y[next] * to_x[last];
+    sum += hit.weights[m];
+  }
+  if (!(std::abs(sum) > 0)) return false;
+  bool inside = true;
+  for (double& weight : hit.weights) {
+    weight /= sum;
+    inside = inside && weight >= -kEdgeSlack;
+  }
+  hit.entry = entry;
+  hit.from_behind = sum > 0;  // y points downwards
+  return inside;
+}
+
+SeenPoint SeenSurfaces::point_of(const Hit& hit, double x, double y) const {
+  const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), hit.entry);
+  const auto number = static_cast<std::size_t>(after - first_entry_.begin()) - 1;
+  SeenPoint point;
+  point.surface = &surfaces_[number];
+  point.number = number;
+  point.triangle = hit.entry - first_entry_[number];
+  const auto rounded = [](const std::array<double, 3>& weights) {
+    return Vec3(static_cast<float>(weights[0]), static_cast<float>(weights[1]),
+                static_cast<float>(weights[2]));
+  };
+  point.barycentric = rounded(hit.weights).cwiseMax(0.0f);
+  point.barycentric /= point.barycentric.sum();
+  const bool on_screen =
+      std::any_of(point.surface->strokes.begin(), point.surface->strokes.end(),
+                  [](const Strokes& s) { return s.unit == WidthUnit::pixels || s.spacing > 0; });
+  if (!on_screen) return point;
+  constexpr std::array<std::array<int, 2>, 4> kWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    Hit beside{};
+    weights_at(hit.entry, x + 0.5 * kTurnsStep * kWays[i][0], y + 0.5 * kTurnsStep * kWays[i][1],
+               beside);
+    point.beside[i] = rounded(beside.weights);
+  }
+  point.step = static_cast<float>(kTurnsStep);
+  return point;
+}
+
+float SeenSurfaces::tone_of(const SeenPoint& point, bool from_behind) const {
+  const Mesh& mesh = point.surface->mesh;
+  const Triangle& t = mesh.triangles[point.triangle];
+  const Vec3& a = mesh.positions[t[0]];
+  const Vec3 facet = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).normalized();
+  Vec3 normal = Vec3::Zero();
+  Vec3 place = Vec3::Zero();
+  for (int m = 0; m < 3; ++m) {
+    place += point.barycentric[m] * mesh.positions[t[m]];
+    // Vertex normals follow the winding of this triangle, as in surface_point.glsl.
+    const Vec3 n = point.surface->normals.empty() ? facet : point.surface->normals[t[m]];
+    const Vec3 unit = n.isZero(0) ? facet : n.normalized();
+    normal += point.barycentric[m] * (unit.dot(facet) < 0 ? -unit : unit);
+  }
+  place += (mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
+  const Vec3 seen = (camera_.view_from_world * place.homogeneous()).head<3>();
+  const Vec3 turned = camera_.view_from_world.topLeftCorner<3, 3>() * normal.normalized();
+  return tone_at(from_behind ? -turned : turned, sight_to(camera_, seen), up_);
+}
+
+Cover SeenSurfaces::cover_of(const Hit& hit, double x, double y) const {
+  const SeenPoint point = point_of(hit, x, y);
+  if (point.surface->strokes.empty()) return Cover::plain;
+  const float tone = follows_tone(*point.surface) ? tone_of(point, hit.from_behind) : 0.0f;
+  return cover_at(point, tone);
+}
+
+std::uint16_t SeenSurfaces::code_at(double x, double y) const {
+  if (!(x >= 0 && y >= 0 && x <= width_ && y <= height_)) return 0;
+  const int column = std::min(static_cast<int>(x) / kSquare, columns_ - 1);
+  const int row = std::min(static_cast<int>(y) / kSquare, rows_ - 1);
+  const std::size_t square = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                             static_cast<std::size_t>(column);
+  double nearest = std::numeric_limits<double>::infinity();
+  Hit best{};
+  const auto surface_of = [&](std::size_t entry) {
+    const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), entry);
+    return static_cast<std::size_t>(after - first_entry_.begin()) - 1;
+  };
+  for (std::size_t i = square_begin_[square]; i < square_begin_[square + 1]; ++i) {
+    Hit hit{};
+    if (!weights_at(listed_[i], x, y, hit)) continue;
+    double depth = 0;
+    for (std::size_t m = 0; m < 3; ++m) {
+      depth += hit.weights[m] * corners_[triangles_[hit.entry][m]].depth;
+    }
+    if (!(depth < nearest)) continue;
+    // What lies behind is seen between strokes of a surface that is discarded there.
+    if (surfaces_[surface_of(hit.entry)].between == BetweenStrokes::discarded &&
+        cover_of(hit, x, y) == Cover::ground) {
+      continue;
+    }
+    nearest = depth;
+    best = hit;
+  }
+  if (!std::isfinite(nearest)) return 0;
+  const bool stroke = cover_of(best, x, y) == Cover::stroke;
+  return static_cast<std::uint16_t>(2 * surface_of(best.entry) + (stroke ? 2 : 1));
+}
+
+}  // namespace brindle

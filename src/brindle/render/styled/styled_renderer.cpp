@@ -1,0 +1,488 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "brindle/error.h"
+#include "brindle/gl/gl_buffer.h"
+#include "brindle/headless_context.h"
+#include "brindle/mesh.h"
+#include "brindle/render/gl_surface.h"
+#include "brindle/render/gl_target.h"
+#include "brindle/render/sample_groups.h"
+#include "brindle/render/styled/gl_style.h"
+#include "brindle/render/styled/ground_shadow.h"
+#include "brindle/render/styled/styled_programs.h"
+#include "brindle/render/tiled_picture.h"
+#include "brindle/render/visible_triangles.h"
+#include "brindle/styled_picture.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kVisibleSamples =
+    2;  // along the side of a light sample, as visible_samples.glsl has it
+constexpr GLuint kShadowUnit = 14;
+constexpr GLuint kColorMapUnit = 15;
+constexpr float kOcclusionReach = 0.11f;  // of the surfaces' diagonal
+
+/// A surface and what was uploaded of it.
+struct DrawnSurface {
+  Mesh mesh;  ///< relative to the origin of the first surface
+  GlSurface surface;
+  GlStyle style;
+  bool tinted = true;    ///< by the depth cue
+  int first_number = 0;  ///< of its triangles among those of all surfaces
+};
+
+/// Positions relative to `origin`.
+Mesh moved_to(const Mesh& mesh, const Eigen::Vector3d& origin) {
+  Mesh moved = mesh;
+  const Vec3 offset = (mesh.origin - origin).cast<float>();
+  for (Vec3& position : moved.positions) position += offset;
+  moved.origin = origin;
+  return moved;
+}
+
+GlTexture color_map_texture(ColorMap map) {
+  constexpr int kTexels = 256;
+  std::vector<Vec3> texels;
+  for (int i = 0; i < kTexels; ++i) {
+    texels.push_back(linear_light(map_color(map, static_cast<float>(i) / (kTexels - 1))));
+  }
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_1D, 1, &name);
+  GlTexture texture(name);
+  glTextureStorage1D(texture, 1, GL_RGB32F, kTexels);
+  glTextureSubImage1D(texture, 0, 0, kTexels, GL_RGB, GL_FLOAT, texels.data());
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+/// Two axes along the ground and the one off it.
+Eigen::Matrix3f ground_axes(UpAxis up) {
+  Eigen::Matrix3f axes;
+  if (up == UpAxis::z) {
+    axes = Eigen::Matrix3f::Identity();
+  } else {
+    axes.col(0) = Vec3::UnitZ();
+    axes.col(1) = Vec3::UnitX();
+    axes.col(2) = Vec3::UnitY();
+  }
+  return axes;
+}
+
+GlTexture shadow_texture(const GroundShadow& shadow) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  GlTexture texture(name);
+  glTextureStorage2D(texture, 1, GL_R32F, GroundShadow::kSide, GroundShadow::kSide);
+  glTextureSubImage2D(texture, 0, 0, 0, GroundShadow::kSide, GroundShadow::kSide, GL_RED, GL_FLOAT,
+                      shadow.missing.data());
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+/// Distances from the camera of the nearest and the farthest point.
+Eigen::Vector2f depth_range(std::span<const Vec3> points, const Camera& camera) {
+  Eigen::Vector2f range(std::numeric_limits<float>::max(), 0);
+  for (const Vec3& point : points) {
+    const Vec3 relative = point - camera.origin;
+    const float depth = -(camera.view_from_world * relative.homogeneous()).z();
+    range = {std::min(range[0], depth), std::max(range[1], depth)};
+  }
+  if (!(range[1] > range[0])) return {0, 1};
+  return range;
+}
+
+/// Frames the points in the part of the picture that is left of the margin.
+Camera camera_beside(std::span<const Vec3> points, const RenderOptions& render, int margin) {
+  const int width = render.width - margin;
+  Camera camera = framed_camera(points, render.camera, width, render.height);
+  const float share = static_cast<float>(width) / static_cast<float>(render.width);
+  camera.clip_from_view.row(0) *= share;
+  camera.clip_from_view.row(0) -= (1 - share) * camera.clip_from_view.row(3);
+  return camera;
+}
+
+void check_styled_options(const StyledOptions& options) {
+  check_options(options.render);
+  if (!(options.occlusion >= 0 && options.occlusion <= 1)) {
+    throw Error("occlusion is a number from 0 to 1, not " + std::to_string(options.occlusion));
+  }
+  if (options.right_margin < 0 || options.right_margin >= options.render.width) {
+    throw Error("the margin of " + std::to_string(options.right_margin) +
+                " pixels leaves no room for the picture");
+  }
+}
+
+}  // namespace
+
+std::vector<float> rescaled(std::span<const float> values, float lowest, float highest, float first,
+                            float last) {
+  std::vector<float> result(values.begin(), values.end());
+  for (float& value : result) {
+    if (std::isnan(value)) continue;
+    const float place =
+        highest > lowest ? (value - lowest) / (highest - lowest) : (value < lowest ? 0.0f : 1.0f);
+    value = first + std::clamp(place, 0.0f, 1.0f) * (last - first);
+  }
+  return result;
+}
+
+std::vector<Vec3> framed_points(std::span<const StyledSurface> surfaces) {
+  std::vector<Vec3> points;
+  for (const StyledSurface& styled : surfaces) {
+    const Vec3 offset = (styled.mesh.origin - surfaces.front().mesh.origin).cast<float>();
+    for (const Vec3& point : points_of_triangles(styled.mesh)) points.push_back(point + offset);
+  }
+  return points;
+}
+
+Camera styled_camera(std::span<const StyledSurface> surfaces, const StyledOptions& options) {
+  check_styled_options(options);
+  if (!options.framed.empty()) {
+    return camera_beside(options.framed, options.render, options.right_margin);
+  }
+  return camera_beside(framed_points(surfaces), options.render, options.right_margin);
+}
+
+namespace {
+
+/// What all passes over a picture share.
+struct Drawing {
+  const Camera& camera;
+  const StyledOptions& options;
+  const Progress& progress;
+  Eigen::Vector2f depths;              ///< distances of the nearest and the farthest point
+  std::optional<GroundShadow> shadow;  ///< if there is one to be seen
+  GlTexture shadow_texture;
+  GlTexture color_map;
+
+  PictureQuality quality() const { return options.render.quality; }
+  UpAxis up() const { return options.render.camera.up; }
+
+  /// Between passes of pictures that take a while. Some drivers put passes off until somebody waits
+  /// for them.
+  void pause() const {
+    if (quality() != PictureQuality::final) return;
+    glFinish();
+    progress.report("drawing", 0);
+  }
+};
+
+/// The part of the picture that is drawn.
+struct Part {
+  Eigen::Vector4f transform;
+  Eigen::Vector2i size;  ///< of its light
+};
+
+}  // namespace
+
+struct StyledRenderer::State {
+  StyledPrograms programs;
+  TiledPicture picture;
+  Target visible;
+  SampleGroups groups;
+  GlVertexArray no_attributes = no_vertex_attributes();
+  std::vector<DrawnSurface> surfaces;
+  std::vector<Vec3> points;  // of all surfaces, as the camera frames them
+  float diagonal = 0;
+
+  void measure();
+  Drawing drawing(const Camera& camera, const StyledOptions& options,
+                  const Progress& progress) const;
+  void draw_visible(const Drawing& drawing, const Part& part, const Eigen::Vector2i& largest);
+  void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part);
+  void draw_surfaces(const Drawing& drawing, const Part& part, const Target& light);
+  void draw_surface(const DrawnSurface& drawn, const Drawing& drawing, const Part& part,
+                    const Target& light);
+  void draw_ground(const Drawing& drawing, const Part& part, const Target& light);
+  void set_picture(const ShaderProgram& program, const Drawing& drawing, const Part& part) const;
+};
+
+/// The first pass: which triangle of which surface each sample shows.
+void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& part,
+                                         const Eigen::Vector2i& largest) {
+  constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  fit_target(visible, {GL_R32UI}, true, kVisibleSamples * largest.x(),
+             kVisibleSamples * largest.y());
+  glClearNamedFramebufferuiv(visible.framebuffer, GL_COLOR, 0, kNothing.data());
+  glClearNamedFramebufferfv(visible.framebuffer, GL_DEPTH, 0, &kFarthest);
+  for (const DrawnSurface& drawn : surfaces) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, visible.framebuffer);
+    glViewport(0, 0, kVisibleSamples * part.size.x(), kVisibleSamples * part.size.y());
+    glEnable(GL_DEPTH_TEST);
+    if (drawn.style.discards()) {
+      draw_parts(drawn, drawing, part);
+    } else {
+      programs.whole().set("first_number", drawn.first_number);
+      if (drawing.quality() == PictureQuality::interactive) {
+        leave_out_hidden_side(drawn.surface, drawing.camera);
+      }
+      drawn.surface.draw(programs.whole(), drawing.camera, part.transform);
+      glDisable(GL_CULL_FACE);
+    }
+    glDisable(GL_DEPTH_TEST);
+    drawing.pause();
+  }
+}
+
+/// The first pass over a surface that is discarded in parts.
+void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing& drawing,
+                                       const Part& part) {
+  const std::size_t regions = drawn.style.regions();
+  const ShaderProgram& program = regions > 0 ? programs.beside_tiles(drawn.style.features())
+                                             : programs.between_strokes(drawn.style.features());
+  program.set("first_number", drawn.first_number);
+  program.set("color_map", static_cast<int>(kColorMapUnit));
+  drawn.surface.bind(program, drawing.camera, part.transform);
+  drawn.style.bind(program, kVisibleSamples * shading_side(drawing.options.render));
+  program.set("target_size", Eigen::Vector2f((kVisibleSamples * part.size).cast<float>()));
+  program.set("up", up_seen_by(drawing.camera, drawing.up()));
+  for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
+    if (regions > 0) drawn.style.bind_region(program, region);
+    drawn.surface.draw(program, drawing.camera, part.transform);
+  }
+}
+
+/// What a program of the second pass has to know of the picture.
+void StyledRenderer::State::set_picture(const ShaderProgram& program, const Drawing& drawing,
+                                        const Part& part) const {
+  const StyledOptions& options = drawing.options;
+  program.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
+  program.set("up", up_seen_by(drawing.camera, drawing.up()));
+  bind_visible(program, visible);
+  program.set("color_map", static_cast<int>(kColorMapUnit));
+  program.set("has_threshold", options.scale.threshold.has_value());
+  program.set("threshold", options.scale.threshold.value_or(0.0f));
+  program.set("beyond_color", linear_light(options.scale.beyond));
+  program.set("depth_range", drawing.depths);
+  program.set("haze_color", linear_light(options.render.background_center));
+  program.set("occlusion", options.occlusion);
+  program.set("occlusion_radius", kOcclusionReach * diagonal);
+  program.set("part_of_target",
+              Eigen::Vector2f(Eigen::Vector2f((kVisibleSamples * part.size).cast<float>())
+                                  .cwiseQuotient(Eigen::Vector2f(visible.width, visible.height))));
+}
+
+/// Adds the surface's light where it is seen.
+void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Drawing& drawing,
+                                         const Part& part, const Target& light) {
+  const StyledOptions& options = drawing.options;
+  const bool texture = drawn.style.regions() > 0, occlusion = options.occlusion > 0;
+  const DepthCue cue = drawn.tinted ? options.depth_cue : DepthCue::none;
+  const std::string features = drawn.style.features() +
+                               "const int kDepthCue = " + std::to_string(static_cast<int>(cue)) +
+                               ";\n";
+  const ShaderProgram& program =
+      texture ? programs.texture(features, occlusion) : programs.strokes(features, occlusion);
+  groups.find(drawn.surface, visible, drawing.camera, part.transform, light, part.size,
+              drawn.first_number);
+  set_picture(program, drawing, part);
+  drawn.surface.bind(program, drawing.camera, part.transform);
+  drawn.style.bind(program, shading_side(options.render));
+  program.set("first_number", drawn.first_number);
+  program.set("triangle_count", static_cast<int>(drawn.surface.triangle_count()));
+  if (!options.render.shading) program.set("shading", false);
+  const int count = SampleGroups::count(drawn.surface, options.render.quality);
+  for (std::size_t region = 0; region < std::max<std::size_t>(drawn.style.regions(), 1); ++region) {
+    if (texture) drawn.style.bind_region(program, region);
+    groups.shade(program, light, count, SampleGroups::First::on_top);
+  }
+}
+
+/// The second pass: the light of each surface where it is seen, on top of nothing.
+void StyledRenderer::State::draw_surfaces(const Drawing& drawing, const Part& part,
+                                          const Target& light) {
+  constexpr std::array<float, 4> kNoLight{0, 0, 0, 0};
+  glClearNamedFramebufferfv(light.framebuffer, GL_COLOR, 0, kNoLight.data());
+  glViewport(0, 0, part.size.x(), part.size.y());
+  for (const DrawnSurface& drawn : surfaces) {
+    if (drawn.surface.triangle_count() == 0) continue;
+    draw_surface(drawn, drawing, part, light);
+    drawing.pause();
+  }
+  if (drawing.shadow) draw_ground(drawing, part, light);
+}
+
+void StyledRenderer::State::draw_ground(const Drawing& drawing, const Part& part,
+                                        const Target& light) {
+  const Eigen::Matrix3f axes = ground_axes(drawing.up());
+  const GroundShadow& shadow = *drawing.shadow;
+  const Vec3 origin = axes.transpose() * drawing.camera.origin;
+  const ShaderProgram& program = programs.ground();
+  program.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
+  program.set("clip_from_view", drawing.camera.clip_from_view);
+  program.set("view_from_world", drawing.camera.view_from_world);
+  program.set("tile", part.transform);
+  bind_visible(program, visible);
+  program.set("shadow", static_cast<int>(kShadowUnit));
+  program.set("ground", Vec3((shadow.height - origin.z()) * axes.col(2)));
+  program.set("across", Vec3(axes.col(0)));
+  program.set("away", Vec3(axes.col(1)));
+  program.set("upwards", Vec3(axes.col(2)));
+  Eigen::Vector4f place;
+  place << shadow.lower - origin.head<2>(), shadow.size.cwiseInverse();
+  program.set("shadow_place", place);
+  glBindTextureUnit(kShadowUnit, drawing.shadow_texture);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light.framebuffer);
+  glUseProgram(program.name());
+  glBindVertexArray(no_attributes);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+}
+
+StyledRenderer::StyledRenderer() : state_(std::make_unique<State>()) {}
+
+StyledRenderer::~StyledRenderer() = default;
+StyledRenderer::StyledRenderer(StyledRenderer&&) noexcept = default;
+StyledRenderer& StyledRenderer::operator=(StyledRenderer&&) noexcept = default;
+
+namespace {
+
+/// What the surface is without its style.
+SurfaceDrawing drawing_of(const StyledSurface& styled, const Mesh& mesh) {
+  SurfaceDrawing drawing{.mesh = mesh, .normals = styled.normals};
+  if (!styled.strokes.empty()) {
+    drawing.waves = styled.strokes.front().waves;
+    drawing.z = styled.strokes.front().z;
+  }
+  if (styled.texture) {
+    drawing.texture_waves = styled.texture->waves;
+    drawing.texture_tile = &styled.texture->tiles.front().tile;
+  }
+  return drawing;
+}
+
+DrawnSurface drawn_surface(const StyledSurface& styled, const Eigen::Vector3d& origin) {
+  DrawnSurface drawn{moved_to(styled.mesh, origin), {}, GlStyle(styled), styled.tinted};
+  drawn.surface.upload(drawing_of(styled, drawn.mesh));
+  return drawn;
+}
+
+/// Whether buffers can stay, with other numbers in them.
+bool has_buffers_of(const DrawnSurface& drawn, const StyledSurface& styled) {
+  return drawn.mesh.triangles == styled.mesh.triangles &&
+         drawn.mesh.vertex_count() == styled.mesh.vertex_count() &&
+         drawn.surface.has_normals() == !styled.normals.empty() &&
+         drawn.surface.has_waves() == !styled.strokes.empty() &&
+         drawn.surface.has_texture() == styled.texture.has_value();
+}
+
+void check_triangle_count(std::size_t count) {
+  if (count <= std::numeric_limits<int>::max()) return;
+  throw Error("the surfaces have more triangles than a picture can number");
+}
+
+}  // namespace
+
+/// Numbers the triangles of all surfaces.
+void StyledRenderer::State::measure() {
+  int number = 0;
+  points.clear();
+  for (DrawnSurface& drawn : surfaces) {
+    drawn.first_number = number;
+    number += static_cast<int>(drawn.mesh.triangle_count());
+    const std::vector<Vec3> more = points_of_triangles(drawn.mesh);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  Eigen::AlignedBox3f box;
+  for (const Vec3& point : points) box.extend(point);
+  diagonal = points.empty() ? 0 : box.diagonal().norm();
+}
+
+void StyledRenderer::upload(std::span<const StyledSurface> surfaces) {
+  if (surfaces.empty()) throw Error("cannot draw a picture of no surface; add one");
+  std::vector<DrawnSurface> drawn;
+  std::size_t triangles = 0;
+  for (const StyledSurface& styled : surfaces) {
+    check_triangle_count(triangles += styled.mesh.triangle_count());
+    drawn.push_back(drawn_surface(styled, surfaces.front().mesh.origin));
+  }
+  state_->surfaces = std::move(drawn);
+  state_->measure();
+}
+
+void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
+  State& s = *state_;
+  if (number >= s.surfaces.size()) {
+    throw Error("there is no surface " + std::to_string(number) + " to update; upload it");
+  }
+  DrawnSurface& drawn = s.surfaces[number];
+  const Eigen::Vector3d origin = s.surfaces.front().mesh.origin;
+  if (has_buffers_of(drawn, surface)) {
+    GlStyle style(surface, &drawn.style);
+    Mesh mesh = moved_to(surface.mesh, origin);
+    const SurfaceDrawing drawing = drawing_of(surface, mesh);
+    const bool stays = mesh.positions == drawn.mesh.positions;
+    drawn.surface.update({.positions = stays ? std::span<const Vec3>() : mesh.positions,
+                          .normals = drawing.normals,
+                          .waves = drawing.waves,
+                          .z = drawing.z});
+    if (surface.texture) drawn.surface.update_texture(*surface.texture->waves);
+    drawn.mesh = std::move(mesh);
+    drawn.style = std::move(style);
+    drawn.tinted = surface.tinted;
+  } else {
+    std::size_t triangles = surface.mesh.triangle_count();
+    for (const DrawnSurface& other : s.surfaces) triangles += other.mesh.triangle_count();
+    check_triangle_count(triangles - drawn.mesh.triangle_count());
+    drawn = drawn_surface(surface, origin);
+  }
+  s.measure();
+}
+
+Drawing StyledRenderer::State::drawing(const Camera& camera, const StyledOptions& options,
+                                       const Progress& progress) const {
+  Drawing drawing{camera, options, progress, depth_range(points, camera), {}, {}, {}};
+  drawing.color_map = color_map_texture(options.scale.map);
+  if (!options.ground_shadow) return drawing;
+  Mesh all;
+  for (const DrawnSurface& drawn : surfaces) append(drawn.mesh, all);
+  GroundShadow shadow = ground_shadow(all.positions, all.triangles, ground_axes(drawing.up()));
+  if (shadow.missing.empty()) return drawing;
+  drawing.shadow_texture = shadow_texture(shadow);
+  drawing.shadow = std::move(shadow);
+  return drawing;
+}
+
+Image StyledRenderer::draw(const StyledOptions& options, const Progress& progress) const {
+  check_styled_options(options);
+  State& s = *state_;
+  const RenderOptions& render = options.render;
+  const auto framed = options.framed.empty() ? std::span<const Vec3>(s.points) : options.framed;
+  const Camera camera = camera_beside(framed, render, options.right_margin);
+  const Drawing drawing = s.drawing(camera, options, progress);
+  const auto draw_light = [&](const Target& target, const Tile& tile) {
+    const Part part{tile_transform(tile, render),
+                    shading_side(render) * Eigen::Vector2i(tile.width, tile.height)};
+    s.draw_visible(drawing, part, {target.width, target.height});
+    glBindTextureUnit(kColorMapUnit, drawing.color_map);
+    s.draw_surfaces(drawing, part, target);
+  };
+  return s.picture.draw(render, draw_light, progress);
+}
+
+Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options,
+                    const Progress& progress) {
+  check_styled_options(options);
+  const HeadlessContext context;
+  StyledRenderer renderer;
+  renderer.upload(surfaces);
+  Image image = renderer.draw(options, progress);
+  context.check_errors("drawing the picture");
+  return image;
+}
+
+}  // namespace brindle
