@@ -17,7 +17,7 @@
 #include "brindle/mesh_data.h"
 #include "brindle/nearby_data.h"
 #include "brindle/points.h"
-#include "brindle/points.h"
+#include "brindle/points/point_tree.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"

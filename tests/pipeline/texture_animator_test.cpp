@@ -280,7 +280,7 @@ TEST(TextureAnimator, WithoutSlackSpacingIsMeasuredAgainstWhatWasAskedFor) {
 
 /// Whatever stops a frame, both patterns and the orientation are those of the last one.
 struct InterruptedTexture : testing::TestWithParam<std::tuple<FrameSolver, float>> {
-  Surface surface = make_surface(make_shape("sphere,resolution=12"));
+  Surface surface = make_surface(make_shape("sphere,resolution=7"));
   WaveSet first = waves_of(surface, smooth_direction_field(surface), 12);
   WaveSet second = turned_by(surface, first, 0.4f), third = turned_by(surface, first, 2.0f);
   TextureAnimatorOptions options;
