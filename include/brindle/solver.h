@@ -34,7 +34,8 @@ struct SolverOptions {
   std::uint32_t seed = 0;  ///< added to the node number before hashing
 
   // multilevel, and the cycles of all
-  int sweeps = 2;  ///< coloured sweeps per level
+  int sweeps = 2;  ///< coloured sweeps per level; of small levels and large graphs more
+                   ///< (docs/method.md)
   int cycles = 0;  ///< descents from the solver's phases, each from those of the one before
 
   // global

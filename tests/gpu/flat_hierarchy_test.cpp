@@ -127,7 +127,7 @@ TEST_F(FlatHierarchyTest, NodesAndSweepsAreThoseOfTheProcessor) {
     ASSERT_EQ(word(flat.node_at + slot), finest.node_at[slot]);
   }
   for (const FlatLevel& level : flat.levels) {
-    const LevelSweeps planned = sweeps_on_level(level.slot_count, 2);
+    const LevelSweeps planned = SweepPlan(2).on_level(level.slot_count);
     EXPECT_EQ(level.planned_sweeps().count, planned.count);
     EXPECT_EQ(level.planned_sweeps().over_relaxation, planned.over_relaxation);
   }

@@ -15,8 +15,8 @@
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/frames/frame_check.h"
 #include "brindle/pipeline/frames/last_phases.h"
-#include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/frames/yielding_frames.h"
+#include "brindle/pipeline/measured_pattern.h"
 #include "brindle/solver.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
@@ -324,8 +324,11 @@ FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress
   if (s.descends() && !builds) s.hierarchy->renew();
   milliseconds.sum = watch.lap();
   if (s.descends()) {
-    s.hierarchy->descend(s.options.sweeps);
-    s.hierarchy->run_cycles(s.options.sweeps, s.options.cycles, progress);
+    const SweepPlan plan =
+        builds ? SweepPlan::for_new_levels(s.options.sweeps, s.hierarchy->slots_of_all())
+               : s.options.sweeps;
+    s.hierarchy->descend(plan);
+    s.hierarchy->run_cycles(plan, s.options.cycles, progress);
   } else {
     iterate();
   }

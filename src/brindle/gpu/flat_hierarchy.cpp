@@ -131,7 +131,7 @@ void check_counts(std::size_t topology_words, std::size_t entries, std::size_t l
 
 }  // namespace
 
-FlatHierarchy flatten(std::span<const LevelTopology> levels, int sweeps) {
+FlatHierarchy flatten(std::span<const LevelTopology> levels, SweepPlan plan) {
   FlatHierarchy flat;
   Words words(flat.topology);
   for (const LevelTopology& level : levels) flat.slot_count += level.layout->slot_count();
@@ -140,7 +140,7 @@ FlatHierarchy flatten(std::span<const LevelTopology> levels, int sweeps) {
     const SlicedLayout& layout = *levels[l].layout;
     level.slot_count = layout.slot_count();
     level.gauge_entry_count = level.source_count = 0;
-    const LevelSweeps planned = sweeps_on_level(layout.slot_count(), sweeps);
+    const LevelSweeps planned = plan.on_level(layout.slot_count());
     level.sweeps = static_cast<std::uint32_t>(planned.count);
     level.over_relaxation = planned.over_relaxation;
     level.columns = words.append(layout.column_begin,

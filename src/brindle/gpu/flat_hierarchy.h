@@ -45,8 +45,8 @@ struct FlatHierarchy {
 };
 
 /// Lists everything that the kernels read of the levels, finest first, as `build_hierarchy` makes
-/// them. A descent makes `sweeps` sweeps a level, more on small ones. Throws Error if there is more
+/// them. Descents make the sweeps of the plan. Throws Error if there is more
 /// than 32-bit words can number.
-FlatHierarchy flatten(std::span<const LevelTopology> levels, int sweeps);
+FlatHierarchy flatten(std::span<const LevelTopology> levels, SweepPlan plan);
 
 }  // namespace brindle

@@ -19,7 +19,9 @@ PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const 
   JobStages stages(progress, {{"hierarchy", 5}, {"cycles", 1}});
   const Hierarchy hierarchy = build_hierarchy(graph, stages.begin("hierarchy"));
   const Level& finest = hierarchy.levels[0];
-  GpuHierarchy device(std::move(kernels), topology_of(hierarchy, options.sweeps));
+  const Index slots = finest.layout().slot_count();
+  const SweepPlan plan = SweepPlan::for_new_levels(options.sweeps, slots);
+  GpuHierarchy device(std::move(kernels), topology_of(hierarchy, plan));
   device.upload(finest.layout(), finest.couplings);
   glFinish();
   solution.topology_milliseconds = watch.lap();
@@ -28,7 +30,7 @@ PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const 
   solution.z = to_nodes(finest.layout(), device.read_phases());
   check_gl("solving on the GPU");
   solution.solve_milliseconds = watch.lap();
-  solution.iterations = options.sweeps * (1 + options.cycles);
+  solution.iterations = plan.on_level(slots).count * (1 + options.cycles);
   solution.energy = energy(graph, solution.z);
   stages.finish();
   return solution;

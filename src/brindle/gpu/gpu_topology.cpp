@@ -56,10 +56,10 @@ void GpuTopology::bind() const {
   bind_storage(kNeighborBinding, neighbors_);
 }
 
-std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, int sweeps) {
+std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, SweepPlan plan) {
   std::vector<LevelTopology> levels;
   for (const Level& level : hierarchy.levels) levels.push_back(level.topology);
-  return std::make_shared<const GpuTopology>(flatten(levels, sweeps));
+  return std::make_shared<const GpuTopology>(flatten(levels, plan));
 }
 
 }  // namespace brindle

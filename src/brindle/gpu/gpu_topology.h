@@ -45,7 +45,7 @@ class GpuTopology {
   GlBuffer level_table_, topology_, neighbors_;
 };
 
-/// That of a hierarchy whose descents make `sweeps` sweeps a level.
-std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, int sweeps);
+/// That of a hierarchy whose descents make the sweeps of the plan.
+std::shared_ptr<const GpuTopology> topology_of(const Hierarchy& hierarchy, SweepPlan plan);
 
 }  // namespace brindle

@@ -9,15 +9,24 @@
 
 namespace brindle {
 
-LevelSweeps sweeps_on_level(Index slot_count, int sweeps) {
-  constexpr float kOverRelaxation = 1.5f;
-  if (slot_count < kSmallLevel) return {4 * sweeps, kOverRelaxation};
-  if (slot_count < 4 * kSmallLevel) return {2 * sweeps, kOverRelaxation};
-  return {sweeps, 1};
+SweepPlan SweepPlan::for_new_levels(int sweeps, Index finest) {
+  SweepPlan plan(sweeps);
+  if (finest >= kLargeLevel) plan.large_ = finest;
+  return plan;
 }
 
-void sweep_level(Level& level, int sweeps) {
-  const LevelSweeps planned = sweeps_on_level(level.layout().slot_count(), sweeps);
+LevelSweeps SweepPlan::on_level(Index slot_count) const {
+  constexpr float kOfSmall = 1.5f, kOfLarge = 1.7f;
+  if (slot_count < kSmallLevel) return {4 * sweeps_, kOfSmall};
+  if (slot_count < 4 * kSmallLevel) return {2 * sweeps_, kOfSmall};
+  if (large_ == 0) return {sweeps_, 1};
+  // The finest level, the next one, and all others, of about a quarter of the slots each.
+  if (slot_count > large_ / 2) return {3 * sweeps_, kOfLarge};
+  return {(slot_count > large_ / 8 ? 6 : 12) * sweeps_, kOfLarge};
+}
+
+void sweep_level(Level& level, SweepPlan plan) {
+  const LevelSweeps planned = plan.on_level(level.layout().slot_count());
   for (int number = 0; number < planned.count; ++number) {
     sweep(level.layout(), level.couplings, level.z, planned.over_relaxation_of(number));
   }
@@ -32,36 +41,36 @@ void set_turns(Level& level, bool is_finest) {
   });
 }
 
-void descend_from(Hierarchy& hierarchy, Complex start, int sweeps, const Progress& progress) {
+void descend_from(Hierarchy& hierarchy, Complex start, SweepPlan plan, const Progress& progress) {
   auto& levels = hierarchy.levels;
   ranges::fill(levels.back().z, start);
   for (std::size_t l = levels.size(); l-- > 0;) {
     // Each level takes about a quarter of the time of the next finer one.
     progress.report(std::pow(0.25, static_cast<double>(l + 1)));
     if (l + 1 < levels.size()) prolong(levels[l + 1], levels[l]);
-    sweep_level(levels[l], sweeps);
+    sweep_level(levels[l], plan);
   }
 }
 
-void correct(Hierarchy& hierarchy, int sweeps, bool has_finest, const Progress& progress) {
+void correct(Hierarchy& hierarchy, SweepPlan plan, bool has_finest, const Progress& progress) {
   hierarchy.corrected = true;
   for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
     if (l < 2) progress.report(0.3 * static_cast<double>(l));
     set_turns(hierarchy.levels[l], has_finest && l == 0);
     renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);
   }
-  descend_from(hierarchy, Complex(1), sweeps, progress.part(0.5, 1));
+  descend_from(hierarchy, Complex(1), plan, progress.part(0.5, 1));
 }
 
-void descend(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
-  descend_from(hierarchy, kPeak, sweeps, progress);
+void descend(Hierarchy& hierarchy, SweepPlan plan, const Progress& progress) {
+  descend_from(hierarchy, kPeak, plan, progress);
 }
 
-void run_cycles(Hierarchy& hierarchy, int sweeps, int cycles, const Progress& progress) {
+void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress& progress) {
   const Progress cycling = progress.step("cycles");
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const double each = 1.0 / cycles;
-    correct(hierarchy, sweeps, true, cycling.part(cycle * each, (cycle + 1) * each));
+    correct(hierarchy, plan, true, cycling.part(cycle * each, (cycle + 1) * each));
   }
 }
 

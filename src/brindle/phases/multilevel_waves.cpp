@@ -42,13 +42,15 @@ WaveSolution solve_multilevel_waves(const Adjacency& adjacency, const WaveSet& w
   coarsen(hierarchy, stages.begin("hierarchy"));
   watch.lap();
   const Level& finest = hierarchy.levels[0];
-  descend(hierarchy, options.sweeps, stages.begin("descent"));
-  run_cycles(hierarchy, options.sweeps, options.cycles, stages.begin("cycles"));
+  const Index slots = finest.layout().slot_count();
+  const SweepPlan plan = SweepPlan::for_new_levels(options.sweeps, slots);
+  descend(hierarchy, plan, stages.begin("descent"));
+  run_cycles(hierarchy, plan, options.cycles, stages.begin("cycles"));
   PhaseSolution& solution = result.solution;
   solution.z = to_nodes(finest.layout(), finest.z);
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
-  solution.iterations = options.sweeps * (1 + options.cycles);
+  solution.iterations = plan.on_level(slots).count * (1 + options.cycles);
   solution.energy = energy(finest.layout(), finest.couplings, finest.z);
   stages.finish();
   return result;

@@ -9,8 +9,8 @@
 #include "brindle/phases/averaged.h"
 #include "brindle/phases/global.h"
 #include "brindle/phases/multilevel.h"
-#include "brindle/phases/relaxation.h"
 #include "brindle/phases/parsed_words.h"
+#include "brindle/phases/relaxation.h"
 #include "brindle/phases/solver_options.h"
 
 namespace brindle {
@@ -32,18 +32,21 @@ void run_multilevel(const PhaseGraph& graph, const SolverOptions& options, const
   JobStages stages(progress, {{"hierarchy", 7}, {"descent", 1}, {"cycles", 3}});
   Hierarchy hierarchy = build_hierarchy(graph, stages.begin("hierarchy"));
   Level& finest = hierarchy.levels[0];
+  const Index slots = finest.layout().slot_count();
+  const SweepPlan plan = SweepPlan::for_new_levels(options.sweeps, slots);
+  const int sweeps = plan.on_level(slots).count;
   Stopwatch watch;
   if (options.solver == Solver::multilevel) {
-    descend(hierarchy, options.sweeps, stages.begin("descent"));
-    solution.iterations = options.sweeps;
+    descend(hierarchy, plan, stages.begin("descent"));
+    solution.iterations = sweeps;
   } else {
     to_slots(finest.layout(), solution.z, finest.z);
   }
-  run_cycles(hierarchy, options.sweeps, options.cycles, stages.begin("cycles"));
+  run_cycles(hierarchy, plan, options.cycles, stages.begin("cycles"));
   solution.z = to_nodes(finest.layout(), finest.z);
   solution.topology_milliseconds += hierarchy.topology_milliseconds;
   solution.solve_milliseconds += hierarchy.numeric_milliseconds + watch.lap();
-  solution.iterations += options.sweeps * options.cycles;
+  solution.iterations += sweeps * options.cycles;
   solution.energy = energy(graph, solution.z);
   stages.finish();
 }

@@ -58,9 +58,9 @@ void DistributedHierarchy::bring_back() {
   levels_.exchange_phases();
 }
 
-void DistributedHierarchy::descend(int sweeps) {
-  if (!moved_) return levels_.descend(sweeps);
-  moved_->levels().descend(sweeps);
+void DistributedHierarchy::descend(SweepPlan plan) {
+  if (!moved_) return levels_.descend(plan);
+  moved_->levels().descend(plan);
   bring_back();
 }
 
@@ -71,9 +71,9 @@ bool DistributedHierarchy::descend_from_several(int sweeps) {
   return is_lower;
 }
 
-void DistributedHierarchy::run_cycles(int sweeps, int cycles, const Progress& progress) {
-  if (!moved_) return levels_.run_cycles(sweeps, cycles, progress);
-  moved_->levels().run_cycles(sweeps, cycles, progress);
+void DistributedHierarchy::run_cycles(SweepPlan plan, int cycles, const Progress& progress) {
+  if (!moved_) return levels_.run_cycles(plan, cycles, progress);
+  moved_->levels().run_cycles(plan, cycles, progress);
   bring_back();
 }
 

@@ -38,15 +38,16 @@ class DistributedHierarchy {
   bool is_coarsened() const { return moved_ || levels_.is_coarsened(); }
   void coarsen(const Progress& progress = {});
   void renew();
-  void descend(int sweeps);
+  void descend(SweepPlan plan);
   bool descend_from_several(int sweeps);
 
   /// In place of a descent, of levels that are not planned: these phases of own nodes and ghosts,
   /// and sweeps over the finest level.
   void start_from(std::span<const Complex> z, int sweeps) { levels_.start_from(z, sweeps); }
-  void run_cycles(int sweeps, int cycles, const Progress& progress);
+  void run_cycles(SweepPlan plan, int cycles, const Progress& progress);
   void relax(Momentum& momentum) { levels_.relax(momentum); }
   double energy() const { return levels_.energy(); }
+  Index slots_of_all() const { return solved().slots_of_all(); }
   std::size_t halo_bytes(int sweeps) const { return solved().halo_bytes(sweeps); }
   std::size_t distributed_levels() const { return solved().distributed_levels(); }
 

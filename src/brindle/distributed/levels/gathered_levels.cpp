@@ -84,10 +84,10 @@ void GatheredLevels::descend(Communicator& ranks, const RankGraph& graph, Level&
   scatter(ranks, graph, level);
 }
 
-void GatheredLevels::correct(Communicator& ranks, const RankGraph& graph, int sweeps,
+void GatheredLevels::correct(Communicator& ranks, const RankGraph& graph, SweepPlan plan,
                              Level& level) {
   if (!is_finest_) gather_couplings(ranks, level);
-  if (ranks.rank() == 0) brindle::correct(hierarchy_, sweeps, is_finest_);
+  if (ranks.rank() == 0) brindle::correct(hierarchy_, plan, is_finest_);
   scatter(ranks, graph, level);
 }
 

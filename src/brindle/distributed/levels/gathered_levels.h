@@ -9,6 +9,7 @@
 #include "brindle/distributed/levels/gathered_graph.h"
 #include "brindle/distributed/levels/rank_graph.h"
 #include "brindle/phases/hierarchy.h"
+#include "brindle/phases/multilevel.h"
 #include "brindle/progress.h"
 
 namespace brindle {
@@ -38,7 +39,7 @@ class GatheredLevels {
 
   /// Gathers couplings in which the level's phases are the gauges of finer ones (`run_cycles`), or,
   /// of the finest level, starts from the phases that `descend` has found, and does the same.
-  void correct(Communicator& ranks, const RankGraph& graph, int sweeps, Level& level);
+  void correct(Communicator& ranks, const RankGraph& graph, SweepPlan plan, Level& level);
 
   /// On rank 0: the levels, and for every rank where its rows stand in the first one.
   Hierarchy& hierarchy() { return hierarchy_; }

@@ -203,9 +203,9 @@ void RankHierarchy::for_each_color(std::size_t level, std::span<Complex> z, cons
   }
 }
 
-void RankHierarchy::sweep_level(std::size_t level, int sweeps) {
+void RankHierarchy::sweep_level(std::size_t level, SweepPlan plan) {
   Level& swept = hierarchy_.levels[level];
-  const LevelSweeps planned = sweeps_on_level(parts_[level].slots_of_all, sweeps);
+  const LevelSweeps planned = plan.on_level(parts_[level].slots_of_all);
   for (int number = 0; number < planned.count; ++number) {
     for_each_color(level, swept.z, [&](Index color) {
       sweep_color(swept.layout(), swept.couplings, swept.z, planned.over_relaxation_of(number),
@@ -215,26 +215,26 @@ void RankHierarchy::sweep_level(std::size_t level, int sweeps) {
 }
 
 /// Below what is gathered, whose phases the last level has.
-void RankHierarchy::descend_from(Complex start, int sweeps) {
+void RankHierarchy::descend_from(Complex start, SweepPlan plan) {
   auto& levels = hierarchy_.levels;
   if (gathered_) {
     parts_.back().halo.exchange(ranks_, levels.back().z);
   } else {
     std::ranges::fill(levels.back().z, start);
-    sweep_level(levels.size() - 1, sweeps);
+    sweep_level(levels.size() - 1, plan);
   }
   for (std::size_t l = levels.size() - 1; l-- > 0;) {
     prolong(levels[l + 1], levels[l]);
-    sweep_level(l, sweeps);
+    sweep_level(l, plan);
   }
 }
 
-void RankHierarchy::descend(int sweeps) {
+void RankHierarchy::descend(SweepPlan plan) {
   if (gathered_) {
     gathered_->descend(ranks_, parts_.back().graph, hierarchy_.levels.back(),
-                       [&](Hierarchy& rest) { brindle::descend(rest, sweeps); });
+                       [&](Hierarchy& rest) { brindle::descend(rest, plan); });
   }
-  descend_from(kPeak, sweeps);
+  descend_from(kPeak, plan);
 }
 
 EnergySums RankHierarchy::lowered() const {
@@ -272,22 +272,22 @@ void RankHierarchy::start_from(std::span<const Complex> z, int sweeps) {
 }
 
 /// As `correct` of phases/multilevel.h. Ghosts have the phases and gauges of their owners already.
-void RankHierarchy::correct(int sweeps) {
+void RankHierarchy::correct(SweepPlan plan) {
   hierarchy_.corrected = true;
   for (std::size_t l = 0; l + 1 < hierarchy_.levels.size(); ++l) {
     set_turns(hierarchy_.levels[l], l == 0);
     renew_sums(hierarchy_.levels[l], hierarchy_.levels[l + 1], hierarchy_.scratch);
   }
   if (gathered_) {
-    gathered_->correct(ranks_, parts_.back().graph, sweeps, hierarchy_.levels.back());
+    gathered_->correct(ranks_, parts_.back().graph, plan, hierarchy_.levels.back());
   }
-  descend_from(Complex(1), sweeps);
+  descend_from(Complex(1), plan);
 }
 
-void RankHierarchy::run_cycles(int sweeps, int cycles, const Progress& progress) {
+void RankHierarchy::run_cycles(SweepPlan plan, int cycles, const Progress& progress) {
   for (int cycle = 0; cycle < cycles; ++cycle) {
     ranks_.together([&] { progress.report("cycles", static_cast<double>(cycle) / cycles); });
-    correct(sweeps);
+    correct(plan);
   }
 }
 
@@ -302,7 +302,7 @@ std::size_t RankHierarchy::halo_bytes(int sweeps) const {
   std::size_t bytes = 0;
   for (std::size_t l = 0; l < distributed_levels(); ++l) {
     const auto count =
-        static_cast<std::size_t>(sweeps_on_level(parts_[l].slots_of_all, sweeps).count);
+        static_cast<std::size_t>(SweepPlan(sweeps).on_level(parts_[l].slots_of_all).count);
     bytes += sizeof(Complex) * parts_[l].halo.ghost_count() * count;
   }
   return bytes;

@@ -10,6 +10,7 @@
 #include "brindle/distributed/levels/rank_aggregates.h"
 #include "brindle/distributed/levels/rank_graph.h"
 #include "brindle/phases/hierarchy.h"
+#include "brindle/phases/multilevel.h"
 #include "brindle/progress.h"
 
 namespace brindle {
@@ -42,7 +43,7 @@ class RankHierarchy {
 
   /// Gives the levels that `coarsen` would gather, the finest one among them.
   void take_gathered(GatheredLevels gathered);
-  void descend(int sweeps);
+  void descend(SweepPlan plan);
 
   /// As that of phases/several_starts.h. Which start is lowest is told on levels that are gathered.
   bool descend_from_several(int sweeps);
@@ -50,7 +51,7 @@ class RankHierarchy {
   /// In place of a descent: these phases of own nodes and ghosts, and sweeps over the finest level.
   /// That must not be gathered.
   void start_from(std::span<const Complex> z, int sweeps);
-  void run_cycles(int sweeps, int cycles, const Progress& progress);
+  void run_cycles(SweepPlan plan, int cycles, const Progress& progress);
 
   /// Gives the finest level's ghosts the phases of their owners.
   void exchange_phases();
@@ -60,6 +61,9 @@ class RankHierarchy {
 
   /// Of the finest level's phases, over all ranks.
   double energy() const;
+
+  /// Those of the finest level on all ranks.
+  Index slots_of_all() const { return parts_[0].slots_of_all; }
 
   /// Bytes that the sweeps of a descent have to bring to this rank: 8 for each ghost, sweep and
   /// distributed level.
@@ -91,9 +95,9 @@ class RankHierarchy {
   void renew_sums_to(std::size_t coarse);
   template <class Update>
   void for_each_color(std::size_t level, std::span<Complex> z, const Update& update);
-  void sweep_level(std::size_t level, int sweeps);
-  void descend_from(Complex start, int sweeps);
-  void correct(int sweeps);
+  void sweep_level(std::size_t level, SweepPlan plan);
+  void descend_from(Complex start, SweepPlan plan);
+  void correct(SweepPlan plan);
   EnergySums lowered() const;
 
   Communicator& ranks_;

@@ -216,8 +216,11 @@ FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& p
   if (s.descends() && !builds) renew(s.hierarchy);
   milliseconds.sum = watch.lap();
   if (s.descends()) {
-    descend(s.hierarchy, s.options.sweeps, progress.part(0.6, 0.7));
-    run_cycles(s.hierarchy, s.options.sweeps, s.options.cycles, progress.part(0.7, 1));
+    const SweepPlan plan =
+        builds ? SweepPlan::for_new_levels(s.options.sweeps, s.finest().layout().slot_count())
+               : s.options.sweeps;
+    descend(s.hierarchy, plan, progress.part(0.6, 0.7));
+    run_cycles(s.hierarchy, plan, s.options.cycles, progress.part(0.7, 1));
   } else {
     iterate();
   }
