@@ -20,7 +20,8 @@ UpAxis up_axis(const std::string& name) {
 
 Color color_of(const std::string& text) {
   const auto color = parse_color(text);
-  if (!color) throw Error("colors: '" + text + "' is no colour; give one like '#1c325a'");
+  if (!color)
+    throw Error("colors: '" + text + "' is no colour; give one like '#1c325a' or 'steelblue'");
   return *color;
 }
 

@@ -96,6 +96,8 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"stripe", "--cycles", "2", "--device", "gpu", "--solver", "relaxation"},
       {"stripe", "--stripes-v", "20"},
       {"stripe", "--camera", "10,10"},
+      {"stripe", "--min-area", "4", "--output", "a.png"},
+      {"stripe", "--min-area", "4"},
       {"stripe", "--up", "z", "--output", "a.ply"},
       {"stripe", "--size", "64x48", "--report", "a.json"},
       {"stripe", "--quality", "interactive"},

@@ -189,7 +189,7 @@ TEST_F(StyleTool, BadValuesAreRefused) {
   refused(2, "--creases", {"--creases", "180"});
   refused(2, "--occlusion", {"--occlusion", "2"});
   const Arguments tiles = {"--texture", "dots", "--texture-by", "height", "--regions"};
-  for (const char* regions : {"plus", "0,cross", "1,plus,0,dots", "x,plus", "0,plus@red"}) {
+  for (const char* regions : {"plus", "0,cross", "1,plus,0,dots", "x,plus", "0,plus@reddish"}) {
     Arguments more = tiles;
     more.push_back(regions);
     refused(2, "--regions", more);
@@ -235,6 +235,13 @@ TEST_F(StyleTool, DrawsOutlinesOfStripes) {
   EXPECT_NE(svg.find("stroke-width=\"1.20\""), std::string::npos) << "as wide as in pictures";
   const std::size_t path = svg.find("<path d=\"M") + 10;
   EXPECT_LT(svg.find('c', path), svg.find('"', path)) << "curves";
+  // No stripe of so small a picture has a tenth of it.
+  const ToolResult cleared = run({"stripe", "shape:torus,resolution=24", "--min-area", "700", "-o",
+                                  "large.svg", "--size", "96x72"});
+  ASSERT_EQ(cleared.exit_code, 0) << cleared.err;
+  const std::string large = content(folder / "large.svg");
+  EXPECT_NE(large.find("id=\"surface\""), std::string::npos);
+  EXPECT_LT(large.size(), svg.size() / 2);
   const Arguments to_svg = {"stripe", "shape:torus,resolution=24", "-o", "out.svg"};
   for (const Arguments& more : std::vector<Arguments>{{"--color-by", "height"},
                                                       {"--transparent"},

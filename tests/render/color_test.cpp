@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/image.h"
+#include "brindle/render/color_names.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {
@@ -12,8 +13,23 @@ namespace {
 TEST(Color, IsReadFromText) {
   EXPECT_EQ(parse_color("#ff0080"), (Color{1, 0, 128 / 255.0f}));
   EXPECT_EQ(parse_color("fff"), (Color{1, 1, 1}));
-  for (const char* text : {"", "#", "red", "#12345", "#1234567", "#gg0000", "#-10000"}) {
+  EXPECT_EQ(parse_color("steelblue"), parse_color("#4682b4"));
+  EXPECT_EQ(parse_color("SteelBlue"), parse_color("steelblue"));
+  EXPECT_EQ(parse_color("red"), (Color{1, 0, 0}));
+  for (const char* text :
+       {"", "#", "reddish", "#red", "re", "#12345", "#1234567", "#gg0000", "#-10000"}) {
     EXPECT_FALSE(parse_color(text)) << text;
+  }
+}
+
+TEST(Color, EveryNameIsFound) {
+  for (const ColorName& named : kColorNames) {
+    const auto color = parse_color(named.name);
+    ASSERT_TRUE(color) << named.name;
+    EXPECT_EQ(std::lround(255 * color->red) << 16 | std::lround(255 * color->green) << 8 |
+                  std::lround(255 * color->blue),
+              named.rgb)
+        << named.name;
   }
 }
 

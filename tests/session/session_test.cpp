@@ -314,8 +314,8 @@ TEST(Session, FollowsChangesOfOneSurface) {
 
 /// What the parser of a document's command has, but what a session has another way.
 std::set<std::string> options_of_command(Shown shown) {
-  const std::set<std::string> elsewhere = {"camera", "size",  "quality", "threads", "output",
-                                           "report", "quiet", "uv",      "help"};
+  const std::set<std::string> elsewhere = {"camera", "size",   "min-area", "quality", "threads",
+                                           "output", "report", "quiet",    "uv",      "help"};
   SessionDocument document;
   document.shown = shown;
   const ParsedSession parsed(document);

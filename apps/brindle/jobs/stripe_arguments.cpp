@@ -68,7 +68,10 @@ void check_previous(const CLI::App& command, const StripeArguments& arguments, b
 void check_drawings(const CLI::App& command, const StripeArguments& arguments,
                     const std::vector<Output>& outputs, bool texture) {
   const auto drawing = std::ranges::find_if(outputs, is_drawing);
-  if (drawing == outputs.end()) return;
+  if (drawing == outputs.end()) {
+    refuse_given(command, {"--min-area"}, "no drawing is written; add --output FILE.svg");
+    return;
+  }
   const auto refuse = [&](const char* why) { refuse_output(drawing->path, why); };
   if (texture) refuse("a drawing shows outlines of stripes, not of tiles; write .png");
   if (is_points(arguments.surface)) refuse("points have no outlines; write .png");
@@ -188,6 +191,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_picture_options(command);
   add_style_options(command, arguments.style);
+  add_parsed_option(command, "--min-area", arguments.style.min_area, parse_not_negative_number);
 }
 
 }  // namespace brindle::tool

@@ -75,7 +75,7 @@ void set_colors(RenderOptions& render, const std::string& option, const std::str
   std::vector<Color> colors;
   for (const std::string& part : split(text, ',')) {
     const auto color = parse_color(part);
-    if (!color) wrong_usage(option, "colours like #1c325a or 1c325a", text);
+    if (!color) wrong_usage(option, "colours like #1c325a, 1c325a or steelblue", text);
     colors.push_back(*color);
   }
   if (colors.size() < 2 || colors.size() > 3) {

@@ -69,6 +69,7 @@ struct StyleOptions {
   std::optional<float> crease_deg;  ///< lines along sharper edges, and borders
   bool hidden_dashed = false;       ///< else hidden lines are left out
   std::optional<float> line_width;  ///< of outlines and creases, pixels
+  float min_area = 0.1f;            ///< of outlines of stripes in drawings, square pixels
 
   float occlusion = 0;
   bool ground_shadow = false;

@@ -11,8 +11,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr float kLeastArea = 0.1f;  // square pixels
-
 /// Outlines and creases, as wide as in pictures. What hides them is looked at twice as finely,
 /// where that is not too large.
 std::vector<Pen> pens_on_top(const StyledPicture& picture, StyleOptions style,
@@ -36,7 +34,7 @@ void write_outlines(const std::filesystem::path& path, const StyledPicture& pict
   const RenderOptions& render = picture.options.render;
   std::vector<Pen> pens = stripe_outlines(
       picture.surfaces, styled_camera(picture.surfaces, picture.options), render.camera.up,
-      render.width, render.height, kLeastArea, progress.part(0, kTraced));
+      render.width, render.height, style.min_area, progress.part(0, kTraced));
   for (Pen& pen : pens_on_top(picture, style, progress.part(kTraced, kLined))) {
     if (!pen.strokes.empty()) pens.push_back(std::move(pen));
   }

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/ranges.h"
 #include "brindle/image.h"
+#include "brindle/render/color_names.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {
@@ -47,9 +49,26 @@ constexpr std::array<ColorStop, 6> kErrorStops{
 constexpr float kLightest = 0.95f;
 constexpr float kDarkest = 0.25f;
 
+Color color_of(std::uint32_t rgb) {
+  const auto channel = [&](int shift) { return static_cast<float>(rgb >> shift & 255) / 255; };
+  return {channel(16), channel(8), channel(0)};
+}
+
+/// Names are in small or capital letters.
+std::optional<Color> named_color(std::string_view text) {
+  std::string name(text);
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  const auto found = ranges::lower_bound(kColorNames, name, {}, &ColorName::name);
+  if (found == kColorNames.end() || found->name != name) return {};
+  return color_of(found->rgb);
+}
+
 }  // namespace
 
 std::optional<Color> parse_color(std::string_view text) {
+  if (const auto named = named_color(text)) return named;
   if (text.starts_with('#')) text.remove_prefix(1);
   std::string digits(text);
   if (digits.size() == 3) {

@@ -17,7 +17,8 @@ namespace brindle {
 /// not in 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
-/// Reads "#rrggbb" or "#rgb", with or without the '#'. Empty if the text is neither.
+/// Reads "#rrggbb" or "#rgb", with or without the '#', and names of CSS such as "steelblue". Empty
+/// if the text is none of these.
 std::optional<Color> parse_color(std::string_view text);
 
 /// Reads the names of the maps. Empty if there is no such map.
