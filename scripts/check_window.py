@@ -278,6 +278,29 @@ def check_escape_closes_lists(start, folder):
     window.quit()
 
 
+def check_options_are_searched(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "20")
+    window.settled()
+    window.click("search")
+    window.type("calm")
+    # Of a group that is closed otherwise, and by its help.
+    window.place("option calm")
+    window.wait_until(lambda: "option stripes" not in window.places, "end of what is not meant")
+    window.type(" nothing of that kind")
+    window.wait_until(lambda: "option calm" not in window.places, "end of all options")
+    window.key("Escape")
+    window.place("option stripes")
+    since = window.now()
+    window.click("search")
+    window.type("outlin")
+    window.click("option outline")
+    window.click("choice outline solid")
+    window.settled(since)
+    session = json.loads(save_session(window, folder / "searched.json"))
+    expect(session["options"]["outline"] == "solid", f"what was found was not set: {session}")
+    window.quit()
+
+
 def check_warnings_are_shown(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "1000")
     frame = window.settled()

@@ -75,6 +75,7 @@ struct SliderRange {
 /// A row of the table. Texts live as long as the program.
 struct OptionInfo {
   std::string_view name = {};   ///< long, without dashes: "stripe-width"
+  std::string_view words = {};  ///< what panels call it: "width of stripes"; empty: nothing does
   std::string_view group = {};  ///< where a list of options shows it: "Stripes"
   OptionKind kind = OptionKind::text;
   std::string_view form = {};  ///< how a value is written: "N", "FILE|array:NAME"; of flags: empty

@@ -89,10 +89,13 @@ const std::map<std::string_view, std::string_view> kWithoutOption = {
 
 /// Groups whose options have no property.
 const std::map<std::string_view, std::string_view> kGroupsWithoutProperty = {
-    {"Look", "ParaView draws"},         {"Colours by value", "ParaView draws"},
-    {"Textures", "ParaView draws"},     {"Outlines and depth", "ParaView draws"},
-    {"Picture", "ParaView draws"},      {"Output", "ParaView writes"},
-    {"More", "ParaView has the scene"}, {"Solver", "those that the tool takes suit everybody"},
+    {"Look", "ParaView draws"},
+    {"Colours by value", "ParaView draws"},
+    {"Textures", "ParaView draws"},
+    {"Outlines and depth", "ParaView draws"},
+    {"Picture", "ParaView draws"},
+    {"Output", "ParaView writes"},
+    {"Solver", "those that the tool takes suit everybody"},
 };
 
 /// Options of the other groups that have none.
@@ -100,6 +103,8 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"subdivide", "the filter Subdivide"},
     {"points", "the filter takes surfaces"},
     {"neighbors", "the same"},
+    {"up", "ParaView has the camera"},
+    {"cross", "ParaView draws stripes"},
     {"curvature-anchor", "Field has Curvature"},
     {"feature-anchor", "not yet asked for"},
     {"feature-angle", "of feature-anchor"},

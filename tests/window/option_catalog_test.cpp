@@ -34,6 +34,29 @@ TEST(OptionCatalogTest, HasEveryOptionOfSessionsOnce) {
   }
 }
 
+TEST(OptionCatalogTest, EveryOptionHasWordsOfItsOwn) {
+  for (const Shown shown : kAllShown) {
+    std::set<std::string> words;
+    for (const auto& [name, option] : all_entries(shown)) {
+      EXPECT_FALSE(option.words.empty()) << name;
+      EXPECT_TRUE(words.insert(option.words).second) << option.words << " is there twice";
+      EXPECT_LE(option.words.size(), 22u) << option.words << " leaves no room for its value";
+    }
+  }
+}
+
+TEST(OptionCatalogTest, OptionsAreFoundByWhatTheyAreCalledMeanAndAreFor) {
+  const CatalogOption width = all_entries().at("stripe-width");
+  for (const char* search :
+       {"", "  ", "width", "WIDTH stripes", "stripe-width", "--stripe", "wi of"}) {
+    EXPECT_TRUE(is_meant(width, search)) << search;
+  }
+  EXPECT_TRUE(is_meant(all_entries().at("slack"), "fewer begin")) << "by its help";
+  for (const char* search : {"slack", "width slack", "stripes-width"}) {
+    EXPECT_FALSE(is_meant(width, search)) << search;
+  }
+}
+
 TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
   for (const Shown shown : {Shown::curves, Shown::samples}) {
     const auto groups = option_catalog(shown);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <sstream>
 #include <string_view>
 
 #include "brindle/renderer.h"
@@ -53,6 +54,7 @@ WidgetKind kind_of(const OptionInfo& info) {
 CatalogOption entry_of(const OptionInfo& info) {
   CatalogOption entry;
   entry.name = info.name;
+  entry.words = info.words;
   entry.help = info.help;
   entry.form = info.form;
   entry.kind = kind_of(info);
@@ -67,9 +69,9 @@ CatalogOption entry_of(const OptionInfo& info) {
 }
 
 /// Groups in the order in which they are reached for; others follow as the table has them.
-constexpr std::array<std::string_view, 8> kTitles = {
-    "Stripes",  "Field",   "Look",  "Colours by value", "Outlines and depth",
-    "Textures", "Surface", "Solver"};
+constexpr std::array<std::string_view, 9> kTitles = {
+    "Stripes", "Field",   "Textures", "Look", "Colours by value", "Outlines and depth",
+    "Making",  "Surface", "Solver"};
 
 std::size_t rank_of(const OptionGroup& group) {
   return static_cast<std::size_t>(std::ranges::find(kTitles, group.title) - kTitles.begin());
@@ -85,7 +87,24 @@ OptionGroup& group_of(std::string_view title, std::vector<OptionGroup>& groups) 
   return groups.emplace_back(OptionGroup{std::string(title), {}});
 }
 
+std::string in_small_letters(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 }  // namespace
+
+bool is_meant(const CatalogOption& option, const std::string& search) {
+  const std::string all =
+      in_small_letters(option.words + " --" + option.name + ' ' + option.form + ' ' + option.help);
+  std::istringstream words(in_small_letters(search));
+  for (std::string word; words >> word;) {
+    if (all.find(word) == std::string::npos) return false;
+  }
+  return true;
+}
 
 std::vector<OptionGroup> option_catalog(Shown shown) {
   std::vector<OptionGroup> groups;

@@ -13,7 +13,8 @@ namespace brindle::tool {
 enum class WidgetKind { flag, choice, number, numbers, percent, text };
 
 struct CatalogOption {
-  std::string name;  ///< "stripes"
+  std::string name;   ///< "stripes"
+  std::string words;  ///< "number of stripes"
   std::string help;
   std::string form;  ///< how values are written: "AZIMUTH,ELEVATION"
   WidgetKind kind = WidgetKind::text;
@@ -30,6 +31,10 @@ struct OptionGroup {
   std::string title;
   std::vector<CatalogOption> options;
 };
+
+/// Whether every word of `search` is part of what the option is called, means or is for, in small
+/// or capital letters.
+bool is_meant(const CatalogOption& option, const std::string& search);
 
 /// All options of what is shown, each in one group: first those of curves or samples alone.
 std::vector<OptionGroup> option_catalog(Shown shown = Shown::stripes);

@@ -89,6 +89,7 @@ void OptionPanel::draw() {
   is_held_ = false;
   note_session();
   draw_shown();
+  draw_search();
   // What is shown may have become another one.
   note_session();
   for (const OptionGroup& group : catalog()) draw_group(group);
@@ -107,6 +108,15 @@ void OptionPanel::draw_shown() {
   }
 }
 
+void OptionPanel::draw_search() {
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  ImGui::InputTextWithHint("##search", "search options", &search_);
+  log_.note_widget("search");
+  if (ImGui::IsItemFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    search_.clear();
+  }
+}
+
 void OptionPanel::draw_option(const std::string& name) {
   note_session();
   for (const OptionGroup& group : catalog()) {
@@ -119,12 +129,22 @@ void OptionPanel::draw_option(const std::string& name) {
 }
 
 void OptionPanel::draw_group(const OptionGroup& group) {
-  const bool first = &group == &catalog().front();
-  const bool open =
-      ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-  log_.note_widget("group " + group.title);
-  if (!open) return;
+  const bool searching = search_.find_first_not_of(' ') != std::string::npos;
+  const auto is_shown = [&](const CatalogOption& option) {
+    return !searching || is_meant(option, search_);
+  };
+  if (std::ranges::none_of(group.options, is_shown)) return;
+  if (searching) {
+    ImGui::TextDisabled("%s", group.title.c_str());
+  } else {
+    const bool first = &group == &catalog().front();
+    const bool open =
+        ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    log_.note_widget("group " + group.title);
+    if (!open) return;
+  }
   for (const CatalogOption& option : group.options) {
+    if (!is_shown(option)) continue;
     ImGui::PushID(option.name.c_str());
     draw_option(option);
     ImGui::PopID();
@@ -151,7 +171,7 @@ void OptionPanel::draw_label(const CatalogOption& option, bool given) {
   if (given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
   }
-  ImGui::TextUnformatted(option.name.c_str());
+  ImGui::TextUnformatted(option.words.c_str());
   if (given) ImGui::PopStyleColor();
   log_.note_widget("label " + option.name);
   show_tooltip("--" + option.name + " " + option.form, option.help);

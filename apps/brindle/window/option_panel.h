@@ -32,6 +32,7 @@ class OptionPanel {
   void note_session();
   void note_surface();
   void draw_shown();
+  void draw_search();
   void draw_group(const OptionGroup& group);
   void draw_option(const CatalogOption& option);
   void draw_label(const CatalogOption& option, bool given);
@@ -64,6 +65,7 @@ class OptionPanel {
   OptionValues given_;                                               // of what is shown
   std::uint64_t noted_revision_ = 0;                                 // of the session
   bool is_held_ = false;
+  std::string search_;  // what options are looked for by
   std::string edited_;  // option and value that are being typed, such as "field 0"
   std::string edit_;    // what has been typed
   std::shared_ptr<const LiveState> noted_;

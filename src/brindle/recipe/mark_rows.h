@@ -10,6 +10,7 @@ constexpr OptionInfo kMarkRows[] = {
 
     // Curves
     {.name = "lines",
+     .words = "curves of",
      .group = "Curves",
      .kind = OptionKind::choice,
      .form = "u|v|both",
@@ -20,6 +21,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "across the field (u, default), along it (v: stripes of the field turned by 90 "
              "degrees), or both"},
     {.name = "offset",
+     .words = "move by periods",
      .group = "Curves",
      .kind = OptionKind::number,
      .form = "P",
@@ -32,6 +34,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help = "in periods from the stripes' centres (default 0; 0.5: centres of the gaps)"},
     {.name = "join",
+     .words = "join ends",
      .group = "Curves",
      .kind = OptionKind::flag,
      .excludes = "trim",
@@ -41,6 +44,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "join curves that end in the same triangle in pairs, and let others run on into their "
              "neighbours"},
     {.name = "trim",
+     .words = "trim ends",
      .group = "Curves",
      .kind = OptionKind::number,
      .form = "SHARE",
@@ -55,6 +59,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "cut ends at branches and singularities back to where no neighbour is nearer than "
              "SHARE of the spacing (default 0: as traced; 0.6 is good), without hooks"},
     {.name = "min-length",
+     .words = "shortest curve",
      .group = "Curves",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -66,6 +71,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help = "leave out shorter curves"},
     {.name = "simplify",
+     .words = "simplify",
      .group = "Curves",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -77,6 +83,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help = "leave out points up to this far from the curve"},
     {.name = "resample",
+     .words = "points apart",
      .group = "Curves",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -89,6 +96,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "points at equal distances, about this far apart; --simplify then leaves out some of "
              "them"},
     {.name = "line-width",
+     .words = "width to measure",
      .group = "Curves",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -100,6 +108,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help = "report how much of the surface lines of this width cover"},
     {.name = "stripes-v",
+     .words = "stripes across",
      .group = "Curves",
      .kind = OptionKind::number,
      .form = "N",
@@ -112,6 +121,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves | kSample,
      .help = "V: as --stripes (default: frequency_v of --field's file, or U's frequencies)"},
     {.name = "frequency-v",
+     .words = "across, per unit",
      .group = "Curves",
      .kind = OptionKind::number,
      .form = "F",
@@ -124,6 +134,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves | kSample,
      .help = "V: as --frequency; either goes before the frequencies of a file"},
     {.name = "field-v",
+     .words = "field across",
      .group = "Curves",
      .kind = OptionKind::text,
      .form = "FILE",
@@ -134,6 +145,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "V: a CSV file of rows x,y,z or x,y,z,frequency (default: U's field turned by 90 "
              "degrees)"},
     {.name = "wales",
+     .words = "wales",
      .group = "Curves",
      .kind = OptionKind::whole,
      .form = "[LOOP:]N",
@@ -146,6 +158,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "V: exactly N stripes round a surface with one way round, as the wales of a sleeve; "
              "LOOP:N round one of several, by its name in the report"},
     {.name = "tube-radius",
+     .words = "radius of tubes",
      .group = "Curves",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -157,6 +170,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help = "write mesh files of tubes, not lines (pictures show tubes anyway)"},
     {.name = "tube-sides",
+     .words = "sides of tubes",
      .group = "Curves",
      .kind = OptionKind::whole,
      .form = "N",
@@ -170,6 +184,7 @@ constexpr OptionInfo kMarkRows[] = {
 
     // Samples
     {.name = "glyph",
+     .words = "glyph",
      .group = "Samples",
      .kind = OptionKind::text,
      .form = "disc|arrow|ellipse|stroke|FILE.png",
@@ -181,6 +196,7 @@ constexpr OptionInfo kMarkRows[] = {
              "whose axes are the spacings, strokes of a brush, or a picture with transparency, "
              "which lies flat and may cross the silhouette"},
     {.name = "glyph-size",
+     .words = "size of glyphs",
      .group = "Samples",
      .kind = OptionKind::number,
      .form = "S",
@@ -193,6 +209,7 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kSample,
      .help = "picture: share of the spacing (default 0.8)"},
     {.name = "size-by",
+     .words = "larger where",
      .group = "Samples",
      .kind = OptionKind::text,
      .form = "VALUE",
@@ -204,6 +221,7 @@ constexpr OptionInfo kMarkRows[] = {
              "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|"
              "light|agreement"},
     {.name = "size-range",
+     .words = "how large",
      .group = "Samples",
      .kind = OptionKind::numbers,
      .form = "A,B",
@@ -214,6 +232,7 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "--size-by: shares of --glyph-size at the smallest value and the largest (default "
              "0.25,1)"},
     {.name = "min-distance",
+     .words = "smallest distance",
      .group = "Samples",
      .kind = OptionKind::number,
      .form = "D",

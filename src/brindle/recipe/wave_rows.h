@@ -11,6 +11,7 @@ constexpr OptionInfo kWaveRows[] = {
 
     // Surface
     {.name = "subdivide",
+     .words = "split triangles",
      .group = "Surface",
      .kind = OptionKind::whole,
      .form = "K",
@@ -20,6 +21,7 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "split every triangle in four, K times; arrays of the file are interpolated"},
     {.name = "points",
+     .words = "points alone",
      .group = "Surface",
      .kind = OptionKind::flag,
      .stale = OptionStage::surface,
@@ -28,6 +30,7 @@ constexpr OptionInfo kWaveRows[] = {
              ".obj, .csv with rows x,y,z or x,y,z,nx,ny,nz, or with columns of these names) are "
              "points anyway"},
     {.name = "neighbors",
+     .words = "neighbours of a point",
      .group = "Surface",
      .kind = OptionKind::whole,
      .form = "K",
@@ -37,9 +40,19 @@ constexpr OptionInfo kWaveRows[] = {
      .stale = OptionStage::surface,
      .jobs = kStripe | kSample | kCompare,
      .help = "points: join each to its K nearest (default 8)"},
+    {.name = "up",
+     .words = "axis that is up",
+     .group = "Surface",
+     .kind = OptionKind::choice,
+     .form = "y|z",
+     .stale = OptionStage::style,
+     .jobs = kStripe | kCurves | kSample | kAnimate,
+     .help = "the axis that points up in pictures (default z for shapes, y for files), and that "
+             "'height' is measured along (default z)"},
 
     // Field
     {.name = "field",
+     .words = "direction field",
      .group = "Field",
      .kind = OptionKind::text,
      .form = "FILE|array:NAME|smooth|curvature|raw-curvature",
@@ -53,7 +66,18 @@ constexpr OptionInfo kWaveRows[] = {
              "has per point or per cell (array:points/NAME, array:cells/NAME); or a CSV file with "
              "one row a vertex: x,y,z, x,y,z,frequency, x,y,z,frequency,frequency_v, or columns "
              "with names (FILE.csv:NAME if they hold several vectors)"},
+    {.name = "cross",
+     .words = "crosses",
+     .group = "Field",
+     .kind = OptionKind::flag,
+     .excludes = "frequency-v oriented stripes-v",
+     .stale = OptionStage::field,
+     .jobs = kStripe,
+     .help = "a cross field: stripes along both waves of a cross, which change places from vertex "
+             "to vertex where that is smoother; shown by a texture that looks the same turned by "
+             "90 degrees (default checker)"},
     {.name = "direction",
+     .words = "direction",
      .group = "Field",
      .kind = OptionKind::text,
      .form = "X,Y,Z",
@@ -63,6 +87,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help =
          "one vector for all vertices, projected into the tangent planes; stripes run across it"},
     {.name = "curvature-direction",
+     .words = "principal direction",
      .group = "Field",
      .kind = OptionKind::choice,
      .form = "max|min",
@@ -72,6 +97,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "principal direction of the larger (default) or smaller curvature, for fields that "
              "follow it"},
     {.name = "curvature-anchor",
+     .words = "drawn to curvature",
      .group = "Field",
      .kind = OptionKind::number,
      .form = "W",
@@ -83,6 +109,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "how strongly curvature attracts the smooth field (default 0: not; 0.1 with --field "
              "curvature)"},
     {.name = "feature-anchor",
+     .words = "drawn to sharp edges",
      .group = "Field",
      .kind = OptionKind::number,
      .form = "W",
@@ -94,6 +121,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "how strongly sharp edges and boundaries attract the smooth field, so that it runs "
              "along them (default 0: not)"},
     {.name = "feature-angle",
+     .words = "sharp from",
      .group = "Field",
      .kind = OptionKind::number,
      .form = "DEG",
@@ -105,6 +133,7 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "bend from which an edge is sharp for --feature-anchor (default 40)"},
     {.name = "feature-radius",
+     .words = "reach of edges",
      .group = "Field",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -116,6 +145,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "how far from edges and boundaries --feature-anchor attracts (default: at their "
              "vertices alone)"},
     {.name = "strokes",
+     .words = "strokes of a file",
      .group = "Field",
      .kind = OptionKind::text,
      .form = "FILE.json",
@@ -124,6 +154,7 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "lines that the smooth field runs along, each with points, radius and strength"},
     {.name = "tensor",
+     .words = "eigenvector",
      .group = "Field",
      .kind = OptionKind::choice,
      .form = "major|minor|max-abs",
@@ -133,6 +164,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "--field array:NAME that is a symmetric tensor: along the eigenvector of the largest "
              "eigenvalue (default), the smallest, or the largest absolute one"},
     {.name = "field-mesh",
+     .words = "field of another mesh",
      .group = "Field",
      .kind = OptionKind::text,
      .form = "FILE",
@@ -142,6 +174,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "take arrays from this file, whose mesh or points may be finer or coarser: from the "
              "nearest place, or triangle"},
     {.name = "max-distance",
+     .words = "farthest from it",
      .group = "Field",
      .kind = OptionKind::length,
      .form = "L|P%",
@@ -154,6 +187,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "--field-mesh: no wave farther away from it (default 2%)"},
 
     {.name = "field-detail",
+     .words = "detail of the field",
      .group = "Field",
      .kind = OptionKind::number,
      .form = "P",
@@ -168,6 +202,7 @@ constexpr OptionInfo kWaveRows[] = {
          "such as noise, and with its holes filled (default 0: as it is given; 1 to 2 for what "
          "is noisy)"},
     {.name = "field-weight",
+     .words = "weight of the data",
      .group = "Field",
      .kind = OptionKind::text,
      .form = "VALUE",
@@ -177,6 +212,7 @@ constexpr OptionInfo kWaveRows[] = {
              "array:NAME|FILE.csv[:COLUMN]|length|anisotropy, of vectors or tensors (default: "
              "tensors by their anisotropy, all others alike)"},
     {.name = "fill",
+     .words = "fill holes",
      .group = "Field",
      .kind = OptionKind::number,
      .form = "P",
@@ -189,6 +225,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "--field-detail, --frequency-detail: how far holes in the data are filled; no wave "
              "farther away (default 2)"},
     {.name = "field-arrows",
+     .words = "arrows, not lines",
      .group = "Field",
      .kind = OptionKind::flag,
      .stale = OptionStage::waves,
@@ -196,6 +233,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "--field-detail: vectors have a sign, and those that face each other cancel; without, "
              "they are lines"},
     {.name = "field-singularities",
+     .words = "singularities left",
      .group = "Field",
      .kind = OptionKind::whole,
      .form = "N",
@@ -219,6 +257,7 @@ constexpr OptionInfo kWaveRows[] = {
 
     // Stripes
     {.name = "stripes",
+     .words = "number of stripes",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "N",
@@ -231,6 +270,7 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "stripes along the diagonal of the bounding box (default 40)"},
     {.name = "frequency",
+     .words = "stripes per unit",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "F|array:NAME",
@@ -243,6 +283,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "stripes per unit length, instead of --stripes, everywhere or in an array; all go "
              "before the frequencies of a field file"},
     {.name = "frequency-detail",
+     .words = "detail of the spacing",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "P",
@@ -255,6 +296,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "see frequencies of arrays and files at the scale of P periods of their stripes, "
              "without noise and with holes filled as far as --fill (default 0: as they are)"},
     {.name = "stripe-width",
+     .words = "width of stripes",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "W",
@@ -266,6 +308,7 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kStripe | kAnimate,
      .help = "picture: share of the period (default 0.5)"},
     {.name = "rotate",
+     .words = "turn",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "DEG",
@@ -277,12 +320,14 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "turn the field about the normals, in degrees"},
     {.name = "along",
+     .words = "along the field",
      .group = "Stripes",
      .kind = OptionKind::flag,
      .stale = OptionStage::waves,
      .jobs = kAll,
      .help = "stripes run along the field, not across it: waves are turned by 90 degrees"},
     {.name = "slack",
+     .words = "spacing may yield",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "S",
@@ -294,6 +339,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "how far frequencies may yield so that fewer stripes begin or end: between f / (1 + "
              "S) and f (1 + S) (default 0: not at all)"},
     {.name = "calm",
+     .words = "where it is calm",
      .group = "Stripes",
      .kind = OptionKind::text,
      .form = "FILE.csv",
@@ -303,6 +349,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "a CSV file with a number from 0 to 1 a vertex: where branches are unwelcome; needs "
              "--slack"},
     {.name = "frequency-by",
+     .words = "denser where",
      .group = "Stripes",
      .kind = OptionKind::text,
      .form = "VALUE",
@@ -312,6 +359,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "denser stripes where a value is larger (of vectors: longer): "
              "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light"},
     {.name = "frequency-range",
+     .words = "how dense",
      .group = "Stripes",
      .kind = OptionKind::numbers,
      .form = "A,B[,inverse|reciprocal]",
@@ -321,8 +369,11 @@ constexpr OptionInfo kWaveRows[] = {
      .help =
          "--frequency-by: factors of --stripes where the value is smallest and largest (default "
          "0.4,2.5); inverse: the other way round; reciprocal: one over the value, from A to B"},
+
+    // Making
     {.name = "merge-branches",
-     .group = "Stripes",
+     .words = "merge branches",
+     .group = "Making",
      .kind = OptionKind::number,
      .form = "SHARE",
      .range = kNotNegative,
@@ -332,7 +383,8 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "remove pairs of opposite branches, as long as the energy rises by this share of "
              "itself at most (0.1: a tenth)"},
     {.name = "anchor-boundary",
-     .group = "Stripes",
+     .words = "start at boundaries",
+     .group = "Making",
      .kind = OptionKind::number,
      .form = "P",
      .unit = "periods",
@@ -343,7 +395,8 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "lay the first stripe along boundaries, P periods inside (0: on the rim; 0.5: the rim "
              "is in the middle of a gap)"},
     {.name = "winding",
-     .group = "Stripes",
+     .words = "wind round loops",
+     .group = "Making",
      .kind = OptionKind::text,
      .form = "[LOOP:]K",
      .several = true,
