@@ -301,6 +301,19 @@ def check_options_are_searched(start, folder):
     window.quit()
 
 
+def check_values_under_the_mouse(start, folder):
+    window = start("shape:plane,resolution=40", "--stripes", "20", "--camera", "0,89")
+    window.settled()
+    window.move(*window.point("picture"))
+    window.wait_until(lambda: any(name.startswith("value frequency ") for name in window.places),
+                      "values of the middle")
+    expect(any(name.startswith("value sine of the phase ") for name in window.places), "no phase there")
+    window.move(*window.point("picture", 0.01, 0.01))
+    window.wait_until(lambda: not any(name.startswith("value ") for name in window.places),
+                      "end of values beside the surface")
+    window.quit()
+
+
 def check_warnings_are_shown(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "1000")
     frame = window.settled()

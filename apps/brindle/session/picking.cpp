@@ -80,8 +80,8 @@ PickedPoint picked(const Hit& hit, const Mesh& mesh, const Camera& camera) {
   const Vec3& a = mesh.positions[t[0]];
   Vec3 normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).stableNormalized();
   if (normal.dot(viewpoint_of(camera) - position.cast<float>()) < 0) normal = -normal;
-  return {hit.triangle, position.cast<float>(), normal, position + mesh.origin,
-          static_cast<float>(hit.depth)};
+  return {hit.triangle, hit.barycentric.cast<float>(), position.cast<float>(),
+          normal,       position + mesh.origin,        static_cast<float>(hit.depth)};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace brindle::tool {
 
 struct PickedPoint {
   std::size_t triangle;
+  Vec3 barycentric;       ///< in that triangle; not negative, sums to 1
   Vec3 position;          ///< relative to the mesh's origin
   Vec3 normal;            ///< of the triangle, unit, towards the viewer
   Eigen::Vector3d place;  ///< in the coordinates of the mesh's file: what strokes are made of

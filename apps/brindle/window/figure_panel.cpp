@@ -144,6 +144,7 @@ void FigurePanel::draw_times(const SessionFrame& frame, double window_millisecon
 void FigurePanel::draw_histories() {
   const ImVec2 size(ImGui::GetContentRegionAvail().x, 2 * ImGui::GetFontSize());
   for (const History& history : histories_) {
+    if (history.values.size() < 2) continue;
     ImGui::TextDisabled("%s", history.name);
     const auto [least, most] = std::ranges::minmax(history.values);
     const float margin = std::max(0.1f * (most - least), 1e-6f + 0.001f * std::abs(most));

@@ -61,9 +61,55 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   show(place);
   tool_.draw_over(*ImGui::GetWindowDrawList(), place, hovered);
   places_.draw_over(*ImGui::GetWindowDrawList(), place);
+  note_mouse(place, hovered);
+  show_values(corner, end);
   ImGui::GetWindowDrawList()->PopClipRect();
   follow_mouse(place, trail);
   if (hovered) follow_wheel();
+}
+
+// Looking for the triangle takes a while on large surfaces: only when the mouse or the picture has
+// moved, and nothing is held.
+void PictureView::note_mouse(const PicturePlace& place, bool hovered) {
+  const bool final = uploaded_->quality == PictureQuality::final;
+  if (!hovered || !final || ImGui::IsAnyMouseDown()) {
+    under_mouse_.clear();
+    picked_frame_.reset();
+    return;
+  }
+  const Eigen::Vector2d pixel = place.pixel(ImGui::GetIO().MousePos);
+  if (picked_frame_ == uploaded_ && pixel == picked_pixel_) return;
+  picked_frame_ = uploaded_;
+  picked_pixel_ = pixel;
+  const auto hit = pick(uploaded_->surface(), uploaded_->camera, place.size.width,
+                        place.size.height, pixel.x(), pixel.y());
+  under_mouse_ = hit ? values_at(*uploaded_->state, *hit) : std::vector<PickedValue>();
+}
+
+// In the lower left corner, names beside values.
+void PictureView::show_values(const ImVec2& corner, const ImVec2& end) const {
+  if (under_mouse_.empty()) return;
+  float names = 0, texts = 0;
+  for (const auto& [name, text] : under_mouse_) {
+    names = std::max(names, ImGui::CalcTextSize(name.c_str()).x);
+    texts = std::max(texts, ImGui::CalcTextSize(text.c_str()).x);
+  }
+  const float line = ImGui::GetTextLineHeight(), gap = 0.5f * line;
+  const float height = line * static_cast<float>(under_mouse_.size());
+  const ImVec2 lower(corner.x + gap, end.y - height - 2 * gap);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec4 behind = ImGui::GetStyleColorVec4(ImGuiCol_PopupBg);
+  list.AddRectFilled({lower.x - gap / 2, lower.y - gap / 2},
+                     {lower.x + names + gap + texts + gap / 2, lower.y + height + gap / 2},
+                     ImGui::GetColorU32({behind.x, behind.y, behind.z, 0.8f}),
+                     ImGui::GetStyle().FrameRounding);
+  ImVec2 at = lower;
+  for (const auto& [name, text] : under_mouse_) {
+    list.AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), name.c_str());
+    list.AddText({at.x + names + gap, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    log_.note_place("value " + name + " " + text, PicturePlace::around(at, 1));
+    at.y += line;
+  }
 }
 
 void PictureView::show(const PicturePlace& place) {

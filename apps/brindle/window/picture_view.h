@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <epoxy/gl.h>
 
+#include "session/picked_values.h"
 #include "window/camera_motion.h"
 #include "window/place_handles.h"
 #include "window/stroke_tool.h"
@@ -31,6 +33,8 @@ class PictureView {
 
  private:
   void upload();
+  void note_mouse(const PicturePlace& place, bool hovered);
+  void show_values(const ImVec2& corner, const ImVec2& end) const;
   void show(const PicturePlace& place);
   void follow_mouse(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
   void follow_tool(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
@@ -46,7 +50,10 @@ class PictureView {
   GLuint texture_ = 0;
   int width_ = 0;  // of the texture
   int height_ = 0;
-  bool drawing_ = false;  // with the tool
+  bool drawing_ = false;                              // with the tool
+  std::vector<PickedValue> under_mouse_;              // of the surface
+  Eigen::Vector2d picked_pixel_ = {-1, -1};           // that they are of
+  std::shared_ptr<const SessionFrame> picked_frame_;  // the same
 };
 
 }  // namespace brindle::tool
