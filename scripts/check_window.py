@@ -301,6 +301,24 @@ def check_options_are_searched(start, folder):
     window.quit()
 
 
+def check_stripes_run_across_or_along_strokes(start, folder):
+    window = start("shape:plane,resolution=40", "--stripes", "20", "--camera", "0,89")
+    window.settled()
+    window.click("tool Comb")
+    window.drag([window.point("picture", 0.4 + 0.05 * i, 0.5) for i in range(5)])
+    since = window.now()
+    window.click("stripes along strokes")
+    window.settled(since)
+    session = json.loads(save_session(window, folder / "along.json"))
+    expect("along" in session["options"] and session["strokes"], f"stripes do not run along: {session}")
+    since = window.now()
+    window.click("stripes along strokes")
+    window.settled(since)
+    session = json.loads(save_session(window, folder / "across.json"))
+    expect("along" not in session["options"], f"stripes still run along: {session}")
+    window.quit()
+
+
 def check_values_under_the_mouse(start, folder):
     window = start("shape:plane,resolution=40", "--stripes", "20", "--camera", "0,89")
     window.settled()

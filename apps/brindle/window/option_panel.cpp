@@ -293,8 +293,9 @@ void OptionPanel::draw_number(const CatalogOption& option, float value, bool kno
   if (!given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
-  const ValueChange change = value_slider("##number", value, static_cast<float>(range.lowest),
-                                          static_cast<float>(range.highest), shown.c_str(), flags);
+  const ValueChange change =
+      slider_beside_number("##number", value, static_cast<float>(range.lowest),
+                           static_cast<float>(range.highest), shown.c_str(), flags);
   if (!given) ImGui::PopStyleColor();
   const std::string text = text_of_value(value, change, option.whole);
   if (change != ValueChange::none && text != before) set(option, {text}, change);
@@ -343,7 +344,7 @@ void OptionPanel::draw_percent(const CatalogOption& option) {
   }
   ImGui::SetNextItemWidth(-FLT_MIN);
   // A per cent sign is doubled for Dear ImGui.
-  const ValueChange change = value_slider(
+  const ValueChange change = slider_beside_number(
       "##percent", value, lowest, highest, share ? (before + "%").c_str() : before.c_str(),
       option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (!share) ImGui::PopStyleColor();

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "brindle/direction_field.h"
+#include "session/session_options.h"
 #include "window/value_slider.h"
 
 namespace brindle::tool {
@@ -26,7 +27,8 @@ constexpr std::array<ToolName, kToolCount> kTools = {
     {{"Look",
       "drag to turn, Shift or the middle button to move, wheel to zoom, double click for "
       "the centre (V)"},
-     {"Comb", "draw on the surface; stripes cross what you draw, or run along it with 'along' (C)"},
+     {"Comb",
+      "draw on the surface; stripes run across what you draw or along it, as the box says (C)"},
      {"Spline", "click points; Enter or a double click ends it (S)"},
      {"Move", "drag strokes; the sliders change the one that is chosen (M)"},
      {"Erase", "click strokes, or drag over them (E)"},
@@ -73,8 +75,26 @@ void StrokeTool::draw_bar() {
   }
   ImGui::SameLine(0, 1.2f * ImGui::GetFontSize());
   if (tool_ != Tool::look) draw_sliders();
+  if (tool_ == Tool::comb || tool_ == Tool::spline) draw_along();
   ImGui::Checkbox("singularities", &show_singularities_);
   log_.note_widget("show singularities");
+}
+
+// How stripes run where strokes are drawn.
+void StrokeTool::draw_along() {
+  bool along = shown_options(live_.document()).contains("along");
+  if (ImGui::Checkbox("stripes along strokes", &along)) {
+    if (along) {
+      live_.apply(commands::SetOption{"along", {}});
+    } else {
+      live_.apply(commands::ClearOption{"along"});
+    }
+  }
+  log_.note_widget("stripes along strokes");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("stripes run along what you draw; without, across it (--along)");
+  }
+  ImGui::SameLine();
 }
 
 void StrokeTool::draw_sliders() {

@@ -74,6 +74,7 @@ class StrokeTool {
   Points on_surface(const PicturePlace& place, const Points& points,
                     const Eigen::Vector2d& shift) const;
   void draw_sliders();
+  void draw_along();
   void change_strokes(ValueChange change, float radius, float strength);
   void draw_strokes(ImDrawList& list, const PicturePlace& place);
   void draw_singularities(ImDrawList& list, const PicturePlace& place);

@@ -1,5 +1,6 @@
 #include "window/value_slider.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -44,6 +45,29 @@ ValueChange value_slider(const char* label, float& value, float lowest, float hi
   return typed_as_a_whole(label, value, [&](float& drawn) {
     return ImGui::SliderFloat(label, &drawn, lowest, highest, format, flags);
   });
+}
+
+ValueChange slider_beside_number(const char* label, float& value, float lowest, float highest,
+                                 const char* format, ImGuiSliderFlags flags) {
+  // A field shows what is typed itself.
+  if (ImGui::TempInputIsActive(ImGui::GetID(label))) {
+    return value_slider(label, value, lowest, highest, format, flags);
+  }
+  const auto number = [&] { return formatted(format, static_cast<double>(value)); };
+  const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float room =
+      std::max(ImGui::CalcTextSize("0.0000").x, ImGui::CalcTextSize(number().c_str()).x) + gap;
+  ImGui::SetNextItemWidth(std::max(2 * ImGui::GetFontSize(), ImGui::CalcItemWidth() - room));
+  // The slider's own number would be under the knob.
+  ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+  const ValueChange change = value_slider(label, value, lowest, highest, format, flags);
+  ImGui::PopStyleColor();
+  const std::string text = number();
+  const ImVec2 at(ImGui::GetItemRectMax().x + room - ImGui::CalcTextSize(text.c_str()).x,
+                  ImGui::GetItemRectMin().y + ImGui::GetStyle().FramePadding.y);
+  ImGui::GetWindowDrawList()->AddText(at, color, text.c_str());
+  return change;
 }
 
 ValueChange value_drag(const char* label, float& value, float speed, const char* format) {

@@ -14,6 +14,11 @@ namespace brindle::tool {
 ValueChange value_slider(const char* label, float& value, float lowest, float highest,
                          const char* format, ImGuiSliderFlags flags = 0);
 
+/// The same at the end of a line, in whose rest the number stands to the right of the slider: no
+/// knob hides it.
+ValueChange slider_beside_number(const char* label, float& value, float lowest, float highest,
+                                 const char* format, ImGuiSliderFlags flags = 0);
+
 /// The same of a number without ends; `speed` is how much a unit of the mouse's way adds.
 ValueChange value_drag(const char* label, float& value, float speed, const char* format);
 

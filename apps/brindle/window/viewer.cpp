@@ -270,14 +270,15 @@ void Viewer::draw_camera() {
   float zoom = view.zoom;
   labelled("zoom");
   const ValueChange zooms =
-      value_slider("##zoom", zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic);
+      slider_beside_number("##zoom", zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic);
   CameraView zoomed = view;
   zoomed.zoom = zoom;
   live_.apply_value(zooms, commands::SetCamera{zoomed});
   log_.note_widget("zoom");
   float share = live_.document().frequency_by_zoom;
   labelled("stripes by zoom");
-  const ValueChange shares = value_slider("##share", share, 0, 1, share == 0 ? "no" : "%.2f");
+  const ValueChange shares =
+      slider_beside_number("##share", share, 0, 1, share == 0 ? "no" : "%.2f");
   live_.apply_value(shares, commands::SetFrequencyByZoom{share});
   log_.note_widget("frequency by zoom");
   if (ImGui::IsItemHovered()) {

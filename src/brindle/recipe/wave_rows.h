@@ -30,7 +30,7 @@ constexpr OptionInfo kWaveRows[] = {
              ".obj, .csv with rows x,y,z or x,y,z,nx,ny,nz, or with columns of these names) are "
              "points anyway"},
     {.name = "neighbors",
-     .words = "neighbours of a point",
+     .words = "neighbours",
      .group = "Surface",
      .kind = OptionKind::whole,
      .form = "K",
@@ -109,7 +109,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "how strongly curvature attracts the smooth field (default 0: not; 0.1 with --field "
              "curvature)"},
     {.name = "feature-anchor",
-     .words = "drawn to sharp edges",
+     .words = "drawn to edges",
      .group = "Field",
      .kind = OptionKind::number,
      .form = "W",
@@ -164,7 +164,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "--field array:NAME that is a symmetric tensor: along the eigenvector of the largest "
              "eigenvalue (default), the smallest, or the largest absolute one"},
     {.name = "field-mesh",
-     .words = "field of another mesh",
+     .words = "field of a mesh",
      .group = "Field",
      .kind = OptionKind::text,
      .form = "FILE",
@@ -283,7 +283,7 @@ constexpr OptionInfo kWaveRows[] = {
      .help = "stripes per unit length, instead of --stripes, everywhere or in an array; all go "
              "before the frequencies of a field file"},
     {.name = "frequency-detail",
-     .words = "detail of the spacing",
+     .words = "detail of spacing",
      .group = "Stripes",
      .kind = OptionKind::number,
      .form = "P",
