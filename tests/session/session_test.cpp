@@ -235,6 +235,25 @@ TEST(Session, PhasesGoWhereACameraMakesOtherWaves) {
   }
 }
 
+TEST(Session, StepsAreCalledByWords) {
+  Session session(small_document());
+  const std::pair<SessionCommand, const char*> named[] = {
+      {commands::SetOption{"stripes", {"30"}}, "number of stripes"},
+      {commands::ClearOption{"stripes"}, "number of stripes left out"},
+      {commands::SetOptions{{{"field", {"curvature"}}, {"rotate", {"10"}}}, {}},
+       "direction field, turn"},
+      {commands::SetCamera{{80, 20, 1}}, "view"},
+      {commands::Show{Shown::curves}, "showing curves"},
+      {commands::SetOption{"join", {}}, "join ends"},
+      {commands::Open{"shape:box", true}, "opening shape:box"}};
+  for (const auto& [command, name] : named) {
+    ASSERT_TRUE(session.apply(command)) << name;
+    EXPECT_EQ(session.undo_name(), name);
+  }
+  session.undo();
+  EXPECT_EQ(session.redo_name(), "opening shape:box");
+}
+
 TEST(Session, SolvesAnewInOneStep) {
   Session session(small_document());
   session.apply(commands::SetOption{"stripes", {"30"}});
@@ -246,7 +265,7 @@ TEST(Session, SolvesAnewInOneStep) {
   EXPECT_EQ(session.document().phases, nullptr);
   EXPECT_FALSE(session.follows()) << "whatever is shown";
   EXPECT_GT(session.revision(), before);
-  EXPECT_EQ(session.undo_name(), "solve_anew");
+  EXPECT_EQ(session.undo_name(), "solving anew");
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(session.document().phases, phases);
   EXPECT_TRUE(session.redo());

@@ -107,14 +107,52 @@ struct Changer {
   }
 };
 
-/// "set_option stripes"
-std::string step_name(const SessionCommand& command) {
-  std::string name(command_name(command));
-  if (const auto* set = std::get_if<commands::SetOption>(&command)) name += ' ' + set->name;
-  if (const auto* clear = std::get_if<commands::ClearOption>(&command)) name += ' ' + clear->name;
-  if (const auto* open = std::get_if<commands::Open>(&command)) name += ' ' + open->mesh;
-  return name;
-}
+/// What a command does, as a menu says it behind "Undo".
+struct StepWords {
+  Shown shown;
+
+  std::string of_option(const std::string& name) const {
+    const OptionInfo* option = find_session_option(name, shown);
+    return option == nullptr ? name : std::string(option->words);
+  }
+  std::string operator()(const commands::Open& c) const {
+    return "opening " + std::filesystem::path(c.mesh).filename().string();
+  }
+  std::string operator()(const commands::SetOption& c) const { return of_option(c.name); }
+  std::string operator()(const commands::ClearOption& c) const {
+    return of_option(c.name) + " left out";
+  }
+  std::string operator()(const commands::SetOptions& c) const {
+    std::string words;
+    for (const auto& [name, values] : c.set) words += (words.empty() ? "" : ", ") + of_option(name);
+    return words.empty() ? "options left out" : words;
+  }
+  std::string operator()(const commands::Show& c) const {
+    return "showing " + std::string(name_of(c.what));
+  }
+  std::string operator()(const commands::AddStroke&) const { return "stroke"; }
+  std::string operator()(const commands::ChangeStroke&) const { return "change of a stroke"; }
+  std::string operator()(const commands::EraseStroke&) const { return "erasing a stroke"; }
+  std::string operator()(const commands::SetStrokes& c) const {
+    return c.strokes.empty() ? "erasing all strokes" : "strokes of a file";
+  }
+  std::string operator()(const commands::SetCamera&) const { return "view"; }
+  std::string operator()(const commands::SetSize&) const { return "size of pictures"; }
+  std::string operator()(const commands::StoreView& c) const {
+    return "storing view " + std::to_string(c.key);
+  }
+  std::string operator()(const commands::RecallView& c) const {
+    return "view " + std::to_string(c.key);
+  }
+  std::string operator()(const commands::SetFrequencyByZoom&) const { return "stripes by zoom"; }
+  std::string operator()(const commands::Load&) const { return "opening a session"; }
+  std::string operator()(const commands::SolveAnew&) const { return "solving anew"; }
+  /// Those that are no steps.
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "";
+  }
+};
 
 bool starts_anew(const SessionCommand& command) {
   return std::holds_alternative<commands::Open>(command) ||
@@ -145,7 +183,7 @@ bool Session::apply(const SessionCommand& command) {
     return keep_phases(revision_, keep->phases);
   }
   try {
-    change(changed(document_, command), step_name(command));
+    change(changed(document_, command), std::visit(StepWords{document_.shown}, command));
     if (starts_anew(command)) follows_ = false;
     return true;
   } catch (const std::exception& error) {
@@ -203,7 +241,7 @@ std::string Session::redo_name() const { return future_.empty() ? "" : future_.b
 void Session::solve_anew() {
   SessionDocument anew = document_;
   anew.phases.reset();
-  change(std::move(anew), std::string(command_name(commands::SolveAnew{})));
+  change(std::move(anew), StepWords{document_.shown}(commands::SolveAnew{}));
   go(document_, false);
 }
 

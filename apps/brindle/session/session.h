@@ -49,7 +49,7 @@ class Session {
   bool redo();
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
-  /// What undo and redo would change: "set_option stripes"; empty if nothing.
+  /// What undo and redo would change, in words: "number of stripes"; empty if nothing.
   std::string undo_name() const;
   std::string redo_name() const;
 
