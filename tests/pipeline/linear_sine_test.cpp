@@ -52,7 +52,7 @@ Shown shown(const Surface& surface, float stripes) {
   const std::vector<Complex>& z = pattern.solution.z;
   Shown result{edges_per_period(surface, waves)};
   double area = 0;
-  constexpr int kSteps = 7;
+  constexpr int kSteps = 4;
   for (const Triangle& t : surface.mesh.triangles) {
     const auto corners = corner_waves(t, waves, z);
     const auto& p = surface.mesh.positions;
