@@ -182,7 +182,7 @@ TEST_F(StyleTool, BadValuesAreRefused) {
   refused(2, "--threshold", {"--color-by", "height", "--threshold", "much"});
   refused(2, "--tones", {"--width-by", "light", "--tones", "0.8,0.2"});
   refused(2, "--cross-hatch", {"--width-by", "light", "--cross-hatch", "0"});
-  refused(2, "--with", {"--with", "shape:sphere@blue"});
+  refused(2, "--with", {"--with", "shape:sphere@bluish"});
   refused(2, "--with", {"--with", "shape:sphere@1,2"});
   refused(2, "--frequency-range", {"--frequency-by", "height", "--frequency-range", "1,2,upwards"});
   refused(2, "--pixel-width", {"--pixel-width", "0"});

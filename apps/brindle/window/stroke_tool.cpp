@@ -52,6 +52,17 @@ void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 color,
   list.AddPolyline(points.data(), count, color, 0, width);
 }
 
+/// The next widget of the bar, so wide, stands beside the last one if there is room, else below.
+void go_on(float width, float gap = ImGui::GetStyle().ItemSpacing.x) {
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + gap + width < end) ImGui::SameLine(0, gap);
+}
+
+float width_of_box(const char* label) {
+  return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+         ImGui::CalcTextSize(label).x;
+}
+
 }  // namespace
 
 void StrokeTool::choose(Tool tool) {
@@ -63,8 +74,11 @@ void StrokeTool::choose(Tool tool) {
 }
 
 void StrokeTool::draw_bar() {
+  ImGui::BeginGroup();
   for (int i = 0; i < kToolCount; ++i) {
-    if (i > 0) ImGui::SameLine();
+    if (i > 0) {
+      go_on(ImGui::CalcTextSize(kTools[i].name).x + 2 * ImGui::GetStyle().FramePadding.x);
+    }
     const bool chosen = static_cast<int>(tool_) == i;
     if (chosen)
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
@@ -73,16 +87,18 @@ void StrokeTool::draw_bar() {
     log_.note_widget(std::string("tool ") + kTools[i].name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kTools[i].help);
   }
-  ImGui::SameLine(0, 1.2f * ImGui::GetFontSize());
   if (tool_ != Tool::look) draw_sliders();
   if (tool_ == Tool::comb || tool_ == Tool::spline) draw_along();
+  go_on(width_of_box("singularities"), 1.2f * ImGui::GetFontSize());
   ImGui::Checkbox("singularities", &show_singularities_);
   log_.note_widget("show singularities");
+  ImGui::EndGroup();
 }
 
 // How stripes run where strokes are drawn.
 void StrokeTool::draw_along() {
   bool along = shown_options(live_.document()).contains("along");
+  go_on(width_of_box("stripes along strokes"));
   if (ImGui::Checkbox("stripes along strokes", &along)) {
     if (along) {
       live_.apply(commands::SetOption{"along", {}});
@@ -94,7 +110,6 @@ void StrokeTool::draw_along() {
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("stripes run along what you draw; without, across it (--along)");
   }
-  ImGui::SameLine();
 }
 
 void StrokeTool::draw_sliders() {
@@ -105,6 +120,7 @@ void StrokeTool::draw_sliders() {
                      : radius_;
   float strength = chosen_ ? static_cast<float>(strokes[*chosen_].strength) : strength_;
   const float width = 7 * ImGui::GetFontSize();
+  go_on(width, 1.2f * ImGui::GetFontSize());
   ImGui::SetNextItemWidth(width);
   ValueChange change =
       value_slider("##radius", radius, 0.5f, 40, "radius %.1f%%", ImGuiSliderFlags_Logarithmic);
@@ -112,13 +128,12 @@ void StrokeTool::draw_sliders() {
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("how far from the line the field follows, of the surface's diagonal");
   }
-  ImGui::SameLine();
+  go_on(width);
   ImGui::SetNextItemWidth(width);
   const ValueChange second = value_slider("##strength", strength, 0.05f, 20, "strength %.2f",
                                           ImGuiSliderFlags_Logarithmic);
   if (second != ValueChange::none) change = second;
   log_.note_widget("stroke strength");
-  ImGui::SameLine();
   if (change != ValueChange::none) change_strokes(change, radius, strength);
 }
 
