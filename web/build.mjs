@@ -1,8 +1,9 @@
 // Puts the package together: node web/build.mjs BUILD_FOLDER. Shaders are the library's own files.
 import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { transformSync } from 'esbuild';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = dirname(here);
@@ -11,6 +12,13 @@ const out = join(build, 'package');
 const page = join(build, 'page');
 
 const text = (file) => readFileSync(file, 'utf8');
+const loaders = { '.js': 'js', '.css': 'css' };
+// Programs without their comments and long names; anything else as it is.
+function copySmall(from, to) {
+  const loader = loaders[extname(from)];
+  if (!loader) return cpSync(from, to);
+  return writeFileSync(to, transformSync(text(from), { loader, minify: true, target: 'es2022' }).code);
+}
 const ours = (name) => text(join(here, 'shaders', name));
 const theirs = (name) => text(join(root, 'src/brindle/render/shaders', name));
 
@@ -51,7 +59,7 @@ for (const name of readdirSync(join(here, 'package'))) cpSync(join(here, 'packag
 const manifest = JSON.parse(text(join(here, 'package/package.json')));
 writeFileSync(join(out, 'package.json'), `${JSON.stringify({ ...manifest, version: version() }, null, 2)}\n`);
 cpSync(join(root, 'LICENSE'), join(out, 'LICENSE'));
-cpSync(join(build, 'module.js'), join(out, 'module.js'));
+copySmall(join(build, 'module.js'), join(out, 'module.js'));
 const wasm = readFileSync(join(build, 'module.wasm'));
 writeFileSync(join(out, 'brindle.wasm'), wasm);
 const small = gzipSync(wasm, { level: 9 });
@@ -60,11 +68,11 @@ writeFileSync(join(out, 'inlined.js'),
 writeFileSync(join(out, 'shaders.js'), shaders());
 
 rmSync(page, { recursive: true, force: true });
-cpSync(join(here, 'page'), page, { recursive: true });
-mkdirSync(join(page, 'brindle'));
+mkdirSync(join(page, 'brindle'), { recursive: true });
+for (const name of readdirSync(join(here, 'page'))) copySmall(join(here, 'page', name), join(page, name));
 for (const name of ['slim.js', 'brindle.js', 'error.js', 'glb.js', 'module.js', 'serve.js', 'worker.js', 'draw.js',
                     'shaders.js', 'brindle.wasm']) {
-  cpSync(join(out, name), join(page, 'brindle', name));
+  copySmall(join(out, name), join(page, 'brindle', name));
 }
 
 const zipped = (file) => gzipSync(readFileSync(file), { level: 9 }).length;

@@ -138,7 +138,6 @@ void bind_surfaces() {
   function("surfaceFromShape", &surface_from_shape);
   function("surfaceFromFile", &surface_from_file);
   function("shapeNames", optional_override([] { return array_of(shape_names()); }));
-  function("shapeHelp", optional_override([] { return shape_help(); }));
 }
 
 }  // namespace brindle::web

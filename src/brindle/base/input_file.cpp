@@ -52,7 +52,7 @@ double towards_nearest_float(double value, std::string_view word) {
 InputFile::InputFile(const fs::path& path, Progress progress)
     : path_(path),
       progress_(std::move(progress)),
-      stage_("loading " + shown(path.native())),
+      stage_("loading " + shown(path.string())),
       stream_(open_input(path, "a mesh file")) {
   std::error_code error;
   remaining_ = fs::file_size(path, error);
@@ -143,11 +143,11 @@ void InputFile::fail(const std::string& message) const {
 }
 
 void InputFile::fail_at(std::size_t line, const std::string& message) const {
-  throw Error(shown(path_.native()) + ":" + std::to_string(line) + ": " + message);
+  throw Error(shown(path_.string()) + ":" + std::to_string(line) + ": " + message);
 }
 
 void InputFile::fail_whole(const std::string& message) const {
-  throw Error(shown(path_.native()) + ": " + message);
+  throw Error(shown(path_.string()) + ": " + message);
 }
 
 std::string_view take_word(std::string_view& line) {

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw Error(shown(path.native()) + ": " + why);
+  throw Error(shown(path.string()) + ": " + why);
 }
 
 }  // namespace

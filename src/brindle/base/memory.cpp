@@ -8,14 +8,7 @@
 #include <limits>
 #include <optional>
 
-#if defined(__EMSCRIPTEN__)
-#include <emscripten/heap.h>
-#include <malloc.h>
-#elif defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#include <unistd.h>
-#define BRINDLE_HAS_LIMITS
-#endif
+#include "brindle/base/system.h"
 
 namespace brindle {
 namespace {
@@ -31,45 +24,6 @@ std::optional<double> number_in(const char* path) {
   if (in >> number) return number;
   return std::nullopt;  // also for "max"
 }
-
-#if defined(__EMSCRIPTEN__)
-
-/// What the module's memory may still grow by, and what is free in it.
-double memory_of_system() {
-  const auto growth = static_cast<double>(emscripten_get_heap_max() - emscripten_get_heap_size());
-  return growth + static_cast<double>(mallinfo().fordblks);
-}
-
-double memory_of_limit() { return kUnknown; }
-
-#elif defined(BRINDLE_HAS_LIMITS)
-
-/// Physical memory that could be had without swapping.
-double memory_of_system() {
-  std::ifstream in("/proc/meminfo");
-  for (std::string word; in >> word;) {
-    double kilobytes = 0;
-    if (word == "MemAvailable:" && in >> kilobytes) return 1024 * kilobytes;
-  }
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-  return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) : kUnknown;
-}
-
-/// What the process may still map (ulimit -v).
-double memory_of_limit() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnknown;
-  const double pages = number_in("/proc/self/statm").value_or(0);
-  const double taken = pages * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken);
-}
-
-#else
-
-double memory_of_system() { return kUnknown; }
-double memory_of_limit() { return kUnknown; }
-
-#endif
 
 /// Of the containers that a process may be in, the one that it sees as the whole.
 double memory_of_group() {
@@ -98,7 +52,9 @@ std::string in_two_digits(double number, const Round& round) {
 
 double available_memory() {
   const double given = assumed;
-  return given >= 0 ? given : std::min({memory_of_system(), memory_of_limit(), memory_of_group()});
+  return given >= 0
+             ? given
+             : std::min({system::free_memory(), system::mappable_memory(), memory_of_group()});
 }
 
 double count_that_fits(double bytes_each) { return 0.5 * available_memory() / bytes_each; }

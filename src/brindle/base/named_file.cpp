@@ -11,7 +11,7 @@ namespace brindle {
 namespace {
 
 [[noreturn]] void refuse_name(const std::filesystem::path& file, const char* why) {
-  throw Error("cannot write '" + shown(file.native()) + "': other files will name it, and " + why +
+  throw Error("cannot write '" + shown(file.string()) + "': other files will name it, and " + why +
               "; choose another name");
 }
 
@@ -19,14 +19,14 @@ namespace {
 
 void check_name_in_text(const std::filesystem::path& file) {
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (ranges::any_of(file.filename().native(), is_control)) {
+  if (ranges::any_of(file.filename().string(), is_control)) {
     refuse_name(file, "a name with control characters would break their lines");
   }
 }
 
 void check_name_in_xml(const std::filesystem::path& file) {
   check_name_in_text(file);
-  const std::string name = file.filename().native();
+  const std::string name = file.filename().string();
   if (utf8_text(name) != name) refuse_name(file, "XML has names in UTF-8 alone");
 }
 

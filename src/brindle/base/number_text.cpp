@@ -1,5 +1,8 @@
 #include "brindle/base/number_text.h"
 
+// Libraries of Windows know both.
+#if !defined(_WIN32)
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -18,23 +21,13 @@ namespace {
 
 /// Numbers have points, whatever language the process speaks.
 double to_number(const char* text, char** end, double) {
-#ifdef _WIN32
-  static const _locale_t plain = _create_locale(LC_ALL, "C");
-  return _strtod_l(text, end, plain);
-#else
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
   return strtod_l(text, end, plain);
-#endif
 }
 
 float to_number(const char* text, char** end, float) {
-#ifdef _WIN32
-  static const _locale_t plain = _create_locale(LC_ALL, "C");
-  return _strtof_l(text, end, plain);
-#else
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
   return strtof_l(text, end, plain);
-#endif
 }
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
@@ -176,3 +169,5 @@ std::to_chars_result write_portably(char* first, char* last, double value) {
 }
 
 }  // namespace brindle
+
+#endif

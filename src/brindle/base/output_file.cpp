@@ -10,11 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "brindle/base/printable.h"
+#include "brindle/base/system.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 
@@ -48,7 +45,9 @@ bool is_link(const fs::path& followed) {
 std::string remedy_for(int reason) {
   switch (reason) {
     case ENOSPC:
+#ifdef EDQUOT
     case EDQUOT:
+#endif
       return "; free some space or choose another folder";
     case EFBIG:
       return "; raise the limit on the size of files (ulimit -f) or choose another folder";
@@ -60,12 +59,12 @@ std::string remedy_for(int reason) {
 }
 
 [[noreturn]] void fail(const fs::path& path, int reason) {
-  std::string message = "cannot write '" + shown(path.native()) + "'";
+  std::string message = "cannot write '" + shown(path.string()) + "'";
   if (reason != 0) message += std::string(": ") + std::strerror(reason);
   const fs::path folder = folder_of(followed(path));
   std::error_code ignored;
   if (reason != ENAMETOOLONG && !fs::is_directory(folder, ignored)) {
-    message += "; the folder '" + shown(folder.native()) + "' does not exist, create it first";
+    message += "; the folder '" + shown(folder.string()) + "' does not exist, create it first";
   } else {
     message += remedy_for(reason);
   }
@@ -75,14 +74,14 @@ std::string remedy_for(int reason) {
 void refuse_folder(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return;
-  throw Error("cannot write '" + shown(path.native()) + "': it is a folder; name a file in it");
+  throw Error("cannot write '" + shown(path.string()) + "': it is a folder; name a file in it");
 }
 
 /// What goes into an open file, and reports how much that is. Keeps the system's reason for a
 /// failure, which streams forget. Once cancelled it takes no more.
 class DescriptorBuffer : public std::streambuf {
  public:
-  DescriptorBuffer(int descriptor, const Progress& progress)
+  DescriptorBuffer(system::Descriptor descriptor, const Progress& progress)
       : descriptor_(descriptor), buffer_(kSize), progress_(progress) {
     setp(buffer_.data(), buffer_.data() + buffer_.size());
   }
@@ -120,7 +119,7 @@ class DescriptorBuffer : public std::streambuf {
 
   bool write_all(const char* text, std::size_t count) {
     while (count > 0 && reason_ == 0 && may_go_on()) {
-      const ssize_t written = write(descriptor_, text, std::min(count, kPart));
+      const auto written = system::write_some(descriptor_, text, std::min(count, kPart));
       if (written > 0) {
         text += written;
         count -= static_cast<std::size_t>(written);
@@ -147,7 +146,7 @@ class DescriptorBuffer : public std::streambuf {
 
   static constexpr std::size_t kPart = std::size_t{4} << 20;
 
-  int descriptor_;
+  system::Descriptor descriptor_;
   int reason_ = 0;
   std::vector<char> buffer_;
   Progress progress_;
@@ -155,9 +154,9 @@ class DescriptorBuffer : public std::streambuf {
   bool cancelled_ = false;
 };
 
-void write_to(int descriptor, const fs::path& path, const std::function<void(std::ostream&)>& write,
-              const Progress& progress) {
-  DescriptorBuffer buffer(descriptor, progress.step("writing " + shown(path.native())));
+void write_to(system::Descriptor descriptor, const fs::path& path,
+              const std::function<void(std::ostream&)>& write, const Progress& progress) {
+  DescriptorBuffer buffer(descriptor, progress.step("writing " + shown(path.string())));
   std::ostream out(&buffer);
   try {
     write(out);
@@ -171,25 +170,20 @@ void write_to(int descriptor, const fs::path& path, const std::function<void(std
 
 void write_device(const fs::path& path, const std::function<void(std::ostream&)>& write,
                   const Progress& progress) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  const system::Descriptor descriptor = system::open_device(path);
   if (descriptor < 0) fail(path, errno);
   try {
     write_to(descriptor, path, write, progress);
   } catch (...) {
-    close(descriptor);
+    system::close_file(descriptor);
     throw;
   }
-  if (close(descriptor) != 0) fail(path, errno);
+  if (!system::close_file(descriptor)) fail(path, errno);
 }
 
 /// Short, whatever the file will be called: it may have as long a name as the system allows.
 fs::path temporary_name(const fs::path& target) {
   return folder_of(target) / (".brindle-" + std::to_string(std::random_device()()) + ".tmp");
-}
-
-/// Names an open file that may have none.
-bool link_to(const fs::path& place, const fs::path& name) {
-  return linkat(AT_FDCWD, place.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
 }  // namespace
@@ -202,21 +196,17 @@ bool is_device(const fs::path& path) {
 UnfinishedFile::UnfinishedFile(const fs::path& path) : path_(path), target_(followed(path)) {
   refuse_folder(path);
   if (is_link(target_)) fail(path_, ELOOP);
-  constexpr mode_t kMode = 0666;  // less what the user's mask forbids
-#ifdef O_TMPFILE
-  descriptor_ = open(folder_of(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
-  std::error_code ignored;
-  if (descriptor_ >= 0 && fs::exists(place(), ignored)) return;
-  if (descriptor_ >= 0) close(descriptor_);  // what has no place here could get no name
-#endif
+  descriptor_ = system::open_unnamed(folder_of(target_));
+  if (descriptor_ >= 0) return;
   temporary_ = temporary_name(target_);
-  descriptor_ = open(temporary_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
+  descriptor_ = system::open_new(temporary_);
   if (descriptor_ < 0) fail(path_, errno);
 }
 
 UnfinishedFile::~UnfinishedFile() {
-  if (descriptor_ >= 0) close(descriptor_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+  if (descriptor_ >= 0) system::close_file(descriptor_);
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
 
 void UnfinishedFile::write(const std::function<void(std::ostream&)>& write,
@@ -225,34 +215,24 @@ void UnfinishedFile::write(const std::function<void(std::ostream&)>& write,
 }
 
 fs::path UnfinishedFile::place() const {
-  if (!temporary_.empty()) return temporary_;
-  return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor_);
-}
-
-/// Owner and permissions of the file that stands there, as far as the system lets this user and
-/// this file system have them.
-void UnfinishedFile::take_over() {
-  struct stat old {};
-  if (stat(target_.c_str(), &old) != 0) return;
-  if (fchown(descriptor_, old.st_uid, old.st_gid) != 0) {
-    static_cast<void>(fchown(descriptor_, static_cast<uid_t>(-1), old.st_gid) == 0);
-  }
-  static_cast<void>(fchmod(descriptor_, old.st_mode & 0777));
+  return temporary_.empty() ? system::place_of(descriptor_) : temporary_;
 }
 
 void UnfinishedFile::finish() {
-  take_over();
+  system::take_over(descriptor_, target_);
   if (temporary_.empty()) {
     const fs::path unnamed = place();
-    if (link_to(unnamed, target_)) return;
+    if (system::link_to(unnamed, target_)) return;
     if (errno != EEXIST) fail(path_, errno);
     fs::path name = temporary_name(target_);
-    if (!link_to(unnamed, name)) fail(path_, errno);
+    if (!system::link_to(unnamed, name)) fail(path_, errno);
     temporary_ = std::move(name);
   }
   // Some file systems say only now that the last bytes did not fit.
-  if (close(std::exchange(descriptor_, -1)) != 0) fail(path_, errno);
-  if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+  if (!system::close_file(std::exchange(descriptor_, -1))) fail(path_, errno);
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) fail(path_, error.default_error_condition().value());
   temporary_.clear();
 }
 
@@ -267,12 +247,11 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
 
 void check_output_path(const fs::path& path) {
   refuse_folder(path);
-  struct stat status {};
-  if (lstat(path.c_str(), &status) != 0 && errno == ENAMETOOLONG) fail(path, errno);
+  if (system::is_name_too_long(path)) fail(path, ENAMETOOLONG);
   const fs::path target = followed(path);
   if (is_link(target)) fail(path, ELOOP);
   const fs::path written = is_device(path) ? path : folder_of(target) / ".";
-  if (access(written.c_str(), W_OK) != 0) fail(path, errno);
+  if (!system::may_write(written)) fail(path, errno);
 }
 
 }  // namespace brindle

@@ -45,8 +45,6 @@ class UnfinishedFile {
   void finish();
 
  private:
-  void take_over();
-
   std::filesystem::path path_, target_;
   std::filesystem::path temporary_;  ///< its name now; empty if it has none
   int descriptor_ = -1;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 
@@ -18,11 +19,14 @@ inline constexpr std::size_t kComparedPerReport = 16 * kReportSlice;
 /// was to be sorted is in no order, and may have lost entries, where that throws.
 template <class Iterator, class Less>
 void reported_sort(Iterator begin, Iterator end, const Progress& progress, const Less& less) {
-  if (!progress.is_heard()) return std::sort(begin, end, less);
+  if (!progress.is_heard()) {
+    ranges::sort(begin, end, less);
+    return;
+  }
   const auto count = static_cast<double>(std::distance(begin, end));
   const double expected = 1.2 * count * std::log2(std::max(2.0, count));
   std::size_t compared = 0;
-  std::sort(begin, end, [&](const auto& a, const auto& b) {
+  ranges::sort(begin, end, [&](const auto& a, const auto& b) {
     if (++compared % kComparedPerReport == 0) {
       progress.report(std::min(1.0, static_cast<double>(compared) / expected));
     }

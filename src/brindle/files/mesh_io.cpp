@@ -52,7 +52,7 @@ void repair(LoadedMesh& loaded) {
 
 void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::string& why_empty) {
   if (!loaded.mesh.triangles.empty()) return;
-  if (!why_empty.empty()) throw Error(shown(path.native()) + ": " + why_empty);
+  if (!why_empty.empty()) throw Error(shown(path.string()) + ": " + why_empty);
   const MeshRepair& repair = loaded.repair;
   std::string why = "has no triangles";
   if (repair.triangles_not_finite > 0) {
@@ -62,7 +62,7 @@ void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::str
   } else if (repair.triangles_degenerate > 0) {
     why = "has no usable triangle: none has an area";
   }
-  throw Error(shown(path.native()) + ": " + why +
+  throw Error(shown(path.string()) + ": " + why +
               "; export the mesh again, as a surface with faces");
 }
 
@@ -72,8 +72,8 @@ DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
                           std::span<const DataArray> cell_arrays) {
   const std::string kind = lower_extension(path);
   if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
-    throw Error("cannot write '" + shown(path.native()) + "': the extension '" +
-                shown(path.extension().native()) +
+    throw Error("cannot write '" + shown(path.string()) + "': the extension '" +
+                shown(path.extension().string()) +
                 "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
   }
   check_rows(path, point_arrays, mesh.vertex_count(), "vertex");
@@ -140,7 +140,7 @@ RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
         "ParaView as .vtp");
   }
   readable.fail_whole("brindle cannot tell the format by the extension '" +
-                      shown(path.extension().native()) + "'; " + kReadable);
+                      shown(path.extension().string()) + "'; " + kReadable);
 }
 
 LoadedMesh mesh_of(const fs::path& path, RawMesh raw) {
@@ -161,7 +161,7 @@ Mesh read_vertices(const fs::path& path) {
     join(path, loaded);
     return std::move(loaded.mesh);
   } catch (const std::bad_alloc&) {
-    throw Error(shown(path.native()) + ": there is not enough memory for this mesh");
+    throw Error(shown(path.string()) + ": there is not enough memory for this mesh");
   }
 }
 
@@ -178,7 +178,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
                          std::span<const DataArray> cell_arrays, const Progress& progress) {
   const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
   if (std::none_of(arrays.points.begin(), arrays.points.end(), is_uv)) {
-    throw Error("cannot write '" + shown(path.native()) +
+    throw Error("cannot write '" + shown(path.string()) +
                 "': a textured mesh needs the array 'uv'");
   }
   static_cast<void>(textured_mesh_files(path));  // their names are checked

@@ -70,7 +70,7 @@ LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   for (const DataArray& column : table.columns) names.push_back(column.name);
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr)
-    throw Error(shown(path.native()) + ": its columns of positions hold words; write numbers");
+    throw Error(shown(path.string()) + ": its columns of positions hold words; write numbers");
   std::vector<Vec3> normals;
   if (const Names* three = names_among(kNormals, names)) {
     for (const Eigen::Vector3d& n : vectors_in(table, *three)) normals.push_back(n.cast<float>());

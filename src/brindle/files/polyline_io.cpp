@@ -68,7 +68,7 @@ LineArrays gathered_arrays(const std::filesystem::path& path, Kinds kinds) {
   for (const NamedLines& kind : kinds) {
     check_rows(path, kind.arrays, kind.lines.points.size(), "point");
     if (!same_arrays(kind, kinds[0])) {
-      throw Error("cannot write '" + shown(path.native()) + "': the arrays of '" + kind.name +
+      throw Error("cannot write '" + shown(path.string()) + "': the arrays of '" + kind.name +
                   "' are not those of '" + kinds[0].name + "'");
     }
     for (std::size_t i = 0; i < all.size() && &kind != kinds.data(); ++i) {
@@ -191,7 +191,7 @@ LineArrays line_columns(const std::filesystem::path& path, Kinds kinds) {
 
 void check_point_count(const std::filesystem::path& path, Kinds kinds) {
   if (point_count(kinds) <= 0x7ffffff0) return;
-  throw Error("cannot write '" + shown(path.native()) + "': the curves have too many points");
+  throw Error("cannot write '" + shown(path.string()) + "': the curves have too many points");
 }
 
 }  // namespace
@@ -204,8 +204,8 @@ bool is_polyline_format(const std::filesystem::path& path) {
 void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds,
                      const Progress& progress) {
   if (!is_polyline_format(path)) {
-    throw Error("cannot write '" + shown(path.native()) + "': '" +
-                shown(path.extension().native()) +
+    throw Error("cannot write '" + shown(path.string()) + "': '" +
+                shown(path.extension().string()) +
                 "' files hold no curves; write .obj, .ply, .vtp or .csv");
   }
   check_point_count(path, kinds);

@@ -143,8 +143,8 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
                    const Progress& progress) {
   const std::string kind = lower_extension(path);
   if (!is_sample_format(path)) {
-    throw Error("cannot write '" + shown(path.native()) + "': '" +
-                shown(path.extension().native()) +
+    throw Error("cannot write '" + shown(path.string()) + "': '" +
+                shown(path.extension().string()) +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
   const std::vector<DataArray> columns =

@@ -67,7 +67,7 @@ class StrokeReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(shown(path_.native()) + ": " + what);
+    throw Error(shown(path_.string()) + ": " + what);
   }
 
   void check_keys(const StrokeJson& object, const std::string& name,
@@ -140,14 +140,14 @@ std::vector<FieldStroke> read_strokes(const fs::path& path) {
   try {
     json = StrokeJson::parse(text);
   } catch (const StrokeJson::exception& error) {
-    throw Error(shown(path.native()) + ": damaged JSON: " + reason_of(error) +
+    throw Error(shown(path.string()) + ": damaged JSON: " + reason_of(error) +
                 "; correct it there or write the file again");
   }
   std::vector<FieldStroke> strokes = StrokeReader(path, json).read();
   try {
     check_strokes(strokes);
   } catch (const Error& error) {
-    throw Error(shown(path.native()) + ": " + error.what());
+    throw Error(shown(path.string()) + ": " + error.what());
   }
   return strokes;
 }
@@ -155,7 +155,7 @@ std::vector<FieldStroke> read_strokes(const fs::path& path) {
 #else
 
 std::vector<FieldStroke> read_strokes(const fs::path& path) {
-  throw Error(shown(path.native()) +
+  throw Error(shown(path.string()) +
               ": this brindle was built without nlohmann-json and reads no strokes; install it and "
               "build again");
 }

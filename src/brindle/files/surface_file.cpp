@@ -22,7 +22,7 @@ auto with_memory(const fs::path& path, const char* what, const Read& read) {
   try {
     return read();
   } catch (const std::bad_alloc&) {
-    throw Error(shown(path.native()) + ": there is not enough memory for " + what);
+    throw Error(shown(path.string()) + ": there is not enough memory for " + what);
   }
 }
 
@@ -71,7 +71,7 @@ bool SurfaceFile::has_faces(const Progress& progress) {
 }
 
 LoadedMesh SurfaceFile::mesh(const Progress& progress) {
-  const std::string stage = "loading " + shown(path().native());
+  const std::string stage = "loading " + shown(path().string());
   JobStages stages(progress, {{stage, 1}});
   const Progress loading = stages.begin(stage);
   LoadedMesh loaded = with_memory(
@@ -85,7 +85,7 @@ LoadedPoints SurfaceFile::points(const Progress& progress) {
     return is_vtk_format(path()) ? points_of(content_->take(progress)) : read_raw_points(path());
   });
   if (!loaded.cloud.used.empty()) return loaded;
-  throw Error(shown(path().native()) + ": has no point with finite coordinates; export it again");
+  throw Error(shown(path().string()) + ": has no point with finite coordinates; export it again");
 }
 
 LoadedMesh read_mesh(const fs::path& path, const Progress& progress) {

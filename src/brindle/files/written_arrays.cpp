@@ -318,7 +318,7 @@ void check_rows(const std::filesystem::path& path, std::span<const DataArray> ar
                 std::size_t rows, const char* of) {
   for (const DataArray& array : arrays) {
     const auto fail = [&](const std::string& what) {
-      throw Error("cannot write '" + shown(path.native()) + "': array '" + array.name + "' " +
+      throw Error("cannot write '" + shown(path.string()) + "': array '" + array.name + "' " +
                   what);
     };
     if (array.components < 1) fail("has no components");
@@ -330,7 +330,7 @@ void check_rows(const std::filesystem::path& path, std::span<const DataArray> ar
 }
 
 void refuse_array(const std::filesystem::path& path, const std::string& left_out) {
-  throw Error("cannot write '" + shown(path.native()) + "': " + left_out +
+  throw Error("cannot write '" + shown(path.string()) + "': " + left_out +
               "; write .vtp or .ply, or leave it out");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -18,7 +19,7 @@ Index gather_row(const Mesh& mesh, const VertexTriangles& around, std::size_t v,
       if (corner != v) *end++ = corner;
     }
   }
-  std::sort(begin, end);
+  ranges::sort(begin, end);
   return static_cast<Index>(std::unique(begin, end) - begin);
 }
 

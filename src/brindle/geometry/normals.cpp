@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/normals_around.h"
 
 namespace brindle {
@@ -86,7 +87,7 @@ Corner corner_at(const Triangle& triangle, const TriangleAngles& angles, std::si
 bool has_repetition(std::vector<Index>& numbers) {
   constexpr std::size_t kFew = 12;
   if (numbers.size() > kFew) {
-    std::sort(numbers.begin(), numbers.end());
+    ranges::sort(numbers.begin(), numbers.end());
     return std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end();
   }
   bool repeated = false;

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/vertex_triangles.h"
 
 namespace brindle {
@@ -21,10 +22,10 @@ std::vector<Index> first_with_same_corners(const Mesh& mesh) {
       entries.clear();
       for (const Index number : around.of(v)) {
         Triangle t = mesh.triangles[number];
-        std::sort(t.begin(), t.end());
+        ranges::sort(t.begin(), t.end());
         if (t[0] == v) entries.push_back({t[1], t[2], number});
       }
-      std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+      ranges::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
         return std::tie(x.middle, x.largest, x.triangle) <
                std::tie(y.middle, y.largest, y.triangle);
       });

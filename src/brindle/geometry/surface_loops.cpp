@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brindle/base/merged_sets.h"
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/mesh_edges.h"
 
 namespace brindle {
@@ -75,8 +76,8 @@ class LoopFinder {
     for (Index e = 0; e < edges_.count(); ++e) {
       if (edges_.triangle_counts[e] == 1 && is_usable(e)) firsts.push_back(e);
     }
-    std::sort(firsts.begin(), firsts.end(),
-              [&](Index a, Index b) { return edges_.vertices[a] < edges_.vertices[b]; });
+    ranges::sort(firsts.begin(), firsts.end(),
+                 [&](Index a, Index b) { return edges_.vertices[a] < edges_.vertices[b]; });
     for (const Index first : firsts) {
       if (boundary_of_[first] == kNowhere) follow_boundary(first);
     }
@@ -171,7 +172,7 @@ class LoopFinder {
       if (parent_[a] == b || parent_[b] == a) continue;
       candidates.push_back({distance_[a] + distance_[b] + edge_length(a, b), e});
     }
-    std::sort(candidates.begin(), candidates.end(), [](const LoopEdge& x, const LoopEdge& y) {
+    ranges::sort(candidates.begin(), candidates.end(), [](const LoopEdge& x, const LoopEdge& y) {
       return std::pair(-x.length, x.edge) < std::pair(-y.length, y.edge);
     });
     const auto triangles = static_cast<Index>(mesh_.triangle_count());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/ranges.h"
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/surface.h"
 
@@ -26,7 +27,7 @@ std::size_t coinciding_boundary_edges(const Surface& surface) {
     if (place[0] > place[1]) std::swap(place[0], place[1]);
     if (place[0] != place[1]) places.push_back(place);
   }
-  std::sort(places.begin(), places.end());
+  ranges::sort(places.begin(), places.end());
   std::size_t count = 0;
   for (auto begin = places.begin(); begin != places.end();) {
     const auto end = std::find_if(begin, places.end(), [&](const auto& p) { return p != *begin; });

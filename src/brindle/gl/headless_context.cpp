@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include "brindle/base/system.h"
 #include "brindle/error.h"
 #include "brindle/gl_device.h"
 
@@ -151,7 +151,7 @@ void GLAPIENTRY collect_error(GLenum, GLenum type, GLuint, GLenum severity, GLsi
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
   // libepoxy would end the program where there is no EGL.
-  if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr) {
+  if (!system::load_library("libEGL.so.1")) {
     throw Error(std::string("there is no EGL on this system; ") + kRemedy);
   }
   std::string tried;

@@ -7,12 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/box_tree.h"
 #include "brindle/pattern/curve_spacing.h"
+#include "brindle/waves/direction_graph.h"
 
 namespace brindle {
 namespace {
@@ -155,11 +154,11 @@ class EndTrimmer {
                   from_end(line, end, way + kDirection * period).position)
           .stableNormalized();
     };
-    const Vec3 normal = from_end(line, end, cut).normal;
     const double before = std::min(cut + period, length(line) - kDirection * period);
-    const auto bend =
-        Eigen::Quaternionf::FromTwoVectors(from_end(line, end, before).normal, normal);
-    return towards_end(cut).dot(bend * towards_end(before)) < kStraight;
+    // Not a number between opposite normals: then nothing says how the curve is turned.
+    const Vec3 bent = transported(towards_end(before), from_end(line, end, before).normal,
+                                  from_end(line, end, cut).normal);
+    return towards_end(cut).dot(bent) < kStraight;
   }
 
   /// A place on a line that its neighbours may crowd.

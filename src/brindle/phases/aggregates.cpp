@@ -273,7 +273,7 @@ void join_stranded(const Ground& ground, const std::vector<BlockGrower>& growers
 void sort_row(std::vector<Index>& row) {
   constexpr std::size_t kFew = 16;
   if (row.size() > kFew) {
-    std::sort(row.begin(), row.end());
+    ranges::sort(row.begin(), row.end());
     return;
   }
   for (std::size_t i = 1; i < row.size(); ++i) {

@@ -5,13 +5,17 @@
 #include <mutex>
 #include <string>
 
-#include <dlfcn.h>
-#include <sys/mman.h>
-
+#include "brindle/base/system.h"
 #include "brindle/error.h"
 
 namespace brindle {
 namespace {
+
+/// A function of the process, if it is there.
+template <class Function>
+Function* function_named(const char* name) {
+  return reinterpret_cast<Function*>(system::function_named(name));
+}
 
 /// The two functions of a library that has its own threads, by the integer type they take.
 template <class Integer>
@@ -21,10 +25,8 @@ struct ThreadControl {
 
   /// The number of threads so far; 0 if the library is not there.
   Integer set(Integer threads) const {
-    using Get = Integer();
-    using Set = void(Integer);
-    auto* get = reinterpret_cast<Get*>(dlsym(RTLD_DEFAULT, getter));
-    auto* set = reinterpret_cast<Set*>(dlsym(RTLD_DEFAULT, setter));
+    auto* get = function_named<Integer()>(getter);
+    auto* set = function_named<void(Integer)>(setter);
     if (!get || !set || threads <= 0) return 0;
     const Integer before = get();
     set(threads);
@@ -54,21 +56,6 @@ Shared& shared() {
   return instance;
 }
 
-/// A function of the process, if it is there.
-template <class Function>
-Function* function_named(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
-}
-
-/// Whether so much could be mapped.
-bool has_room(std::size_t bytes) {
-  void* const place =
-      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (place == MAP_FAILED) return false;
-  munmap(place, bytes);
-  return true;
-}
-
 /// Lets OpenBLAS take its buffer, which it keeps, while there surely is room.
 void take_buffer(Shared& s) {
   constexpr std::size_t kBuffer = std::size_t{160} << 20;  // 128 MB, aligned
@@ -76,7 +63,7 @@ void take_buffer(Shared& s) {
                      std::size_t);
   auto* const potrf = function_named<Potrf>("dpotrf_");
   if (s.has_buffer || !potrf || !function_named<int()>("openblas_get_num_threads")) return;
-  if (!has_room(kBuffer)) {
+  if (!system::can_map(kBuffer)) {
     throw Error("there is no memory left for the " + std::to_string(kBuffer >> 20) +
                 " MB that OpenBLAS needs; free some memory or use the multilevel solver");
   }

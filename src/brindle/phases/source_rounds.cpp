@@ -53,7 +53,7 @@ class BlockArranger {
   void collect_runs() {
     std::vector<Index> slices;
     for_each_member([&](Index, Index slot) { slices.push_back(slot / kLanes); });
-    std::sort(slices.begin(), slices.end());
+    ranges::sort(slices.begin(), slices.end());
     slices.erase(std::unique(slices.begin(), slices.end()), slices.end());
     for (const Index slice : slices) {
       place_of_[slice] = static_cast<Index>(rounds_.places);

@@ -177,7 +177,7 @@ class Matching {
     for (Index i = 0; i < near_.size(); ++i) {
       for (const auto& [j, steps] : near_[i]) candidates.push_back({steps, i, j});
     }
-    std::sort(candidates.begin(), candidates.end());
+    ranges::sort(candidates.begin(), candidates.end());
     for (const auto& [steps, i, j] : candidates) {
       if (partner_[i] == kNone && partner_[j] == kNone) join(i, j);
     }

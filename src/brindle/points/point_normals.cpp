@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -47,7 +48,7 @@ std::vector<Index> wider_neighbors(Index point, const Adjacency& neighborhood) {
   for (const Index j : neighborhood.of(point)) {
     wider.insert(wider.end(), neighborhood.of(j).begin(), neighborhood.of(j).end());
   }
-  std::sort(wider.begin(), wider.end());
+  ranges::sort(wider.begin(), wider.end());
   wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
   std::erase(wider, point);
   return wider;

@@ -32,7 +32,7 @@ struct PngSession {
 };
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason) {
-  throw Error("cannot read '" + shown(path.native()) + "': " + reason +
+  throw Error("cannot read '" + shown(path.string()) + "': " + reason +
               "; give a complete PNG file");
 }
 
@@ -165,7 +165,7 @@ void write_png(const std::filesystem::path& path, const Image& image, const Prog
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    throw Error("cannot write '" + shown(path.native()) + "': " + error.what());
+    throw Error("cannot write '" + shown(path.string()) + "': " + error.what());
   }
   write_file(path, [&](std::ostream& out) { out << file; });
 }

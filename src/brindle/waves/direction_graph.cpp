@@ -13,14 +13,6 @@
 namespace brindle {
 namespace {
 
-/// `vector`, tangent at `from`, turned into the tangent plane of `to` by the smallest rotation that
-/// takes one unit normal to the other.
-Vec3 transported(const Vec3& vector, const Vec3& from, const Vec3& to) {
-  const Vec3 axis = from.cross(to);
-  const float cosine = from.dot(to);
-  return vector * cosine + axis.cross(vector) + axis * (axis.dot(vector) / (1 + cosine));
-}
-
 float angle_of(const Vec3& direction, const TangentBasis& basis) {
   return elementary::atan2(direction.dot(basis.y), direction.dot(basis.x));
 }
@@ -57,6 +49,12 @@ TangentBasis tangent_basis(const Vec3& normal) {
   const float b = normal.x() * normal.y() * a;
   return {{1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()},
           {b, sign + normal.y() * normal.y() * a, -normal.y()}};
+}
+
+Vec3 transported(const Vec3& vector, const Vec3& from, const Vec3& to) {
+  const Vec3 axis = from.cross(to);
+  const float cosine = from.dot(to);
+  return vector * cosine + axis.cross(vector) + axis * (axis.dot(vector) / (1 + cosine));
 }
 
 PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,

@@ -17,6 +17,10 @@ struct TangentBasis {
 };
 TangentBasis tangent_basis(const Vec3& normal);
 
+/// `vector` turned by the smallest rotation that takes the unit normal `from` to `to`; what is
+/// tangent at one is tangent at the other. Not a number where they are opposite.
+Vec3 transported(const Vec3& vector, const Vec3& from, const Vec3& to);
+
 /// An N-direction field as a phase graph: node i has u_i = exp(i N theta_i), theta_i the angle of
 /// one of its N directions in the tangent basis, and A_ij = exp(i N rho_ji) with the angle rho_ji
 /// of parallel transport from j to i. Where the normals of an edge point to opposite sides

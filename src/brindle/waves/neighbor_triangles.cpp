@@ -10,6 +10,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/base/reported_sort.h"
 
 namespace brindle {
@@ -27,14 +28,14 @@ std::vector<std::pair<float, Index>> around(std::span<const Vec3> positions, con
     const Vec3 edge = positions[j] - positions[i];
     result.emplace_back(elementary::atan2(edge.dot(y), edge.dot(x)), j);
   }
-  std::sort(result.begin(), result.end());
+  ranges::sort(result.begin(), result.end());
   return result;
 }
 
 /// The same three numbers whoever names them first.
 Triangle from_smallest(Index a, Index b, Index c) {
   Triangle triangle = {a, b, c};
-  std::sort(triangle.begin(), triangle.end());
+  ranges::sort(triangle.begin(), triangle.end());
   return triangle;
 }
 

@@ -7,6 +7,7 @@
 
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 
 namespace brindle {
 namespace {
@@ -174,7 +175,7 @@ void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level,
       const auto is_outside = [&graph, block](Index column) {
         return column / kRowBlock != block || column >= graph.size();
       };
-      std::sort(row, row_end, [&](Index a, Index b) {
+      ranges::sort(row, row_end, [&](Index a, Index b) {
         return is_outside(a) != is_outside(b) ? is_outside(b) : a < b;
       });
       const auto outside = std::find_if(row, row_end, is_outside);

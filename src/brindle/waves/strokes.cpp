@@ -11,6 +11,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/nearest.h"
@@ -158,7 +159,7 @@ class StrokeReach {
 
   /// Hands out what was gathered, and is empty then.
   void take(float strength, std::vector<FieldAnchor>& anchors) {
-    std::sort(touched_.begin(), touched_.end());
+    ranges::sort(touched_.begin(), touched_.end());
     for (const Index v : touched_) {
       const Sum sum = std::exchange(sums_[v], {});
       const Complex mean = sum.line / sum.weight;

@@ -50,7 +50,7 @@ std::vector<fs::path> gltf_buffer_files(const fs::path& gltf) {
 }
 
 void GltfBuffers::fail(const std::string& what) const {
-  throw Error(shown(path_.native()) + ": " + what);
+  throw Error(shown(path_.string()) + ": " + what);
 }
 
 const std::string& GltfBuffers::buffer(std::uint64_t index) {

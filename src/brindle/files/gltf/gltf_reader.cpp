@@ -60,7 +60,7 @@ class GltfReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(shown(path_.native()) + ": " + what);
+    throw Error(shown(path_.string()) + ": " + what);
   }
 
   const Json& item(const char* list, std::uint64_t index) const { return json_[list][index]; }
@@ -427,7 +427,7 @@ RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress,
   try {
     return GltfReader(path, document, bounds).read();
   } catch (const Json::exception& error) {
-    throw Error(shown(path.native()) +
+    throw Error(shown(path.string()) +
                 ": is a damaged glTF file, export it again: " + printable(error.what()));
   }
 }
@@ -440,7 +440,7 @@ namespace brindle {
 
 RawMesh read_gltf(const std::filesystem::path& path, const Progress& /*progress*/,
                   const GltfBounds& /*bounds*/) {
-  throw Error(shown(path.native()) +
+  throw Error(shown(path.string()) +
               ": this brindle was built without nlohmann-json and so without glTF; choose PLY or "
               "OBJ");
 }

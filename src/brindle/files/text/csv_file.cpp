@@ -126,7 +126,7 @@ std::string name_in(std::string_view cell) {
 }  // namespace
 
 std::string at_line(const std::filesystem::path& path, std::size_t line) {
-  return "'" + shown(path.native()) + "', line " + std::to_string(line) + ": ";
+  return "'" + shown(path.string()) + "', line " + std::to_string(line) + ": ";
 }
 
 std::vector<double> CsvTable::numbers_of(std::string_view name) const {
@@ -159,7 +159,7 @@ bool CsvFile::next_row() {
     return true;
   }
   if (in_.bad())
-    throw Error("cannot read " + kind_.what + " '" + shown(path_.native()) + "': input error");
+    throw Error("cannot read " + kind_.what + " '" + shown(path_.string()) + "': input error");
   return false;
 }
 
@@ -194,7 +194,7 @@ void CsvFile::read(
 
 CsvTable CsvFile::read_table() {
   if (names_.empty()) {
-    throw Error("'" + shown(path_.native()) +
+    throw Error("'" + shown(path_.string()) +
                 "' does not name its columns; write their names into its first row");
   }
   std::vector<std::vector<double>> columns(names_.size());
@@ -223,7 +223,7 @@ CsvTable CsvFile::read_table() {
     if (!of_words[c]) table.columns.push_back(make_data_array(names_[c], 1, columns[c]));
   }
   if (table.lines.empty() || table.columns.empty()) {
-    throw Error("'" + shown(path_.native()) +
+    throw Error("'" + shown(path_.string()) +
                 "' has no numbers below its names of columns; export it "
                 "again");
   }

@@ -57,7 +57,7 @@ std::vector<std::vector<double>> field_columns(const std::filesystem::path& path
     if (!has_name(names, name)) break;
     columns.push_back(table.numbers_of(name));
     if (!columns.back().empty()) continue;
-    throw Error("'" + shown(path.native()) + "': column '" + name +
+    throw Error("'" + shown(path.string()) + "': column '" + name +
                 "' does not begin with a number; write numbers below its name");
   }
   return columns;
@@ -170,7 +170,7 @@ FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_c
   if (!vertex_of_row.empty() && field.vectors.size() == vertex_of_row.size()) {
     return of_vertices(field, vertex_count, vertex_of_row);
   }
-  throw Error("'" + shown(path.native()) + "' has " + std::to_string(field.vectors.size()) +
+  throw Error("'" + shown(path.string()) + "' has " + std::to_string(field.vectors.size()) +
               " rows, but the mesh has " + counts(vertex_count, vertex_of_row.size()) +
               " vertices; give one row per vertex");
 }

@@ -66,7 +66,7 @@ void check_announced(const std::filesystem::path& piece, const std::vector<Piece
     const std::string lacks =
         array ? "has " + std::to_string(array->components) + " components" : "is missing";
     throw Error(
-        shown(piece.native()) + ": array " + in_quotes(expected.name) + " of " + of + " " + lacks +
+        shown(piece.string()) + ": array " + in_quotes(expected.name) + " of " + of + " " + lacks +
         ", unlike in the other pieces; the pieces are not of one export, export them again");
   }
 }
@@ -80,7 +80,7 @@ PieceList read_pvtp(const std::filesystem::path& path) {
 }
 #else
 PieceList read_pvtp(const std::filesystem::path& path) {
-  throw Error(shown(path.native()) +
+  throw Error(shown(path.string()) +
               ": this build cannot read .pvtp files; configure with -DBRINDLE_VTK=ON");
 }
 #endif

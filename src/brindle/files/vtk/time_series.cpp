@@ -37,18 +37,18 @@ TimedFile timed_file(const std::filesystem::path& pvd, const pugi::xml_node& dat
   const std::string file = data_set.attribute("file").value();
   const double time = parse_number(data_set.attribute("timestep").value()).value_or(std::nan(""));
   if (file.empty() || !std::isfinite(time)) {
-    throw Error(shown(pvd.native()) + ": a DataSet lacks its 'file' or a finite 'timestep'");
+    throw Error(shown(pvd.string()) + ": a DataSet lacks its 'file' or a finite 'timestep'");
   }
   return {time, pvd.parent_path() / file};
 }
 #endif
 
 void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>& files) {
-  if (files.empty()) throw Error(shown(pvd.native()) + ": lists no file");
+  if (files.empty()) throw Error(shown(pvd.string()) + ": lists no file");
   for (std::size_t i = 0; i + 1 < files.size(); ++i) {
     if (files[i].time != files[i + 1].time) continue;
-    throw Error(shown(pvd.native()) + ": '" + shown(files[i].file.native()) + "' and '" +
-                shown(files[i + 1].file.native()) +
+    throw Error(shown(pvd.string()) + ": '" + shown(files[i].file.string()) + "' and '" +
+                shown(files[i + 1].file.string()) +
                 "' have the same timestep; merge the parts of a step into one file");
   }
 }
@@ -65,7 +65,7 @@ TimedFile timed_file(const std::filesystem::path& series, const nlohmann::json& 
   const bool is_whole = entry.is_object() && entry.contains("name") && entry["name"].is_string() &&
                         entry.contains("time") && entry["time"].is_number();
   if (!is_whole) {
-    throw Error(shown(series.native()) + ": an entry of 'files' lacks its 'name' or its 'time'");
+    throw Error(shown(series.string()) + ": an entry of 'files' lacks its 'name' or its 'time'");
   }
   return {entry["time"].get<double>(), series.parent_path() / entry["name"].get<std::string>()};
 }
@@ -79,10 +79,10 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
   const auto size = static_cast<std::size_t>(in.remaining());
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(in.take(size), size);
-  if (!parsed) throw Error(shown(path.native()) + ": is no XML: " + parsed.description());
+  if (!parsed) throw Error(shown(path.string()) + ": is no XML: " + parsed.description());
   const pugi::xml_node collection = document.child("VTKFile").child("Collection");
   if (!collection)
-    throw Error(shown(path.native()) + ": is no collection of files as ParaView writes it");
+    throw Error(shown(path.string()) + ": is no collection of files as ParaView writes it");
   std::vector<TimedFile> files;
   for (const pugi::xml_node& data_set : collection.children("DataSet")) {
     files.push_back(timed_file(path, data_set));
@@ -91,7 +91,7 @@ std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
 }
 #else
 std::vector<TimedFile> read_pvd(const std::filesystem::path& path) {
-  throw Error(shown(path.native()) +
+  throw Error(shown(path.string()) +
               ": this build cannot read .pvd files; configure with -DBRINDLE_VTK=ON");
 }
 #endif
@@ -104,7 +104,7 @@ std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
   const auto json = nlohmann::json::parse(text, text + size, nullptr, false);
   const bool is_series = json.is_object() && json.contains("files") && json["files"].is_array();
   if (!is_series) {
-    throw Error(shown(path.native()) + ": is no list of 'files' as ParaView writes it");
+    throw Error(shown(path.string()) + ": is no list of 'files' as ParaView writes it");
   }
   std::vector<TimedFile> files;
   for (const nlohmann::json& entry : json["files"]) files.push_back(timed_file(path, entry));
@@ -112,7 +112,7 @@ std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
 }
 #else
 std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
-  throw Error(shown(path.native()) +
+  throw Error(shown(path.string()) +
               ": this brindle was built without nlohmann-json and reads no series; install it and "
               "build again");
 }

@@ -55,7 +55,7 @@ class VtkLegacyReader {
  public:
   VtkLegacyReader(const std::filesystem::path& path, const Progress& progress)
       : file_(path, progress) {
-    text_.resize(size_in_bytes(file_.size(), 1, shown(path.native())));
+    text_.resize(size_in_bytes(file_.size(), 1, shown(path.string())));
     file_.read_at(0, std::as_writable_bytes(std::span(text_)));
     rest_ = text_;
   }

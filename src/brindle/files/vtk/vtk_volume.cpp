@@ -98,7 +98,7 @@ FaceKey key_of(std::span<const Index> corners) {
   std::array<Index, 6> sorted{};
   ranges::copy(corners, sorted.begin());
   const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(corners.size());
-  std::sort(sorted.begin(), end);
+  ranges::sort(sorted.begin(), end);
   const auto last = std::unique(sorted.begin(), end);
   FaceKey key;
   key.fill(kNoCorner);

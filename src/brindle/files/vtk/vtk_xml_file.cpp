@@ -255,7 +255,7 @@ namespace brindle {
 namespace {
 
 [[noreturn]] void refuse_vtk(const std::filesystem::path& path) {
-  throw Error(shown(path.native()) +
+  throw Error(shown(path.string()) +
               ": this brindle was built without BRINDLE_VTK (pugixml and zlib) and so reads no "
               ".vtp and .vtu; save the mesh as .vtk or .ply");
 }

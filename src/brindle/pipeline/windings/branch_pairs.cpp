@@ -126,7 +126,7 @@ class PairMerger {
         if (trial) pair.trial = std::move(*trial);
         return !trial;
       });
-      std::sort(pairs.begin(), pairs.end(), [](const BranchPair& a, const BranchPair& b) {
+      ranges::sort(pairs.begin(), pairs.end(), [](const BranchPair& a, const BranchPair& b) {
         return std::pair(a.trial.raise, a.triangles) < std::pair(b.trial.raise, b.triangles);
       });
       std::fill(changed_.begin(), changed_.end(), false);
@@ -222,7 +222,7 @@ class PairMerger {
     const auto ends = [](const BranchPair& p) {
       return std::minmax(p.triangles[0], p.triangles[1]);
     };
-    std::sort(pairs.begin(), pairs.end(), [&](const BranchPair& a, const BranchPair& b) {
+    ranges::sort(pairs.begin(), pairs.end(), [&](const BranchPair& a, const BranchPair& b) {
       return std::pair(ends(a), a.length) < std::pair(ends(b), b.length);
     });
     const auto last =
@@ -474,7 +474,7 @@ class PairMerger {
         if (t != kNoTriangle) found.push_back(t);
       }
     }
-    std::sort(found.begin(), found.end());
+    ranges::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }

@@ -1,0 +1,5 @@
+if(TARGET nlohmann_json::nlohmann_json)
+  return()
+endif()
+add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
+target_include_directories(nlohmann_json::nlohmann_json SYSTEM INTERFACE ${BRINDLE_HEADER_LINKS})
