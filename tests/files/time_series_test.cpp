@@ -1,3 +1,5 @@
+#include "brindle/time_series.h"
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -6,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/time_series.h"
 #include "test_folder.h"
 
 namespace brindle {

@@ -7,12 +7,12 @@
 #include <ostream>
 #include <sstream>
 
+#include "brindle/base/base64.h"
 #include "brindle/base/elementary.h"
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/base/base64.h"
 #include "brindle/image.h"
 #include "session/json_reader.h"
 

@@ -4,11 +4,11 @@
 
 #include <optional>
 
+#include "brindle/base/base64.h"
 #include "brindle/base/input_stream.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/base/base64.h"
 #include "brindle/files/gltf/percent_decoded.h"
 
 namespace brindle {

@@ -14,9 +14,9 @@
 
 #include <zlib.h>
 
+#include "brindle/base/base64.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/printable.h"
-#include "brindle/base/base64.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/text/text_numbers.h"
 
