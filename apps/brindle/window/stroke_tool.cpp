@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -58,6 +59,10 @@ void go_on(float width, float gap = ImGui::GetStyle().ItemSpacing.x) {
   if (ImGui::GetItemRectMax().x + gap + width < end) ImGui::SameLine(0, gap);
 }
 
+constexpr const char* kAlong = "stripes along strokes";
+constexpr const char* kSingularities = "singularities";
+constexpr float kSliderWidth = 7, kBarGap = 1.2f;  // letters
+
 float width_of_box(const char* label) {
   return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
          ImGui::CalcTextSize(label).x;
@@ -71,6 +76,20 @@ void StrokeTool::choose(Tool tool) {
   drawn_.reset();
   tool_ = tool;
   if (tool != Tool::move) chosen_.reset();
+}
+
+float StrokeTool::bar_height() const {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = 0;
+  for (const ToolName& tool : kTools) {
+    width += ImGui::CalcTextSize(tool.name).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+  }
+  width += 2 * kBarGap * ImGui::GetFontSize();
+  width += 2 * (kSliderWidth * ImGui::GetFontSize() + style.ItemSpacing.x);
+  width += width_of_box(kAlong) + style.ItemSpacing.x + width_of_box(kSingularities);
+  const float room = ImGui::GetWindowContentRegionMax().x;
+  const float lines = 1 + std::floor(width / std::max(room, 1.0f));
+  return lines * ImGui::GetFrameHeight() + (lines - 1) * style.ItemSpacing.y;
 }
 
 void StrokeTool::draw_bar() {
@@ -89,8 +108,8 @@ void StrokeTool::draw_bar() {
   }
   if (tool_ != Tool::look) draw_sliders();
   if (tool_ == Tool::comb || tool_ == Tool::spline) draw_along();
-  go_on(width_of_box("singularities"), 1.2f * ImGui::GetFontSize());
-  ImGui::Checkbox("singularities", &show_singularities_);
+  go_on(width_of_box(kSingularities), kBarGap * ImGui::GetFontSize());
+  ImGui::Checkbox(kSingularities, &show_singularities_);
   log_.note_widget("show singularities");
   ImGui::EndGroup();
 }
@@ -98,8 +117,8 @@ void StrokeTool::draw_bar() {
 // How stripes run where strokes are drawn.
 void StrokeTool::draw_along() {
   bool along = shown_options(live_.document()).contains("along");
-  go_on(width_of_box("stripes along strokes"));
-  if (ImGui::Checkbox("stripes along strokes", &along)) {
+  go_on(width_of_box(kAlong));
+  if (ImGui::Checkbox(kAlong, &along)) {
     if (along) {
       live_.apply(commands::SetOption{"along", {}});
     } else {
@@ -119,8 +138,8 @@ void StrokeTool::draw_sliders() {
                      ? static_cast<float>(100 * strokes[*chosen_].radius / diagonal_)
                      : radius_;
   float strength = chosen_ ? static_cast<float>(strokes[*chosen_].strength) : strength_;
-  const float width = 7 * ImGui::GetFontSize();
-  go_on(width, 1.2f * ImGui::GetFontSize());
+  const float width = kSliderWidth * ImGui::GetFontSize();
+  go_on(width, kBarGap * ImGui::GetFontSize());
   ImGui::SetNextItemWidth(width);
   ValueChange change =
       value_slider("##radius", radius, 0.5f, 40, "radius %.1f%%", ImGuiSliderFlags_Logarithmic);

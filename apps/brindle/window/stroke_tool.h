@@ -29,6 +29,9 @@ class StrokeTool {
   /// Tools, radius and strength, as a row of widgets.
   void draw_bar();
 
+  /// The height of the bar with the tool that has most on it, so that pictures keep their size.
+  float bar_height() const;
+
   /// The left button was pressed on the picture, the mouse moved with it along these pixels, it was
   /// let go.
   void press(const PicturePlace& place, const Eigen::Vector2d& pixel);

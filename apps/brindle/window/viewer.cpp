@@ -210,7 +210,7 @@ void Viewer::draw_picture(float left, float right, float height) {
   const float gap = ImGui::GetStyle().FramePadding.y;
   ImGui::SetCursorPos({2 * gap, gap});
   tool_.draw_bar();
-  ImGui::SetCursorPos({0, ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + gap});
+  ImGui::SetCursorPos({0, tool_.bar_height() + 2 * gap});
   picture_.draw(window_.pixels_per_unit(), window_.take_trail());
   draw_message();
   ImGui::End();
