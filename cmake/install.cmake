@@ -14,9 +14,11 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brindle DESTINATION ${CMAKE_INST
         FILES_MATCHING PATTERN *.h ${exclusions})
 install(EXPORT brindle-targets NAMESPACE brindle:: DESTINATION ${package_dir})
 
+set(BRINDLE_INSTALLED_SHADERS ${CMAKE_INSTALL_DATADIR}/brindle/shaders)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brindle-config.cmake.in
                               ${PROJECT_BINARY_DIR}/brindle-config.cmake
-                              INSTALL_DESTINATION ${package_dir})
+                              INSTALL_DESTINATION ${package_dir}
+                              PATH_VARS BRINDLE_INSTALLED_SHADERS)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/brindle-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/brindle-config.cmake
