@@ -15,7 +15,7 @@ void refuse_rows(const std::filesystem::path& path, std::size_t rows, std::size_
   std::string count = std::to_string(vertex_count);
   if (file_vertices > vertex_count)
     count += ", or " + std::to_string(file_vertices) + " in its file,";
-  throw Error("'" + shown(path.native()) + "' ends at line " + std::to_string(line) + " after " +
+  throw Error("'" + shown(path.string()) + "' ends at line " + std::to_string(line) + " after " +
               std::to_string(rows) + " rows, but the mesh has " + count +
               " vertices; give one row per vertex");
 }
@@ -42,7 +42,7 @@ CalmRows read_rows(const std::filesystem::path& path) {
     const CsvTable table = file.read_table();
     const std::vector<double> values = table.numbers_of("calm");
     if (values.empty()) {
-      throw Error("'" + shown(path.native()) +
+      throw Error("'" + shown(path.string()) +
                   "' has no column of numbers named calm; name one so");
     }
     for (std::size_t row = 0; row < values.size(); ++row) add(table.lines[row], values[row]);
