@@ -51,16 +51,15 @@ frequency_wanted the one asked for. Where one rank fails, all end with 1 and one
 /// On all ranks or none.
 bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }
 
-Report make_mpi_report(const DistributedSurface& surface, const MpiArguments& arguments,
-                       const PieceWaves& waves, const FrameResult& frame,
+Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& waves,
+                       const DistributedStripeAnimator& animator, const FrameResult& frame,
                        const PatternQuality& quality, double energy) {
-  const SolverOptions& solver = arguments.solving.stripes.solver;
   Report report;
   report.vertices = surface.vertex_count();
   report.triangles = surface.triangle_count();
   report.edges = surface.edge_count();
   report.threads = ThreadLimit::current();
-  report.iterations = solver.sweeps * (1 + solver.cycles);
+  report.iterations = animator.sweeps();
   report.energy = energy;
   report.quality = quality;
   report.field_milliseconds = waves.milliseconds;
@@ -163,7 +162,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     stage("pattern");
     watch.lap();
     DistributedMeasures measures = animator.measure();
-    report = make_mpi_report(surface, arguments, waves, frame, measures.quality, animator.energy());
+    report = make_mpi_report(surface, waves, animator, frame, measures.quality, animator.energy());
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
     report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();

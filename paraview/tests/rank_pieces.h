@@ -25,7 +25,11 @@ namespace brindle::paraview {
 inline constexpr const char* kShape = "torus,resolution=40";
 inline constexpr double kCoarse = 20;  // stripes that it carries
 
-inline Ranks ranks() { return Ranks(MPI_COMM_WORLD); }
+/// Made once: all ranks take part in that.
+inline const Ranks& ranks() {
+  static const Ranks all(MPI_COMM_WORLD);
+  return all;
+}
 inline int rank() { return ranks().rank(); }
 inline int rank_count() { return ranks().size(); }
 

@@ -58,6 +58,7 @@ struct DistributedStripeAnimator::State {
 
   std::optional<DistributedHierarchy> hierarchy;  ///< empty before the first frame
   bool has_frame = false;
+  int sweeps = 0;         ///< of the last frame, over the finest level
   bool has_last = false;  ///< whether the next frame follows one; a rank may have no vertices
   std::vector<SentWave> sent_waves;  ///< by vertex; of own ones and ghosts
   WaveSet input;                     ///< the same as arrays
@@ -329,6 +330,7 @@ FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress
                : s.options.sweeps;
     s.hierarchy->descend(plan);
     s.hierarchy->run_cycles(plan, s.options.cycles, progress);
+    s.sweeps = plan.on_level(s.hierarchy->slots_of_all()).count * (1 + s.options.cycles);
   } else {
     iterate();
   }
@@ -484,6 +486,8 @@ double DistributedStripeAnimator::topology_milliseconds() const {
 std::size_t DistributedStripeAnimator::distributed_levels() const {
   return state_->has_frame ? state_->hierarchy->distributed_levels() : 0;
 }
+
+int DistributedStripeAnimator::sweeps() const { return state_->sweeps; }
 
 std::size_t DistributedStripeAnimator::halo_bytes() const {
   return state_->has_frame ? state_->hierarchy->halo_bytes(state_->options.sweeps) : 0;
