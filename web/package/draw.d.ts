@@ -2,6 +2,18 @@ export type RGB = [number, number, number];
 /** Red, green and blue of '#1c325a', from 0 to 1 as they are shown. */
 export function colorOf(hex: string): RGB;
 
+export interface PatternBuffers {
+  /** Twelve numbers a vertex: x, y, z, frequency; direction, cosine of the phase; normal, its sine. */
+  vertices: Float32Array;
+  /** Four numbers a triangle: its vertices, and its kind. */
+  triangles: Uint32Array;
+}
+/** What the shaders of brindle/shaders read, as the library's pattern_buffers.h has it. */
+export function patternBuffers(
+  surface: { positions: Float32Array; normals: Float32Array; triangles: Uint32Array },
+  pattern: { directions: Float32Array; frequencies: Float32Array; phases: Float32Array },
+  kinds?: Uint8Array): PatternBuffers;
+
 export interface StripeView {
   /** Of positions less `center`; in columns, as WebGL takes it. */
   viewFromWorld: Float32Array | readonly number[];

@@ -1,10 +1,8 @@
 // Stripes in a WebGL 2 context of yours, by the library's own shaders: the phase is computed at every
-// pixel, so that stripes are clean at every zoom and at branches, too. No vertex buffers: what is
-// drawn is in textures.
+// pixel, so that stripes are clean at every zoom and at branches, too. What is drawn is in two textures,
+// in the layout of the library's pattern_buffers.h.
 import { BrindleError } from './error.js';
 import { marksFragment, marksVertex, stripesFragment, stripesVertex } from './shaders.js';
-
-const rowLength = 2048;
 
 const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
 /** Red, green and blue of '#1c325a', from 0 to 1 as they are shown. */
@@ -37,14 +35,45 @@ class Program {
   }
 }
 
+/**
+ * Twelve numbers a vertex (x, y, z, frequency; direction, cosine of the phase; normal, its sine) and four a
+ * triangle (vertices, kind): what the shaders read.
+ */
+export function patternBuffers({ positions, normals, triangles }, { directions, frequencies, phases }, kinds) {
+  const count = positions.length / 3;
+  const sizes = { normals: [normals, 3], directions: [directions, 3], frequencies: [frequencies, 1], phases: [phases, 2] };
+  for (const [name, [numbers, width]] of Object.entries(sizes)) {
+    if (numbers.length !== width * count) {
+      throw new BrindleError(`${name} must have ${width * count} numbers for ${count} vertices, not ${numbers.length}`);
+    }
+  }
+  const vertices = new Float32Array(12 * count);
+  for (let i = 0; i < count; ++i) {
+    for (let axis = 0; axis < 3; ++axis) {
+      vertices[12 * i + axis] = positions[3 * i + axis];
+      vertices[12 * i + 4 + axis] = directions[3 * i + axis];
+      vertices[12 * i + 8 + axis] = normals[3 * i + axis];
+    }
+    vertices[12 * i + 3] = frequencies[i];
+    vertices[12 * i + 7] = phases[2 * i];
+    vertices[12 * i + 11] = phases[2 * i + 1];
+  }
+  return { vertices, triangles: triangleBuffer(triangles, kinds) };
+}
+
+function triangleBuffer(triangles, kinds) {
+  const count = triangles.length / 3, numbers = new Uint32Array(4 * count);
+  for (let t = 0; t < count; ++t) {
+    for (let m = 0; m < 3; ++m) numbers[4 * t + m] = triangles[3 * t + m];
+    numbers[4 * t + 3] = kinds?.[t] ?? 0;
+  }
+  return numbers;
+}
+
 // Format, kind of number and numbers a texel of every texture.
 const layouts = (gl) => ({
-  positions: [gl.RGB32F, gl.RGB, gl.FLOAT, 3, Float32Array],
-  normals: [gl.RGB32F, gl.RGB, gl.FLOAT, 3, Float32Array],
-  waves: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4, Float32Array],
-  phases: [gl.RG32F, gl.RG, gl.FLOAT, 2, Float32Array],
-  triangle_vertices: [gl.RGB32UI, gl.RGB_INTEGER, gl.UNSIGNED_INT, 3, Uint32Array],
-  triangle_kinds: [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE, 1, Uint8Array],
+  pattern_vertices: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4, Float32Array],
+  pattern_triangles: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 4, Uint32Array],
   marks: [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1, Uint32Array],
 });
 
@@ -60,15 +89,16 @@ export class StripeDrawing {
     this.markCount = 0;
     this.center = [0, 0, 0];
     this.nothing = gl.createVertexArray();
+    this.largest = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    this.rowLength = Math.min(this.largest, 4096);
   }
 
   #upload(name, numbers) {
-    const { gl } = this;
+    const { gl, rowLength } = this;
     const [inside, format, type, width, List] = this.layouts[name];
     const count = numbers.length / width, rows = Math.max(1, Math.ceil(count / rowLength));
-    if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE)) {
-      throw new BrindleError(`the graphics card takes ${gl.getParameter(gl.MAX_TEXTURE_SIZE) * rowLength
-        } triangles at most; use a smaller mesh`);
+    if (rows > this.largest) {
+      throw new BrindleError(`the graphics card takes ${Math.floor(this.largest * rowLength / 3)} vertices at most; use a smaller mesh`);
     }
     const padded = new List(rows * rowLength * width);
     padded.set(numbers);
@@ -98,28 +128,20 @@ export class StripeDrawing {
       }
     }
     this.center = lower.map((l, axis) => (l + upper[axis]) / 2);
-    this.#upload('positions', positions);
-    this.#upload('normals', normals);
-    this.#upload('triangle_vertices', triangles);
+    this.surface = { positions, normals, triangles };
+    this.pattern = null;
     this.triangleCount = triangles.length / 3;
     this.setKinds(new Uint8Array(this.triangleCount));
   }
 
   /** Directions (three numbers a vertex), frequencies (one), phases (two), as `Pattern` gives them. */
   setPattern({ directions, frequencies, phases }) {
-    const waves = new Float32Array(4 * frequencies.length);
-    for (let i = 0; i < frequencies.length; ++i) {
-      waves[4 * i] = directions[3 * i];
-      waves[4 * i + 1] = directions[3 * i + 1];
-      waves[4 * i + 2] = directions[3 * i + 2];
-      waves[4 * i + 3] = frequencies[i];
-    }
-    this.#upload('waves', waves);
-    this.setPhases(phases);
+    this.pattern = { directions, frequencies, phases };
+    this.#upload('pattern_vertices', patternBuffers({ ...this.surface, triangles: [] }, this.pattern).vertices);
   }
 
   setPhases(phases) {
-    this.#upload('phases', phases);
+    this.setPattern({ ...this.pattern, phases });
   }
 
   /** What `Pattern.triangleKinds()` gives; branches and singularities get marks. */
@@ -128,7 +150,7 @@ export class StripeDrawing {
     kinds.forEach((kind, t) => {
       if (kind === 1 || kind === 2) marked.push(t);
     });
-    this.#upload('triangle_kinds', kinds);
+    this.#upload('pattern_triangles', triangleBuffer(this.surface.triangles, kinds));
     this.#upload('marks', Uint32Array.from(marked));
     this.markCount = marked.length;
   }
@@ -141,14 +163,13 @@ export class StripeDrawing {
          baseColor = colorOf('#f4efe5'), stripeColor = colorOf('#1c325a'),
          branches = false, branchColor = colorOf('#d1352b'), singularColor = colorOf('#f0a202'), markSize = 10 }) {
     const { gl, stripes, marks } = this;
-    if (this.triangleCount === 0 || !this.textures.phases) return;
+    if (this.triangleCount === 0 || !this.pattern) return;
     gl.viewport(0, 0, width, height);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.BLEND);
     gl.bindVertexArray(this.nothing);
     this.#use(stripes, viewFromWorld, clipFromView);
-    gl.uniform4f(stripes.place('tile'), 1, 1, 0, 0);
     gl.uniform2f(stripes.place('target_size'), width, height);
     gl.uniform1i(stripes.place('smooth_normals'), 1);
     gl.uniform3fv(stripes.place('base_color'), baseColor.map(linear));

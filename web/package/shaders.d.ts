@@ -3,5 +3,7 @@ export const stripesVertex: string;
 export const stripesFragment: string;
 export const marksVertex: string;
 export const marksFragment: string;
-/** Functions alone: `fragment_phase` and `covered_share`, for shaders of your own. */
-export const phase: string;
+/** For shaders of your own, behind their `#version` and precisions: what reads vertices and triangles. */
+export const patternVertex: string;
+/** The same with all that finds the pattern at a pixel. */
+export const patternFragment: string;

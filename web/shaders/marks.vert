@@ -9,7 +9,7 @@ uniform float mark_size;         // in pixels
 flat out uint kind;
 
 void main() {
-  uint triangle = texelFetch(marks, place_of(uint(gl_VertexID)), 0).x;
+  uint triangle = texelFetch(marks, pattern_place(gl_VertexID, textureSize(marks, 0).x), 0).x;
   uvec3 v = vertices_of(triangle);
   vec3 middle = (position_of(v.x) + position_of(v.y) + position_of(v.z)) / 3.0 - origin;
   kind = kind_of(triangle);

@@ -220,6 +220,16 @@ test('curves and drawings are files of the library', () => {
   refused(() => pattern.curvesFile('curves.xyz'), /xyz/);
 });
 
+test('buffers for shaders have the layout of the library, and refuse what does not fit', async () => {
+  const { patternBuffers } = await load('draw.js');
+  const surface = { positions: [1, 2, 3], normals: [0, 0, 1], triangles: [0, 0, 0] };
+  const pattern = { directions: [1, 0, 0], frequencies: [7], phases: [0.6, -0.8] };
+  const { vertices, triangles } = patternBuffers(surface, pattern, Uint8Array.of(2));
+  assert.deepEqual(vertices, Float32Array.of(1, 2, 3, 7, 1, 0, 0, 0.6, 0, 0, 1, -0.8));
+  assert.deepEqual(triangles, Uint32Array.of(0, 0, 0, 2));
+  refused(() => patternBuffers(surface, { ...pattern, phases: [1] }), /phases must have 2 numbers for 1 vertices, not 1/);
+});
+
 test('./slim takes bytes and compiled modules', async () => {
   const slim = await load('slim.js');
   const bytes = readFileSync(join(folder, 'brindle.wasm'));

@@ -3,7 +3,7 @@ import createBrindle, { BrindleError, type Curves, type Surface } from 'brindle'
 import { createBrindle as createSlim } from 'brindle/slim';
 import { createBrindle as createInWorker } from 'brindle/worker';
 import { StripeDrawing, colorOf } from 'brindle/draw';
-import { phase } from 'brindle/shaders';
+import { patternFragment } from 'brindle/shaders';
 
 async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   const brindle = await createBrindle();
@@ -28,7 +28,7 @@ async function elsewhere(): Promise<number> {
   const other = await surface.stripes(await surface.curvatureField(), { frequency: 2 });
   const { positions } = await pattern.samplesWith(other);
   brindle.terminate();
-  return pattern.energy + positions.length + phase.length;
+  return pattern.energy + positions.length + patternFragment.length;
 }
 
 export { here, elsewhere, createSlim, BrindleError };
