@@ -82,8 +82,8 @@ class DistributedStripeAnimator {
   /// How many levels all ranks have parts of; coarser ones are on rank 0. 0 before the first frame.
   std::size_t distributed_levels() const;
 
-  /// Sweeps of the last frame over the finest level, cycles included; 0 before the first frame and of
-  /// relaxation.
+  /// Sweeps of the last frame over the finest level, cycles included; 0 before the first frame and
+  /// of relaxation.
   int sweeps() const;
 
   /// Ghosts of the finest level on this rank.

@@ -38,12 +38,10 @@ TEST(DrawingShaders, EveryDialectCompiles) {
   for (const auto& [dialect, version] : dialects) {
     const std::string vertex = text_of(dialect, "vertex"), fragment = text_of(dialect, "fragment");
     ASSERT_FALSE(vertex.empty() || fragment.empty()) << dialect;
-    expect_compiles(GL_VERTEX_SHADER,
-                    version + vertex + R"(
+    expect_compiles(GL_VERTEX_SHADER, version + vertex + R"(
 void main() { gl_Position = vec4(position_of(vertices_of(uint(gl_VertexID) / 3u).x), 1.0); })",
                     dialect);
-    expect_compiles(GL_FRAGMENT_SHADER,
-                    version + fragment + R"(
+    expect_compiles(GL_FRAGMENT_SHADER, version + fragment + R"(
 flat in uint triangle;
 out vec4 color;
 void main() {
