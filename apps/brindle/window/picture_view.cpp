@@ -68,11 +68,12 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   if (hovered) follow_wheel();
 }
 
-// Looking for the triangle takes a while on large surfaces: only when the mouse or the picture has
-// moved, and nothing is held.
+// Looking for the triangle takes a while on large surfaces: only once the mouse rests, and once for
+// a place and a picture.
 void PictureView::note_mouse(const PicturePlace& place, bool hovered) {
   const bool final = uploaded_->quality == PictureQuality::final;
-  if (!hovered || !final || ImGui::IsAnyMouseDown()) {
+  const ImVec2& moved = ImGui::GetIO().MouseDelta;
+  if (!hovered || !final || ImGui::IsAnyMouseDown() || moved.x != 0 || moved.y != 0) {
     under_mouse_.clear();
     picked_frame_.reset();
     return;

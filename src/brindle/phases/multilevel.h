@@ -28,8 +28,8 @@ class SweepPlan {
   SweepPlan(int sweeps) : sweeps_(sweeps) {}
 
   /// What costs little beside building the levels: on all levels of a large graph three to twelve
-  /// times as many, which is worth six cycles (docs/method.md). `finest` is how many slots the
-  /// finest level has.
+  /// times as many, which leaves about what four cycles left of the plan of frames
+  /// (docs/method.md). `finest` is how many slots the finest level has.
   static SweepPlan for_new_levels(int sweeps, Index finest);
 
   LevelSweeps on_level(Index slot_count) const;
