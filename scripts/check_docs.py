@@ -145,7 +145,10 @@ def makes(output, name):
 
 
 def thumbnail(text):
-    """The same command with a small picture, and as little of the gallery's data as there may be."""
+    """The same command with a small picture, and as little data as there may be: surfaces of implicit
+    functions are coarse, and the gallery's data small."""
+    text = re.sub(r"shape:(vessels|molecule|box|trefoil)\b(?!\S*resolution)", r"shape:\1,resolution=40",
+                  text)
     if re.match(r"brindle gallery \w", text) and "--surface" not in text and \
             (output_paths(text) or "--data" in text):
         text = re.sub(r" --detail \S+", "", text) + " --detail 0.25"

@@ -103,7 +103,7 @@ def check_measured_field_is_seen_at_its_scale(start, folder):
 
 
 def check_stroke_and_undo(start, folder):
-    window = start("shape:sphere", "--stripes", "16")
+    window = start("shape:sphere,resolution=40", "--stripes", "16")
     window.settled()
     before = save_picture(window, folder / "before.png")
     session_before = save_session(window, folder / "before.json")
@@ -177,7 +177,7 @@ def check_zoom_changes_frequency(start, folder):
 
 
 def check_screenshot_is_rendered_picture(start, folder):
-    window = start("shape:trefoil", "--stripes", "30")
+    window = start("shape:trefoil,resolution=40", "--stripes", "30")
     window.settled()
     since = window.now()
     window.drag([window.point("picture", 0.4, 0.4), window.point("picture", 0.5, 0.45),
@@ -200,7 +200,7 @@ def figures_of(window, shown, since):
 
 
 def check_curves_and_samples_are_live(start, folder):
-    window = start("shape:sphere,resolution=60")
+    window = start("shape:sphere,resolution=30")
     window.settled()
     curves = figures_of(window, "curves", window.now())
     expect(curves["curves of u"] > 0, f"no curves are counted: {curves}")

@@ -56,7 +56,7 @@ class Display:
 class Window:
     """brindle view with its log."""
 
-    def __init__(self, tool, display, folder, arguments, size=(1000, 640)):
+    def __init__(self, tool, display, folder, arguments, size=(820, 640)):
         self.display = display
         self.log_path = folder / "log.jsonl"
         self.lines = []

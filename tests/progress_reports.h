@@ -1,6 +1,8 @@
 /// Progress that counts its reports and cancels at one of them, for the tests of several rooms.
 #pragma once
 
+#include <vector>
+
 #include "brindle/progress.h"
 
 namespace brindle::testing_support {
@@ -21,5 +23,16 @@ class Reports {
   int cancelled_;
   int count_ = 0;
 };
+
+/// Numbers of reports to cancel at: all of few, and of many a share with the first and the last.
+inline std::vector<int> reports_to_cancel(int count, int most = 12) {
+  const int tried = count < most ? count : most;
+  std::vector<int> numbers;
+  for (int k = 0; k < tried; ++k) {
+    numbers.push_back(
+        tried == 1 ? 0 : static_cast<int>(static_cast<long>(k) * (count - 1) / (tried - 1)));
+  }
+  return numbers;
+}
 
 }  // namespace brindle::testing_support

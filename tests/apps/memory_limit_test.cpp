@@ -26,10 +26,9 @@ struct MemoryLimit : ToolTest {
 
 TEST_F(MemoryLimit, OfAnySizeLetsCommandsEnd) {
   for (const char* arguments :
-       {"stripe shape:torus", "stripe shape:torus --subdivide 2 -o torus.vtp",
+       {"stripe shape:torus", "stripe shape:torus --subdivide 1 -o torus.vtp",
         "curves shape:trefoil -o curves.obj", "info shape:box"}) {
-    for (const int kilobytes :
-         {150'000, 200'000, 250'000, 300'000, 500'000, 1'000'000, 2'000'000}) {
+    for (const int kilobytes : {150'000, 200'000, 250'000, 300'000, 500'000, 1'000'000}) {
       const ToolResult result = run_within(kilobytes, arguments);
       const std::string said = std::string(arguments) + " within " + std::to_string(kilobytes) +
                                " kB ended with " + std::to_string(result.exit_code) + ": " +

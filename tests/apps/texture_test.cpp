@@ -69,7 +69,7 @@ TEST_F(TextureTool, DrawsTilesAndPictures) {
 TEST_F(TextureTool, TilesAreWholeWhereTheyHaveAShapeOfTheirOwn) {
   const auto picture = [&](const Arguments& more) {
     Arguments arguments = with(more);
-    arguments.insert(arguments.end(), {"-o", "out.png", "-o", "out.ply", "--size", "300x220"});
+    arguments.insert(arguments.end(), {"-o", "out.png", "-o", "out.ply", "--size", "150x110"});
     const ToolResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return content(folder / "out.png");

@@ -26,6 +26,7 @@
 #include "brindle/texture_pattern.h"
 #include "brindle/windings.h"
 #include "brindle/yielding_frequency.h"
+#include "progress_reports.h"
 
 namespace brindle {
 namespace {
@@ -259,15 +260,12 @@ TEST_P(Cancelling, FractionsRiseFromZeroToOneOverStagesKnownFromTheFirst) {
 }
 
 TEST_P(Cancelling, StopsAtEveryReport) {
-  std::size_t reports = 0;
-  job(Progress([&](std::string_view, double) { return ++reports > 0; }));
-  // Of many reports a share, so that every one of few is tried.
-  const std::size_t step = 1 + reports / 40;
-  for (std::size_t stop = 1; stop <= reports; stop += stop == 1 ? 1 : step) {
-    std::size_t heard = 0;
-    const Progress progress([&](std::string_view, double) { return ++heard < stop; });
-    EXPECT_THROW(job(progress), Cancelled) << name << " at report " << stop;
-    EXPECT_EQ(heard, stop) << name;
+  testing_support::Reports all;
+  job(all.progress());
+  for (const int report : testing_support::reports_to_cancel(all.count())) {
+    testing_support::Reports reports(report);
+    EXPECT_THROW(job(reports.progress()), Cancelled) << name << " at report " << report;
+    EXPECT_EQ(reports.count(), report + 1) << name;
   }
 }
 

@@ -85,7 +85,7 @@ TEST(SmoothFieldAnimator, CancelledFramesLeaveTheLastOne) {
   counted.frame(second, later.progress());
   EXPECT_GE(later.count(), 1);
   EXPECT_GE(all.count(), later.count()) << "the first frame descends from several starts";
-  for (int k = 0; k < all.count(); ++k) {
+  for (const int k : testing_support::reports_to_cancel(all.count())) {
     SmoothFieldAnimator animator(sphere), undisturbed(sphere);
     testing_support::Reports reports(k), again(k);
     EXPECT_THROW(animator.frame(second, reports.progress()), Cancelled);

@@ -204,7 +204,7 @@ struct Interrupted : testing::TestWithParam<std::tuple<FrameSolver, int>> {
     Reports all;
     undisturbed.frame(input_of(input), all.progress());
     EXPECT_GE(all.count(), options.solver == FrameSolver::multilevel ? options.cycles + 1 : 1);
-    for (int k = 0; k < all.count(); ++k) {
+    for (const int k : testing_support::reports_to_cancel(all.count())) {
       SCOPED_TRACE(k);
       StripeAnimator cancelled = start();
       Reports reports(k);

@@ -316,7 +316,7 @@ struct InterruptedTexture : testing::TestWithParam<std::tuple<FrameSolver, float
     Reports all;
     undisturbed.frame(input_of(waves), all.progress());
     EXPECT_GE(all.count(), 1);  // the orientation, where iterations make none
-    for (int k = 0; k < all.count(); ++k) {
+    for (const int k : testing_support::reports_to_cancel(all.count())) {
       SCOPED_TRACE(k);
       TextureAnimator cancelled = start();
       Reports reports(k);

@@ -161,7 +161,7 @@ TEST(LineDrawing, CanBeCancelledAtEveryReport) {
     jobs[number](all.progress());
     EXPECT_GE(all.count(), 3) << number;
     std::filesystem::remove(path);
-    for (int report = 0; report < all.count(); report += 1 + all.count() / 6) {
+    for (const int report : testing_support::reports_to_cancel(all.count(), 6)) {
       testing_support::Reports reports(report);
       EXPECT_THROW(jobs[number](reports.progress()), Cancelled) << number << " at " << report;
       EXPECT_FALSE(std::filesystem::exists(path));

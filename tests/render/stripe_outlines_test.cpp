@@ -286,7 +286,7 @@ TEST(StripeOutlines, CanBeCancelledAtEveryReport) {
   testing_support::Reports all;
   draw(all.progress());
   EXPECT_GE(all.count(), 6);
-  for (int report = 0; report < all.count(); ++report) {
+  for (const int report : testing_support::reports_to_cancel(all.count())) {
     testing_support::Reports reports(report);
     EXPECT_THROW(draw(reports.progress()), Cancelled) << report;
   }

@@ -534,7 +534,7 @@ TEST(StyledPicture, IsCancelledBetweenSurfacesAndDrawnAsEverThen) {
   testing_support::Reports all;
   const Image whole = renderer.draw(options, all.progress());
   EXPECT_GE(all.count(), 4) << "two surfaces are seen and lit one after the other";
-  for (int report = 0; report < all.count(); ++report) {
+  for (const int report : testing_support::reports_to_cancel(all.count())) {
     testing_support::Reports reports(report);
     EXPECT_THROW(renderer.draw(options, reports.progress()), Cancelled);
     EXPECT_EQ(renderer.draw(options).pixels, whole.pixels);

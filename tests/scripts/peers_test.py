@@ -153,7 +153,7 @@ class Peers(unittest.TestCase):
     def peer_that(self, does, outcome, why, code, seconds=300):
         self.fake()
         table = self.folder / f"{does}.csv"
-        done = self.peers(SHAPE, "--repeat", 2, "--seconds", seconds, "--sources", self.sources, "--peer",
+        done = self.peers(SHAPE, "--repeat", 1, "--seconds", seconds, "--sources", self.sources, "--peer",
                           "libigl", "--csv", table, FAKE_PEER=does)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         self.assertNotIn("Traceback", done.stderr)
@@ -165,7 +165,7 @@ class Peers(unittest.TestCase):
 
     def test_peers_that_end_badly(self):
         self.peer_that("crash", "crashed", "SIGSEGV", 1)
-        self.peer_that("hang", "hung", "no end within 10 s", 1, seconds=10)
+        self.peer_that("hang", "hung", "no end within 3 s", 1, seconds=3)
         self.peer_that("refuse", "refused", "it is no manifold", 0)
         self.peer_that("silent", "crashed", "without a report", 1)
         self.peer_that("exit", "crashed", "exit code 7", 1)

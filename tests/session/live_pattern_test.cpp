@@ -514,7 +514,7 @@ TEST(LivePattern, CancelledAnywhereItStaysAsItWas) {
   LivePattern pattern;
   pattern.update(torus(), Follow::afresh);
   const auto state = pattern.state();
-  for (int at = 0; at < all.count(); ++at) {
+  for (const int at : testing_support::reports_to_cancel(all.count())) {
     testing_support::Reports reports(at);
     EXPECT_THROW(pattern.update(other, Follow::last, reports.progress()), Cancelled);
     EXPECT_EQ(pattern.state(), state);
@@ -532,7 +532,7 @@ TEST(LivePattern, CancelledWhileFollowingItStaysAsItWas) {
   LivePattern pattern;
   pattern.update(torus(), Follow::afresh);
   const auto state = pattern.state();
-  for (int at = 0; at < all.count(); ++at) {
+  for (const int at : testing_support::reports_to_cancel(all.count())) {
     testing_support::Reports reports(at);
     EXPECT_THROW(pattern.update(next, Follow::last, reports.progress()), Cancelled);
     EXPECT_EQ(pattern.state(), state);
