@@ -78,7 +78,7 @@ void shapes() {
   // Implicit functions take long on a processor that is acted.
   const std::vector<std::string> implicit = {"vessels", "molecule", "box"};
   for (std::string name : brindle::shape_names()) {
-    if (std::ranges::find(implicit, name) != implicit.end()) name += ",resolution=30";
+    if (std::ranges::find(implicit, name) != implicit.end()) name += ",resolution=20";
     print(name, Fingerprint().add(brindle::make_shape(name).positions));
   }
 }
@@ -110,7 +110,7 @@ void fields() {
     const auto field = brindle::smooth_direction_field(in.surface, {.symmetry = symmetry});
     print("smooth " + std::to_string(symmetry), Fingerprint().add(field));
   }
-  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=40"));
+  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=24"));
   const std::vector<brindle::FieldStroke> strokes = {
       {{{-0.4, 0.1, 0.5}, {0.1, -0.2, 0.5}, {0.4, 0.3, 0.5}}, 0.3, 1}};
   brindle::SmoothFieldOptions options{.symmetry = 4, .feature_anchor = 1};
@@ -167,7 +167,7 @@ void textures_and_crosses() {
     std::fprintf(stderr, "no samples: %s\n", error.what());
   }
 
-  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=40"));
+  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=24"));
   brindle::WaveSet waves{box.mesh.positions, brindle::smooth_direction_field(box, {.symmetry = 4}),
                          brindle::constant_frequency_field(16, box.mesh.vertex_count())};
   const brindle::CrossPattern cross = brindle::cross_pattern(box, waves);

@@ -153,7 +153,7 @@ TEST(LineDrawing, CanBeCancelledAtEveryReport) {
       },
       [&](const Progress& p) {
         static const Visibility seen(torus.mesh, view, 400, 300);
-        const std::vector<Pen> pens(10'000, Pen{"p", {}, 1, seen.strokes(bounds)});
+        static const std::vector<Pen> pens(3'000, Pen{"p", {}, 1, seen.strokes(bounds)});
         write_svg(path, 400, 300, pens, p);
       }};
   for (std::size_t number = 0; number < jobs.size(); ++number) {
