@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
-#include "cli/command_line.h"
 
 namespace brindle::tool {
 
@@ -63,31 +63,30 @@ float parse_not_negative_number(const std::string& option, const std::string& te
   return value;
 }
 
-float parse_weight(const std::string& option, const std::string& text) {
-  const float value = parse_not_negative_number(option, text);
-  refuse_usage([&] { check_number(option, value, text); });
-  return value;
-}
-
 float parse_positive_number(const std::string& option, const std::string& text) {
   const auto value = finite_number(text);
   if (!value || *value <= 0) wrong_usage(option, "a finite number above zero", text);
   return *value;
 }
 
-Length parse_length(const std::string& option, const std::string& text) {
-  const bool percent = text.ends_with('%');
-  const auto value = finite_number(percent ? text.substr(0, text.size() - 1) : text);
-  if (!value || *value < 0) {
-    wrong_usage(option, "a length like 0.02, or 1.5% of the diagonal", text);
+const OptionInfo& row_of(const std::string& option, OptionKind kind) {
+  for (const OptionInfo& row : option_table()) {
+    if (row.name == option.substr(2) && row.kind == kind) return row;
   }
-  return {percent ? *value / 100 : *value, percent};
+  throw Error(option + " is no option of this kind");
 }
 
-Length parse_positive_length(const std::string& option, const std::string& text) {
-  const Length length = parse_length(option, text);
-  if (length.value <= 0) wrong_usage(option, "a length above zero", text);
-  return length;
+float parse_number_of(const OptionInfo& row, const std::string& option, const std::string& text) {
+  const auto value = finite_number(text);
+  if (!value || !row.range.contains(*value)) wrong_usage(option, taken_by(row), text);
+  return *value;
+}
+
+Length parse_length_of(const OptionInfo& row, const std::string& option, const std::string& text) {
+  const bool percent = text.ends_with('%');
+  const auto value = finite_number(percent ? text.substr(0, text.size() - 1) : text);
+  if (!value || !row.range.contains(*value)) wrong_usage(option, taken_by(row), text);
+  return {percent ? *value / 100 : *value, percent};
 }
 
 Vec3 parse_direction(const std::string& option, const std::string& text) {

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/option_table.h"
 #include "brindle/types.h"
 
 namespace brindle::tool {
@@ -21,10 +22,6 @@ float parse_number(const std::string& option, const std::string& text);
 
 /// A finite number, zero or more.
 float parse_not_negative_number(const std::string& option, const std::string& text);
-
-/// How much something counts beside the couplings of waves: zero to a million, beyond which nothing
-/// but rounding errors would be left of these.
-float parse_weight(const std::string& option, const std::string& text);
 
 /// A finite number above zero.
 float parse_positive_number(const std::string& option, const std::string& text);
@@ -43,12 +40,6 @@ struct Length {
   float on(float diagonal) const { return of_diagonal ? value * diagonal : value; }
 };
 
-/// "0.02" or "1.5%", zero or more.
-Length parse_length(const std::string& option, const std::string& text);
-
-/// As `parse_length`, above zero.
-Length parse_positive_length(const std::string& option, const std::string& text);
-
 /// The parts of "a,b,c".
 std::vector<std::string> split(const std::string& text, char separator);
 
@@ -60,6 +51,37 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, Target& t
   return app.add_option_function<std::string>(
       name, [name, &target, parse](const std::string& text) { target = parse(name, text); },
       description);
+}
+
+/// The first row of the table of options that has this name, with dashes, and this kind. Throws
+/// Error if there is none.
+const OptionInfo& row_of(const std::string& option, OptionKind kind);
+
+/// A number in the row's range.
+float parse_number_of(const OptionInfo& row, const std::string& option, const std::string& text);
+
+/// "0.02" or "1.5%", in the row's range.
+Length parse_length_of(const OptionInfo& row, const std::string& option, const std::string& text);
+
+/// Adds an option for a number in the range that the table of options has.
+template <class Target>
+CLI::Option* add_number_option(CLI::App& app, const std::string& name, Target& target,
+                               const std::string& description = "") {
+  const auto parse = [&row = row_of(name, OptionKind::number)](const std::string& option,
+                                                               const std::string& text) {
+    return parse_number_of(row, option, text);
+  };
+  return add_parsed_option(app, name, target, parse, description);
+}
+
+/// The same for a length.
+template <class Target>
+CLI::Option* add_length_option(CLI::App& app, const std::string& name, Target& target) {
+  const auto parse = [&row = row_of(name, OptionKind::length)](const std::string& option,
+                                                               const std::string& text) {
+    return parse_length_of(row, option, text);
+  };
+  return add_parsed_option(app, name, target, parse);
 }
 
 /// Adds an option that takes one of the few names that its form has; `value_of(name)` gives an

@@ -103,8 +103,7 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   add_named_option(app, "--scene", animation.scene.kind, parse_scene_kind);
   app.add_option("--frames", animation.frames);
   add_wave_options(app, arguments.waves);
-  add_parsed_option(app, "--field-memory", arguments.waves.detail.memory,
-                    parse_not_negative_number);
+  add_number_option(app, "--field-memory", arguments.waves.detail.memory);
   describe_options(app, PatternJob::animate);
   for (const std::string& option : series_options()) {
     CLI::Option* added = app.get_option(option);
@@ -123,7 +122,7 @@ void add_series_options(CLI::App& app, AnimateArguments& arguments) {
 
 void add_animator_options(CLI::App& app, AnimatorOptions& animator) {
   add_named_option(app, "--solver", animator.solver, parse_frame_solver);
-  add_parsed_option(app, "--lambda", animator.lambda, parse_weight);
+  add_number_option(app, "--lambda", animator.lambda);
   app.add_option("--sweeps", animator.sweeps);
   app.add_option("--iterations", animator.iterations);
   add_named_option(app, "--phase-shift", animator.phase_shift, parse_smooth_phase_shift);

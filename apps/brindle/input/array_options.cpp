@@ -53,7 +53,7 @@ void add_array_options(CLI::App& app, ArrayOptions& options) {
   add_parsed_option(app, "--frequency-by", options.frequency_by, parse_frequency_value);
   add_parsed_option(app, "--frequency-range", options.range, parse_frequency_range);
   app.add_option("--field-mesh", options.mesh);
-  add_parsed_option(app, "--max-distance", options.max_distance, parse_length);
+  add_length_option(app, "--max-distance", options.max_distance);
 }
 
 void check_array_options(const CLI::App& command, const ArrayOptions& options,

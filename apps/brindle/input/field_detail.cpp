@@ -25,21 +25,15 @@ std::string parse_weight_value(const std::string& option, const std::string& tex
   return text;
 }
 
-float parse_periods(const std::string& option, const std::string& text) {
-  const float periods = parse_number(option, text);
-  refuse_usage([&] { check_number(option, periods, text); });
-  return periods;
-}
-
 }  // namespace
 
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
-  add_parsed_option(app, "--field-detail", choice.periods, parse_periods);
+  add_number_option(app, "--field-detail", choice.periods);
   add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
-  add_parsed_option(app, "--fill", choice.fill, parse_not_negative_number);
+  add_number_option(app, "--fill", choice.fill);
   app.add_flag("--field-arrows", choice.arrows);
   app.add_option("--field-singularities", choice.singularities);
-  add_parsed_option(app, "--frequency-detail", choice.frequency_periods, parse_periods);
+  add_number_option(app, "--frequency-detail", choice.frequency_periods);
 }
 
 bool is_own_weight(const std::string& weight) {

@@ -36,8 +36,8 @@ WantedWinding parse_winding(const std::string& option, const std::string& text) 
 }
 
 void add_making_options(CLI::App& app, MakingOptions& options) {
-  add_parsed_option(app, "--anchor-boundary", options.anchor_boundary, parse_number);
-  add_parsed_option(app, "--merge-branches", options.merge_branches, parse_not_negative_number);
+  add_number_option(app, "--anchor-boundary", options.anchor_boundary);
+  add_number_option(app, "--merge-branches", options.merge_branches);
   app.add_option_function<std::vector<std::string>>(
          "--winding",
          [&options](const std::vector<std::string>& texts) {

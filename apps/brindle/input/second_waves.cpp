@@ -13,8 +13,8 @@ namespace brindle::tool {
 
 void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
   app.add_option("--field-v", options.field);
-  add_parsed_option(app, "--stripes-v", options.stripes, parse_positive_number);
-  add_parsed_option(app, "--frequency-v", options.frequency, parse_positive_number);
+  add_number_option(app, "--stripes-v", options.stripes);
+  add_number_option(app, "--frequency-v", options.frequency);
 }
 
 FirstWaves first_waves(const Preparation& prepared) {

@@ -7,7 +7,7 @@
 namespace brindle::tool {
 
 void add_slack_options(CLI::App& app, SlackOptions& options) {
-  add_parsed_option(app, "--slack", options.slack, parse_not_negative_number);
+  add_number_option(app, "--slack", options.slack);
   app.add_option("--calm", options.calm);
 }
 

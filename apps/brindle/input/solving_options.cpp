@@ -18,20 +18,14 @@ std::optional<EdgeWeights> parse_edge_weights(std::string_view name) {
   return std::nullopt;
 }
 
-float parse_momentum(const std::string& option, const std::string& text) {
-  const float value = parse_number(option, text);
-  if (value < 0 || value >= 1) wrong_usage(option, "a number from 0 to below 1", text);
-  return value;
-}
-
 }  // namespace
 
 void add_solving_options(CLI::App& app, SolvingOptions& options) {
   SolverOptions& solver = options.stripes.solver;
   add_named_option(app, "--phase-shift", options.stripes.phase_shift, parse_phase_shift_kind);
   add_named_option(app, "--weights", options.stripes.weights, parse_edge_weights);
-  add_parsed_option(app, "--epsilon", solver.epsilon, parse_not_negative_number);
-  add_parsed_option(app, "--momentum", solver.momentum, parse_momentum);
+  add_number_option(app, "--epsilon", solver.epsilon);
+  add_number_option(app, "--momentum", solver.momentum);
   app.add_option("--seed", solver.seed);
   app.add_option("--sweeps", solver.sweeps);
   app.add_option("--cycles", solver.cycles);

@@ -152,7 +152,7 @@ CLI::Option* add_along_option(CLI::App& app, WaveOptions& options) {
 namespace {
 
 void add_frequency_options(CLI::App& app, WaveOptions& options) {
-  add_parsed_option(app, "--stripes", options.stripes, parse_positive_number);
+  add_number_option(app, "--stripes", options.stripes);
   app.add_option_function<std::string>("--frequency", [&options](const std::string& text) {
     if (is_array(text)) {
       options.arrays.frequency = parse_array("--frequency", text);
@@ -169,12 +169,12 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   app.add_option("--field", options.field);
   add_named_option(app, "--curvature-direction", options.curvature_direction,
                    parse_curvature_direction);
-  add_parsed_option(app, "--curvature-anchor", options.curvature_anchor, parse_weight);
-  add_parsed_option(app, "--feature-anchor", options.feature_anchor, parse_weight);
-  add_parsed_option(app, "--feature-angle", options.feature_angle_deg, parse_not_negative_number);
-  add_parsed_option(app, "--feature-radius", options.feature_radius, parse_positive_length);
+  add_number_option(app, "--curvature-anchor", options.curvature_anchor);
+  add_number_option(app, "--feature-anchor", options.feature_anchor);
+  add_number_option(app, "--feature-angle", options.feature_angle_deg);
+  add_length_option(app, "--feature-radius", options.feature_radius);
   app.add_option("--strokes", options.strokes);
-  add_parsed_option(app, "--rotate", options.rotate_deg, parse_number);
+  add_number_option(app, "--rotate", options.rotate_deg);
   add_along_option(app, options);
   add_frequency_options(app, options);
   add_array_options(app, options.arrays);
@@ -186,8 +186,8 @@ CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {
 }
 
 void add_crossing_frequency_options(CLI::App& app, WaveOptions& options) {
-  add_parsed_option(app, "--stripes-v", options.stripes_v, parse_positive_number);
-  add_parsed_option(app, "--frequency-v", options.frequency_v, parse_positive_number);
+  add_number_option(app, "--stripes-v", options.stripes_v);
+  add_number_option(app, "--frequency-v", options.frequency_v);
 }
 
 }  // namespace brindle::tool

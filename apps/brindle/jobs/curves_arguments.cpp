@@ -16,12 +16,6 @@ std::optional<TracedWaves> parse_traced(std::string_view name) {
   return std::nullopt;
 }
 
-float parse_share_of_spacing(const std::string& option, const std::string& text) {
-  const float share = parse_number(option, text);
-  if (!(share >= 0 && share <= 1)) wrong_usage(option, "a share of the spacing, 0 to 1", text);
-  return share;
-}
-
 }  // namespace
 
 void add_lines_option(CLI::App& command, TracedWaves& traced) {
@@ -29,29 +23,29 @@ void add_lines_option(CLI::App& command, TracedWaves& traced) {
 }
 
 void add_min_length_option(CLI::App& command, Length& min_length) {
-  add_parsed_option(command, "--min-length", min_length, parse_length);
+  add_length_option(command, "--min-length", min_length);
 }
 
 void add_end_options(CLI::App& command, bool& join, float& trim) {
   command.add_flag("--join", join);
-  add_parsed_option(command, "--trim", trim, parse_share_of_spacing);
+  add_number_option(command, "--trim", trim);
 }
 
 void add_line_width_option(CLI::App& command, std::optional<Length>& line_width) {
-  add_parsed_option(command, "--line-width", line_width, parse_positive_length);
+  add_length_option(command, "--line-width", line_width);
 }
 
 void add_offset_option(CLI::App& command, float& offset) {
-  add_parsed_option(command, "--offset", offset, parse_number);
+  add_number_option(command, "--offset", offset);
 }
 
 void add_line_shape_options(CLI::App& command, LineShape& shape) {
-  add_parsed_option(command, "--simplify", shape.simplify, parse_length);
-  add_parsed_option(command, "--resample", shape.resample, parse_positive_length);
+  add_length_option(command, "--simplify", shape.simplify);
+  add_length_option(command, "--resample", shape.resample);
 }
 
 void add_tube_options(CLI::App& command, LineShape& shape) {
-  add_parsed_option(command, "--tube-radius", shape.tube_radius, parse_positive_length);
+  add_length_option(command, "--tube-radius", shape.tube_radius);
   command.add_option("--tube-sides", shape.tube_sides);
 }
 

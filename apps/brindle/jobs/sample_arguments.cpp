@@ -13,7 +13,7 @@
 namespace brindle::tool {
 
 void add_min_distance_option(CLI::App& command, float& min_distance) {
-  add_parsed_option(command, "--min-distance", min_distance, parse_not_negative_number);
+  add_number_option(command, "--min-distance", min_distance);
 }
 
 void add_sample_options(CLI::App& command, SampleArguments& arguments) {

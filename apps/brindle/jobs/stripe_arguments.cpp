@@ -170,7 +170,7 @@ namespace {
 void add_previous_options(CLI::App& command, StripeArguments& arguments) {
   StripeOptions& stripes = arguments.solving.stripes;
   command.add_option("--previous", arguments.previous);
-  add_parsed_option(command, "--lambda", stripes.lambda, parse_weight);
+  add_number_option(command, "--lambda", stripes.lambda);
   add_match_option(command, arguments.match);
 }
 
@@ -191,7 +191,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_picture_options(command);
   add_style_options(command, arguments.style);
-  add_parsed_option(command, "--min-area", arguments.style.min_area, parse_not_negative_number);
+  add_number_option(command, "--min-area", arguments.style.min_area);
 }
 
 }  // namespace brindle::tool

@@ -34,12 +34,6 @@ std::optional<PictureQuality> parse_quality(std::string_view name) {
   return std::nullopt;
 }
 
-float parse_share(const std::string& option, const std::string& text) {
-  const float value = parse_number(option, text);
-  if (value < 0 || value > 1) wrong_usage(option, "a number from 0 to 1", text);
-  return value;
-}
-
 std::optional<int> whole_number(const std::string& text) {
   int value = 0;
   const char* end = text.data() + text.size();
@@ -128,7 +122,7 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
   auto options = add_camera_options(app);
   RenderOptions& render = options->render;
   add_named_option(app, "--view", options->view, parse_view);
-  add_parsed_option(app, "--stripe-width", render.stripe_width, parse_share);
+  add_number_option(app, "--stripe-width", render.stripe_width);
   return options;
 }
 

@@ -48,12 +48,6 @@ ValueRange parse_tones(const std::string& option, const std::string& text) {
   return range;
 }
 
-float parse_tone(const std::string& option, const std::string& text) {
-  const float tone = parse_number(option, text);
-  if (!(tone > 0 && tone <= 1)) wrong_usage(option, "a tone above 0, up to 1", text);
-  return tone;
-}
-
 WidthRange parse_width_range(const std::string& option, const std::string& text) {
   const char* expected = "two widths, from 0 to 1 or in pixels, such as 0.1,0.9 or 1px,5px";
   std::vector<std::string> parts = split(text, ',');
@@ -71,12 +65,6 @@ WidthRange parse_width_range(const std::string& option, const std::string& text)
     wrong_usage(option, expected, text);
   }
   return range;
-}
-
-float parse_pixels(const std::string& option, const std::string& text) {
-  const float pixels = parse_positive_number(option, text);
-  if (pixels > 10000) wrong_usage(option, "pixels, up to 10000", text);
-  return pixels;
 }
 
 std::optional<bool> parse_between(std::string_view name) {
@@ -109,12 +97,6 @@ std::optional<bool> parse_hidden(std::string_view name) {
   if (name == "none") return false;
   if (name == "dashed") return true;
   return std::nullopt;
-}
-
-float parse_angle(const std::string& option, const std::string& text) {
-  const float degrees = parse_number(option, text);
-  if (!(degrees > 0 && degrees < 180)) wrong_usage(option, "degrees, above 0 and below 180", text);
-  return degrees;
 }
 
 OtherSurfaceChoice parse_other(const std::string& option, const std::string& text) {
@@ -173,12 +155,6 @@ Eigen::Vector2f parse_shift(const std::string& option, const std::string& text) 
   return {parse_number(option, parts[0]), parts.size() == 2 ? parse_number(option, parts[1]) : 0};
 }
 
-float parse_occlusion(const std::string& option, const std::string& text) {
-  const float share = parse_number(option, text);
-  if (share < 0 || share > 1) wrong_usage(option, "a number from 0 to 1", text);
-  return share;
-}
-
 std::string parse_value(const std::string& option, const std::string& text) {
   check_value_name(option, text);
   return text;
@@ -202,7 +178,7 @@ void add_color_options(CLI::App& app, StyleOptions& options) {
   add_parsed_option(app, "--color-by", options.color_by, parse_value);
   add_parsed_option(app, "--color-range", options.color_range, parse_rising_range);
   add_named_option(app, "--colormap", options.map, parse_color_map);
-  add_parsed_option(app, "--threshold", options.threshold, parse_number);
+  add_number_option(app, "--threshold", options.threshold);
   app.add_option("--legend", options.legend);
   app.add_flag("--no-legend", options.no_legend);
 }
@@ -219,10 +195,10 @@ void add_value_options(CLI::App& app, StyleOptions& options) {
 }
 
 void add_stroke_options(CLI::App& app, StyleOptions& options) {
-  add_parsed_option(app, "--pixel-width", options.pixel_width, parse_pixels);
-  add_parsed_option(app, "--stroke-spacing", options.spacing, parse_pixels);
+  add_number_option(app, "--pixel-width", options.pixel_width);
+  add_number_option(app, "--stroke-spacing", options.spacing);
   add_parsed_option(app, "--tones", options.tones, parse_tones);
-  add_parsed_option(app, "--cross-hatch", options.cross_hatch, parse_tone);
+  add_number_option(app, "--cross-hatch", options.cross_hatch);
 }
 
 void add_region_options(CLI::App& app, StyleOptions& options) {
@@ -235,9 +211,9 @@ void add_region_options(CLI::App& app, StyleOptions& options) {
 
 void add_line_options(CLI::App& app, StyleOptions& options) {
   add_named_option(app, "--outline", options.outline, parse_outline);
-  add_parsed_option(app, "--creases", options.crease_deg, parse_angle);
+  add_number_option(app, "--creases", options.crease_deg);
   add_named_option(app, "--hidden-lines", options.hidden_dashed, parse_hidden);
-  add_parsed_option(app, "--line-width", options.line_width, parse_pixels);
+  add_number_option(app, "--line-width", options.line_width);
 }
 
 }  // namespace
@@ -262,7 +238,7 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
       ->allow_extra_args(false);
   add_line_options(app, options);
   add_region_options(app, options);
-  add_parsed_option(app, "--occlusion", options.occlusion, parse_occlusion);
+  add_number_option(app, "--occlusion", options.occlusion);
   app.add_flag("--ground-shadow", options.ground_shadow);
   app.add_flag("--flat", options.flat);
   app.add_flag("--transparent", options.transparent);

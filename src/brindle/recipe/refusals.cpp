@@ -31,8 +31,16 @@ const OptionInfo& row_of(const std::string& option) {
 std::string taken_by(const OptionInfo& info) {
   const NumberRange& range = info.range;
   if (info.kind == OptionKind::choice) return "one of " + std::string(info.form);
+  if (info.kind == OptionKind::length) {
+    return std::string("a length") + (range.above_least ? " above zero," : "") +
+           " like 0.02, or 1.5% of the diagonal";
+  }
   if (std::isfinite(range.least) && std::isfinite(range.most)) {
-    return formatted("a number from %.10g to %.10g", range.least, range.most);
+    const char* least = range.above_least ? "a number above %.10g" : "a number from %.10g";
+    const char* most = range.below_most ? range.above_least ? " and below %.10g" : " to below %.10g"
+                       : range.above_least ? ", up to %.10g"
+                                           : " to %.10g";
+    return formatted(least, range.least) + formatted(most, range.most);
   }
   if (range.least == 0) {
     return range.above_least ? "a finite number above zero" : "a finite number, zero or more";
