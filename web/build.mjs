@@ -56,7 +56,11 @@ for (const name of readdirSync(join(here, 'package'))) cpSync(join(here, 'packag
 const manifest = JSON.parse(text(join(here, 'package/package.json')));
 writeFileSync(join(out, 'package.json'), `${JSON.stringify({ ...manifest, version: version() }, null, 2)}\n`);
 cpSync(join(root, 'LICENSE'), join(out, 'LICENSE'));
-copySmall(join(build, 'module.js'), join(out, 'module.js'));
+// Both entries hand the WebAssembly over; bundlers would look for the file that emscripten names here.
+const namesFile = /new URL\(["']module\.wasm["'],\s*import\.meta\.url\)\.(toString\(\)|href)/;
+const loader = text(join(build, 'module.js'));
+if (!namesFile.test(loader)) throw new Error('module.js does not name module.wasm as it did; see web/build.mjs');
+writeFileSync(join(out, 'module.js'), transformSync(loader.replace(namesFile, '"brindle.wasm"'), { minify: true, target: 'es2022' }).code);
 const wasm = readFileSync(join(build, 'module.wasm'));
 writeFileSync(join(out, 'brindle.wasm'), wasm);
 const small = gzipSync(wasm, { level: 9 });

@@ -1,11 +1,13 @@
 // The package as others get it: packed, installed, imported, bundled.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { build } from 'esbuild';
+import { build as vite } from 'vite';
+import webpack from 'webpack';
 
 const folder = process.env.BRINDLE_PACKAGE;
 const scratch = mkdtempSync(join(tmpdir(), 'brindle-consumer-'));
@@ -39,12 +41,61 @@ test('what is packed is what is exported, and nothing else', () => {
   for (const file of files) assert.match(file, /^(package\.json|LICENSE|NOTICE\.md|brindle\.wasm|[\w-]+\.(js|d\.ts))$/);
 });
 
-test('installed and bundled, it does the same', async () => {
+// Each takes a program, and leaves it with all that it needs in a folder.
+const bundlers = {
+  esbuild: (entry, out) => build({ entryPoints: [entry], outfile: join(out, 'program.mjs'), bundle: true, minify: true, format: 'esm',
+                                   platform: 'browser', logLevel: 'error' }),
+  vite: (entry, out) => vite({
+    root: scratch, configFile: false, logLevel: 'error',
+    build: { outDir: out, target: 'es2022', modulePreload: false, rollupOptions: {
+      input: entry, preserveEntrySignatures: 'strict', output: { entryFileNames: 'program.mjs' } } },
+    worker: { format: 'es' },
+  }),
+  webpack: (entry, out) => new Promise((done, failed) => {
+    webpack({ mode: 'production', performance: false, context: scratch, entry, target: ['web', 'es2022'], experiments: { outputModule: true, topLevelAwait: true },
+              output: { path: out, filename: 'program.mjs', module: true, publicPath: '', chunkFormat: 'module' } }, (error, stats) => {
+      const problems = stats?.toJson({ errors: true, warnings: true });
+      if (error || problems.errors.length || problems.warnings.length) failed(error ?? new Error(JSON.stringify(problems.errors.concat(problems.warnings))));
+      else done();
+    });
+  }),
+};
+
+test('installed and bundled, it does the same', async (t) => {
   writeFileSync(join(scratch, 'program.js'), program);
   const installed = run('program.js');
   assert.ok(installed.refused);
-  await build({ entryPoints: [join(scratch, 'program.js')], outfile: join(scratch, 'bundle/program.mjs'), bundle: true, minify: true,
-                format: 'esm', platform: 'browser', logLevel: 'error' });
-  rmSync(join(scratch, 'node_modules'), { recursive: true });
-  assert.deepEqual(run('bundle/program.mjs'), installed);
+  for (const [name, bundle] of Object.entries(bundlers)) {
+    await t.test(name, async () => {
+      await bundle(join(scratch, 'program.js'), join(scratch, name));
+      renameSync(join(scratch, 'node_modules'), join(scratch, 'hidden'));
+      try {
+        assert.deepEqual(run(`${name}/program.mjs`), installed);
+      } finally {
+        renameSync(join(scratch, 'hidden'), join(scratch, 'node_modules'));
+      }
+    });
+  }
 });
+
+// What is loaded when the program runs is found by `new URL(..., import.meta.url)`.
+const apart = `
+import createBrindle from 'brindle/slim';
+import { createBrindle as createInWorker } from 'brindle/worker';
+globalThis.start = () => [createBrindle(), createInWorker()];
+`;
+
+for (const name of ['vite', 'webpack']) {
+  test(`${name} takes the WebAssembly and the worker along`, async () => {
+    writeFileSync(join(scratch, 'apart.js'), apart);
+    const out = join(scratch, `${name}-apart`);
+    await bundlers[name](join(scratch, 'apart.js'), out);
+    const files = readdirSync(out, { recursive: true, withFileTypes: true }).filter((file) => file.isFile())
+      .map((file) => join(file.parentPath ?? file.path, file.name));
+    const wasm = files.filter((file) => file.endsWith('.wasm'));
+    assert.ok(wasm.length >= 1, `no WebAssembly among ${files}`);
+    assert.deepEqual(readFileSync(wasm[0]), readFileSync(join(folder, 'brindle.wasm')));
+    const programs = files.filter((file) => /\.m?js$/.test(file)).map((file) => readFileSync(file, 'utf8'));
+    assert.ok(programs.some((text) => text.includes('onmessage')), 'the worker is missing');
+  });
+}

@@ -5,25 +5,19 @@ import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSyn
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import puppeteer from 'puppeteer-core';
 import { serve } from '../serve.mjs';
+import { openBrowser } from './browser.mjs';
 
 const shots = process.env.BRINDLE_SHOTS;
 const scratch = mkdtempSync(join(tmpdir(), 'brindle-page-'));
-let server, address, browser, page, complaints;
+let server, address, browser, close, page, complaints;
 
 before(async () => {
   ({ server, address } = await serve(process.env.BRINDLE_PAGE));
-  browser = await puppeteer.launch({
-    executablePath: process.env.BRINDLE_BROWSER ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader',
-           '--enable-unsafe-swiftshader', '--force-prefers-reduced-motion'],
-    userDataDir: join(scratch, 'profile'),
-    protocolTimeout: 120000,
-  });
+  ({ browser, close } = await openBrowser());
 });
 after(async () => {
-  await browser?.close();
+  await close?.();
   server?.close();
   rmSync(scratch, { recursive: true, force: true });
 });

@@ -4,6 +4,8 @@ import { createBrindle as createSlim } from 'brindle/slim';
 import { createBrindle as createInWorker } from 'brindle/worker';
 import { StripeDrawing, colorOf } from 'brindle/draw';
 import { patternFragment } from 'brindle/shaders';
+import { Stripes, surfaceInput } from 'brindle/three';
+import { Mesh, MeshStandardMaterial, TorusGeometry } from 'three';
 
 async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   const brindle = await createBrindle();
@@ -21,6 +23,17 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   return pattern.curves({ join: true });
 }
 
+async function inThree(): Promise<Mesh> {
+  const brindle = await createBrindle();
+  const surface: Surface = brindle.surface(surfaceInput(new TorusGeometry()), { repair: true });
+  const pattern = surface.stripes(surface.smoothField());
+  const stripes = new Stripes(
+    { positions: surface.positions(), normals: surface.normals(), triangles: surface.triangles() },
+    { directions: pattern.directions(), frequencies: pattern.frequencies(), phases: pattern.phases() }, { color: 'navy' });
+  stripes.width = 0.4;
+  return new Mesh(stripes.geometry, stripes.paint(new MeshStandardMaterial()));
+}
+
 async function elsewhere(): Promise<number> {
   const brindle = await createInWorker();
   const surface = await brindle.shape('torus');
@@ -31,4 +44,4 @@ async function elsewhere(): Promise<number> {
   return pattern.energy + positions.length + patternFragment.length;
 }
 
-export { here, elsewhere, createSlim, BrindleError };
+export { here, inThree, elsewhere, createSlim, BrindleError };
