@@ -3,6 +3,7 @@ import { StripeDrawing } from './brindle/draw.js';
 import { Camera, firstHit } from './camera.js';
 import { LivePattern } from './pattern.js';
 import { Settings } from './settings.js';
+import { brushed, readStrokes, writtenStrokes } from './strokes.js';
 
 const $ = (id) => document.getElementById(id);
 const canvas = $('canvas'), body = document.body;
@@ -119,10 +120,19 @@ async function open(make, name) {
     radius = Math.max(radius, Math.hypot(positions[i] - center[0], positions[i + 1] - center[1], positions[i + 2] - center[2]));
   }
   camera.frame(radius);
-  $('unbrush').disabled = true;
+  live.strokes = own || !settings.strokes ? [] : readStrokes(settings.strokes, live.surface.diagonal);
+  settings.strokes = '';
+  keepStrokes();
   say(surface.notes.map((note) => `${note}.`.replace(/\.\.$/, '.')).join('\n'), true);
   live.ask(settings.values);
   return true;
+}
+
+/** Those of a mesh that was dropped are of no use in a link. */
+function keepStrokes() {
+  $('unbrush').disabled = live.strokes.length === 0;
+  settings.strokes = own ? '' : writtenStrokes(live.strokes, live.surface.diagonal);
+  carry();
 }
 
 const openShape = () => open((brindle) => brindle.shape(settings.values.shape), names[settings.values.shape]);
@@ -195,7 +205,7 @@ function brush(isOn) {
 $('brush').addEventListener('click', () => brush(!brushing));
 $('unbrush').addEventListener('click', () => {
   live.strokes = [];
-  $('unbrush').disabled = true;
+  keepStrokes();
   live.ask(settings.values);
 });
 
@@ -222,8 +232,10 @@ function extend(event) {
 
 function endStroke() {
   if (stroke.length >= 6) {
-    live.strokes = [...live.strokes, { points: stroke, radius: 0.08 * live.surface.diagonal, strength: 4 }];
-    $('unbrush').disabled = false;
+    // As the link has them, so that it shows the same.
+    const { diagonal } = live.surface, strokes = [...live.strokes, brushed(stroke, diagonal)];
+    live.strokes = readStrokes(writtenStrokes(strokes, diagonal), diagonal);
+    keepStrokes();
     live.ask(settings.values);
   }
   stroke = null;

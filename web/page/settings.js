@@ -7,9 +7,11 @@ export class Settings {
   constructor(form, changed) {
     this.form = form;
     this.values = { ...defaults };
+    this.strokes = '';  // as they are written in links
     for (const input of form.querySelectorAll('[name]')) {
       input.addEventListener('input', () => {
         this.values[input.name] = valueOf(input);
+        if (input.name === 'shape') this.strokes = '';
         this.show();
         changed(input.name);
       });
@@ -19,6 +21,7 @@ export class Settings {
   /** Names that are unknown or values that a control has not are passed over. */
   read(hash) {
     const given = new URLSearchParams(hash.replace(/^#/, ''));
+    this.strokes = given.get('strokes') ?? '';
     for (const [name, text] of given) {
       const input = this.form.elements.namedItem(name);
       if (!input || !(name in defaults)) continue;
@@ -41,6 +44,7 @@ export class Settings {
 
   hash() {
     const changed = Object.entries(this.values).filter(([name, value]) => value !== defaults[name] && value !== '');
+    if (this.strokes) changed.push(['strokes', this.strokes]);
     return changed.length ? `#${new URLSearchParams(changed)}` : '';
   }
 }

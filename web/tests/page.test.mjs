@@ -164,11 +164,31 @@ test('a stroke changes the field, and can be taken back', async () => {
   await page.mouse.up();
   await page.waitForFunction(() => !document.getElementById('unbrush').disabled);
   await ready();
-  assert.notEqual(without(await figures()), said);
+  const combed = without(await figures());
+  assert.notEqual(combed, said);
   await screenshot('stroked');
+  const link = await page.evaluate(() => location.hash);
   await page.click('#unbrush');
   await ready();
+  assert.equal(await page.evaluate(() => location.hash), '#shape=sphere&stripes=30');
   assert.deepEqual(complaints, []);
+  await visit({ hash: link, width: 900, height: 640 });
+  // What was there before the stroke does not travel: the pattern follows the one that was seen last.
+  const energy = (text) => Number(/([\d.]+) energy/.exec(text)[1]);
+  assert.notEqual(without(await figures()), said);
+  assert.ok(Math.abs(energy(await figures()) / energy(combed) - 1) < 0.25);
+  assert.equal(await page.evaluate(() => location.hash), link);
+  assert.equal(await page.$eval('#unbrush', (e) => e.disabled), false);
+  // Strokes are those of one shape.
+  await page.select('#shape', 'torus');
+  await ready();
+  assert.equal(await page.evaluate(() => location.hash), '#shape=torus&stripes=30');
+  assert.equal(await page.$eval('#unbrush', (e) => e.disabled), true);
+  for (const strokes of ['1.2.3.4.5', '1.2.x.4.5.6', '~~', '1e9.0.0.1.1.1']) {
+    await visit({ hash: `#shape=sphere&stripes=30&strokes=${strokes}` });
+    assert.equal(without(await figures()), said);
+    assert.deepEqual(complaints, []);
+  }
 });
 
 test('downloads are whole files', async () => {
