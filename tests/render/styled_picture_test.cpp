@@ -79,6 +79,37 @@ TEST(StyledPicture, BetweenDiscardedStrokesIsExactlyWhatLiesBehind) {
   EXPECT_GT(strokes + seen_through, 80 * 60 * 3 / 5);
 }
 
+// Whether it is discarded is found out once a pixel of a draft, and for each of its samples
+// otherwise.
+TEST(StyledPicture, InDraftsPixelsAreStrokesOrWhatLiesBehind) {
+  const Sheets sheets;
+  const StyledSurface behind{
+      .mesh = sheets.back.mesh, .color = {0.2f, 0.5f, 0.3f}, .strokes = {strokes_of(sheets.back)}};
+  StyledSurface front{.mesh = sheets.front.mesh,
+                      .strokes = {strokes_of(sheets.front)},
+                      .between = BetweenStrokes::discarded};
+  front.strokes[0].color = {1, 0, 0};
+  StyledOptions options = styled_options();
+  const Image final = draw_styled({front, behind}, options);
+  options.render.quality = PictureQuality::interactive;
+  const Image draft = draw_styled({front, behind}, options);
+  front.strokes[0].width = 0;
+  const Image alone = draw_styled({front, behind}, options);
+  constexpr Pixel kStroke{255, 0, 0, 255};
+  int strokes = 0, lost = 0;
+  for (int y = 20; y < 100; ++y) {
+    for (int x = 50; x < 110; ++x) {
+      const bool stroke = draft.at(x, y) == kStroke;
+      EXPECT_TRUE(stroke || draft.at(x, y) == alone.at(x, y)) << x << ", " << y;
+      strokes += stroke;
+      lost += final.at(x, y) == kStroke && !stroke;
+    }
+  }
+  EXPECT_GT(strokes, 80 * 60 / 4);
+  EXPECT_LT(strokes, 80 * 60 * 3 / 4);
+  EXPECT_EQ(lost, 0);
+}
+
 TEST(StyledPicture, WithoutStrokesBetweenTheySeeTheBackground) {
   const Sheets sheets;
   const StyledSurface front{.mesh = sheets.front.mesh,

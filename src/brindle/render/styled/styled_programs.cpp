@@ -44,6 +44,11 @@ const ShaderProgram& StyledPrograms::whole() {
   return *whole_;
 }
 
+const ShaderProgram& StyledPrograms::spread() {
+  if (!spread_) spread_.emplace(Sources{"full_screen.vert"}, Sources{"spread_samples.frag"});
+  return *spread_;
+}
+
 const ShaderProgram& StyledPrograms::between_strokes(const std::string& features) {
   return visibility("between strokes\n", features,
                     {"stripe_middle.glsl", "light.glsl", "style_buffers.glsl", "color_scale.glsl",

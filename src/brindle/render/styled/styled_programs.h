@@ -20,6 +20,9 @@ class StyledPrograms {
   const ShaderProgram& between_strokes(const std::string& features);
   const ShaderProgram& beside_tiles(const std::string& features);
 
+  /// Of a target with one sample a pixel, all samples of the first pass.
+  const ShaderProgram& spread();
+
   /// The second pass: light.
   const ShaderProgram& strokes(const std::string& features, bool occlusion);
   const ShaderProgram& texture(const std::string& features, bool occlusion);
@@ -33,7 +36,7 @@ class StyledPrograms {
   const ShaderProgram& shading(const char* name, const std::string& features, bool occlusion,
                                Sources style);
 
-  std::optional<ShaderProgram> whole_, ground_;
+  std::optional<ShaderProgram> whole_, spread_, ground_;
   std::map<std::string, ShaderProgram> programs_;  ///< by what they are and by their features
 };
 

@@ -184,12 +184,28 @@ struct Part {
   Eigen::Vector2i size;  ///< of its light
 };
 
+/// Lets a target of the first pass show nothing.
+void clear_samples(Target& target, const Eigen::Vector2i& size) {
+  constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
+  constexpr float kFarthest = 1;
+  fit_target(target, {GL_R32UI}, true, size.x(), size.y());
+  glClearNamedFramebufferuiv(target.framebuffer, GL_COLOR, 0, kNothing.data());
+  glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
+}
+
+/// Draws what is nearest into this part of it from now on.
+void bind_samples(const Target& target, const Eigen::Vector2i& size) {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  glViewport(0, 0, size.x(), size.y());
+  glEnable(GL_DEPTH_TEST);
+}
+
 }  // namespace
 
 struct StyledRenderer::State {
   StyledPrograms programs;
   TiledPicture picture;
-  Target visible;
+  Target visible, once;  ///< what samples show, and what pixels do
   SampleGroups groups;
   GlVertexArray no_attributes = no_vertex_attributes();
   std::vector<DrawnSurface> surfaces;
@@ -200,7 +216,9 @@ struct StyledRenderer::State {
   Drawing drawing(const Camera& camera, const StyledOptions& options,
                   const Progress& progress) const;
   void draw_visible(const Drawing& drawing, const Part& part, const Eigen::Vector2i& largest);
-  void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part);
+  void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part, int samples);
+  void draw_parts_once(const DrawnSurface& drawn, const Drawing& drawing, const Part& part,
+                       const Eigen::Vector2i& largest);
   void draw_surfaces(const Drawing& drawing, const Part& part, const Target& light);
   void draw_surface(const DrawnSurface& drawn, const Drawing& drawing, const Part& part,
                     const Target& light);
@@ -211,23 +229,17 @@ struct StyledRenderer::State {
 /// The first pass: which triangle of which surface each sample shows.
 void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& part,
                                          const Eigen::Vector2i& largest) {
-  constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
-  constexpr float kFarthest = 1;
-  fit_target(visible, {GL_R32UI}, true, kVisibleSamples * largest.x(),
-             kVisibleSamples * largest.y());
-  glClearNamedFramebufferuiv(visible.framebuffer, GL_COLOR, 0, kNothing.data());
-  glClearNamedFramebufferfv(visible.framebuffer, GL_DEPTH, 0, &kFarthest);
+  clear_samples(visible, kVisibleSamples * largest);
+  const bool draft = drawing.quality() == PictureQuality::interactive;
   for (const DrawnSurface& drawn : surfaces) {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, visible.framebuffer);
-    glViewport(0, 0, kVisibleSamples * part.size.x(), kVisibleSamples * part.size.y());
-    glEnable(GL_DEPTH_TEST);
-    if (drawn.style.discards()) {
-      draw_parts(drawn, drawing, part);
+    bind_samples(visible, kVisibleSamples * part.size);
+    if (drawn.style.discards() && draft) {
+      draw_parts_once(drawn, drawing, part, largest);
+    } else if (drawn.style.discards()) {
+      draw_parts(drawn, drawing, part, kVisibleSamples);
     } else {
       programs.whole().set("first_number", drawn.first_number);
-      if (drawing.quality() == PictureQuality::interactive) {
-        leave_out_hidden_side(drawn.surface, drawing.camera);
-      }
+      if (draft) leave_out_hidden_side(drawn.surface, drawing.camera);
       drawn.surface.draw(programs.whole(), drawing.camera, part.transform);
       glDisable(GL_CULL_FACE);
     }
@@ -236,22 +248,41 @@ void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& par
   }
 }
 
-/// The first pass over a surface that is discarded in parts.
+/// The first pass over a surface that is discarded in parts, with so many samples along a pixel's
+/// side.
 void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing& drawing,
-                                       const Part& part) {
+                                       const Part& part, int samples) {
   const std::size_t regions = drawn.style.regions();
   const ShaderProgram& program = regions > 0 ? programs.beside_tiles(drawn.style.features())
                                              : programs.between_strokes(drawn.style.features());
   program.set("first_number", drawn.first_number);
   program.set("color_map", static_cast<int>(kColorMapUnit));
   drawn.surface.bind(program, drawing.camera, part.transform);
-  drawn.style.bind(program, kVisibleSamples * shading_side(drawing.options.render));
-  program.set("target_size", Eigen::Vector2f((kVisibleSamples * part.size).cast<float>()));
+  drawn.style.bind(program, samples * shading_side(drawing.options.render));
+  program.set("target_size", Eigen::Vector2f((samples * part.size).cast<float>()));
   program.set("up", up_seen_by(drawing.camera, drawing.up()));
   for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
     if (regions > 0) drawn.style.bind_region(program, region);
     drawn.surface.draw(program, drawing.camera, part.transform);
   }
+}
+
+/// The same of a draft: whether it is discarded, which takes longest, is found out once a pixel.
+void StyledRenderer::State::draw_parts_once(const DrawnSurface& drawn, const Drawing& drawing,
+                                            const Part& part, const Eigen::Vector2i& largest) {
+  clear_samples(once, largest);
+  bind_samples(once, part.size);
+  draw_parts(drawn, drawing, part, 1);
+  bind_samples(visible, kVisibleSamples * part.size);
+  const ShaderProgram& program = programs.spread();
+  program.set("pixels", 0);
+  program.set("pixel_depths", 1);
+  program.set("samples", kVisibleSamples);
+  glBindTextureUnit(0, once.textures[0]);
+  glBindTextureUnit(1, once.textures[1]);
+  glUseProgram(program.name());
+  glBindVertexArray(no_attributes);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 /// What a program of the second pass has to know of the picture.
