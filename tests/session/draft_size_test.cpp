@@ -50,17 +50,19 @@ TEST(Enlarged, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(DraftSize, SettlesWhereDrawingIsFastEnoughAndStaysThere) {
-  for (const double whole : {5.0, 60.0, 130.0, 400.0, 5000.0}) {  // milliseconds at full size
-    DraftSize size;
-    const auto drawing = [&] { return whole / (size.reduction() * size.reduction()); };
-    for (int frame = 0; frame < 5; ++frame) size.note(drawing());
-    const float settled = size.reduction();
-    for (int frame = 0; frame < 5; ++frame) {
-      size.note(drawing());
-      EXPECT_EQ(size.reduction(), settled) << whole;
+  for (const double before : {0.0, 30.0, 200.0}) {
+    for (const double whole : {5.0, 60.0, 130.0, 400.0, 5000.0}) {  // milliseconds at full size
+      DraftSize size;
+      const auto drawing = [&] { return whole / (size.reduction() * size.reduction()); };
+      for (int frame = 0; frame < 5; ++frame) size.note(drawing(), before);
+      const float settled = size.reduction();
+      for (int frame = 0; frame < 5; ++frame) {
+        size.note(drawing(), before);
+        EXPECT_EQ(size.reduction(), settled) << whole << " after " << before;
+      }
+      EXPECT_TRUE(before + drawing() <= 60 || settled == 4) << whole << " after " << before;
+      EXPECT_TRUE(settled == 1 || before + whole > 46) << whole << " after " << before;
     }
-    EXPECT_TRUE(drawing() <= 55 || settled == 4) << whole;
-    EXPECT_TRUE(settled == 1 || whole > 40) << whole;
   }
 }
 

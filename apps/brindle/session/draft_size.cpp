@@ -15,9 +15,9 @@ namespace {
 constexpr std::array kReductions = {1.0f, 1.5f, 2.0f, 3.0f, 4.0f};
 static_assert(DraftSize::kFirst < kReductions.size());
 
-// Milliseconds. A finer picture costs as much more as it has pixels, at most.
-constexpr double kLongest = 55;
-constexpr double kGoal = 42;
+// Milliseconds a frame. A finer picture costs as much more as it has pixels, at most.
+constexpr double kLongest = 60;
+constexpr double kGoal = 46;
 
 constexpr std::size_t kRowsOfTask = 32;
 
@@ -61,11 +61,11 @@ std::vector<Place> places(int source, int count) {
 
 float DraftSize::reduction() const { return kReductions[step_]; }
 
-void DraftSize::note(double milliseconds) {
+void DraftSize::note(double drawing, double before) {
   const std::size_t now = step_;
   const auto expected = [&](std::size_t step) {
     const double shorter = kReductions[now] / kReductions[step];
-    return milliseconds * shorter * shorter;
+    return before + drawing * shorter * shorter;
   };
   while (step_ > 0 && expected(step_ - 1) < kGoal) --step_;
   while (step_ + 1 < kReductions.size() && expected(step_) > kLongest) ++step_;

@@ -8,7 +8,7 @@
 namespace brindle::tool {
 
 /// Drafts are drawn with shorter sides and enlarged, so that there are enough of them a second. How
-/// much shorter follows from how long drawing took.
+/// much shorter follows from how long drawing took, and all that came before it.
 class DraftSize {
  public:
   static constexpr std::size_t kFirst = 2;  ///< of all reductions
@@ -16,8 +16,9 @@ class DraftSize {
   /// How many times shorter, from 1 to 4.
   float reduction() const;
 
-  /// Says how long drawing has taken at `reduction()`, which may then be another one.
-  void note(double milliseconds);
+  /// Says how long drawing has taken at `reduction()`, which may then be another one, and what the
+  /// frame took that does not depend on it. Both in milliseconds.
+  void note(double drawing, double before);
 
  private:
   std::size_t step_ = kFirst;

@@ -43,6 +43,7 @@ namespace {
 struct DrawSettings {
   PictureQuality quality = PictureQuality::final;
   bool draft = false;
+  double before = 0;  ///< milliseconds that the frame has taken
   const Progress& progress;
 };
 
@@ -240,17 +241,18 @@ Image LivePicture::Drawing::draw_plain(const LiveState& state, const DrawSetting
 Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state,
                                  const DrawSettings& settings) {
   settings.progress.report("drawing", 0);
+  Stopwatch watch;
   context.make_current();
   upload(*state);
   kept = state;
   settings.progress.report("drawing", 0.2);
-  Stopwatch watch;
+  const double before = settings.before + watch.lap();
   const ShownOrnaments* shown = ornaments_of(*state);
   Image image = shown != nullptr && shown->glyphs ? draw_glyphs(*state, *shown->glyphs, settings)
                 : state->style                    ? draw_styled(*state, settings)
                                                   : draw_plain(*state, settings);
   context.check_errors("drawing the picture");
-  if (settings.draft) draft_size.note(watch.lap());
+  if (settings.draft) draft_size.note(watch.lap(), before);
   settings.progress.report("drawing", 1);
   return image;
 }
@@ -266,11 +268,12 @@ LivePicture::~LivePicture() {
 
 Image LivePicture::draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
                         const Progress& progress) {
-  return drawing_->draw(state, {quality, false, progress});
+  return drawing_->draw(state, {quality, false, 0, progress});
 }
 
-Image LivePicture::draft(const std::shared_ptr<const LiveState>& state, const Progress& progress) {
-  return drawing_->draw(state, {PictureQuality::interactive, true, progress});
+Image LivePicture::draft(const std::shared_ptr<const LiveState>& state, double before,
+                         const Progress& progress) {
+  return drawing_->draw(state, {PictureQuality::interactive, true, before, progress});
 }
 
 Camera LivePicture::camera(const LiveState& state) const {

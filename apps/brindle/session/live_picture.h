@@ -21,8 +21,9 @@ class LivePicture {
              const Progress& progress = {});
 
   /// The same at interactive quality, in so much detail as there is time for while something moves
-  /// (`DraftSize`).
-  Image draft(const std::shared_ptr<const LiveState>& state, const Progress& progress = {});
+  /// (`DraftSize`), of which its state has taken `before` milliseconds.
+  Image draft(const std::shared_ptr<const LiveState>& state, double before = 0,
+              const Progress& progress = {});
 
   /// How the picture that was drawn of the state was taken: for picking and for what a window draws
   /// on top. Coordinates are those of the surface's mesh.

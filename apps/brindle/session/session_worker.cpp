@@ -44,7 +44,7 @@ class FrameMaker {
     frame->revision = request.revision;
     frame->quality = request.quality;
     frame->state = pattern_.state();
-    frame->image = draft ? picture_->draft(frame->state, progress)
+    frame->image = draft ? picture_->draft(frame->state, solve_milliseconds, progress)
                          : picture_->draw(frame->state, request.quality, progress);
     frame->camera = picture_->camera(*frame->state);
     frame->draw_milliseconds = watch.lap();
