@@ -70,6 +70,9 @@ struct RegionTexture {
   /// become decals, apart from each other, around samples of the two patterns (samples.h). That in
   /// the middle of a tile counts; where it is NaN or 0 there is no tile. Empty: all of it.
   std::span<const float> sizes = {};
+  /// Of figures, in the picture's colour map, one per vertex: that in the middle of a tile counts,
+  /// so that a figure has one colour. NaN: the tile's own. Tiles that are pictures keep theirs.
+  std::span<const float> color_places = {};
 };
 
 /// A surface of a picture. What it refers to must live as long as the call that it is given to.

@@ -322,6 +322,9 @@ TEST_F(StyleTool, GlyphsFollowValues) {
 }
 
 TEST_F(StyleTool, OptionsWithoutEffectAreRefused) {
+  ASSERT_EQ(
+      run({"stripe", "shape:torus,resolution=12", "-o", "tile.png", "--size", "16x16"}).exit_code,
+      0);
   const std::vector<Arguments> refused = {
       {"--width-range", "0.1,0.2"},
       {"--width-by", "height", "--stripe-width", "0.4"},
@@ -341,6 +344,13 @@ TEST_F(StyleTool, OptionsWithoutEffectAreRefused) {
       {"--hidden-lines", "dashed"},
       {"--line-width", "2", "--flat"},
       {"--color-on", "surface", "--color-by", "height", "--between", "nothing"},
+      {"--color-on", "figures", "--color-by", "height"},
+      {"--color-on", "strokes", "--color-by", "height", "--texture", "dots"},
+      {"--color-on", "surface", "--texture", "dots"},
+      {"--color-by", "height", "--texture", "dots", "--between", "nothing"},
+      {"--color-on", "figures", "--color-by", "height", "--texture", "tile.png"},
+      {"--color-on", "figures", "--color-by", "height", "--texture", "dots", "--texture-by",
+       "height", "--regions", "0,plus@#ff0000"},
       {"--flat", "--view", "branches"},
       {"--width-by", "height", "--texture", "dots"},
       {"--texture-by", "height", "--regions", "0,plus"},

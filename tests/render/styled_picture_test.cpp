@@ -1,6 +1,7 @@
 #include "brindle/styled_picture.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -342,6 +343,42 @@ TEST(StyledPicture, BesideDiscardedTilesIsExactlyWhatLiesBehind) {
   EXPECT_NEAR(static_cast<double>(green) / all, 0.125, 0.03);
   EXPECT_NEAR(static_cast<double>(blue) / all, 0.75, 0.06);
   EXPECT_LT(mixed, all / 12);
+}
+
+// A figure has the colour of the value in its tile's middle, wherever in it one looks.
+TEST(StyledPicture, FiguresHaveOneColorEach) {
+  const Mesh mesh = square(16);
+  const TextureWaves waves = grid_waves(mesh, 4);
+  RegionTexture texture{.waves = &waves};
+  texture.tiles = {{BuiltInTile::dots, {1, 0, 0}}};
+  StyledOptions options = styled_options(256, 256);
+  const auto drawn = [&](const std::vector<float>& places, BetweenStrokes between) {
+    texture.color_places = places;
+    const StyledSurface surface{
+        .mesh = mesh, .color = {0, 0, 1}, .between = between, .shading = false, .texture = texture};
+    return draw_styled({surface}, options);
+  };
+  std::vector<float> rising;
+  for (const Vec3& p : mesh.positions) rising.push_back(p.x());
+  for (const BetweenStrokes between : {BetweenStrokes::surface, BetweenStrokes::discarded}) {
+    const Image own = drawn(std::vector<float>(rising.size(), kNaN), between);
+    EXPECT_EQ(own.pixels, drawn({}, between).pixels);
+    const Image image = drawn(rising, between);
+    std::vector<Pixel> colors;  // that differ by more than rounding does
+    for (std::size_t p = 0; p < own.pixels.size(); ++p) {
+      if (!(own.pixels[p] == Pixel{255, 0, 0, 255})) continue;
+      const Pixel& pixel = image.pixels[p];
+      const auto is_alike = [&](const Pixel& other) {
+        return std::abs(pixel.red - other.red) + std::abs(pixel.green - other.green) +
+                   std::abs(pixel.blue - other.blue) <
+               8;
+      };
+      if (std::ranges::none_of(colors, is_alike)) colors.push_back(pixel);
+    }
+    EXPECT_EQ(colors.size(), 4u);  // columns of dots
+  }
+  const std::vector<float> few(3);
+  EXPECT_THROW(drawn(few, BetweenStrokes::surface), Error);
 }
 
 TEST(StyledPicture, QuadsShowTheirPictureUprightAndBeyondTheSilhouette) {

@@ -235,7 +235,7 @@ void check_scene_options(const CLI::App& command, const AnimateArguments& argume
 
 void check_styles(const CLI::App& command, const AnimateArguments& arguments) {
   const bool texture = !arguments.texture.tile.empty();
-  check_style_options(command, arguments.style, texture);
+  check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   const auto refuse = [&](const char* why) {
     refuse_style_options(command, why);
     refuse_given(command, {"--texture", "--tiles"}, why);

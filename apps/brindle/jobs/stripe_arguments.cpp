@@ -93,7 +93,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
     refuse_given(command, {"--winding", "--anchor-boundary", "--merge-branches"},
                  "it is for stripes, not for textures and cross fields");
   }
-  check_style_options(command, arguments.style, texture);
+  check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   check_drawings(command, arguments, outputs, texture);
   const std::string no_picture = "no picture is written; add --output FILE.png";
   if (!has(outputs, OutputKind::picture)) {

@@ -73,9 +73,10 @@ std::optional<bool> parse_between(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<bool> parse_color_on(std::string_view name) {
-  if (name == "strokes") return false;
-  if (name == "surface") return true;
+std::optional<ColoredPart> parse_color_on(std::string_view name) {
+  if (name == "strokes") return ColoredPart::strokes;
+  if (name == "surface") return ColoredPart::surface;
+  if (name == "figures") return ColoredPart::figures;
   return std::nullopt;
 }
 
@@ -189,7 +190,7 @@ void add_value_options(CLI::App& app, StyleOptions& options) {
   add_parsed_option(app, "--width-by", options.width_by, parse_width_value);
   add_parsed_option(app, "--width-range", options.width_range, parse_width_range);
   add_color_options(app, options);
-  add_named_option(app, "--color-on", options.color_surface, parse_color_on);
+  add_named_option(app, "--color-on", options.color_on, parse_color_on);
   add_parsed_option(app, "--opacity-by", options.opacity_by, parse_value);
   add_parsed_option(app, "--opacity-range", options.opacity_range, parse_shares);
 }
@@ -295,21 +296,41 @@ void check_colors(const CLI::App& command, const StyleOptions& options) {
                  "there is none; add --color-by or --width-by VALUE, or --regions");
   }
   if (options.no_legend) refuse_given(command, {"--legend"}, "--no-legend leaves it out");
-  if (options.discard && options.color_surface) {
+  if (options.discard && options.color_on == ColoredPart::surface) {
     refuse_given(command, {"--color-on"}, "nothing is seen of the surface between stripes");
   }
 }
 
-void check_tiles(const CLI::App& command, const StyleOptions& options, bool texture) {
-  if (texture) {
+/// Of tiles.
+void check_figures(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
+  const bool figures = options.color_on == ColoredPart::figures;
+  if (options.color_on == ColoredPart::strokes) {
+    refuse_given(command, {"--color-on"}, "tiles have no strokes; take surface or figures");
+  }
+  if (figures && drawn == Drawn::pictures && options.regions.empty()) {
+    refuse_given(command, {"--color-on"}, "pictures have colours of their own");
+  }
+  if (figures &&
+      std::ranges::any_of(options.regions, [](auto& r) { return r.color.has_value(); })) {
+    refuse_given(command, {"--color-on"}, "regions have colours of their own; leave out @#RRGGBB");
+  }
+  if (options.discard && !figures) {
+    refuse_given(command, {"--color-by"},
+                 "nothing is seen of the surface beside tiles; add --color-on figures");
+  }
+}
+
+void check_tiles(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
+  if (drawn != Drawn::stripes) {
     refuse_given(command,
                  {"--width-by", "--width-range", "--opacity-by", "--opacity-range", "--pixel-width",
-                  "--stroke-spacing", "--tones", "--cross-hatch", "--color-on"},
+                  "--stroke-spacing", "--tones", "--cross-hatch"},
                  "it is for stripes, not for textures");
-    if (options.discard) {
-      refuse_given(command, {"--color-by"}, "nothing is seen of the surface beside tiles");
-    }
+    check_figures(command, options, drawn);
   } else {
+    if (options.color_on == ColoredPart::figures) {
+      refuse_given(command, {"--color-on"}, "stripes have no figures; add --texture TILE");
+    }
     refuse_given(command,
                  {"--texture-by", "--regions", "--texture-shift", "--texture-flow",
                   "--tile-size-by", "--tile-size-range", "--tiles"},
@@ -327,8 +348,8 @@ void check_tiles(const CLI::App& command, const StyleOptions& options, bool text
 
 }  // namespace
 
-void check_style_options(const CLI::App& command, const StyleOptions& options, bool texture) {
-  check_tiles(command, options, texture);
+void check_style_options(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
+  check_tiles(command, options, drawn);
   check_widths(command, options);
   check_colors(command, options);
   if (!options.has_lines()) {

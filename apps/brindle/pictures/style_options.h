@@ -44,6 +44,20 @@ struct RegionChoice {
   std::optional<Color> color;
 };
 
+/// What has the colours of a value.
+enum class ColoredPart {
+  strokes,
+  surface,  ///< also between strokes, and beside the figures of tiles
+  figures   ///< of tiles
+};
+
+/// What patterns are drawn by.
+enum class Drawn {
+  stripes,
+  figures,  ///< tiles, of which some at least have figures of one colour
+  pictures  ///< tiles that are pictures of the user's
+};
+
 struct StyleOptions {
   std::string width_by;  ///< a value, or "light"
   std::optional<WidthRange> width_range;
@@ -52,8 +66,8 @@ struct StyleOptions {
   std::string opacity_by;
   std::optional<ValueRange> opacity_range;
   ColorMap map = ColorMap::viridis;
-  std::optional<float> threshold;  ///< a value
-  bool color_surface = false;      ///< colours are those of the surface, not of the strokes
+  std::optional<float> threshold;       ///< a value
+  std::optional<ColoredPart> color_on;  ///< nothing: strokes, and the surface with tiles
   std::optional<float> pixel_width;
   std::optional<float> spacing;      ///< pixels
   std::optional<float> cross_hatch;  ///< a tone
@@ -99,9 +113,8 @@ bool is_styled(const CLI::App& command);
 /// Throws CLI::ValidationError for options of styles that were given: `why` they have no effect.
 void refuse_style_options(const CLI::App& command, std::string_view why);
 
-/// Throws CLI::ValidationError for options that leave each other without effect. `texture`: tiles
-/// are drawn, not stripes.
-void check_style_options(const CLI::App& command, const StyleOptions& options, bool texture);
+/// Throws CLI::ValidationError for options that leave each other without effect.
+void check_style_options(const CLI::App& command, const StyleOptions& options, Drawn drawn);
 
 /// The same for drawings of stripes' outlines, which have one colour each.
 void refuse_for_outlines(const CLI::App& command);

@@ -104,7 +104,7 @@ Strokes strokes_of(const StripesView& pattern, const StyleOptions& style,
   strokes.width = render.stripe_width;
   strokes.spacing = style.spacing.value_or(0.0f);
   strokes.opacities = followed.opacities;
-  if (!style.color_surface) strokes.color_places = followed.places;
+  if (style.color_on != ColoredPart::surface) strokes.color_places = followed.places;
   if (style.pixel_width) {
     strokes.width = *style.pixel_width;
     strokes.unit = WidthUnit::pixels;
@@ -180,7 +180,8 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
       .mesh = scene.surface.mesh, .normals = scene.surface.normals, .color = render.base_color};
   if (scene.texture) {
     surface.texture = region_texture(*scene.texture, style, render, followed);
-    surface.color_places = followed.places;
+    (style.color_on == ColoredPart::figures ? surface.texture->color_places
+                                            : surface.color_places) = followed.places;
     surface.shading = !style.flat;
     if (style.discard) surface.between = BetweenStrokes::discarded;
     return surface;
@@ -192,7 +193,7 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
     crossing.tone = ToneRange{lightest, std::min(crossing.tone->full, 0.5f * lightest), 0};
     surface.strokes.push_back(crossing);
   }
-  if (style.color_surface) surface.color_places = followed.places;
+  if (style.color_on == ColoredPart::surface) surface.color_places = followed.places;
   if (style.discard) surface.between = BetweenStrokes::discarded;
   surface.shading = !style.flat && !style.by_light();
   return surface;

@@ -41,6 +41,12 @@ void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& wave
   add_crossing_frequency_options(app, waves);
 }
 
+Drawn drawn_by(const TextureChoice& choice, bool has_tiles) {
+  if (!has_tiles) return Drawn::stripes;
+  const bool picture = !choice.tile.empty() && !parse_built_in_tile(choice.tile);
+  return picture ? Drawn::pictures : Drawn::figures;
+}
+
 std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) {
   if (choice.tile.empty()) return std::nullopt;
   if (const auto tile = parse_built_in_tile(choice.tile)) {

@@ -10,6 +10,7 @@
 #include "brindle/renderer.h"
 #include "input/wave_options.h"
 #include "pictures/stripe_result.h"
+#include "pictures/style_options.h"
 
 namespace brindle::tool {
 
@@ -21,6 +22,9 @@ struct TextureChoice {
 
 /// --texture, --oriented, --tiles, --stripes-v and --frequency-v.
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves);
+
+/// Of patterns that have tiles or, without any, stripes.
+Drawn drawn_by(const TextureChoice& choice, bool has_tiles);
 
 /// Nothing if no texture is asked for. Throws Error if a file cannot be read, CLI::ValidationError
 /// for a built-in tile that does not suit a cross field.

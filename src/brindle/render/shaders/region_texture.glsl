@@ -36,13 +36,19 @@ bool footprint_at(SurfacePoint p, out Footprint footprint) {
   return true;
 }
 
+// One colour for all of a figure.
+vec3 color_of_figure(SurfacePoint p, Footprint f) {
+  float place = kFigurePlaces ? value_of_tile(p, f, kPlaceOfFigure) : kNoValue;
+  return place > kNoValue ? scale_color(place) : figure_color;
+}
+
 // The tile, shrunk about its middle.
-vec4 decal_light(Footprint f, float size) {
+vec4 decal_light(vec3 figure, Footprint f, float size) {
   vec2 from_middle = f.uv - floor(f.uv) - 0.5;
   vec2 pixel = vec2(length(vec2(f.dx.x, f.dy.x)), length(vec2(f.dx.y, f.dy.y)));
   vec2 inside = clamp((0.5 * size - abs(from_middle)) / max(pixel, 1e-6) + 0.5, 0.0, 1.0);
   Footprint decal = Footprint(from_middle / size + 0.5, f.dx / size, f.dy / size);
-  return inside.x * inside.y * tile_light(figure_color, decal);
+  return inside.x * inside.y * tile_light(figure, decal);
 }
 
 // The tile's light as `tile_light` gives it. False where another region is.
@@ -60,9 +66,9 @@ bool tile_at(SurfacePoint p, out vec4 tile) {
   }
   float size = kTileSizes ? value_of_tile(p, f, kSizeOfTile) : 1.0;
   if (size >= 1.0) {
-    tile = left * tile_light(figure_color, f);
+    tile = left * tile_light(color_of_figure(p, f), f);
   } else if (size > 1e-3) {
-    tile = decal_light(f, size);
+    tile = decal_light(color_of_figure(p, f), f, size);
   }
   return true;
 }

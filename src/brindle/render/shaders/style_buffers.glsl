@@ -8,7 +8,8 @@ const uint kStyleValues = 8u;  // a vertex: width, opacity and place of the firs
                                // second ones, place of the surface, value of regions
 const uint kPlaceOfSurface = 6u;
 const uint kValueOfRegion = 7u;
-const uint kSizeOfTile = 0u;  // in place of strokes
+const uint kSizeOfTile = 0u;  // in place of strokes, as the next
+const uint kPlaceOfFigure = 1u;
 const float kNoValue = -1e30;
 
 // The value at a point; far below zero where a corner has none.

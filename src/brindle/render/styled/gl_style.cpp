@@ -18,7 +18,8 @@ constexpr std::size_t kLayerValues = 3;
 constexpr std::size_t kSurfacePlace = 6;
 constexpr std::size_t kRegionValue = 7;
 constexpr std::size_t kTileSize = 0;  // a surface with a texture has no strokes
-constexpr float kNoValue = -2e30f;    // below that of style_buffers.glsl
+constexpr std::size_t kFigurePlace = 1;
+constexpr float kNoValue = -2e30f;  // below that of style_buffers.glsl
 
 constexpr GLuint kValuesBinding = 0;
 constexpr GLuint kSecondWavesBinding = 1;
@@ -70,6 +71,7 @@ void check_texture(const StyledSurface& surface) {
   }
   check_style_count(texture.values.size(), surface.mesh.vertex_count(), "values of regions");
   check_style_count(texture.sizes.size(), surface.mesh.vertex_count(), "sizes of tiles");
+  check_style_count(texture.color_places.size(), surface.mesh.vertex_count(), "colours of figures");
   for (std::size_t i = 2; i < texture.tiles.size(); ++i) {
     if (!(texture.tiles[i].from > texture.tiles[i - 1].from)) {
       refuse_style("the regions of its texture must begin at rising values");
@@ -97,6 +99,7 @@ std::vector<float> packed_values(const StyledSurface& surface) {
   if (!surface.texture) return packed;
   put_values(surface.texture->values, kRegionValue, packed);
   put_values(surface.texture->sizes, kTileSize, packed);
+  put_values(surface.texture->color_places, kFigurePlace, packed);
   return packed;
 }
 
@@ -141,6 +144,7 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
     shift_ = surface.texture->shift;
     has_regions_ = !surface.texture->values.empty();
     has_sizes_ = !surface.texture->sizes.empty();
+    has_figure_places_ = !surface.texture->color_places.empty();
     for (const RegionTile& tile : surface.texture->tiles) {
       tiles_.push_back({tile_of(tile.tile, last), linear_light(tile.color), tile.from,
                         GlBrokenTiles(tile.broken, surface.mesh.triangle_count())});
@@ -179,7 +183,8 @@ std::string GlStyle::features() const {
          constant("kTones", any([](const Layer& l) { return l.tones[2] != 0; })) +
          constant("kSpacing", any([](const Layer& l) { return l.looks[2] != 0; })) +
          constant("kSurfacePlaces", has_places_) + constant("kRegions", has_regions_) +
-         constant("kTileSizes", has_sizes_) + whole_tiles_feature(whole_tiles_);
+         constant("kTileSizes", has_sizes_) + constant("kFigurePlaces", has_figure_places_) +
+         whole_tiles_feature(whole_tiles_);
 }
 
 void GlStyle::bind(const ShaderProgram& program, int samples_per_pixel) const {

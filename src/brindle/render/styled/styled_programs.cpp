@@ -56,9 +56,10 @@ const ShaderProgram& StyledPrograms::between_strokes(const std::string& features
 }
 
 const ShaderProgram& StyledPrograms::beside_tiles(const std::string& features) {
-  return visibility("beside tiles\n", features,
-                    {"style_buffers.glsl", "texture_fragment.glsl", "texture_tile.glsl",
-                     "broken_tiles.glsl", "region_texture.glsl", "texture_visibility.frag"});
+  return visibility(
+      "beside tiles\n", features,
+      {"style_buffers.glsl", "color_scale.glsl", "texture_fragment.glsl", "texture_tile.glsl",
+       "broken_tiles.glsl", "region_texture.glsl", "texture_visibility.frag"});
 }
 
 const ShaderProgram& StyledPrograms::strokes(const std::string& features, bool occlusion) {
