@@ -122,6 +122,12 @@ Strokes strokes_of(const StripesView& pattern, const StyleOptions& style,
   return strokes;
 }
 
+/// Strokes across others are full where it is darkest: the light of pictures leaves nothing below.
+ToneRange crossing_tones(float lightest) {
+  constexpr float kDarkest = 0.35f;
+  return {lightest, std::min(kDarkest, 0.9f * lightest), 0};
+}
+
 RegionTexture region_texture(const TextureView& texture, const StyleOptions& style,
                              const RenderOptions& render, const Followed& followed) {
   RegionTexture result{.waves = &texture.waves, .shift = texture.shift};
@@ -189,8 +195,7 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
   surface.strokes.push_back(strokes_of(scene.pattern, style, render, followed));
   if (scene.crossing) {
     Strokes crossing = strokes_of(*scene.crossing, style, render, followed);
-    const float lightest = *style.cross_hatch;
-    crossing.tone = ToneRange{lightest, std::min(crossing.tone->full, 0.5f * lightest), 0};
+    crossing.tone = crossing_tones(*style.cross_hatch);
     surface.strokes.push_back(crossing);
   }
   if (style.color_on == ColoredPart::surface) surface.color_places = followed.places;
