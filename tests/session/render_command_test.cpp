@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "apps/tool.h"
+#include "brindle/image.h"
+#include "pictures/drawing_file.h"
 #include "session/session.h"
+#include "session/session_export.h"
 #include "session/session_worker.h"
 
 namespace brindle::tool {
@@ -167,15 +170,147 @@ TEST_F(RenderTool, SaysWhichCommandIsRefused) {
 TEST_F(RenderTool, OutputsMustSuit) {
   write_session(folder / "s.json", small_document());
   expect_refusal(2, "--output is required", {"render", "s.json"});
-  expect_refusal(2, ".svg", {"render", "s.json", "-o", "a.svg"});
-  expect_refusal(2, "pixels", {"render", "s.json", "-o", "a.pdf"});
-  expect_refusal(2, "use .png for a picture, .obj", {"render", "s.json", "-o", "a.jpg"});
+  expect_refusal(2, "a drawing has but one",
+                 {"render", "s.json", "-o", "a.svg", "--quality", "interactive"});
+  expect_refusal(2, "use .png for a picture, .svg or", {"render", "s.json", "-o", "a.jpg"});
   expect_refusal(2, "is read by SESSION", {"render", "s.json", "-o", "s.json"});
   expect_refusal(2, "--size", {"render", "s.json", "-o", "a.vtp", "--size", "10x10"});
+  expect_refusal(2, "--transparent", {"render", "s.json", "-o", "a.vtp", "--transparent"});
   expect_refusal(1, "t.json", {"render", "t.json", "-o", "a.png"});
   EXPECT_EQ(run({"render", "s.json", "-o", "a.vtp", "-o", "r.json", "-q"}).exit_code, 0);
   EXPECT_EQ(run({"stripe", "shape:torus,resolution=24", "-o", "b.vtp", "-q"}).exit_code, 0);
   EXPECT_EQ(content(folder / "a.vtp"), content(folder / "b.vtp"));
+}
+
+TEST_F(RenderTool, DrawingsAreThoseOfStripeAndCurves) {
+  SessionDocument document = small_document();
+  document.options = {{"stripes", {"20"}}, {"outline", {"solid"}}};
+  document.camera = {50, 35, 1.5f};
+  for (const Shown shown : {Shown::stripes, Shown::curves}) {
+    document.shown = shown;
+    write_session(folder / "s.json", document);
+    for (const std::string kind : {".svg", ".pdf"}) {
+      if (!drawing_refusal("a" + kind).empty()) continue;
+      std::vector<std::string> arguments = {std::string(command_of(shown)),
+                                            document.mesh,
+                                            "--camera=50,35,1.5",
+                                            "--size=160x120",
+                                            "--stripes=20",
+                                            "--output=a" + kind,
+                                            "--quiet"};
+      if (shown == Shown::stripes) arguments.emplace_back("--outline=solid");
+      ASSERT_EQ(run(arguments).exit_code, 0);
+      ASSERT_EQ(run({"render", "s.json", "-q", "-o", "b" + kind}).exit_code, 0);
+      EXPECT_EQ(content(folder / ("a" + kind)), content(folder / ("b" + kind))) << kind;
+    }
+  }
+}
+
+TEST_F(RenderTool, DrawingsShowOutlinesAlone) {
+  const std::pair<OptionValues, const char*> refused[] = {
+      {{{"view", {"branches"}}}, "--view has colours"},
+      {{{"texture", {"bricks"}}}, "not of tiles"},
+      {{{"color-by", {"height"}}}, "--color-by"},
+      {{{"transparent", {}}}, "no background"}};
+  for (const auto& [options, why] : refused) {
+    SessionDocument document = small_document();
+    document.options = options;
+    write_session(folder / "s.json", document);
+    expect_refusal(2, why, {"render", "s.json", "-o", "a.svg"});
+    EXPECT_THROW(planned_picture(document, {}, folder / "a.svg"), CLI::ValidationError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
+  }
+  SessionDocument document = small_document();
+  document.shown = Shown::samples;
+  write_session(folder / "s.json", document);
+  expect_refusal(2, "files hold no samples", {"render", "s.json", "-o", "a.svg"});
+}
+
+TEST_F(RenderTool, PrintsLookLikeTheWindow) {
+  struct Case {
+    OptionValues options, scaled;
+  };
+  const Case cases[] = {{{{"pixel-width", {"3"}}, {"stroke-spacing", {"10"}}},
+                         {{"pixel-width", {"7.5"}}, {"stroke-spacing", {"25"}}}},
+                        {{{"width-by", {"height"}}, {"width-range", {"1px,4px"}}},
+                         {{"width-by", {"height"}}, {"width-range", {"2.5px,10px"}}}},
+                        {{{"outline", {"solid"}}, {"line-width", {"2"}}},
+                         {{"outline", {"solid"}}, {"line-width", {"5"}}}}};
+  for (const auto& [options, scaled] : cases) {
+    SessionDocument small = small_document(), large = small;
+    small.options = options;
+    large.options = scaled;
+    large.size = {400, 320};  // two and a half times as wide
+    EXPECT_EQ(with_changes(small, {large.size, false, true}), large);
+    const std::string print = rendered(small, {"--size", "400x320", "--scale-widths"});
+    EXPECT_EQ(print, rendered(large));
+    EXPECT_NE(print, rendered(small, {"--size", "400x320"}));
+  }
+}
+
+TEST_F(RenderTool, WithoutABackgroundAsIfTheSessionSaidSo) {
+  SessionDocument document = small_document(), transparent = document;
+  transparent.options["transparent"] = {};
+  EXPECT_EQ(rendered(document, {"--transparent"}), rendered(transparent));
+  EXPECT_NE(rendered(document), rendered(transparent));
+}
+
+TEST_F(RenderTool, ChangesWithoutEffectAreRefused) {
+  SessionDocument document = small_document();
+  write_session(folder / "s.json", document);
+  expect_refusal(1, "no width is measured in pixels",
+                 {"render", "s.json", "-o", "a.png", "--size", "9x9", "--scale-widths"});
+  document.shown = Shown::curves;
+  write_session(folder / "s.json", document);
+  expect_refusal(2, "--transparent", {"render", "s.json", "-o", "a.png", "--transparent"});
+  document.shown = Shown::stripes;
+  document.options["pixel-width"] = {"3"};
+  write_session(folder / "s.json", document);
+  expect_refusal(2, "--scale-widths requires --size",
+                 {"render", "s.json", "-o", "a.png", "--scale-widths"});
+  EXPECT_THROW(with_changes(document, {PictureSize{0, 5}}), Error);
+  EXPECT_THROW(with_changes(document, {PictureSize{kMaxImageSide + 1, 5}}), Error);
+  document.options["pixel-width"] = {"3000"};
+  EXPECT_THROW(with_changes(document, {PictureSize{1600, 1200}, false, true}), CLI::ValidationError)
+      << "wider than --pixel-width takes";
+}
+
+/// Cancels at the first report behind a share of the job.
+class CancelledAt : public JobListener {
+ public:
+  explicit CancelledAt(double share) : share_(share) {}
+  void note(const std::string&) override {}
+
+ private:
+  Progress whole_progress() override {
+    return Progress([this](const ProgressReport& report) { return report.fraction <= share_; });
+  }
+  double share_;
+};
+
+TEST_F(RenderTool, ExportsAreWhatRenderDrawsOrNothing) {
+  SessionDocument document = small_document();
+  document.options["pixel-width"] = {"3"};
+  const PictureChanges changes{PictureSize{320, 240}, true, true};
+  for (const std::string kind : {".png", ".svg"}) {
+    PictureChanges fitting = changes;
+    fitting.transparent = kind == ".png";
+    const std::filesystem::path path = folder / ("e" + kind);
+    const SessionDocument planned = planned_picture(document, fitting, path);
+    for (const double share : {0.0, 0.3, 0.7}) {
+      CancelledAt listener(share);
+      EXPECT_THROW(export_picture(planned, path, listener), Cancelled) << kind << share;
+      EXPECT_FALSE(std::filesystem::exists(path));
+    }
+    CancelledAt never(2);
+    export_picture(planned, path, never);
+    write_session(folder / "s.json", document);
+    std::vector<std::string> arguments = {"render",  "s.json",         "-q", "--size",
+                                          "320x240", "--scale-widths", "-o", "r" + kind};
+    if (fitting.transparent) arguments.emplace_back("--transparent");
+    ASSERT_EQ(run(arguments).exit_code, 0);
+    EXPECT_EQ(content(path), content(folder / ("r" + kind))) << kind;
+  }
 }
 
 TEST_F(RenderTool, AFileThatIsNoMeshFailsAndWritesNothing) {

@@ -20,7 +20,6 @@
 #include "outputs/written_files.h"
 #include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
-#include "session/live_picture.h"
 #include "session/session.h"
 #include "session/session_export.h"
 
@@ -34,10 +33,12 @@ that the window shows when it rests, bit for bit.
 Examples:
   brindle render session.json --output horse.png
   brindle render session.json --size 3840x2160 --output large.png
+  brindle render session.json --size 3840x2160 --scale-widths --transparent --output print.png
+  brindle render session.json --output horse.svg
   brindle render session.json --replay events.jsonl --output after.png
   brindle render session.json --output horse.vtp --output horse_report.json
 
-Files by extension: .png the picture; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
+Files by extension: .png the picture; .svg or .pdf a drawing of stripes or curves; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
 those of 'brindle stripe'. If a session shows curves or samples, all but .json are those of 'brindle
 curves' or 'brindle sample'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
 
@@ -46,6 +47,7 @@ struct RenderArguments {
   std::vector<std::string> outputs;
   std::string replay;
   std::shared_ptr<PictureOptions> picture;  ///< --size and --quality alone
+  PictureChanges changes;                   ///< but the size
   int threads = 0;
   bool quiet = false;
 };
@@ -61,22 +63,31 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.add_option("--replay", arguments.replay, "commands to do first, one a line")
       ->type_name("FILE.jsonl");
   arguments.picture = add_size_options(command);
+  command
+      .add_flag("--scale-widths", arguments.changes.scaled_widths,
+                "widths in pixels grow with --size, so that the picture looks as the session's")
+      ->needs("--size");
+  command.add_flag("--transparent", arguments.changes.transparent,
+                   "no background, whatever the session says");
   command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
 
-bool is_picture(const std::string& path) { return lower_extension(path) == ".png"; }
+bool is_picture(const std::string& path) {
+  return lower_extension(path) == ".png" || is_drawing_file(path);
+}
 
 /// What `brindle stripe` writes, too, but its drawings.
 void refuse_unknown_extension(const std::string& path) {
   constexpr std::array kKnown = {".obj", ".ply", ".vtp", ".gltf", ".glb", ".stl", ".off", ".json"};
   const std::string extension = lower_extension(path);
   if (std::ranges::find(kKnown, extension) != kKnown.end()) return;
-  refuse_output(path, "unknown extension '" + extension +
-                          "'; use .png for a picture, .obj, .ply, .vtp, .gltf or .glb for a mesh, "
-                          ".json for a report");
+  refuse_output(path,
+                "unknown extension '" + extension +
+                    "'; use .png for a picture, .svg or .pdf for a drawing, .obj, .ply, .vtp, "
+                    ".gltf or .glb for a mesh, .json for a report");
 }
 
 /// What is no picture: of stripes a mesh or a report, of curves and samples their files.
@@ -94,18 +105,22 @@ void check_file(const std::string& path, const ParsedSession& parsed) {
 
 void check_outputs(const CLI::App& command, const RenderArguments& arguments,
                    const ParsedSession& parsed) {
-  bool picture = false;
+  std::vector<std::filesystem::path> pictures;
   for (const std::string& path : arguments.outputs) {
-    if (is_drawing_file(path)) refuse_output(path, picture_refusal(path));
     if (!is_picture(path)) {
       check_file(path, parsed);
       continue;
     }
-    picture = true;
+    pictures.emplace_back(path);
     check_output_path(path);
   }
-  if (!picture) {
-    refuse_given(command, {"--size", "--quality"}, "no picture is written; add --output FILE.png");
+  if (pictures.empty()) {
+    return refuse_given(command, {"--size", "--quality", "--scale-widths", "--transparent"},
+                        "no picture is written; add --output FILE.png");
+  }
+  check_picture_files(parsed, pictures);
+  if (std::ranges::all_of(pictures, is_drawing_file)) {
+    refuse_given(command, {"--quality"}, "a drawing has but one; add --output FILE.png");
   }
 }
 
@@ -129,10 +144,10 @@ void replay(Session& session, const std::string& path) {
 SessionDocument document_of(const CLI::App& command, const RenderArguments& arguments) {
   Session session(read_session(arguments.session));
   if (!arguments.replay.empty()) replay(session, arguments.replay);
-  SessionDocument document = session.document();
   const RenderOptions& render = arguments.picture->render;
-  if (is_given(command, "--size")) document.size = {render.width, render.height};
-  return document;
+  PictureChanges changes = arguments.changes;
+  if (is_given(command, "--size")) changes.size = {render.width, render.height};
+  return with_changes(session.document(), changes);
 }
 
 void check_inputs(const RenderArguments& arguments, const ParsedSession& parsed) {
@@ -156,15 +171,14 @@ void export_file(const LiveState& state, const std::string& path, JobListener& l
 
 void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const LiveState>& state,
                    ProgressDisplay& display) {
-  std::optional<LivePicture> picture;
+  PictureWriter pictures(arguments.picture->render.quality);
   for (const std::string& path : arguments.outputs) {
-    display.stage("writing " + shown(path));
-    if (!is_picture(path)) {
-      export_file(*state, path, display);
+    if (is_picture(path)) {
+      pictures.write(state, path, display);
       continue;
     }
-    if (!picture) picture.emplace();
-    write_png(path, picture->draw(state, arguments.picture->render.quality, display.progress()));
+    display.stage("writing " + shown(path));
+    export_file(*state, path, display);
   }
 }
 

@@ -1,13 +1,19 @@
 #include "session/session_export.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "brindle/base/file_extension.h"
+#include "brindle/base/formatted.h"
+#include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "cli/command_line.h"
+#include "cli/option_values.h"
 #include "jobs/curves_output.h"
 #include "pictures/drawing_file.h"
-#include "pictures/styled_scene.h"
+#include "pictures/styled_output.h"
 
 namespace brindle::tool {
 namespace {
@@ -16,13 +22,114 @@ namespace {
   throw Error(shown(path.native()) + ": unknown extension; write " + known);
 }
 
+/// Those of options that are measured in pixels of the picture.
+std::vector<std::string> pixel_widths(const SessionDocument& document) {
+  std::vector<std::string> names;
+  const OptionValues given = shown_options(document);
+  for (const OptionInfo* option : session_options(document.shown)) {
+    const std::string name(option->name);
+    if (option->unit == "pixels" && given.contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
+/// Widths that a value chooses from, where they are in pixels.
+std::optional<WidthRange> pixel_range(const SessionDocument& document) {
+  const ParsedSession parsed(document);
+  std::optional<WidthRange> range = parsed.arguments().style.width_range;
+  if (range && range->unit != WidthUnit::pixels) range.reset();
+  return range;
+}
+
+void scale_widths(SessionDocument& document, double scale) {
+  const std::optional<WidthRange> range = pixel_range(document);
+  for (const std::string& name : pixel_widths(document)) {
+    std::string& width = options_with(name, document).at(name).front();
+    width = formatted("%.6g", scale * static_cast<double>(parse_number("--" + name, width)));
+  }
+  if (!range) return;
+  options_with("width-range", document)["width-range"] = {
+      formatted("%.6gpx,%.6gpx", scale * static_cast<double>(range->first),
+                scale * static_cast<double>(range->last))};
+}
+
+/// How much larger what is seen becomes: a picture shows as much as its narrower side has room for.
+double growth(PictureSize from, PictureSize to) {
+  return std::min(static_cast<double>(to.width) / from.width,
+                  static_cast<double>(to.height) / from.height);
+}
+
+/// Outlines of stripes, which no option of a style is needed for.
+void write_stripe_drawing(const LiveState& state, const std::filesystem::path& path,
+                          JobListener& listener) {
+  StyleJob plain;
+  plain.patterns.others = std::make_shared<const std::vector<OtherSurface>>();
+  const StyleJob& style = state.style ? *state.style : plain;
+  const StripeArguments& arguments = state.parsed->arguments();
+  write_styled_picture(path, *state.job->surface, state.job->result, style.patterns,
+                       arguments.style, style.input, *arguments.picture, listener.progress());
+}
+
 }  // namespace
 
 std::string picture_refusal(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".png") return "";
-  if (is_drawing_file(path)) return "sessions have pictures of pixels; write .png";
+  if (is_drawing_file(path)) return "this picture has pixels; write .png";
   return "'" + extension + "' is no picture; write .png";
+}
+
+bool has_pixel_widths(const SessionDocument& document) {
+  return !pixel_widths(document).empty() || pixel_range(document).has_value();
+}
+
+SessionDocument with_changes(const SessionDocument& document, const PictureChanges& changes) {
+  SessionDocument result = document;
+  if (changes.size) {
+    check_image_size(changes.size->width, changes.size->height);
+    result.size = *changes.size;
+  }
+  if (changes.scaled_widths) {
+    if (!has_pixel_widths(document)) {
+      throw Error("no width is measured in pixels, so that all grows with the size anyway");
+    }
+    scale_widths(result, growth(document.size, result.size));
+  }
+  if (changes.transparent) options_with("transparent", result)["transparent"] = {};
+  check_document(result);
+  return result;
+}
+
+SessionDocument planned_picture(const SessionDocument& document, const PictureChanges& changes,
+                                const std::filesystem::path& path) {
+  SessionDocument changed = with_changes(document, changes);
+  const ParsedSession parsed(changed);
+  check_picture_files(parsed, {path});
+  check_output_path(path);
+  check_files(parsed.inputs(), {{"--output", path}});
+  return changed;
+}
+
+void PictureWriter::write(const std::shared_ptr<const LiveState>& state,
+                          const std::filesystem::path& path, JobListener& listener) {
+  listener.stage("writing " + shown(path.native()));
+  if (is_drawing_file(path)) {
+    return state->curves ? export_curves(*state, path, listener)
+                         : write_stripe_drawing(*state, path, listener);
+  }
+  if (!picture_) picture_.emplace();
+  const Progress progress = listener.progress();
+  const Image image = picture_->draw(state, quality_, progress.part(0, kDrawn));
+  write_png(path, image, progress.part(kDrawn, 1));
+}
+
+void export_picture(const SessionDocument& document, const std::filesystem::path& path,
+                    JobListener& listener) {
+  listener.plan({{"solving", 6}, {"writing " + shown(path.native()), 4}});
+  listener.stage("solving");
+  LivePattern pattern;
+  pattern.update(document, Follow::afresh, listener.progress());
+  PictureWriter(PictureQuality::final).write(pattern.state(), path, listener);
 }
 
 void export_pattern(const LiveState& state, const std::filesystem::path& path,

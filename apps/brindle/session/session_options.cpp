@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <utility>
 
+#include "brindle/base/file_extension.h"
 #include "brindle/base/suggestion.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/described_options.h"
 #include "cli/option_values.h"
+#include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
@@ -153,30 +155,51 @@ void check_tile(const StripeArguments& arguments) {
   }
 }
 
-const PlannedFiles<CurveOutput> kCurvesPicture = {{CurveOutput::picture, "session.png"}};
-const PlannedFiles<SampleOutput> kSamplePicture = {{SampleOutput::picture, "session.png"}};
+using PicturePaths = std::vector<std::filesystem::path>;
 
-std::vector<Output> stripe_picture() { return {{"session.png", OutputKind::picture}}; }
+/// The session's own picture, which may be shown without being written.
+const PicturePaths kShownPicture = {"session.png"};
 
-void check_command(const ParsedSession& parsed) {
+/// Each as `picture`, or as `drawing`.
+template <class Kind>
+PlannedFiles<Kind> pictures_of(const PicturePaths& paths, Kind picture, Kind drawing) {
+  PlannedFiles<Kind> files;
+  for (const std::filesystem::path& path : paths) {
+    files.emplace_back(is_drawing_file(path) ? drawing : picture, path.string());
+  }
+  return files;
+}
+
+/// Of samples there are no drawings.
+PlannedFiles<SampleOutput> sample_pictures(const PicturePaths& paths) {
+  return pictures_of(paths, SampleOutput::picture, SampleOutput::picture);
+}
+
+std::vector<Output> stripe_pictures(const PicturePaths& paths) {
+  std::vector<Output> outputs;
+  for (const std::filesystem::path& path : paths) outputs.push_back({path, OutputKind::picture});
+  return outputs;
+}
+
+void check_command(const ParsedSession& parsed, const PicturePaths& paths) {
   const StripeArguments& arguments = parsed.arguments();
   if (parsed.curves() != nullptr) {
-    return check_curves_options(parsed.command(), *parsed.curves(), kCurvesPicture);
+    return check_curves_options(parsed.command(), *parsed.curves(),
+                                pictures_of(paths, CurveOutput::picture, CurveOutput::drawing));
   }
   if (parsed.samples() != nullptr) {
-    return check_sample_options(parsed.command(), *parsed.samples(), kSamplePicture);
+    return check_sample_options(parsed.command(), *parsed.samples(), sample_pictures(paths));
   }
   check_solver(arguments.device, arguments.solving.stripes.solver);
   check_tile(arguments);
-  check_stripe_options(parsed.command(), arguments, stripe_picture());
+  const std::vector<Output> outputs = stripe_pictures(paths);
+  check_stripe_options(parsed.command(), arguments, outputs);
   // Files say whether they hold points when they are read.
-  if (arguments.surface.points) {
-    check_stripe_points(parsed.command(), arguments, stripe_picture());
-  }
+  if (arguments.surface.points) check_stripe_points(parsed.command(), arguments, outputs);
 }
 
 void check_parsed(const ParsedSession& parsed) {
-  check_command(parsed);
+  check_command(parsed, kShownPicture);
   check_own_arrays(parsed.arguments().surface, parsed.arguments().waves);
 }
 
@@ -312,9 +335,22 @@ std::vector<UsedFile> ParsedSession::inputs() const {
 void check_session_points(const ParsedSession& parsed) {
   if (parsed.curves() != nullptr) return check_curves_points(*parsed.curves());
   if (parsed.samples() != nullptr) {
-    return check_sample_points(parsed.command(), *parsed.samples(), kSamplePicture);
+    return check_sample_points(parsed.command(), *parsed.samples(), sample_pictures(kShownPicture));
   }
-  check_stripe_points(parsed.command(), parsed.arguments(), stripe_picture());
+  check_stripe_points(parsed.command(), parsed.arguments(), stripe_pictures(kShownPicture));
+}
+
+void check_picture_files(const ParsedSession& parsed,
+                         const std::vector<std::filesystem::path>& paths) {
+  for (const std::filesystem::path& path : paths) {
+    if (!is_drawing_file(path) && lower_extension(path) != ".png") {
+      refuse_output(path, "'" + path.extension().string() +
+                              "' is no picture; write .png, or .svg or .pdf for a drawing");
+    }
+    if (parsed.samples() != nullptr) planned_sample(path.string());
+    check_drawing_file(path);
+  }
+  check_command(parsed, paths);
 }
 
 void check_document(const SessionDocument& document, const ParsedSession& parsed) {

@@ -2,6 +2,7 @@
 /// shows, and what a document's values mean.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,6 +82,12 @@ class ParsedSession {
 /// Throws as the command does for what points cannot have, if the mesh's file holds nothing else,
 /// which is read for that.
 void check_session_points(const ParsedSession& parsed);
+
+/// Throws CLI::ValidationError or Error unless the document's picture can be written to these
+/// files: .png, and drawings (.svg, .pdf) of stripes and curves. Reads what says whether the mesh
+/// has triangles.
+void check_picture_files(const ParsedSession& parsed,
+                         const std::vector<std::filesystem::path>& paths);
 
 /// `check_document` of one that is read already.
 void check_document(const SessionDocument& document, const ParsedSession& parsed);
