@@ -367,6 +367,83 @@ def check_pictures_are_what_they_are_called(start, folder):
         expect(not (folder / name).exists(), f"{name} is written")
 
 
+def type_into(window, name, text):
+    window.click(name)
+    window.key("ctrl+a")
+    window.type(text)
+
+
+def exported(window, path):
+    window.click("export done")
+    window.wait_for("message", text=f"wrote {path}")
+    return path.read_bytes()
+
+
+def rendered(start, folder, session, name, *more):
+    subprocess.run([start.tool, "render", session, "--quiet", "--output", name, *more], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    return (folder / name).read_bytes()
+
+
+def check_picture_is_exported(start, folder):
+    window = start("shape:trefoil,resolution=40", "--stripes", "30", "--pixel-width", "3")
+    window.settled()
+    since = window.now()
+    window.drag_slider("option stripes", 0.6, 0.63)
+    window.settled(since)
+    save_session(window, folder / "session.json")
+    window.menu("File", "Export picture...")
+    window.click("export proportions of the window")
+    type_into(window, "export width", "400")
+    type_into(window, "export height", "300")
+    window.click("export transparent background")
+    type_into(window, "export name", "picture.png")
+    expect(exported(window, folder / "picture.png") ==
+           rendered(start, folder, "session.json", "rendered.png", "--size", "400x300", "--transparent",
+                    "--scale-widths"), "brindle render draws another picture")
+    window.key("ctrl+shift+p")
+    type_into(window, "export name", "picture.svg")
+    expect(exported(window, folder / "picture.svg") ==
+           rendered(start, folder, "session.json", "rendered.svg", "--size", "400x300", "--scale-widths"),
+           "brindle render makes another drawing")
+    window.key("ctrl+shift+p")
+    window.click("export unit")
+    window.click("export millimetres")
+    type_into(window, "export width", "50.8")
+    type_into(window, "export height", "25.4")
+    type_into(window, "export dpi", "200")
+    window.place("export result 400 x 200 pixels, 50.8 x 25.4 mm at 200 pixels an inch")
+    for width, name in (("5e4", "picture.png"), ("50", "picture.jpg"), ("50", "nowhere/picture.png")):
+        type_into(window, "export width", width)
+        type_into(window, "export name", name)
+        window.place("export problem")
+        window.click("export done")
+        window.place("export done")
+    type_into(window, "export name", "picture.png")
+    before = (folder / "picture.png").read_bytes()
+    window.wait_until(lambda: "export problem" not in window.places, "end of the problem")
+    since = window.now()
+    window.click("export done")
+    window.place("export replace")
+    window.click("export done")
+    window.wait_for("message", since, text=f"wrote {folder / 'picture.png'}")
+    expect((folder / "picture.png").read_bytes() != before, "the file is not replaced")
+    window.quit()
+
+
+def check_export_is_cancelled(start, folder):
+    window = start("shape:torus,resolution=200", "--occlusion", "1")
+    window.settled()
+    window.key("ctrl+shift+p")
+    type_into(window, "export width", "9000")
+    type_into(window, "export name", "large.png")
+    window.click("export done")
+    window.click("cancel writing large.png")
+    window.wait_for("message", text=f"cancelled: {folder / 'large.png'} is not written")
+    expect(not list(folder.glob("*large*")), "something is left of it")
+    window.quit()
+
+
 def check_solve_anew(start, folder):
     window = start("shape:torus,resolution=60")
     window.settled()

@@ -20,7 +20,7 @@ bool is_pdf(const std::filesystem::path& path) { return lower_extension(path) ==
 
 #ifdef BRINDLE_HAS_CAIRO
 
-constexpr double kPointsPerPixel = 0.75;  // 72 points are an inch, as are 96 pixels
+constexpr double kPointsPerPixel = 72 / kDrawingDpi;  // 72 points are an inch
 
 using CairoSurface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Cairo = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;

@@ -9,14 +9,17 @@
 
 namespace brindle::tool {
 
+/// A pixel of a drawing is a 96th of an inch, as in browsers.
+inline constexpr double kDrawingDpi = 96;
+
 /// Whether a file of this name is a drawing: lines and areas, not pixels.
 bool is_drawing_file(const std::filesystem::path& path);
 
 /// Why this build cannot write a drawing of this name: a .pdf without Cairo; empty if it can.
 std::string drawing_refusal(const std::filesystem::path& path);
 
-/// Writes pens to an .svg or a .pdf, whole or not at all. A pixel of the drawing is a 96th of an
-/// inch in both. Throws what `write_svg` does.
+/// Writes pens to an .svg or a .pdf, whole or not at all, with as many pixels an inch as above in
+/// both. Throws what `write_svg` does.
 void write_drawing(const std::filesystem::path& path, int width, int height,
                    std::span<const Pen> pens, const Progress& progress = {});
 

@@ -178,9 +178,9 @@ void FileBrowser::draw_buttons(WindowLog& log) {
     log.note_widget("browser problem");
   }
   if (confirm_) ImGui::TextWrapped("%s is there already.", name_.c_str());
-  const char* verb = !request_->save ? "Open" : confirm_ ? "Replace it" : "Save";
+  const std::string verb = !request_->save ? "Open" : confirm_ ? "Replace it" : request_->verb;
   ImGui::BeginDisabled(name_.empty());
-  const bool pressed = ImGui::Button(verb);
+  const bool pressed = ImGui::Button(verb.c_str());
   ImGui::EndDisabled();
   log.note_widget("browser done");
   ImGui::SameLine();

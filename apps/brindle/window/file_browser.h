@@ -18,6 +18,7 @@ struct FileRequest {
   std::vector<std::string> extensions = {};  ///< in lower case with the dot; none: all files
   bool save = false;                         ///< a file to write, whose name may be new
   std::string name = {};                     ///< proposed
+  std::string verb = "Save";                 ///< of the button, of a file to write
   /// Why nothing is written to a file of this name; empty if it is. Without, the extensions say.
   std::function<std::string(const std::filesystem::path&)> refusal = {};
   std::function<void(const std::filesystem::path&)> done = {};

@@ -53,6 +53,7 @@ Viewer::Viewer(SessionDocument document, std::filesystem::path session_file,
       live_(std::move(document), log_, options.commands),
       jobs_(live_),
       browser_(settings_.folder),
+      export_(live_, jobs_, browser_, log_),
       option_panel_(live_, browser_, log_),
       figure_panel_(live_, log_),
       shapes_(live_, log_),
@@ -98,6 +99,7 @@ bool Viewer::turn() {
   bool changed = live_.update();
   changed |= jobs_.update();
   if (gallery_.update()) frames_to_draw_ = std::max(frames_to_draw_, 1);
+  if (!jobs_.being_written().empty()) frames_to_draw_ = std::max(frames_to_draw_, 1);
   take_dropped();
   if (recording_ && live_.frame()) recording_->show(live_.frame());
   if (recording_ && recording_->failed()) stop_recording();
@@ -110,7 +112,9 @@ bool Viewer::turn() {
   return true;
 }
 
-double Viewer::shortest_pause() const { return live_.worker().busy() ? kShortestBusy : kShortest; }
+double Viewer::shortest_pause() const {
+  return live_.worker().busy() || jobs_.busy() ? kShortestBusy : kShortest;
+}
 
 double Viewer::wait_seconds() const {
   if (frames_to_draw_ > 0) {
@@ -127,7 +131,7 @@ void Viewer::draw() {
   draw_panels();
   shapes_.draw();
   draw_keys();
-  browser_.draw(log_);
+  export_.is_open() ? export_.draw() : browser_.draw(log_);
   draw_quit_question();
   live_.end_drag_at_rest(ImGui::IsAnyMouseDown() || option_panel_.is_held());
   Image copy;
@@ -213,6 +217,7 @@ void Viewer::draw_picture(float left, float right, float height) {
   ImGui::SetCursorPos({0, tool_.bar_height() + 2 * gap});
   picture_.draw(window_.pixels_per_unit(), window_.take_trail());
   draw_message();
+  draw_jobs();
   ImGui::End();
 }
 
@@ -356,6 +361,32 @@ void Viewer::draw_message() {
   if (bad) ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) message_since_ = 0;
+  ImGui::End();
+}
+
+// What is being written, at the upper right corner of the picture.
+void Viewer::draw_jobs() {
+  const std::vector<BackgroundJobs::Writing> jobs = jobs_.being_written();
+  if (jobs.empty()) return;
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const float text = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos(
+      {corner.x + ImGui::GetWindowWidth() - text / 2, corner.y + tool_.bar_height() + 1.5f * text},
+      ImGuiCond_Always, {1, 0});
+  ImGui::Begin("writing", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const BackgroundJobs::Writing& job = jobs[i];
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::TextUnformatted(shown(job.path.filename().native()).c_str());
+    ImGui::ProgressBar(static_cast<float>(job.fraction), {12 * text, 0});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", job.step.c_str());
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) job.cancel();
+    log_.note_widget("cancel writing " + job.path.filename().string());
+    ImGui::PopID();
+  }
   ImGui::End();
 }
 

@@ -9,6 +9,7 @@
 
 #include "window/app_window.h"
 #include "window/background_jobs.h"
+#include "window/export_dialog.h"
 #include "window/figure_panel.h"
 #include "window/file_browser.h"
 #include "window/gallery_menu.h"
@@ -66,6 +67,7 @@ class Viewer {
   void draw_figures(float height);
   void draw_picture(float left, float right, float height);
   void draw_status();
+  void draw_jobs();
   void draw_message();
   void draw_keys();
   void draw_quit_question();
@@ -117,6 +119,7 @@ class Viewer {
   LiveSession live_;
   BackgroundJobs jobs_;
   FileBrowser browser_;
+  ExportDialog export_;
   OptionPanel option_panel_;
   FigurePanel figure_panel_;
   ShapeDialog shapes_;

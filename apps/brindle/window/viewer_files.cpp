@@ -28,19 +28,6 @@ bool holds_strokes_alone(const fs::path& path) {
   return json.is_object() && json.contains("strokes") && !json.contains("mesh");
 }
 
-// What there is to say of a file goes into one message.
-class NoteCollector : public JobListener {
- public:
-  void note(const std::string& line) override {
-    if (!line.empty()) text += "\n" + line;
-  }
-
-  std::string text;
-
- private:
-  Progress whole_progress() override { return {}; }
-};
-
 }  // namespace
 
 std::string Viewer::stem() const {
@@ -156,10 +143,8 @@ void Viewer::ask_export(const std::string& title, std::vector<std::string> exten
   const std::string name = stem() + "_stripes" + extensions.front();
   const auto save = [this, write](const fs::path& path) {
     live_.when_at_rest([this, path, write](const std::shared_ptr<const SessionFrame>& frame) {
-      jobs_.start([path, write, state = frame->state] {
-        NoteCollector notes;
-        write(*state, path, notes);
-        return "wrote " + shown(path.native()) + notes.text;
+      jobs_.write(path, [path, write, state = frame->state](JobListener& listener) {
+        write(*state, path, listener);
       });
     });
   };

@@ -31,7 +31,7 @@ constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
-constexpr std::array<std::pair<const char*, const char*>, 29> kKeys = {{
+constexpr std::array<std::pair<const char*, const char*>, 30> kKeys = {{
     {"drag", "turn"},
     {"Shift + drag, middle drag", "move"},
     {"wheel", "zoom"},
@@ -53,7 +53,8 @@ constexpr std::array<std::pair<const char*, const char*>, 29> kKeys = {{
     {"Ctrl + Shift + Z, Ctrl + Y", "redo"},
     {"Ctrl + O", "open a mesh or a session"},
     {"Ctrl + S", "save the session"},
-    {"Ctrl + P", "save the picture"},
+    {"Ctrl + P", "save the picture as it is"},
+    {"Ctrl + Shift + P", "export it: size, format, background"},
     {"R", "start or stop recording"},
     {"Tab", "show or hide the panels"},
     {"L", "light or dark"},
@@ -131,6 +132,7 @@ void Viewer::draw_save_items() {
   }
   if (item("Save session as...", nullptr)) ask_save_session();
   if (item("Save picture...", "Ctrl+P")) ask_save_picture(false);
+  if (item("Export picture...", "Ctrl+Shift+P")) export_.open(stem() + ".png");
   const bool stripes = live_.document().shown == Shown::stripes;
   if (item("Save picture without background...", nullptr, false, stripes)) ask_save_picture(true);
   if (item("Save picture of the window...", nullptr)) ask_save_window();
@@ -256,8 +258,8 @@ void Viewer::draw_keys() {
 }
 
 void Viewer::follow_keys() {
-  const bool typing =
-      ImGui::GetIO().WantTextInput || browser_.is_open() || ImGui::IsPopupOpen("Quit");
+  const bool typing = ImGui::GetIO().WantTextInput || browser_.is_open() || export_.is_open() ||
+                      ImGui::IsPopupOpen("Quit");
   for (const PressedKey& key : window_.take_keys()) {
     // Written once widgets have taken notice of all that came before, which takes them two frames.
     if (key.key == GLFW_KEY_F12) frames_to_mark_ = 2;
@@ -285,7 +287,7 @@ void Viewer::follow_control_key(const PressedKey& key) {
     case GLFW_KEY_S:
       return session_file_.empty() || key.shift ? ask_save_session() : save_session(session_file_);
     case GLFW_KEY_P:
-      return ask_save_picture(false);
+      return key.shift ? export_.open(stem() + ".png") : ask_save_picture(false);
     case GLFW_KEY_C:
       return window_.set_clipboard(view_text(live_.document().camera));
     case GLFW_KEY_V:
