@@ -647,6 +647,74 @@ def check_place_follows_mouse(start, folder):
     window.quit()
 
 
+PLATE = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
+
+
+def check_opening_asks_for_what_is_not_saved(start, folder):
+    (folder / "plate.obj").write_text(PLATE)
+    window = start("shape:sphere,resolution=40", "--stripes", "16")
+    window.settled()
+    save_session(window, folder / "other.json")
+    since = window.now()
+    window.drag_slider("option stripes", 0.5, 0.7, 3)
+    window.settled(since)
+    drop(window, folder / "other.json")
+    window.click("open cancel")
+    stripes = options_of(window, folder / "kept.json")["stripes"]  # which saves, so that nothing is asked
+    expect(stripes != "16", "the session is opened though it was told not to")
+    since = window.now()
+    drop(window, folder / "other.json")
+    window.settled(since)
+    expect("open cancel" not in window.places, "it asks though all is saved")
+    window.click("tool Comb")
+    window.drag([window.point("picture", 0.35 + 0.05 * i, 0.4 + 0.03 * i) for i in range(6)])
+    since = window.now()
+    drop(window, folder / "plate.obj")
+    window.click("open discard")
+    window.settled(since)
+    session = json.loads(save_session(window, folder / "plate.json"))
+    expect(session["mesh"] == str(folder / "plate.obj") and "strokes" not in session, f"it is not opened: {session}")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    window.menu("File", "Shape", "torus")
+    since = window.now()
+    window.click("open save")  # into the file of the session
+    window.wait_for("message", since, text=f"wrote {folder / 'plate.json'}")
+    window.settled(since)
+    session = json.loads((folder / "plate.json").read_text())
+    expect(len(session["strokes"]) == 1, "the stroke is not saved first")
+    expect(json.loads(save_session(window, folder / "torus.json"))["mesh"] == "shape:torus", "no torus is opened")
+    window.quit()
+
+
+def check_recent_files_can_be_read(start, folder):
+    for name in ("good.obj", "gone.obj", "bad.obj"):
+        (folder / name).write_text(PLATE)
+    window = start("shape:torus,resolution=40")
+    window.settled()
+    for name in ("gone.obj", "bad.obj", "good.obj"):
+        since = window.now()
+        window.key("ctrl+o")
+        window.save_as(folder / name)
+        window.settled(since)
+    (folder / "gone.obj").unlink()
+    (folder / "bad.obj").write_text("v 0 0 zero\n")
+    for name in ("gone.obj", "bad.obj"):
+        since = window.now()
+        window.menu("File", "Open recent", str(folder / name))
+        message = window.wait_for("message", since, kind="error")["text"]
+        expect(name in message and "no longer among the recent files" in message, f"it says: {message}")
+    window.click("menu File")
+    window.click("item Open recent")
+    window.place(f"item {folder / 'good.obj'}")
+    expect(not {f"item {folder / name}" for name in ("gone.obj", "bad.obj")} & set(window.places),
+           "what cannot be read stays in the list")
+    window.quit()
+    recent = json.loads((folder / "config" / "brindle" / "window.json").read_text())["recent"]
+    expect(str(folder / "good.obj") in recent and str(folder / "bad.obj") not in recent, f"kept are {recent}")
+
+
 def check_quit_asks_for_what_is_not_saved(start, folder):
     window = start("shape:torus,resolution=40")
     window.settled()

@@ -395,5 +395,24 @@ TEST(Session, WorkIsWhatOneWouldMiss) {
   }
 }
 
+TEST(Session, WhatWouldBeLostIsWhatNobodyElseHas) {
+  using Words = std::vector<std::string_view>;
+  const SessionDocument saved = small_document();
+  SessionDocument now = saved;
+  EXPECT_EQ(lost_work(now, saved, SessionDocument()), Words());
+  now.options["stripes"] = {"30"};
+  now.strokes = {stroke_at(0)};
+  now.views[2] = CameraView();
+  EXPECT_EQ(lost_work(now, saved, now), Words());
+  EXPECT_EQ(lost_work(now, now, saved), Words()) << "all is saved";
+  EXPECT_EQ(lost_work(now, saved, saved), (Words{"options", "strokes", "stored views"}));
+  EXPECT_EQ(lost_work(now, saved, changed(now, commands::Open{"shape:box"})), Words{"strokes"})
+      << "another mesh keeps the rest";
+  SessionDocument erased = now;
+  erased.strokes.clear();
+  EXPECT_EQ(lost_work(erased, now, changed(erased, commands::Open{"shape:box"})), Words())
+      << "what was erased is not there to be lost";
+}
+
 }  // namespace
 }  // namespace brindle::tool

@@ -74,6 +74,7 @@ TEST(SessionWorker, FailuresLeaveTheLastFrame) {
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->revision, 2u);
   EXPECT_NE(failure->text.find("nowhere.ply"), std::string::npos);
+  EXPECT_EQ(failure->unread_mesh, "nowhere.ply");
   EXPECT_FALSE(worker.take_failure()) << "said once";
   worker.request(request_of(torus("25"), 3));
   worker.wait();

@@ -50,5 +50,14 @@ TEST(RecentFilesTest, TheNewestComesFirstAndOnce) {
   EXPECT_EQ(std::ranges::count(settings.recent, "/mesh15.ply"), 1);
 }
 
+TEST(RecentFilesTest, WhatCannotBeReadIsForgotten) {
+  WindowSettings settings;
+  remember(settings, "bad.ply");  // by its whole path
+  remember(settings, "/good.ply");
+  EXPECT_TRUE(forget(settings, "bad.ply"));
+  EXPECT_FALSE(forget(settings, "bad.ply"));
+  EXPECT_EQ(settings.recent, std::vector<std::string>{"/good.ply"});
+}
+
 }  // namespace
 }  // namespace brindle::tool

@@ -308,12 +308,28 @@ class StageUpdate {
  private:
   const StripeArguments& arguments() const { return parsed_->arguments(); }
 
+  // What fails here has no other reason than the file.
+  static auto read_mesh(const auto& read) {
+    try {
+      return read();
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      throw UnreadMesh(error.what());
+    }
+  }
+
   void make_surface() {
     Stage<Preparation>& stage = stages_.surface;
     const std::string key = surface_key(document_);
     if (stage.holds(key)) return;
+    const SurfaceOptions& surface = arguments().surface;
+    read_mesh([&] { return is_points(surface); });
     check_session_points(*parsed_);
-    auto made = std::make_shared<Preparation>(prepare_surface(arguments().surface, listener_));
+    auto made = std::make_shared<Preparation>(
+        surface.subdivide > 0 || surface.neighbors
+            ? prepare_surface(surface, listener_)
+            : read_mesh([&] { return prepare_surface(surface, listener_); }));
     times_.emplace_back("load", made->load_milliseconds);
     times_.emplace_back("neighbourhood", made->topology_milliseconds);
     LiveStages anew;

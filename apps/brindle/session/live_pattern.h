@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/error.h"
 #include "brindle/progress.h"
 #include "jobs/stripe_job.h"
 #include "session/session_options.h"
@@ -27,6 +28,12 @@ enum class Follow {
 /// period, so much more. Where it is worse than that it is outdone, and the other takes its place.
 inline constexpr double kMostEnergyTimes = 1.5, kMostEnergyMore = 0.01;
 inline constexpr double kMostSpacingErrorMore = 0.03;
+
+/// A document's mesh cannot be read, whatever its options are.
+class UnreadMesh : public Error {
+ public:
+  using Error::Error;
+};
 
 /// What there is to say of a pattern.
 struct LiveFigures {
@@ -67,7 +74,8 @@ class LivePattern {
   ~LivePattern();
 
   /// Brings the state to the document. Throws CLI::ValidationError or Error as `brindle stripe`
-  /// does, and Cancelled if `progress` asks for it, at any report; the state then is as it was.
+  /// does, UnreadMesh among them, and Cancelled if `progress` asks for it, at any report; the state
+  /// then is as it was.
   void update(const SessionDocument& document, Follow follow, const Progress& progress = {});
 
   /// Null before the first update.

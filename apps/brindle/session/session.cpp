@@ -32,22 +32,6 @@ std::size_t checked_key(int key) {
               std::to_string(key));
 }
 
-/// Says at once that there is no such file or shape; what is in a file comes out when it is read.
-void check_can_open(const std::string& mesh) {
-  constexpr std::string_view kShape = "shape:";
-  if (mesh.starts_with(kShape)) {
-    const std::vector<std::string> known = shape_names();
-    const std::string name = mesh.substr(kShape.size(), mesh.find(',') - kShape.size());
-    if (std::ranges::find(known, name) != known.end()) return;
-    const std::string meant = nearest(name, known);
-    throw Error(mesh + ": there is no such shape" +
-                (meant.empty() ? "" : "; did you mean shape:" + meant + "?"));
-  }
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(mesh, ignored)) return;
-  throw Error(shown(mesh) + ": there is no such file; check its name and folder");
-}
-
 /// Changes a document as a command says.
 struct Changer {
   SessionDocument& document;
@@ -160,6 +144,21 @@ bool starts_anew(const SessionCommand& command) {
 }
 
 }  // namespace
+
+void check_can_open(const std::string& mesh) {
+  constexpr std::string_view kShape = "shape:";
+  if (mesh.starts_with(kShape)) {
+    const std::vector<std::string> known = shape_names();
+    const std::string name = mesh.substr(kShape.size(), mesh.find(',') - kShape.size());
+    if (std::ranges::find(known, name) != known.end()) return;
+    const std::string meant = nearest(name, known);
+    throw Error(mesh + ": there is no such shape" +
+                (meant.empty() ? "" : "; did you mean shape:" + meant + "?"));
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(mesh, ignored)) return;
+  throw Error(shown(mesh) + ": there is no such file; check its name and folder");
+}
 
 SessionDocument changed(const SessionDocument& document, const SessionCommand& command) {
   SessionDocument result = document;

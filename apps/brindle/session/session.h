@@ -93,6 +93,10 @@ class Session {
   bool drag_has_step_ = false;
 };
 
+/// Throws Error, naming it, if there is no such file or shape; what is in a file comes out when it
+/// is read.
+void check_can_open(const std::string& mesh);
+
 /// The document after a command that changes it; throws CLI::ValidationError or Error, naming what
 /// is wrong. Not for those that drag, undo, redo, keep phases and solve anew.
 SessionDocument changed(const SessionDocument& document, const SessionCommand& command);

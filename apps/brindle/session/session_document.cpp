@@ -79,9 +79,39 @@ bool SessionDocument::operator==(const SessionDocument& other) const {
          frequency_by_zoom == other.frequency_by_zoom;
 }
 
+namespace {
+
+/// A part of what a user would miss.
+struct WorkPart {
+  std::string_view words;
+  bool (*same)(const SessionDocument& a, const SessionDocument& b);
+};
+
+constexpr std::array<WorkPart, 3> kWork = {{
+    {"options",
+     [](const SessionDocument& a, const SessionDocument& b) {
+       return a.options == b.options && a.curves == b.curves && a.samples == b.samples &&
+              a.frequency_by_zoom == b.frequency_by_zoom;
+     }},
+    {"strokes",
+     [](const SessionDocument& a, const SessionDocument& b) { return a.strokes == b.strokes; }},
+    {"stored views",
+     [](const SessionDocument& a, const SessionDocument& b) { return a.views == b.views; }},
+}};
+
+}  // namespace
+
 bool same_work(const SessionDocument& a, const SessionDocument& b) {
-  return a.options == b.options && a.curves == b.curves && a.samples == b.samples &&
-         a.strokes == b.strokes && a.views == b.views && a.frequency_by_zoom == b.frequency_by_zoom;
+  return std::ranges::all_of(kWork, [&](const WorkPart& part) { return part.same(a, b); });
+}
+
+std::vector<std::string_view> lost_work(const SessionDocument& now, const SessionDocument& saved,
+                                        const SessionDocument& after) {
+  std::vector<std::string_view> lost;
+  for (const WorkPart& part : kWork) {
+    if (!part.same(now, saved) && !part.same(now, after)) lost.push_back(part.words);
+  }
+  return lost;
 }
 
 float frequency_factor(const SessionDocument& document) {

@@ -69,6 +69,11 @@ struct SessionDocument {
 /// Whether both have the same options, strokes and stored views: what a user would miss.
 bool same_work(const SessionDocument& a, const SessionDocument& b);
 
+/// What of `now` nobody would have any more if `after` took its place, in words: what neither has,
+/// `after` nor what was saved last. "strokes", for instance.
+std::vector<std::string_view> lost_work(const SessionDocument& now, const SessionDocument& saved,
+                                        const SessionDocument& after);
+
 /// Frequencies are multiplied by this.
 float frequency_factor(const SessionDocument& document);
 

@@ -25,7 +25,7 @@ struct SessionWorker::State {
   bool idle() const { return !next && !current; }
   Progress progress(const std::stop_token& stop);
   void finish(std::shared_ptr<const SessionFrame> frame);
-  void fail(std::uint64_t revision, std::string text);
+  void fail(SessionFailure why);
 };
 
 namespace {
@@ -79,9 +79,9 @@ void SessionWorker::State::finish(std::shared_ptr<const SessionFrame> frame) {
   latest = std::move(frame);
 }
 
-void SessionWorker::State::fail(std::uint64_t revision, std::string text) {
+void SessionWorker::State::fail(SessionFailure why) {
   const std::lock_guard lock(mutex);
-  failure = SessionFailure{revision, std::move(text)};
+  failure = std::move(why);
 }
 
 SessionWorker::SessionWorker(int threads) : state_(std::make_unique<State>()), thread_() {
@@ -116,9 +116,11 @@ void SessionWorker::run(const std::stop_token& stop) {
       s.finish(std::move(frame));
     } catch (const Cancelled&) {
     } catch (const std::bad_alloc&) {
-      s.fail(request.revision, "not enough memory for this");
+      s.fail({request.revision, "not enough memory for this"});
+    } catch (const UnreadMesh& error) {
+      s.fail({request.revision, error.what(), request.document.mesh});
     } catch (const std::exception& error) {
-      s.fail(request.revision, error.what());
+      s.fail({request.revision, error.what()});
     }
     const std::lock_guard lock(s.mutex);
     s.current.reset();

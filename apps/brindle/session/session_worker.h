@@ -39,6 +39,7 @@ struct SessionFrame {
 struct SessionFailure {
   std::uint64_t revision = 0;
   std::string text;
+  std::string unread_mesh = {};  ///< that cannot be read; empty if something else is the reason
 };
 
 /// One thread that owns a LivePattern and a LivePicture. Nothing here waits for it, but `wait`,

@@ -116,8 +116,14 @@ void GalleryMenu::load(const std::string& name, const GalleryPicture& picture,
                        const fs::path& data) {
   SessionDocument document = document_of_words(filled_words(picture, {data.string(), "", "", ""}));
   document.size = live_.document().size;
+  open_(document, "'" + name + "' of the gallery",
+        [this, name, &picture, document] { take(name, picture, document); });
+}
+
+void GalleryMenu::take(const std::string& name, const GalleryPicture& picture,
+                       const SessionDocument& document) {
   mesh_ = document.mesh;
-  if (!live_.apply(commands::Load{std::move(document)})) return;
+  if (!live_.apply(commands::Load{document})) return;
   live_.note_saved();
   shown_ = &picture;
   title_ = "Gallery: " + name;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "gallery/gallery.h"
 #include "window/background_jobs.h"
@@ -23,8 +25,14 @@ std::filesystem::path provide_gallery_data(const GalleryItem& item,
 /// A menu of all pictures that a session can have, and the live controls of the one that is shown.
 class GalleryMenu {
  public:
-  GalleryMenu(LiveSession& live, BackgroundJobs& jobs, OptionPanel& options, WindowLog& log)
-      : live_(live), jobs_(jobs), options_(options), log_(log) {}
+  /// Does `go`, by which `after` takes the place of what is there, unless a user wants to keep
+  /// that.
+  using Opener = std::function<void(const SessionDocument& after, const std::string& by,
+                                    std::function<void()> go)>;
+
+  GalleryMenu(LiveSession& live, BackgroundJobs& jobs, OptionPanel& options, WindowLog& log,
+              Opener open)
+      : live_(live), jobs_(jobs), options_(options), log_(log), open_(std::move(open)) {}
 
   /// Items, into the current menu of Dear ImGui.
   void draw_menu();
@@ -39,6 +47,8 @@ class GalleryMenu {
   void show(const GalleryItem& item, const GalleryPicture& picture);
   void load(const std::string& name, const GalleryPicture& picture,
             const std::filesystem::path& data);
+  void take(const std::string& name, const GalleryPicture& picture,
+            const SessionDocument& document);
   void draw_steps();
   void draw_flow();
 
@@ -46,6 +56,7 @@ class GalleryMenu {
   BackgroundJobs& jobs_;
   OptionPanel& options_;
   WindowLog& log_;
+  Opener open_;
   const GalleryPicture* shown_ = nullptr;
   std::string title_;
   std::string mesh_;  // of the picture that is shown

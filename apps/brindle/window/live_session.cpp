@@ -146,8 +146,11 @@ void LiveSession::keep_phases() {
 }
 
 bool LiveSession::take_failure() {
-  const std::optional<SessionFailure> failure = worker_.take_failure();
+  std::optional<SessionFailure> failure = worker_.take_failure();
   if (!failure) return false;
+  if (!failure->unread_mesh.empty() && unread_taker_) {
+    failure->text += unread_taker_(failure->unread_mesh);
+  }
   if ((failure->revision & kVariantBit) != 0) {
     variant_.reset();
     add_message(MessageKind::error, failure->text);

@@ -51,6 +51,14 @@ class LiveSession {
   /// that were there at first, opened or saved last.
   bool has_unsaved_work() const { return !same_work(session_.document(), saved_); }
   void note_saved() { saved_ = session_.document(); }
+  /// What a document in place of this one would take away that is not saved (`lost_work`).
+  std::vector<std::string_view> lost_by(const SessionDocument& after) const {
+    return lost_work(session_.document(), saved_, after);
+  }
+
+  /// Hears of meshes that cannot be read, and says what else the message of it is to say.
+  using UnreadTaker = std::function<std::string(const std::string& mesh)>;
+  void when_unread(UnreadTaker taker) { unread_taker_ = std::move(taker); }
 
   bool undo() { return apply(commands::Undo{}); }
   bool redo() { return apply(commands::Redo{}); }
@@ -114,6 +122,7 @@ class LiveSession {
   Clock::time_point last_change_;
   Clock::time_point last_moving_;  // by `apply_moving`
   std::vector<FrameTaker> at_rest_takers_;
+  UnreadTaker unread_taker_;
   std::optional<Variant> variant_;
   std::uint64_t variants_ = 0;
   std::string first_failure_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 #include <imgui.h>
 
@@ -77,8 +78,9 @@ std::map<std::string, std::string> shape_values(const std::string& text) {
   return values;
 }
 
-ShapeDialog::ShapeDialog(LiveSession& live, WindowLog& log)
-    : live_(live), log_(log), shapes_(shape_entries(shape_help())) {}
+ShapeDialog::ShapeDialog(LiveSession& live, WindowLog& log,
+                         std::function<void(const std::string&)> open)
+    : live_(live), log_(log), open_(std::move(open)), shapes_(shape_entries(shape_help())) {}
 
 void ShapeDialog::draw() {
   if (!is_open_) return;
@@ -92,7 +94,7 @@ void ShapeDialog::draw() {
     if (ImGui::BeginCombo("##shape", name.empty() ? "choose a shape" : name.c_str())) {
       for (const ShapeEntry& shape : shapes_) {
         if (ImGui::Selectable((shape.name + ": " + shape.help).c_str(), shape.name == name)) {
-          live_.apply(commands::Open{shape_text(shape, {})});
+          open_(shape_text(shape, {}));
         }
       }
       ImGui::EndCombo();

@@ -1,6 +1,7 @@
 /// Built-in shapes with their parameters.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ std::map<std::string, std::string> shape_values(const std::string& text);
 /// A window of Dear ImGui with the parameters of the shape that the session has.
 class ShapeDialog {
  public:
-  ShapeDialog(LiveSession& live, WindowLog& log);
+  /// `open` is called with a shape that takes the place of what is there.
+  ShapeDialog(LiveSession& live, WindowLog& log, std::function<void(const std::string&)> open);
 
   const std::vector<ShapeEntry>& shapes() const { return shapes_; }
   void open() { is_open_ = true; }
@@ -49,6 +51,7 @@ class ShapeDialog {
 
   LiveSession& live_;
   WindowLog& log_;
+  std::function<void(const std::string&)> open_;
   std::vector<ShapeEntry> shapes_;
   bool is_open_ = false;
 };

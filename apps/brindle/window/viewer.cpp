@@ -1,6 +1,7 @@
 #include "window/viewer.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cfloat>
 #include <chrono>
 #include <cmath>
@@ -56,13 +57,16 @@ Viewer::Viewer(SessionDocument document, std::filesystem::path session_file,
       export_(live_, jobs_, browser_, log_),
       option_panel_(live_, browser_, log_),
       figure_panel_(live_, log_),
-      shapes_(live_, log_),
+      shapes_(live_, log_, [this](const std::string& shape) { open_mesh(shape); }),
       tool_(live_, log_),
       places_(live_, log_),
       picture_(live_, tool_, places_, log_),
-      gallery_(live_, jobs_, option_panel_, log_),
+      gallery_(live_, jobs_, option_panel_, log_,
+               [this](const SessionDocument& after, const std::string& by,
+                      std::function<void()> go) { unless_lost(after, by, std::move(go)); }),
       session_file_(std::move(session_file)) {
   settings_.dark = window_.dark();
+  live_.when_unread([this](const std::string& mesh) { return forget_unread(mesh); });
   log_.write("start", {{"window", window_.renderer()}, {"scale", window_.scale()}});
 }
 
@@ -88,7 +92,10 @@ bool Viewer::is_to_close() {
   if (!window_.closing()) return false;
   if (may_quit_ || !options_.output.empty() || !live_.has_unsaved_work()) return true;
   window_.keep_open();
-  asks_to_quit_ = true;
+  question_ = LossQuestion{"The session has changes that are not saved.", "quit", [this] {
+                             may_quit_ = true;
+                             window_.ask_to_close();
+                           }};
   frames_to_draw_ = kFramesAfterInput;
   return false;
 }
@@ -132,7 +139,7 @@ void Viewer::draw() {
   shapes_.draw();
   draw_keys();
   export_.is_open() ? export_.draw() : browser_.draw(log_);
-  draw_quit_question();
+  draw_question();
   live_.end_drag_at_rest(ImGui::IsAnyMouseDown() || option_panel_.is_held());
   Image copy;
   window_.end_frame(window_picture_.empty() ? nullptr : &copy);
@@ -233,29 +240,39 @@ void Viewer::draw_place_box() {
   }
 }
 
-void Viewer::draw_quit_question() {
-  if (asks_to_quit_) ImGui::OpenPopup("Quit");
-  asks_to_quit_ = false;
+void Viewer::draw_question() {
+  constexpr const char* kQuestion = "Not saved";
+  if (!question_) return;
+  if (std::exchange(question_->newly_asked, false)) ImGui::OpenPopup(kQuestion);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
-  if (!ImGui::BeginPopupModal("Quit", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextUnformatted("The session has changes that are not saved.");
+  if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  const std::string what = question_->what;
+  ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(question_->text.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::Dummy({0, 0.3f * ImGui::GetFontSize()});
-  const auto button = [this](const char* label, const char* name) {
-    const bool pressed = ImGui::Button(label);
-    log_.note_widget(std::string("quit ") + name);
+  std::function<void()> go;  // once it is answered
+  const auto button = [&](const std::string& label, const char* name) {
+    const bool pressed = ImGui::Button(label.c_str());
+    log_.note_widget(what + " " + name);
     ImGui::SameLine();
-    if (pressed) ImGui::CloseCurrentPopup();
+    if (pressed) {
+      ImGui::CloseCurrentPopup();
+      go = std::move(question_->go);
+      question_.reset();
+    }
     return pressed;
   };
-  if (button("Save and quit", "save")) {
-    session_file_.empty() ? ask_save_session(true) : save_session(session_file_, true);
-  }
-  if (button("Quit without saving", "discard")) {
-    may_quit_ = true;
-    window_.ask_to_close();
-  }
-  if (button("Cancel", "cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+  if (button("Save and " + what, "save")) {
+    session_file_.empty() ? ask_save_session(std::move(go))
+                          : save_session(session_file_, std::move(go));
+  } else if (button(static_cast<char>(std::toupper(what[0])) + what.substr(1) + " without saving",
+                    "discard")) {
+    go();
+  } else if (button("Cancel", "cancel")) {
+  } else if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
     ImGui::CloseCurrentPopup();
+    question_.reset();
   }
   ImGui::EndPopup();
 }

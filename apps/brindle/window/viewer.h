@@ -1,7 +1,9 @@
 /// The window of `brindle view`.
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +56,14 @@ class Viewer {
   void open(const std::string& name);
 
  private:
+  /// Work that is not saved would be lost by what is to be done.
+  struct LossQuestion {
+    std::string text;
+    std::string what;          ///< "quit", "open"
+    std::function<void()> go;  ///< does it
+    bool newly_asked = true;
+  };
+
   bool is_to_close();
   bool turn();
   double shortest_pause() const;
@@ -70,7 +80,7 @@ class Viewer {
   void draw_jobs();
   void draw_message();
   void draw_keys();
-  void draw_quit_question();
+  void draw_question();
 
   void draw_menus();
   void draw_file_menu();
@@ -91,10 +101,14 @@ class Viewer {
   void follow_plain_key(const PressedKey& key);
   void follow_letter(int key);
   void take_dropped();
+  void open_dropped();
 
   void ask_open();
-  void ask_save_session(bool then_quit = false);
-  void save_session(const std::filesystem::path& path, bool then_quit = false);
+  void open_mesh(const std::string& name);
+  void unless_lost(const SessionDocument& after, const std::string& by, std::function<void()> go);
+  void ask_save_session(std::function<void()> then = {});
+  void save_session(const std::filesystem::path& path, std::function<void()> then = {});
+  std::string forget_unread(const std::string& name);
   void ask_save_picture(bool transparent);
   void ask_save_window();
   using Export = void (*)(const LiveState&, const std::filesystem::path&, JobListener&);
@@ -133,7 +147,8 @@ class Viewer {
   std::optional<SessionMessage> message_;  // that is shown over the picture
   double message_since_ = 0;
   bool show_keys_ = false;
-  bool asks_to_quit_ = false;
+  std::optional<LossQuestion> question_;  // that is to be answered
+  std::deque<std::filesystem::path> dropped_;
   bool may_quit_ = false;  // with what is not saved
   int frames_to_draw_ = 3;
   int frames_to_mark_ = 0;  // until a mark is written to the log

@@ -39,20 +39,54 @@ std::string Viewer::stem() const {
 
 void Viewer::open(const std::string& name) {
   try {
-    if (lower_extension(name) != ".json") {
-      // Whether the file can be read turns out in the worker's thread.
-      if (live_.apply(commands::Open{name})) remember(settings_, name);
-    } else if (holds_strokes_alone(name)) {
-      return open_strokes(name);
-    } else if (live_.apply(commands::Load{read_session(name)})) {
+    if (lower_extension(name) != ".json") return open_mesh(name);
+    if (holds_strokes_alone(name)) return open_strokes(name);
+    const SessionDocument document = read_session(name);
+    unless_lost(document, shown(fs::path(name).filename().native()), [this, name, document] {
+      if (!live_.apply(commands::Load{document})) return;
       session_file_ = name;
       live_.note_saved();
-      remember(settings_, name);
-    }
-    remember_settings();
+      remember_opened(name);
+    });
   } catch (const std::exception& error) {
-    live_.add_message(MessageKind::error, error.what());
+    live_.add_message(MessageKind::error, error.what() + forget_unread(name));
   }
+}
+
+// Whether the file can be read turns out in the worker's thread.
+void Viewer::open_mesh(const std::string& name) {
+  try {
+    check_can_open(name);
+  } catch (const Error& error) {
+    return live_.add_message(MessageKind::error, error.what() + forget_unread(name));
+  }
+  SessionDocument after = live_.document();
+  after.strokes.clear();  // as `Open` does
+  unless_lost(after, shown(fs::path(name).filename().native()), [this, name] {
+    // Shapes have a menu of their own.
+    if (live_.apply(commands::Open{name}) && !name.starts_with("shape:")) remember_opened(name);
+  });
+}
+
+std::string Viewer::forget_unread(const std::string& name) {
+  if (!forget(settings_, name)) return "";
+  remember_settings();
+  return "\nIt is no longer among the recent files.";
+}
+
+// Asks first if work that is not saved would be lost.
+void Viewer::unless_lost(const SessionDocument& after, const std::string& by,
+                         std::function<void()> go) {
+  const std::vector<std::string_view> lost = live_.lost_by(after);
+  if (lost.empty()) return go();
+  std::string words;
+  for (const std::string_view part : lost) {
+    words += (words.empty() ? "" : part == lost.back() ? " and " : ", ") + std::string(part);
+  }
+  question_ = LossQuestion{
+      "The session has " + words + " that are not saved. Opening " + by + " takes their place.",
+      "open", std::move(go)};
+  frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
 void Viewer::open_strokes(const fs::path& path) {
@@ -66,6 +100,16 @@ void Viewer::open_strokes(const fs::path& path) {
 void Viewer::take_dropped() {
   for (const fs::path& path : window_.take_dropped()) {
     log_.write("drop", {{"file", path.string()}});
+    dropped_.push_back(path);
+  }
+  open_dropped();
+}
+
+// One after the other, each once what was asked about the one before is answered.
+void Viewer::open_dropped() {
+  while (!dropped_.empty() && !question_ && !browser_.is_open()) {
+    const fs::path path = std::move(dropped_.front());
+    dropped_.pop_front();
     open(path.string());
   }
 }
@@ -76,27 +120,26 @@ void Viewer::ask_open() {
                 .done = [this](const fs::path& path) { open(path.string()); }});
 }
 
-void Viewer::ask_save_session(bool then_quit) {
+void Viewer::ask_save_session(std::function<void()> then) {
   browser_.ask(
       {.title = "Save the session",
        .extensions = {".json"},
        .save = true,
        .name = stem() + ".json",
-       .done = [this, then_quit](const fs::path& path) { save_session(path, then_quit); }});
+       .done = [this, then = std::move(then)](const fs::path& path) { save_session(path, then); }});
 }
 
 // What is saved is what is shown when all is drawn.
-void Viewer::save_session(const fs::path& path, bool then_quit) {
+void Viewer::save_session(const fs::path& path, std::function<void()> then) {
   live_.end_drag();
-  live_.when_at_rest([this, path, then_quit](const auto&) {
+  live_.when_at_rest([this, path, then = std::move(then)](const auto&) {
     try {
       write_session(path, live_.document_as_shown());
       session_file_ = path;
       live_.note_saved();
-      if (then_quit) window_.ask_to_close();
-      remember(settings_, path.string());
+      remember_opened(path.string());
       live_.add_message(MessageKind::note, "wrote " + shown(path.native()));
-      remember_settings();
+      if (then) then();
     } catch (const Error& error) {
       live_.add_message(MessageKind::error, error.what());
     }

@@ -64,6 +64,14 @@ constexpr std::array<std::pair<const char*, const char*>, 30> kKeys = {{
     {"Ctrl + Q", "quit"},
 }};
 
+// A path's last folders and its name, so that menus stay narrow.
+std::string end_of_path(const std::string& path) {
+  constexpr std::size_t kLongest = 40;
+  if (path.size() <= kLongest) return path;
+  const std::size_t slash = path.find('/', path.size() - kLongest);
+  return "..." + path.substr(slash == path.npos ? path.rfind('/') + 1 : slash);
+}
+
 }  // namespace
 
 bool Viewer::item(const char* label, const char* keys, bool chosen, bool enabled) {
@@ -107,7 +115,9 @@ void Viewer::draw_recent_menu() {
   if (!open) return;
   std::string chosen;
   for (const std::string& name : settings_.recent) {
-    if (item(name.c_str(), nullptr)) chosen = name;
+    if (ImGui::MenuItem((end_of_path(name) + "###" + name).c_str())) chosen = name;
+    log_.note_widget("item " + name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
   }
   ImGui::EndMenu();
   if (!chosen.empty()) this->open(chosen);
@@ -118,7 +128,7 @@ void Viewer::draw_shape_menu() {
   log_.note_widget("item Shape");
   if (!open) return;
   for (const ShapeEntry& shape : shapes_.shapes()) {
-    if (item(shape.name.c_str(), nullptr)) live_.apply(commands::Open{shape_text(shape, {})});
+    if (item(shape.name.c_str(), nullptr)) open_mesh(shape_text(shape, {}));
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shape.help.c_str());
   }
   ImGui::Separator();
@@ -258,8 +268,8 @@ void Viewer::draw_keys() {
 }
 
 void Viewer::follow_keys() {
-  const bool typing = ImGui::GetIO().WantTextInput || browser_.is_open() || export_.is_open() ||
-                      ImGui::IsPopupOpen("Quit");
+  const bool typing =
+      ImGui::GetIO().WantTextInput || browser_.is_open() || export_.is_open() || question_;
   for (const PressedKey& key : window_.take_keys()) {
     // Written once widgets have taken notice of all that came before, which takes them two frames.
     if (key.key == GLFW_KEY_F12) frames_to_mark_ = 2;

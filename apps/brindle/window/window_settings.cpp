@@ -25,6 +25,12 @@ void take(const nlohmann::json& json, const char* key, Value& value) {
   }
 }
 
+std::string as_listed(const std::string& opened) {
+  std::error_code ignored;
+  return opened.starts_with("shape:") ? opened
+                                      : std::filesystem::absolute(opened, ignored).string();
+}
+
 }  // namespace
 
 std::filesystem::path settings_path() {
@@ -65,10 +71,12 @@ void write_settings(const std::filesystem::path& path, const WindowSettings& set
   });
 }
 
+bool forget(WindowSettings& settings, const std::string& unread) {
+  return std::erase(settings.recent, as_listed(unread)) > 0;
+}
+
 void remember(WindowSettings& settings, const std::string& opened) {
-  std::error_code error;
-  const std::string whole =
-      opened.starts_with("shape:") ? opened : std::filesystem::absolute(opened, error).string();
+  const std::string whole = as_listed(opened);
   std::erase(settings.recent, whole);
   settings.recent.insert(settings.recent.begin(), whole);
   if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);

@@ -27,4 +27,7 @@ void write_settings(const std::filesystem::path& path, const WindowSettings& set
 /// Puts an opened file first, once, as a whole path unless it is a shape.
 void remember(WindowSettings& settings, const std::string& opened);
 
+/// Takes a file that cannot be read off the list. Returns whether it was there.
+bool forget(WindowSettings& settings, const std::string& unread);
+
 }  // namespace brindle::tool
