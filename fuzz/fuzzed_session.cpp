@@ -147,6 +147,10 @@ SessionCommand fuzzed_command(Bytes& bytes, Shown shown) {
       return commands::Redo{};
     case 14:
       return commands::SolveAnew{};
+    case 15:
+      return commands::PreviousView{};
+    case 16:
+      return commands::NextView{};
     default:
       return fuzzed_option(bytes, shown);
   }
@@ -155,6 +159,13 @@ SessionCommand fuzzed_command(Bytes& bytes, Shown shown) {
 void check_round_trip(const SessionDocument& document) {
   promise(document_from_json(document_to_json(document)) == document,
           "a document is the same when it was written and read");
+}
+
+bool goes_back(const SessionCommand& command) {
+  return std::holds_alternative<commands::Undo>(command) ||
+         std::holds_alternative<commands::Redo>(command) ||
+         std::holds_alternative<commands::PreviousView>(command) ||
+         std::holds_alternative<commands::NextView>(command);
 }
 
 /// A command, and that it changes what it may.
@@ -168,11 +179,16 @@ void check_applied(Session& session, const SessionCommand& command) {
   }
   promise(session.document() == before || session.revision() > revision,
           "another document has another number");
-  const bool goes_back = std::holds_alternative<commands::Undo>(command) ||
-                         std::holds_alternative<commands::Redo>(command);
-  if (goes_back || session.dragging() || session.document() == before || !session.can_undo())
-    return;
+  if (session.dragging() || session.document() == before) return;
   const SessionDocument after = session.document();
+  if (turns_view(command)) {
+    promise(session.previous_view() && session.document().camera == before.camera,
+            "the view before is where it was");
+    promise(session.next_view() && session.document().camera == after.camera,
+            "the next view is where it was");
+    return;
+  }
+  if (goes_back(command) || !session.can_undo()) return;
   promise(session.undo() && session.document() == before, "undo restores what was");
   promise(session.redo() && session.document() == after, "redo restores what was undone");
   check_round_trip(after);

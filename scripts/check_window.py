@@ -444,6 +444,45 @@ def check_export_is_cancelled(start, folder):
     window.quit()
 
 
+def camera_of(window, path):
+    return json.loads(save_session(window, path))["camera"]
+
+
+def check_undo_leaves_the_camera(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "20")
+    window.settled()
+    first = camera_of(window, folder / "first.json")
+    since = window.now()
+    window.drag_slider("option stripes", 0.5, 0.7, 3)
+    window.settled(since)
+    since = window.now()
+    window.drag([window.point("picture", 0.4), window.point("picture", 0.5), window.point("picture", 0.6)])
+    window.settled(since)
+    turned = camera_of(window, folder / "turned.json")
+    expect(turned != first, "the picture does not turn")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    session = json.loads(save_session(window, folder / "undone.json"))
+    expect(session["options"]["stripes"] == "20", "undo takes no edit back")
+    expect(session["camera"] == turned, "undo turns the camera")
+    for key, camera in (("alt+Left", first), ("alt+Right", turned)):
+        since = window.now()
+        window.key(key)
+        window.settled(since)
+        expect(camera_of(window, folder / f"{key}.json") == camera, f"{key} shows another view")
+    since = window.now()
+    window.menu("View", "Previous view")
+    window.settled(since)
+    expect(camera_of(window, folder / "menu.json") == first, "the menu shows another view")
+    since = window.now()
+    window.key("ctrl+y")
+    window.settled(since)
+    session = json.loads(save_session(window, folder / "redone.json"))
+    expect(session["options"]["stripes"] != "20" and session["camera"] == first, "redo brings something else back")
+    window.quit()
+
+
 def check_solve_anew(start, folder):
     window = start("shape:torus,resolution=60")
     window.settled()

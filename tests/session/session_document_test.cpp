@@ -132,6 +132,8 @@ std::vector<SessionCommand> all_commands() {
           commands::EndDrag{},
           commands::Undo{},
           commands::Redo{},
+          commands::PreviousView{},
+          commands::NextView{},
           commands::KeepPhases{full_document().phases},
           commands::SolveAnew{}};
 }

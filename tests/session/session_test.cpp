@@ -25,7 +25,7 @@ class AnyCommand {
   explicit AnyCommand(unsigned seed) : random_(seed) {}
 
   SessionCommand operator()() {
-    switch (below(20)) {
+    switch (below(22)) {
       case 0:
         return commands::Open{below(2) ? "shape:torus,resolution=24" : "shape:box", below(2) > 0};
       case 1:
@@ -66,6 +66,10 @@ class AnyCommand {
         return commands::SetOption{"glyph", {"arrow"}};  // of samples alone
       case 18:
         return commands::SolveAnew{};
+      case 19:
+        return commands::PreviousView{};
+      case 20:
+        return commands::NextView{};
       default:
         return commands::SetOption{"field", {"raw-curvature"}};  // not with strokes
     }
@@ -92,7 +96,9 @@ TEST(Session, AnySequenceUndoneIsTheSameAndRedoneToo) {
     const SessionDocument last = session.document();
     int steps = 0;
     while (session.undo()) ++steps;
-    EXPECT_EQ(session.document(), first) << "seed " << seed;
+    SessionDocument seen = first;  // from where it was looked at
+    seen.camera = session.document().camera;
+    EXPECT_EQ(session.document(), seen) << "seed " << seed;
     for (int i = 0; i < steps; ++i) EXPECT_TRUE(session.redo());
     // What was undone before can be redone, too.
     while (!(session.document() == last) && session.undo()) {
@@ -203,6 +209,103 @@ TEST(Session, ADragIsOneStep) {
   EXPECT_EQ(session.document().options.at("stripes").front(), "30");
 }
 
+TEST(Session, UndoLeavesTheCamera) {
+  Session session(small_document());
+  session.apply(commands::SetOption{"stripes", {"30"}});
+  session.apply(commands::SetCamera{{80, 20, 2}});
+  session.apply(commands::SetOption{"stripes", {"40"}});
+  session.apply(commands::SetCamera{{10, -5, 1}});
+  const CameraView camera = session.document().camera;
+  EXPECT_EQ(session.undo_name(), "number of stripes");
+  for (const char* stripes : {"30", ""}) {
+    EXPECT_TRUE(session.undo());
+    EXPECT_EQ(session.document().camera, camera);
+    EXPECT_EQ(session.document().options.contains("stripes"), *stripes != '\0');
+  }
+  EXPECT_FALSE(session.undo()) << "views are no steps";
+  session.apply(commands::SetCamera{{0, 0, 1}});
+  EXPECT_TRUE(session.redo()) << "a view takes no redo away";
+  EXPECT_EQ(session.document().options.at("stripes").front(), "30");
+  EXPECT_EQ(session.document().camera, (CameraView{0, 0, 1}));
+}
+
+TEST(Session, ViewsHaveTheirOwnWayBack) {
+  Session session(small_document());
+  const CameraView first = session.document().camera, second{80, 20, 2}, third{10, -5, 1};
+  EXPECT_FALSE(session.apply(commands::PreviousView{}));
+  session.apply(commands::SetCamera{second});
+  session.apply(commands::StoreView{1});
+  session.apply(commands::SetCamera{third});
+  session.apply(commands::SetOption{"stripes", {"30"}});
+  session.apply(commands::RecallView{1});
+  for (const CameraView& camera : {third, second, first}) {
+    EXPECT_TRUE(session.apply(commands::PreviousView{}));
+    EXPECT_EQ(session.document().camera, camera);
+  }
+  EXPECT_EQ(session.document().options.at("stripes").front(), "30") << "edits stay";
+  EXPECT_FALSE(session.has_previous_view());
+  EXPECT_TRUE(session.apply(commands::NextView{}));
+  EXPECT_EQ(session.document().camera, second);
+  EXPECT_TRUE(session.follows()) << "stripes move calmly, as where a view is turned";
+  session.apply(commands::SetCamera{first});
+  EXPECT_FALSE(session.has_next_view()) << "another way was gone";
+  for (const SessionCommand& command :
+       {SessionCommand(commands::PreviousView{}), SessionCommand(commands::NextView{})}) {
+    EXPECT_EQ(command_from_json(nlohmann::json(command_to_json(command))), command);
+  }
+}
+
+TEST(Session, ADraggedViewIsOneView) {
+  Session session(small_document());
+  const CameraView first = session.document().camera;
+  session.begin_drag();
+  for (int i = 1; i < 9; ++i) {
+    session.apply(commands::SetCamera{{static_cast<float>(i), 0, 1}});
+    session.apply(commands::SetOption{"rotate", {std::to_string(i)}});
+  }
+  session.end_drag();
+  EXPECT_TRUE(session.previous_view());
+  EXPECT_EQ(session.document().camera, first);
+  EXPECT_EQ(session.document().options.at("rotate").front(), "8");
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.document(), small_document());
+  // One that comes back is none.
+  session.begin_drag();
+  session.apply(commands::SetCamera{{70, 0, 1}});
+  session.apply(commands::SetCamera{first});
+  session.end_drag();
+  EXPECT_FALSE(session.has_previous_view());
+}
+
+TEST(Session, AnotherSurfaceHasItsCamera) {
+  Session session(small_document());
+  CameraView near{80, 20, 3};
+  near.center = Vec3(1, 0, 0);
+  session.apply(commands::SetCamera{near});
+  session.apply(commands::Open{"shape:box"});
+  EXPECT_EQ(session.document().camera.center, std::nullopt);
+  EXPECT_FALSE(session.has_previous_view()) << "they were of the torus";
+  session.apply(commands::SetCamera{{5, 5, 1}});
+  session.undo();
+  EXPECT_EQ(session.document().camera, near);
+  EXPECT_FALSE(session.has_previous_view());
+  session.redo();
+  EXPECT_EQ(session.document().camera, (CameraView{5, 5, 1}));
+}
+
+TEST(Session, TakesBackViewsBeforeEdits) {
+  Session session(small_document());
+  const CameraView first = session.document().camera;
+  session.apply(commands::SetOption{"stripes", {"20"}});
+  session.apply(commands::SetCamera{{80, 20, 1}});
+  EXPECT_TRUE(session.take_back(session.revision(), "no memory"));
+  EXPECT_EQ(session.document().camera, first);
+  EXPECT_EQ(session.document().options.at("stripes").front(), "20");
+  EXPECT_TRUE(session.take_back(session.revision(), "still none"));
+  EXPECT_EQ(session.document(), small_document());
+  EXPECT_FALSE(session.take_back(session.revision(), "still none"));
+}
+
 TEST(Session, PhasesBelongToTheirWavesAlone) {
   Session session(small_document());
   const auto phases = std::make_shared<const std::vector<float>>(std::vector<float>{0.5f, 1.0f});
@@ -228,10 +331,15 @@ TEST(Session, PhasesGoWhereACameraMakesOtherWaves) {
     EXPECT_EQ(session.document().phases, phases) << value;
     session.apply(commands::SetCamera{{80, 20, 1}});
     EXPECT_EQ(session.document().phases != nullptr, value == std::string("height")) << value;
+    session.previous_view();
     session.undo();
     EXPECT_EQ(session.document().phases, phases) << value;
     session.apply(commands::SetOption{"up", {"y"}});
     EXPECT_EQ(session.document().phases, nullptr) << value << ": another axis points up";
+    session.apply(commands::SetCamera{{80, 20, 1}});
+    session.undo();
+    EXPECT_EQ(session.document().phases != nullptr, value == std::string("height"))
+        << value << ": undone, but seen from elsewhere";
   }
 }
 
@@ -242,7 +350,6 @@ TEST(Session, StepsAreCalledByWords) {
       {commands::ClearOption{"stripes"}, "number of stripes left out"},
       {commands::SetOptions{{{"field", {"curvature"}}, {"rotate", {"10"}}}, {}},
        "direction field, turn"},
-      {commands::SetCamera{{80, 20, 1}}, "view"},
       {commands::Show{Shown::curves}, "showing curves"},
       {commands::SetOption{"join", {}}, "join ends"},
       {commands::Open{"shape:box", true}, "opening shape:box"}};

@@ -16,7 +16,7 @@ namespace brindle::tool {
 namespace {
 
 constexpr std::size_t kMostMessages = 100;
-constexpr std::size_t kMostSteps = 1000;
+constexpr std::size_t kMostSteps = 1000;                   // and as many views
 constexpr std::size_t kMostPhases = std::size_t{1} << 26;  // of all steps together: 256 MB
 
 std::size_t checked_index(const SessionDocument& document, std::size_t index) {
@@ -120,13 +120,9 @@ struct StepWords {
   std::string operator()(const commands::SetStrokes& c) const {
     return c.strokes.empty() ? "erasing all strokes" : "strokes of a file";
   }
-  std::string operator()(const commands::SetCamera&) const { return "view"; }
   std::string operator()(const commands::SetSize&) const { return "size of pictures"; }
   std::string operator()(const commands::StoreView& c) const {
     return "storing view " + std::to_string(c.key);
-  }
-  std::string operator()(const commands::RecallView& c) const {
-    return "view " + std::to_string(c.key);
   }
   std::string operator()(const commands::SetFrequencyByZoom&) const { return "stripes by zoom"; }
   std::string operator()(const commands::Load&) const { return "opening a session"; }
@@ -143,7 +139,21 @@ bool starts_anew(const SessionCommand& command) {
          std::holds_alternative<commands::Load>(command);
 }
 
+/// Seen from elsewhere. Phases go where another camera makes other waves.
+SessionDocument seen_from(const CameraView& camera, SessionDocument document) {
+  if (document.camera == camera) return document;
+  SessionDocument seen = document;
+  seen.camera = camera;
+  if (seen.phases && pattern_key(document) != pattern_key(seen)) seen.phases.reset();
+  return seen;
+}
+
 }  // namespace
+
+bool turns_view(const SessionCommand& command) {
+  return std::holds_alternative<commands::SetCamera>(command) ||
+         std::holds_alternative<commands::RecallView>(command);
+}
 
 void check_can_open(const std::string& mesh) {
   constexpr std::string_view kShape = "shape:";
@@ -177,12 +187,16 @@ bool Session::apply(const SessionCommand& command) {
   if (std::holds_alternative<commands::EndDrag>(command)) return end_drag(), true;
   if (std::holds_alternative<commands::Undo>(command)) return undo();
   if (std::holds_alternative<commands::Redo>(command)) return redo();
+  if (std::holds_alternative<commands::PreviousView>(command)) return previous_view();
+  if (std::holds_alternative<commands::NextView>(command)) return next_view();
   if (std::holds_alternative<commands::SolveAnew>(command)) return solve_anew(), true;
   if (const auto* keep = std::get_if<commands::KeepPhases>(&command)) {
     return keep_phases(revision_, keep->phases);
   }
   try {
-    change(changed(document_, command), std::visit(StepWords{document_.shown}, command));
+    SessionDocument after = changed(document_, command);
+    if (turns_view(command)) return turn(std::move(after)), true;
+    change(std::move(after), std::visit(StepWords{document_.shown}, command), starts_anew(command));
     if (starts_anew(command)) follows_ = false;
     return true;
   } catch (const std::exception& error) {
@@ -191,15 +205,30 @@ bool Session::apply(const SessionCommand& command) {
   }
 }
 
-void Session::change(SessionDocument document, std::string name) {
+void Session::change(SessionDocument document, std::string name, bool anew) {
   if (document == document_) return;
   if (!drag_has_step_) {
-    past_.push_back({document_, std::move(name)});
+    past_.push_back({document_, std::move(name), anew});
     drag_has_step_ = dragging_;
   }
+  past_.back().anew |= anew;
   future_.clear();
+  if (anew) views_ = {};
+  last_change_ = Change::edit;
   go(std::move(document), true);
   forget_old_steps();
+}
+
+void Session::turn(SessionDocument document) {
+  if (document.camera == document_.camera) return;
+  if (!drag_has_view_) {
+    views_.past.push_back(document_.camera);
+    if (views_.past.size() > kMostSteps) views_.past.pop_front();
+    drag_has_view_ = dragging_;
+  }
+  views_.future.clear();
+  last_change_ = Change::view;
+  go(std::move(document), true);
 }
 
 void Session::go(SessionDocument document, bool follows) {
@@ -215,9 +244,16 @@ void Session::begin_drag() {
 
 void Session::end_drag() {
   // What came back to where it was is no step.
-  if (drag_has_step_ && past_.back().document == document_) past_.pop_back();
-  dragging_ = false;
-  drag_has_step_ = false;
+  if (drag_has_step_ && document_of(past_.back()) == document_) past_.pop_back();
+  if (drag_has_view_ && !views_.past.empty() && views_.past.back() == document_.camera) {
+    views_.past.pop_back();
+  }
+  dragging_ = drag_has_step_ = drag_has_view_ = false;
+}
+
+SessionDocument Session::document_of(Step step) const {
+  return step.anew ? std::move(step.document)
+                   : seen_from(document_.camera, std::move(step.document));
 }
 
 bool Session::move(std::deque<Step>& from, std::deque<Step>& to) {
@@ -225,13 +261,29 @@ bool Session::move(std::deque<Step>& from, std::deque<Step>& to) {
   if (from.empty()) return false;
   Step step = std::move(from.back());
   from.pop_back();
-  to.push_back({document_, step.name});
-  go(std::move(step.document), false);
+  to.push_back({document_, step.name, step.anew});
+  if (step.anew) views_ = {};
+  last_change_ = Change::none;
+  go(document_of(std::move(step)), false);
+  return true;
+}
+
+bool Session::move_view(std::deque<CameraView>& from, std::deque<CameraView>& to) {
+  end_drag();
+  if (from.empty()) return false;
+  const CameraView camera = from.back();
+  from.pop_back();
+  to.push_back(document_.camera);
+  last_change_ = Change::none;
+  go(seen_from(camera, document_), true);
   return true;
 }
 
 bool Session::undo() { return move(past_, future_); }
 bool Session::redo() { return move(future_, past_); }
+
+bool Session::previous_view() { return move_view(views_.past, views_.future); }
+bool Session::next_view() { return move_view(views_.future, views_.past); }
 
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
@@ -264,11 +316,23 @@ bool Session::keep_phases(std::uint64_t revision,
 bool Session::take_back(std::uint64_t revision, const std::string& why) {
   messages_.push_back({MessageKind::error, why, revision});
   if (messages_.size() > kMostMessages) messages_.pop_front();
-  if (revision != revision_ || past_.empty() || !future_.empty()) return false;
-  SessionDocument before = std::move(past_.back().document);
-  past_.pop_back();
-  drag_has_step_ = false;
-  go(std::move(before), false);
+  if (revision != revision_) return false;
+  if (last_change_ == Change::view && !views_.past.empty()) {
+    const CameraView before = views_.past.back();
+    views_.past.pop_back();
+    drag_has_view_ = false;
+    go(seen_from(before, document_), false);
+  } else if (last_change_ == Change::edit && !past_.empty()) {
+    Step step = std::move(past_.back());
+    past_.pop_back();
+    drag_has_step_ = false;
+    if (step.anew) views_ = {};
+    go(document_of(std::move(step)), false);
+  } else {
+    return false;
+  }
+  // The edit before may be what did not work, if nothing was shown of it.
+  last_change_ = future_.empty() ? Change::edit : Change::none;
   return true;
 }
 

@@ -45,10 +45,19 @@ class Session {
   void begin_drag();
   void end_drag();
   bool dragging() const { return dragging_; }
+  /// Edits alone: the camera stays where it is, unless what comes back is another surface or
+  /// session, which has its own.
   bool undo();
   bool redo();
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
+
+  /// The camera alone. Edits in between stay as they are; another surface or session begins anew.
+  bool previous_view();
+  bool next_view();
+  bool has_previous_view() const { return !views_.past.empty(); }
+  bool has_next_view() const { return !views_.future.empty(); }
+
   /// What undo and redo would change, in words: "number of stripes"; empty if nothing.
   std::string undo_name() const;
   std::string redo_name() const;
@@ -63,8 +72,8 @@ class Session {
   /// has the one or the other. Returns whether it was done.
   bool keep_phases(std::uint64_t revision, std::shared_ptr<const std::vector<float>> phases);
 
-  /// The last step turned out not to work: a file cannot be read, an array is not there. Takes the
-  /// document back to what it was before the step and leaves the message; nothing can be redone of
+  /// The last step or view turned out not to work: a file cannot be read, an array is not there.
+  /// Takes the document back to what it was before and leaves the message; nothing can be redone of
   /// it. If the document has gone on since `revision`, or nothing can be undone, only the message
   /// stays. Returns whether the step was taken back.
   bool take_back(std::uint64_t revision, const std::string& why);
@@ -77,21 +86,37 @@ class Session {
   struct Step {
     SessionDocument document;  ///< before it, or, of those undone, after it
     std::string name;
+    bool anew = false;  ///< another surface or session, with its camera
   };
+  /// Cameras before and after the present one, the nearest last.
+  struct Views {
+    std::deque<CameraView> past, future;
+  };
+  enum class Change { none, edit, view };
 
-  void change(SessionDocument document, std::string name);
+  void change(SessionDocument document, std::string name, bool anew = false);
+  void turn(SessionDocument document);
   void go(SessionDocument document, bool follows);
+  SessionDocument document_of(Step step) const;
   bool move(std::deque<Step>& from, std::deque<Step>& to);
+  bool move_view(std::deque<CameraView>& from, std::deque<CameraView>& to);
   void forget_old_steps();
 
   SessionDocument document_;
   std::deque<Step> past_, future_;
+  Views views_;
+  Change last_change_ = Change::none;  ///< that can be taken back
   std::deque<SessionMessage> messages_;
   std::uint64_t revision_ = 1;
   bool follows_ = false;
   bool dragging_ = false;
   bool drag_has_step_ = false;
+  bool drag_has_view_ = false;
 };
+
+/// Whether a command moves the camera alone, which is no edit: `Session::previous_view` takes it
+/// back.
+bool turns_view(const SessionCommand& command);
 
 /// Throws Error, naming it, if there is no such file or shape; what is in a file comes out when it
 /// is read.

@@ -34,7 +34,8 @@ constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCom
     "load",          "begin_drag",
     "end_drag",      "undo",
     "redo",          "keep_phases",
-    "solve_anew"};
+    "solve_anew",    "previous_view",
+    "next_view"};
 
 /// Adds what a command holds to its object.
 struct CommandWriter {
@@ -81,6 +82,8 @@ struct CommandWriter {
   void operator()(const commands::Undo&) const {}
   void operator()(const commands::Redo&) const {}
   void operator()(const commands::SolveAnew&) const {}
+  void operator()(const commands::PreviousView&) const {}
+  void operator()(const commands::NextView&) const {}
 };
 
 constexpr int kMostStrokes = 1 << 30;
@@ -181,6 +184,8 @@ constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders 
     [](const JsonReader& r) -> SessionCommand { return bare<commands::Redo>(r); },
     [](const JsonReader& r) -> SessionCommand { return keep_phases_from(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::SolveAnew>(r); },
+    [](const JsonReader& r) -> SessionCommand { return bare<commands::PreviousView>(r); },
+    [](const JsonReader& r) -> SessionCommand { return bare<commands::NextView>(r); },
 };
 
 }  // namespace

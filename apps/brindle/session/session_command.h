@@ -125,6 +125,7 @@ struct EndDrag {
   bool operator==(const EndDrag&) const = default;
 };
 
+/// Of edits, which leave the camera as it is unless they open another surface or session.
 struct Undo {
   bool operator==(const Undo&) const = default;
 };
@@ -146,6 +147,15 @@ struct SolveAnew {
   bool operator==(const SolveAnew&) const = default;
 };
 
+/// The camera as it was before it was last turned, moved or recalled, and back again. Edits stay:
+/// these are what undo and redo are for.
+struct PreviousView {
+  bool operator==(const PreviousView&) const = default;
+};
+struct NextView {
+  bool operator==(const NextView&) const = default;
+};
+
 }  // namespace brindle::tool::commands
 
 namespace brindle::tool {
@@ -156,7 +166,8 @@ using SessionCommand =
                  commands::SetStrokes, commands::SetCamera, commands::SetSize, commands::StoreView,
                  commands::RecallView, commands::SetFrequencyByZoom, commands::Load,
                  commands::BeginDrag, commands::EndDrag, commands::Undo, commands::Redo,
-                 commands::KeepPhases, commands::SolveAnew>;
+                 commands::KeepPhases, commands::SolveAnew, commands::PreviousView,
+                 commands::NextView>;
 
 /// "set_option", the name of a command in files.
 std::string_view command_name(const SessionCommand& command);

@@ -24,6 +24,7 @@ struct PressedKey {
   bool control = false;
   bool shift = false;
   bool repeated = false;
+  bool alt = false;
 };
 
 /// One at a time. Belongs to the thread that makes it, which must be the program's first.

@@ -62,6 +62,8 @@ class LiveSession {
 
   bool undo() { return apply(commands::Undo{}); }
   bool redo() { return apply(commands::Redo{}); }
+  bool previous_view() { return apply(commands::PreviousView{}); }
+  bool next_view() { return apply(commands::NextView{}); }
   void add_message(MessageKind kind, const std::string& text);
 
   void set_picture_size(PictureSize size);

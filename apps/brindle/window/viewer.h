@@ -98,6 +98,7 @@ class Viewer {
 
   void follow_keys();
   void follow_control_key(const PressedKey& key);
+  void follow_alt_key(const PressedKey& key);
   void follow_plain_key(const PressedKey& key);
   void follow_letter(int key);
   void take_dropped();

@@ -31,7 +31,7 @@ constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
-constexpr std::array<std::pair<const char*, const char*>, 30> kKeys = {{
+constexpr std::array<std::pair<const char*, const char*>, 31> kKeys = {{
     {"drag", "turn"},
     {"Shift + drag, middle drag", "move"},
     {"wheel", "zoom"},
@@ -39,6 +39,7 @@ constexpr std::array<std::pair<const char*, const char*>, 30> kKeys = {{
     {"1 ... 9", "recall a view"},
     {"Ctrl + 1 ... 9", "store the view"},
     {"Home", "see the whole surface"},
+    {"Alt + Left, Alt + Right", "the view before, and back again"},
     {"O", "orthographic or perspective"},
     {"T", "turntable or free"},
     {"Ctrl + C, Ctrl + V", "copy and paste the view as JSON"},
@@ -188,6 +189,9 @@ void Viewer::draw_edit_menu() {
 void Viewer::draw_view_menu() {
   const CameraView& view = live_.document().camera;
   if (item("See everything", "Home")) set_camera({.projection = view.projection});
+  const Session& session = live_.session();
+  if (item("Previous view", "Alt+Left", false, session.has_previous_view())) live_.previous_view();
+  if (item("Next view", "Alt+Right", false, session.has_next_view())) live_.next_view();
   draw_side_items();
   draw_stored_views();
   ImGui::Separator();
@@ -275,8 +279,17 @@ void Viewer::follow_keys() {
     if (key.key == GLFW_KEY_F12) frames_to_mark_ = 2;
     if (typing) continue;
     if (key.key == GLFW_KEY_ESCAPE && window_.close_popup()) continue;
-    key.control ? follow_control_key(key) : follow_plain_key(key);
+    if (key.alt) {
+      follow_alt_key(key);
+    } else {
+      key.control ? follow_control_key(key) : follow_plain_key(key);
+    }
   }
+}
+
+void Viewer::follow_alt_key(const PressedKey& key) {
+  if (key.key == GLFW_KEY_LEFT) live_.previous_view();
+  if (key.key == GLFW_KEY_RIGHT) live_.next_view();
 }
 
 void Viewer::follow_control_key(const PressedKey& key) {
