@@ -444,6 +444,24 @@ def check_export_is_cancelled(start, folder):
     window.quit()
 
 
+def check_coloured_views_have_legends(start, folder):
+    window = start("shape:sphere,resolution=30", "--stripes", "20")
+    window.settled()
+    before = save_picture(window, folder / "stripes.png")
+    for words in ("a stripe begins or ends", "angle between stripes and field"):
+        expect(f"legend {words}" not in window.places, f"stripes have the legend '{words}'")
+        since = window.now()
+        window.key("b")
+        window.settled(since)
+        window.wait_until(lambda: f"legend {words}" in window.places, f"the legend '{words}'")
+    since = window.now()
+    window.menu("View", "stripes")
+    window.settled(since)
+    window.wait_until(lambda: not any(name.startswith("legend ") for name in window.places), "end of the legend")
+    expect(save_picture(window, folder / "again.png") == before, "stripes are another picture now")
+    window.quit()
+
+
 def camera_of(window, path):
     return json.loads(save_session(window, path))["camera"]
 

@@ -11,12 +11,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr Color kSecondColor{0.78f, 0.26f, 0.17f};
-
-Color color_of(bool second, const RenderOptions& render) {
-  return second ? kSecondColor : render.stripe_color;
-}
-
 void add(const Mesh& part, std::span<const Vec3> normals, const TriangleColor& color,
          OrnamentedSurface& all) {
   append(part, all.mesh);
@@ -25,6 +19,11 @@ void add(const Mesh& part, std::span<const Vec3> normals, const TriangleColor& c
 }
 
 }  // namespace
+
+Color ornament_color(bool second, const RenderOptions& render) {
+  constexpr Color kSecondColor{0.78f, 0.26f, 0.17f};
+  return second ? kSecondColor : render.stripe_color;
+}
 
 SurfaceDrawing OrnamentedSurface::drawing() const {
   return {.mesh = mesh, .normals = normals, .triangle_colors = colors};
@@ -35,7 +34,8 @@ OrnamentedSurface ornamented(const Surface& surface, std::span<const Ornament> o
   OrnamentedSurface all;
   add(surface.mesh, surface.normals, {}, all);
   for (const Ornament& ornament : ornaments) {
-    add(ornament.mesh, vertex_normals(ornament.mesh), {color_of(ornament.second, render), 1}, all);
+    add(ornament.mesh, vertex_normals(ornament.mesh), {ornament_color(ornament.second, render), 1},
+        all);
   }
   return all;
 }
@@ -55,7 +55,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
   const RenderOptions render = render_options(options);
   std::vector<PenLines> lines;
   for (const FamilyLines& family : families) {
-    lines.push_back({family.name, color_of(family.second, render), family.lines});
+    lines.push_back({family.name, ornament_color(family.second, render), family.lines});
   }
   const int width = render.width, height = render.height;
   const std::vector<Pen> pens = line_drawing(surface.mesh, surface.normals, lines, render.camera,

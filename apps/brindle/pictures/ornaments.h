@@ -19,7 +19,10 @@ struct OrnamentedSurface {
   SurfaceDrawing drawing() const;
 };
 
-/// In the colours of the options.
+/// That of the options for the first pattern, another one for the second.
+Color ornament_color(bool second, const RenderOptions& render);
+
+/// In these colours.
 OrnamentedSurface ornamented(const Surface& surface, std::span<const Ornament> ornaments,
                              const RenderOptions& render);
 

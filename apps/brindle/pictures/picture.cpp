@@ -147,7 +147,6 @@ void check_pictures_available() {}
 
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
                    std::span<const CornerPhases> corners) {
-  constexpr float kLargestAngleErrorDeg = 30;  // darkest colour of the angle_error view
   if (view == View::branches) return branch_overlay(mesh, corners);
   if (view == View::angle_error) {
     return error_overlay(angle_errors_deg(mesh, waves, corners), kLargestAngleErrorDeg);

@@ -19,6 +19,9 @@ struct PictureOptions {
   RenderOptions render;
 };
 
+/// Of the darkest colour of the view of angle errors.
+inline constexpr float kLargestAngleErrorDeg = 30;
+
 /// What the view shows on top of the stripes.
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
                    std::span<const CornerPhases> corners);

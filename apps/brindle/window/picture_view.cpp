@@ -14,6 +14,7 @@ PictureView::~PictureView() { glDeleteTextures(1, &texture_); }
 void PictureView::upload() {
   if (uploaded_ == live_.frame()) return;
   uploaded_ = live_.frame();
+  legend_ = view_legend(*uploaded_->state);
   const Image& image = uploaded_->image;
   if (texture_ == 0) {
     glGenTextures(1, &texture_);
@@ -63,6 +64,7 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   places_.draw_over(*ImGui::GetWindowDrawList(), place);
   note_mouse(place, hovered);
   show_values(corner, end);
+  show_legend(corner);
   ImGui::GetWindowDrawList()->PopClipRect();
   follow_mouse(place, trail);
   if (hovered) follow_wheel();
@@ -109,6 +111,61 @@ void PictureView::show_values(const ImVec2& corner, const ImVec2& end) const {
     list.AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), name.c_str());
     list.AddText({at.x + names + gap, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     log_.note_place("value " + name + " " + text, PicturePlace::around(at, 1));
+    at.y += line;
+  }
+}
+
+namespace {
+
+ImU32 packed(const Color& color) {
+  return ImGui::GetColorU32({color.red, color.green, color.blue, 1});
+}
+
+float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+}  // namespace
+
+// In the upper left corner, over the picture, which has none of it.
+void PictureView::show_legend(const ImVec2& corner) const {
+  if (legend_.empty()) return;
+  const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.5f * line;
+  const bool scaled = !legend_.scale.empty();
+  float width = width_of(legend_.title);
+  if (scaled) width = std::max(width, width_of(legend_.lowest + legend_.highest) + 2 * line);
+  for (const ViewLegend::Entry& entry : legend_.entries) {
+    width = std::max(width, line + width_of(entry.meaning));
+  }
+  const float lines = static_cast<float>(legend_.entries.size()) + (legend_.title.empty() ? 0 : 1) +
+                      (scaled ? 2 : 0);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImVec2 at(corner.x + 2 * gap, corner.y + 2 * gap);
+  const ImVec4 behind = ImGui::GetStyleColorVec4(ImGuiCol_PopupBg);
+  list.AddRectFilled({at.x - gap, at.y - gap}, {at.x + width + gap, at.y + lines * line + gap / 2},
+                     ImGui::GetColorU32({behind.x, behind.y, behind.z, 0.8f}),
+                     ImGui::GetStyle().FrameRounding);
+  const auto text = [&](float x, const std::string& words) {
+    list.AddText({x, at.y}, ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
+    log_.note_place("legend " + words, PicturePlace::around({x, at.y}, 1));
+  };
+  if (!legend_.title.empty()) {
+    text(at.x, legend_.title);
+    at.y += line;
+  }
+  const float step = scaled ? width / static_cast<float>(legend_.scale.size()) : 0;
+  for (std::size_t i = 0; i < legend_.scale.size(); ++i) {
+    const float left = at.x + static_cast<float>(i) * step;
+    list.AddRectFilled({left, at.y}, {left + step, at.y + 0.8f * line}, packed(legend_.scale[i]));
+  }
+  if (scaled) {
+    at.y += line;
+    text(at.x, legend_.lowest);
+    text(at.x + width - width_of(legend_.highest), legend_.highest);
+    at.y += line;
+  }
+  for (const ViewLegend::Entry& entry : legend_.entries) {
+    list.AddCircleFilled({at.x + 0.35f * line, at.y + 0.4f * line}, 0.3f * line,
+                         packed(entry.color));
+    text(at.x + line, entry.meaning);
     at.y += line;
   }
 }

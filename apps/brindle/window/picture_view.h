@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "session/picked_values.h"
+#include "session/view_legend.h"
 #include "window/camera_motion.h"
 #include "window/place_handles.h"
 #include "window/stroke_tool.h"
@@ -35,6 +36,7 @@ class PictureView {
   void upload();
   void note_mouse(const PicturePlace& place, bool hovered);
   void show_values(const ImVec2& corner, const ImVec2& end) const;
+  void show_legend(const ImVec2& corner) const;
   void show(const PicturePlace& place);
   void follow_mouse(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
   void follow_tool(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
@@ -47,6 +49,7 @@ class PictureView {
   PlaceHandles& places_;
   WindowLog& log_;
   std::shared_ptr<const SessionFrame> uploaded_;
+  ViewLegend legend_;  // of it
   GLuint texture_ = 0;
   int width_ = 0;  // of the texture
   int height_ = 0;

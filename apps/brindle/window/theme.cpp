@@ -32,6 +32,7 @@ void color_accents(ImVec4* colors, const ImVec4& accent) {
   colors[ImGuiCol_SliderGrab] = with_alpha(0.8f);
   colors[ImGuiCol_SliderGrabActive] = accent;
   colors[ImGuiCol_PlotLines] = accent;
+  colors[ImGuiCol_PlotHistogram] = with_alpha(0.8f);
   colors[ImGuiCol_NavHighlight] = accent;
   colors[ImGuiCol_TextSelectedBg] = with_alpha(0.35f);
   colors[ImGuiCol_HeaderHovered] = with_alpha(0.3f);
