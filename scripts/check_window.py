@@ -441,7 +441,15 @@ def check_export_is_cancelled(start, folder):
     window.click("cancel writing large.png")
     window.wait_for("message", text=f"cancelled: {folder / 'large.png'} is not written")
     expect(not list(folder.glob("*large*")), "something is left of it")
-    window.quit()
+    window.key("ctrl+shift+p")
+    type_into(window, "export name", "again.png")
+    window.click("export done")
+    window.place("cancel writing again.png")
+    window.key("ctrl+q")
+    window.wait_for("message", text="the window closes once again.png is written; cancel that to close it at once")
+    window.last_click("cancel writing again.png")
+    expect(window.process.wait(PATIENCE) == 0, "it does not quit once nothing is written any more")
+    expect(not list(folder.glob("*again*")), "something is left of what was being written")
 
 
 def check_coloured_views_have_legends(start, folder):

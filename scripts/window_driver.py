@@ -140,7 +140,7 @@ class Window:
             self.wait_for("command", since)
 
         def find():
-            frames = [e for e in self.lines if e["event"] == "frame" and not e["variant"]]
+            frames = [e for e in self.lines if e["event"] == "frame"]
             changes = [e for e in self.lines if "revision" in e and e["event"] != "frame"]
             if not frames or not frames[-1]["final"]:
                 return None

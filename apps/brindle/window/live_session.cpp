@@ -12,9 +12,6 @@ namespace {
 constexpr auto kRest = std::chrono::milliseconds(300);
 constexpr auto kMovingRest = std::chrono::milliseconds(400);
 
-// Revisions of variants, which are none of the session's.
-constexpr std::uint64_t kVariantBit = std::uint64_t{1} << 63;
-
 const char* kind_name(MessageKind kind) {
   return kind == MessageKind::error ? "error" : kind == MessageKind::warning ? "warning" : "note";
 }
@@ -102,8 +99,8 @@ bool LiveSession::at_rest() const {
 }
 
 bool LiveSession::is_waiting() const {
-  return worker_.busy() || variant_ || asked_revision_ != session_.revision() ||
-         asked_size_ != size_ || asked_quality_ != PictureQuality::final;
+  return worker_.busy() || asked_revision_ != session_.revision() || asked_size_ != size_ ||
+         asked_quality_ != PictureQuality::final;
 }
 
 bool LiveSession::update() {
@@ -118,12 +115,6 @@ bool LiveSession::take_frame() {
   if (!newest || newest->number == last_number_) return false;
   last_number_ = newest->number;
   log_frame(*newest);
-  if ((newest->revision & kVariantBit) != 0) {
-    if (!variant_ || variant_->revision != newest->revision) return false;
-    const FrameTaker taker = std::exchange(variant_, std::nullopt)->taker;
-    taker(newest);
-    return true;
-  }
   frame_ = newest;
   shown_revision_ = newest->revision;
   if (at_rest()) {
@@ -151,11 +142,6 @@ bool LiveSession::take_failure() {
   if (!failure->unread_mesh.empty() && unread_taker_) {
     failure->text += unread_taker_(failure->unread_mesh);
   }
-  if ((failure->revision & kVariantBit) != 0) {
-    variant_.reset();
-    add_message(MessageKind::error, failure->text);
-    return true;
-  }
   if (!frame_) first_failure_ = failure->text;
   at_rest_takers_.clear();
   const bool taken_back = session_.take_back(failure->revision, failure->text);
@@ -169,18 +155,6 @@ void LiveSession::when_at_rest(FrameTaker taker) {
   at_rest_takers_.push_back(std::move(taker));
 }
 
-void LiveSession::draw_variant(SessionDocument variant, FrameTaker taker) {
-  variant_ = Variant{std::move(variant), std::move(taker), kVariantBit | ++variants_};
-  send_variant();
-}
-
-void LiveSession::send_variant() {
-  worker_.request({.document = variant_->document,
-                   .revision = variant_->revision,
-                   .quality = PictureQuality::final,
-                   .follow = Follow::afresh});
-}
-
 void LiveSession::request() {
   const auto now = Clock::now();
   if (asked_revision_ != session_.revision() || asked_size_ != size_) {
@@ -188,7 +162,6 @@ void LiveSession::request() {
     // A first picture is worth waiting for.
     return send(frame_ ? PictureQuality::interactive : PictureQuality::final);
   }
-  if (variant_ && !worker_.busy()) return send_variant();
   const bool shown = shown_revision_ == session_.revision();
   if (asked_quality_ != PictureQuality::final && shown && now - last_change_ >= kRest) {
     send(PictureQuality::final);
@@ -213,8 +186,7 @@ void LiveSession::log_frame(const SessionFrame& frame) {
   auto shown = nlohmann::ordered_json::object();
   for (const auto& [name, value] : figures.shown) shown[name] = value;
   log_.write("frame", {{"number", frame.number},
-                       {"revision", frame.revision & ~kVariantBit},
-                       {"variant", (frame.revision & kVariantBit) != 0},
+                       {"revision", frame.revision},
                        {"final", frame.quality == PictureQuality::final},
                        {"width", frame.image.width},
                        {"height", frame.image.height},

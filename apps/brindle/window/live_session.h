@@ -89,24 +89,14 @@ class LiveSession {
   /// Calls `taker` with the final frame of the document, as soon as there is one.
   void when_at_rest(FrameTaker taker);
 
-  /// Draws a variant of the document, at final quality, for `taker` alone.
-  void draw_variant(SessionDocument variant, FrameTaker taker);
-
  private:
   using Clock = std::chrono::steady_clock;
-
-  struct Variant {
-    SessionDocument document;
-    FrameTaker taker;
-    std::uint64_t revision;
-  };
 
   bool take_frame();
   bool take_failure();
   void keep_phases();
   void request();
   void send(PictureQuality quality);
-  void send_variant();
   void log_frame(const SessionFrame& frame);
   void log_messages();
 
@@ -125,8 +115,6 @@ class LiveSession {
   Clock::time_point last_moving_;  // by `apply_moving`
   std::vector<FrameTaker> at_rest_takers_;
   UnreadTaker unread_taker_;
-  std::optional<Variant> variant_;
-  std::uint64_t variants_ = 0;
   std::string first_failure_;
   SessionMessage last_message_{};
   SessionWorker worker_;  // last: its thread ends before what it was given goes

@@ -87,11 +87,20 @@ void Viewer::run() {
       {{"busy", live_.worker().busy()}, {"drawn", drawn_}, {"thread_seconds", thread_seconds()}});
 }
 
-// What would be lost is asked about first.
+// What would be lost is asked about first, and what is being written is written.
 bool Viewer::is_to_close() {
   if (!window_.closing()) return false;
-  if (may_quit_ || !options_.output.empty() || !live_.has_unsaved_work()) return true;
+  const bool loses = !may_quit_ && options_.output.empty() && live_.has_unsaved_work();
+  const std::vector<BackgroundJobs::Writing> jobs = jobs_.being_written();
+  if (!loses && jobs.empty()) return true;
   window_.keep_open();
+  if (!loses) {
+    quits_later_ = true;
+    live_.add_message(MessageKind::note, "the window closes once " +
+                                             shown(jobs.front().path.filename().native()) +
+                                             " is written; cancel that to close it at once");
+    return false;
+  }
   question_ = LossQuestion{"The session has changes that are not saved.", "quit", [this] {
                              may_quit_ = true;
                              window_.ask_to_close();
@@ -106,7 +115,9 @@ bool Viewer::turn() {
   bool changed = live_.update();
   changed |= jobs_.update();
   if (gallery_.update()) frames_to_draw_ = std::max(frames_to_draw_, 1);
-  if (!jobs_.being_written().empty()) frames_to_draw_ = std::max(frames_to_draw_, 1);
+  const bool writing = !jobs_.being_written().empty();
+  if (writing) frames_to_draw_ = std::max(frames_to_draw_, 1);
+  if (!writing && std::exchange(quits_later_, false)) window_.ask_to_close();
   take_dropped();
   if (recording_ && live_.frame()) recording_->show(live_.frame());
   if (recording_ && recording_->failed()) stop_recording();

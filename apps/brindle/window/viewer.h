@@ -110,7 +110,7 @@ class Viewer {
   void ask_save_session(std::function<void()> then = {});
   void save_session(const std::filesystem::path& path, std::function<void()> then = {});
   std::string forget_unread(const std::string& name);
-  void ask_save_picture(bool transparent);
+  void ask_save_picture();
   void ask_save_window();
   using Export = void (*)(const LiveState&, const std::filesystem::path&, JobListener&);
   void ask_export(const std::string& title, std::vector<std::string> extensions, Export write);
@@ -150,7 +150,8 @@ class Viewer {
   bool show_keys_ = false;
   std::optional<LossQuestion> question_;  // that is to be answered
   std::deque<std::filesystem::path> dropped_;
-  bool may_quit_ = false;  // with what is not saved
+  bool may_quit_ = false;     // with what is not saved
+  bool quits_later_ = false;  // once files are written
   int frames_to_draw_ = 3;
   int frames_to_mark_ = 0;  // until a mark is written to the log
   int marks_ = 0;

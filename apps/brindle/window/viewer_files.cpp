@@ -146,27 +146,20 @@ void Viewer::save_session(const fs::path& path, std::function<void()> then) {
   });
 }
 
-void Viewer::ask_save_picture(bool transparent) {
-  const auto save = [this](const fs::path& path) {
-    return [this, path](const std::shared_ptr<const SessionFrame>& frame) {
-      jobs_.start([path, frame] {
-        write_png(path, frame->image);
-        return "wrote " + shown(path.native());
-      });
-    };
-  };
+void Viewer::ask_save_picture() {
   browser_.ask({.title = "Save the picture",
                 .extensions = {".png"},
                 .save = true,
                 .name = stem() + ".png",
                 .refusal = picture_refusal,
-                .done = [this, transparent, save](const fs::path& path) {
-                  if (!transparent) return live_.when_at_rest(save(path));
-                  live_.when_at_rest([this, path, save](const auto&) {
-                    SessionDocument variant = live_.document_as_shown();
-                    variant.options["transparent"] = {};
-                    live_.draw_variant(std::move(variant), save(path));
-                  });
+                .done = [this](const fs::path& path) {
+                  live_.when_at_rest(
+                      [this, path](const std::shared_ptr<const SessionFrame>& frame) {
+                        jobs_.start([path, frame] {
+                          write_png(path, frame->image);
+                          return "wrote " + shown(path.native());
+                        });
+                      });
                 }});
 }
 

@@ -142,10 +142,8 @@ void Viewer::draw_save_items() {
     session_file_.empty() ? ask_save_session() : save_session(session_file_);
   }
   if (item("Save session as...", nullptr)) ask_save_session();
-  if (item("Save picture...", "Ctrl+P")) ask_save_picture(false);
+  if (item("Save picture...", "Ctrl+P")) ask_save_picture();
   if (item("Export picture...", "Ctrl+Shift+P")) export_.open(stem() + ".png");
-  const bool stripes = live_.document().shown == Shown::stripes;
-  if (item("Save picture without background...", nullptr, false, stripes)) ask_save_picture(true);
   if (item("Save picture of the window...", nullptr)) ask_save_window();
   if (item(recording_ ? "Stop recording" : "Record a video...", "R")) toggle_recording();
 }
@@ -310,7 +308,7 @@ void Viewer::follow_control_key(const PressedKey& key) {
     case GLFW_KEY_S:
       return session_file_.empty() || key.shift ? ask_save_session() : save_session(session_file_);
     case GLFW_KEY_P:
-      return key.shift ? export_.open(stem() + ".png") : ask_save_picture(false);
+      return key.shift ? export_.open(stem() + ".png") : ask_save_picture();
     case GLFW_KEY_C:
       return window_.set_clipboard(view_text(live_.document().camera));
     case GLFW_KEY_V:
