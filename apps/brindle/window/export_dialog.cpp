@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <utility>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -44,7 +45,7 @@ std::vector<std::string> picture_extensions() {
 }  // namespace
 
 void ExportDialog::open(const std::string& name) {
-  is_open_ = newly_opened_ = true;
+  is_open_ = newly_opened_ = takes_keys_ = true;
   name_ = name;
   confirmed_.clear();
   if (size_ == PrintSize()) {
@@ -98,11 +99,11 @@ void ExportDialog::draw() {
     return;
   }
   const bool choosing = browser_.is_open();
-  draw_file();
+  const bool entered = draw_file();
   draw_size();
   draw_looks();
   draw_result();
-  const bool done = draw_buttons();
+  const bool done = draw_buttons(entered);
   browser_.draw(log_);
   const bool escaped = !choosing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (done || escaped || !is_open_) {
@@ -112,11 +113,14 @@ void ExportDialog::draw() {
   ImGui::EndPopup();
 }
 
-void ExportDialog::draw_file() {
+// Returns whether Enter was pressed behind the name.
+bool ExportDialog::draw_file() {
   label("file");
   const float button = 6 * ImGui::GetFontSize();
   ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
-  ImGui::InputTextWithHint("##name", "name or path", &name_);
+  if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputTextWithHint("##name", "name or path", &name_,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   log_.note_widget("export name");
   ImGui::SameLine();
   const bool choose = ImGui::Button("Choose...", {-FLT_MIN, 0});
@@ -136,6 +140,7 @@ void ExportDialog::draw_file() {
   std::string known;
   for (const std::string& extension : picture_extensions()) known += extension + "  ";
   ImGui::TextDisabled("%sin %s", known.c_str(), shown(browser_.folder().native()).c_str());
+  return entered;
 }
 
 void ExportDialog::draw_side(const char* name, double side,
@@ -248,7 +253,7 @@ void ExportDialog::draw_result() {
 }
 
 // Returns whether the dialogue is to close.
-bool ExportDialog::draw_buttons() {
+bool ExportDialog::draw_buttons(bool entered) {
   ImGui::Dummy({0, 0.2f * ImGui::GetFontSize()});
   label("");
   const bool refused = !refusal().empty();
@@ -261,9 +266,10 @@ bool ExportDialog::draw_buttons() {
   ImGui::SameLine();
   const bool cancelled = ImGui::Button("Cancel");
   log_.note_widget("export cancel");
-  if (!pressed || refused) return cancelled;
+  if (!(pressed || entered) || refused) return cancelled;
   if (exists && confirmed_ != path()) {
     confirmed_ = path();
+    takes_keys_ = true;
     return false;
   }
   start();

@@ -25,13 +25,13 @@ class ExportDialog {
   void draw();
 
  private:
-  void draw_file();
+  bool draw_file();
   void draw_size();
   void draw_side(const char* name, double side,
                  PrintSize (*of_side)(double, const PrintSize&, PictureSize));
   void draw_looks();
   void draw_result();
-  bool draw_buttons();
+  bool draw_buttons(bool entered);
   void start();
 
   std::filesystem::path path() const;
@@ -45,6 +45,7 @@ class ExportDialog {
   WindowLog& log_;
   bool is_open_ = false;
   bool newly_opened_ = false;
+  bool takes_keys_ = false;          // the name is to be typed
   std::string name_;                 // or a path
   std::filesystem::path confirmed_;  // that may be replaced
   PrintSize size_;

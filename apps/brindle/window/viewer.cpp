@@ -256,7 +256,9 @@ void Viewer::draw_question() {
   if (!question_) return;
   if (std::exchange(question_->newly_asked, false)) ImGui::OpenPopup(kQuestion);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
-  if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    return question_.reset();
+  }
   const std::string what = question_->what;
   ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
   ImGui::TextUnformatted(question_->text.c_str());
