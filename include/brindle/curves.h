@@ -30,6 +30,7 @@ struct StripeCurves {
   std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
   std::size_t trimmed_ends = 0;               ///< that `CurveOptions::trim` cut back
   std::size_t trimmed_away = 0;               ///< curves of which it left nothing
+  double largest_move = 0;                    ///< of a point by `CurveOptions::fair`, times f
 
   /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
   std::array<std::size_t, kCurveEndKinds> end_counts() const;
@@ -44,6 +45,10 @@ struct CurveOptions {
   /// nearer than this share of the spacing 1/f (0 to 1; 0.6 leaves clean ends), and leaves out what
   /// is then shorter than 1/f. Not together with `join`, whose ends run on into their neighbours.
   float trim = 0;
+  /// Above 0, takes out kinks shorter than about this share of the spacing 1/f (0 to 1; 0.25 is
+  /// good): curves become smoothing splines within the surface. Ends stay, those on other curves go
+  /// along with these, and no point moves by more than a tenth of 1/f. After `join` and `trim`.
+  float fair = 0;
 };
 
 /// The curves that are at least `length` long.

@@ -234,6 +234,7 @@ def textured_stripes(stripes: Stripes) -> TexturedMesh: ...
 class CurveWishes:
     join: bool
     trim: float
+    fair: float
     offset: float
     min_length: float
     simplify: Optional[float]

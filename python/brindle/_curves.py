@@ -135,11 +135,12 @@ class Curves:
         draw_curves(path_of(path), self, options)
 
 
-def curves_of(stripes: Stripes, join: bool, trim: float, offset: float, min_length: float,
-              simplify: Optional[float], resample: Optional[float]) -> Curves:
+def curves_of(stripes: Stripes, join: bool, trim: float, fair: float, offset: float,
+              min_length: float, simplify: Optional[float], resample: Optional[float]) -> Curves:
     wishes = _core.CurveWishes()
     wishes.join = flag(join, "join")
     wishes.trim = number(trim, "trim")
+    wishes.fair = number(fair, "fair")
     wishes.offset = number(offset, "offset")
     wishes.min_length = number(min_length, "min_length")
     if simplify is not None:

@@ -251,19 +251,20 @@ class Stripes:
         """Named arrays of a row per triangle: branch, corner_phase."""
         return self._core.cell_arrays()
 
-    def curves(self, *, join: bool = False, trim: float = 0, offset: float = 0,
-               min_length: float = 0, simplify: Optional[float] = None,
+    def curves(self, *, join: bool = False, trim: float = 0, fair: float = 0,
+               offset: float = 0, min_length: float = 0, simplify: Optional[float] = None,
                resample: Optional[float] = None) -> "Curves":
         """The centre lines of the stripes: ``points, edges = p.curves()`` gives (k, 3) and (l, 2).
 
         ``join``: where curves end in one branch, joins them in pairs. ``trim``: cuts ends at branches
         and singularities back to where no neighbour is nearer than this share of the spacing (0.6 is
-        good; 0 leaves them), without hooks; not together with ``join``. ``offset``: moved by so many
-        periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
+        good; 0 leaves them), without hooks; not together with ``join``. ``fair``: takes out kinks
+        shorter than about this share of the spacing (0.25 is good; 0 leaves them). ``offset``: moved by
+        so many periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
         points) and ``simplify`` (tolerance) are lengths.
         """
         from ._curves import curves_of
-        return curves_of(self, join, trim, offset, min_length, simplify, resample)
+        return curves_of(self, join, trim, fair, offset, min_length, simplify, resample)
 
     def mesh(self) -> "TexturedMesh":
         """A mesh with texture coordinates: U across the stripes, one unit a period."""

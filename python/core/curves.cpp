@@ -38,7 +38,7 @@ constexpr double kTraced = 0.7, kResampled = 0.5;
 
 struct CurveWishes {
   bool join = false;
-  float trim = 0;
+  float trim = 0, fair = 0;
   float offset = 0;
   float min_length = 0;
   std::optional<float> simplify, resample;
@@ -71,7 +71,7 @@ CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
     auto made = std::make_shared<CurvesData>();
     made->surface = stripes.surface;
     const Surface& surface = stripes.surface->surface;
-    const CurveOptions options{.join = wishes.join, .trim = wishes.trim};
+    const CurveOptions options{wishes.join, wishes.trim, wishes.fair};
     const Progress tracing = progress.part(0, kTraced);
     if (wishes.offset == 0) {
       made->curves = stripe_curves(surface, stripes.pattern, options, tracing);
@@ -151,6 +151,7 @@ py::dict figures_of(const CurvesData& data) {
   result["ends_at_neighbours"] = data.curves.ends_at_neighbors;
   result["trimmed_ends"] = data.curves.trimmed_ends;
   result["trimmed_away"] = data.curves.trimmed_away;
+  result["largest_move"] = data.curves.largest_move;
   result["edges_with_jogs"] = data.jogs;
   return result;
 }
@@ -308,6 +309,7 @@ void bind_curves(py::module_& module) {
       .def(py::init<>())
       .def_readwrite("join", &CurveWishes::join)
       .def_readwrite("trim", &CurveWishes::trim)
+      .def_readwrite("fair", &CurveWishes::fair)
       .def_readwrite("offset", &CurveWishes::offset)
       .def_readwrite("min_length", &CurveWishes::min_length)
       .def_readwrite("simplify", &CurveWishes::simplify)

@@ -271,7 +271,7 @@ def test_objects_that_are_no_surfaces():
 def test_curves_and_samples(torus):
     p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
     for options in ({"resample": 0}, {"simplify": -1}, {"min_length": -1}, {"offset": np.inf},
-                    {"trim": 1.5}, {"trim": -0.1}, {"trim": np.nan}, {"trim": 0.6, "join": True}):
+                    {"trim": 1.5}, {"trim": -0.1}, {"trim": np.nan}, {"fair": 1.5}, {"fair": np.nan}, {"trim": 0.6, "join": True}):
         with pytest.raises(brindle.Error):
             p.curves(**options)
     with pytest.warns(brindle.PatternWarning, match="u: no curves left: all .* shorter than min_length"):

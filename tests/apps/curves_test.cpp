@@ -114,6 +114,10 @@ TEST_F(Curves, OptionsChangeTheLines) {
   EXPECT_LE(report({"--join"}).at("u").at("curves"), plain.at("curves"));
   const std::string sphere = "shape:sphere,resolution=20";
   const Json whole = report({"--stripes", "30"}, sphere).at("u");
+  const Json faired = report({"--stripes", "30", "--fair", "0.25"}, sphere).at("u");
+  EXPECT_EQ(faired.at("curves"), whole.at("curves"));
+  EXPECT_GT(faired.at("largest_move"), 0);
+  EXPECT_EQ(whole.at("largest_move"), 0);
   const Json trimmed = report({"--stripes", "30", "--trim", "0.6"}, sphere).at("u");
   EXPECT_LT(trimmed.at("length"), whole.at("length"));
   EXPECT_GT(trimmed.at("trimmed_ends"), 0);
@@ -241,11 +245,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Arguments{"--lines", "w"}, Arguments{"--offset", "half"},
                     Arguments{"--offset", "inf"}, Arguments{"--min-length", "-1"},
                     Arguments{"--trim", "-0.1"}, Arguments{"--trim", "1.2"},
-                    Arguments{"--trim", "0.6", "--join"}, Arguments{"--min-length", "1 %"},
-                    Arguments{"--simplify", "nan"}, Arguments{"--simplify", "%"},
-                    Arguments{"--resample", "0"}, Arguments{"--tube-radius", "0%"},
-                    Arguments{"--tube-sides", "2"}, Arguments{"--stripes-v", "0"},
-                    Arguments{"--frequency-v", "-2"},
+                    Arguments{"--fair", "-0.1"}, Arguments{"--trim", "0.6", "--join"},
+                    Arguments{"--min-length", "1 %"}, Arguments{"--simplify", "nan"},
+                    Arguments{"--simplify", "%"}, Arguments{"--resample", "0"},
+                    Arguments{"--tube-radius", "0%"}, Arguments{"--tube-sides", "2"},
+                    Arguments{"--stripes-v", "0"}, Arguments{"--frequency-v", "-2"},
                     Arguments{"--stripes-v", "2", "--frequency-v", "3"}, Arguments{"--field-v"}));
 
 INSTANTIATE_TEST_SUITE_P(

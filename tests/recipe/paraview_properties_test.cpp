@@ -120,6 +120,7 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"winding", "loops have no names in ParaView"},
     {"lines", "a filter more traces the others"},
     {"offset", "not yet asked for"},
+    {"fair", "not yet asked for"},
     {"simplify", "the filter Decimate Polyline"},
     {"resample", "not yet asked for"},
     {"line-width", "ParaView draws"},

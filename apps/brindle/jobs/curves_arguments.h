@@ -37,7 +37,7 @@ struct CurvesArguments : LineShape {
   TracedWaves traced = TracedWaves::u;
   float offset = 0;
   bool join = false;
-  float trim = 0;
+  float trim = 0, fair = 0;
   Length min_length;
   std::optional<Length> line_width;
   std::vector<std::string> outputs;

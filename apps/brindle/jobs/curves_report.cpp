@@ -93,6 +93,9 @@ std::string lines_of(const CurveRemarks& remarks, const std::string& indent) {
     lines += indent + formatted("%zu ends trimmed; of %zu curves nothing is left\n",
                                 curves.trimmed_ends, curves.trimmed_away);
   }
+  if (curves.largest_move > 0) {
+    lines += indent + formatted("faired: points moved by up to %.3f / f\n", curves.largest_move);
+  }
   if (remarks.short_curves > 0) {
     lines += indent + formatted("%zu shorter curves left out\n", remarks.short_curves);
   }
@@ -157,6 +160,7 @@ nlohmann::ordered_json to_json(const CurveFamily& family) {
       {"ends", ends_to_json(family.ends)},
       {"edges_with_jogs", family.jogs}};
   add_ends(family.curves, json);
+  json["largest_move"] = family.curves.largest_move;
   json["lengths"] = to_json(family.lengths);
   const bool yields = !family.pattern.frequencies_wanted.empty();
   if (family.spacing) add_spacing(*family.spacing, yields, json);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "brindle/geometry/surface_walk.h"
 
 namespace brindle {
 namespace {
@@ -15,23 +16,6 @@ using Point = Eigen::Vector3d;
 constexpr double kRunOnReach = 2;  // periods
 constexpr double kBeyond = 1e-9;   // what is nearer than this, over the triangle's size, is here
 constexpr int kMostTriangles = 4096;
-
-std::array<Point, 3> corners_of(const Mesh& mesh, std::size_t t) {
-  std::array<Point, 3> corners;
-  for (int m = 0; m < 3; ++m) corners[m] = mesh.positions[mesh.triangles[t][m]].cast<double>();
-  return corners;
-}
-
-/// What the barycentric coordinates change by along `direction`.
-Point barycentric_change(const std::array<Point, 3>& corners, const Point& direction) {
-  const Point normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  Point change;
-  for (int m = 0; m < 3; ++m) {
-    const Point opposite = corners[(m + 2) % 3] - corners[(m + 1) % 3];
-    change[m] = normal.cross(opposite).dot(direction) / normal.squaredNorm();
-  }
-  return change;
-}
 
 Point point_of(const PieceEnd& end) {
   return {end.barycentric[0], end.barycentric[1], end.barycentric[2]};
@@ -60,15 +44,10 @@ bool lies_on(const Point& p, const StripePiece& piece) {
 
 }  // namespace
 
-struct EndWalks::Walker {
-  std::size_t triangle;
-  Point place;  // barycentric
+struct EndWalks::Walker : SurfaceWalker {
   Walk walk;
-  int entered = -1;  // the edge it came over
 
-  void add_place() {
-    walk.way.push_back({static_cast<Index>(triangle), {place[0], place[1], place[2]}});
-  }
+  void add_place() { walk.way.push_back({triangle, {place[0], place[1], place[2]}}); }
 
   void go(double distance, const Point& end) {
     walk.passed += distance;
@@ -79,9 +58,9 @@ struct EndWalks::Walker {
 
 /// Through one triangle.
 struct EndWalks::Step {
-  double distance = std::numeric_limits<double>::infinity();
-  Point end = Point::Zero();
-  int edge = -1;  // that it leaves over; none if it meets a curve
+  double distance;
+  Point end;
+  int edge;  // that it leaves over; none if it meets a curve
 };
 
 EndWalks::EndWalks(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
@@ -89,14 +68,9 @@ EndWalks::EndWalks(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
 
 EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   const std::array<Point, 3> corners = corners_of(waves_.pattern().mesh, walker.triangle);
-  const Point change = barycentric_change(corners, walker.walk.direction);
-  Step step;
-  for (int m = 0; m < 3; ++m) {
-    const int opposite = (m + 2) % 3;
-    if (m == walker.entered || !(change[opposite] < 0)) continue;
-    const double distance = std::max(0.0, -walker.place[opposite] / change[opposite]);
-    if (distance < step.distance) step.distance = distance, step.edge = m;
-  }
+  const Point change = change_along(corners, walker.direction);
+  const WayOut out = way_out(walker, change);
+  Step step{out.distance, Point::Zero(), out.edge};
   // It starts at the end of a piece, which it does not meet there.
   const double least = walker.entered < 0 ? kBeyond * (corners[1] - corners[0]).norm() : 0;
   std::vector<StripePiece> pieces;
@@ -112,31 +86,16 @@ EndWalks::Step EndWalks::next_step(const Walker& walker) const {
 }
 
 /// Into a triangle, over one of its edges.
-void EndWalks::enter(Walker& walker, std::size_t next, Index edge,
+void EndWalks::enter(Walker& walker, Index next, Index edge,
                      const std::array<double, 2>& between) const {
-  const Mesh& mesh = waves_.pattern().mesh;
-  const auto& sides = waves_.pattern().edges.of_triangle[next];
-  const int entered = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
-  const int first = entered, second = (entered + 1) % 3;
-  const std::array<Point, 3> corners = corners_of(mesh, next);
-  const Point along = (corners[second] - corners[first]).normalized();
-  const Point inward = corners[(entered + 2) % 3] - corners[first];
-  const double straight = std::clamp(walker.walk.direction.dot(along), -1.0, 1.0);
-  walker.walk.direction = straight * along + std::sqrt(1 - straight * straight) *
-                                                 (inward - inward.dot(along) * along).normalized();
-  const bool ascending = mesh.triangles[next][first] < mesh.triangles[next][second];
-  const double share = between[ascending ? 1 : 0];
-  walker.place.setZero();
-  walker.place[second] = share;
-  walker.place[first] = 1 - share;
-  walker.triangle = next;
-  walker.entered = entered;
+  enter_triangle(waves_.pattern().mesh, waves_.pattern().edges, next, edge, between, walker);
+  walker.walk.direction = walker.direction;
 }
 
 /// Goes over to the other triangle; false if there is none here, or no wave on it.
 bool EndWalks::cross_edge(Walker& walker, int edge) const {
   const MeshEdges& edges = waves_.pattern().edges;
-  const std::size_t t = walker.triangle;
+  const Index t = walker.triangle;
   const Index crossed = edges.of_triangle[t][edge];
   const Triangle& triangle = waves_.pattern().mesh.triangles[t];
   std::array<double, 2> between = {walker.place[edge], walker.place[(edge + 1) % 3]};
@@ -149,7 +108,7 @@ bool EndWalks::cross_edge(Walker& walker, int edge) const {
     return false;
   }
   if (edges.triangle_counts[crossed] != 2 || beyond == EdgeBeyond::nonmanifold) return false;
-  const std::size_t next = triangles_[crossed][1 - edges.ranks[t][edge]];
+  const Index next = triangles_[crossed][1 - edges.ranks[t][edge]];
   enter(walker, next, crossed, between);
   return waves_.triangle(next).kind != TriangleKind::no_wave;
 }
@@ -186,8 +145,9 @@ std::optional<std::array<Walk, 2>> EndWalks::walks(std::size_t t, const StripePi
   const Point forward = came.dot(across) < 0 ? Point(-across) : across;
   std::array<Walk, 2> walks;
   for (const std::size_t side : {0u, 1u}) {
-    Walker walker{t, end, {}};
-    walker.walk.direction = (forward + (side == 0 ? 1.0 : -1.0) * aside).normalized();
+    const Point direction = (forward + (side == 0 ? 1.0 : -1.0) * aside).normalized();
+    Walker walker{{static_cast<Index>(t), end, direction}, {}};
+    walker.walk.direction = direction;
     walker.walk.reach = kRunOnReach / static_cast<double>(wave.frequency);
     walk(walker);
     walks[side] = std::move(walker.walk);
@@ -196,7 +156,7 @@ std::optional<std::array<Walk, 2>> EndWalks::walks(std::size_t t, const StripePi
 }
 
 Walk EndWalks::go_on(const Walk& from, Index edge) const {
-  Walker walker{0, Point::Zero(), from};
+  Walker walker{{0, Point::Zero(), from.direction}, from};
   walker.walk.state = Walk::State::lost;
   walker.walk.way.clear();
   enter(walker, triangles_[edge][0], edge, from.between);

@@ -61,8 +61,7 @@ class EndWalks {
 
   Step next_step(const Walker& walker) const;
   bool cross_edge(Walker& walker, int edge) const;
-  void enter(Walker& walker, std::size_t next, Index edge,
-             const std::array<double, 2>& between) const;
+  void enter(Walker& walker, Index next, Index edge, const std::array<double, 2>& between) const;
   void walk(Walker& walker) const;
 
   const LiftedWaves& waves_;

@@ -20,6 +20,7 @@
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/end_walks.h"
+#include "brindle/pattern/faired_curves.h"
 #include "brindle/pattern/trimmed_ends.h"
 
 namespace brindle {
@@ -36,7 +37,8 @@ constexpr Link kNonmanifold = 0xfffffffd;
 constexpr Link kCut = 0xfffffffc;  // goes on in a triangle that is not of this part
 constexpr Link kLastInnerEnd = 0xfffffff0;
 constexpr std::size_t kMostNodes = kFirstEnd / 2;
-constexpr double kTracedBeforeTrim = 0.8;  // of the time
+constexpr double kTracedBeforeTrim = 0.8;  // of the time,
+constexpr double kBeforeFair = 0.5;        // and of all
 
 bool is_slot(Link link) { return link < kFirstEnd; }
 
@@ -587,13 +589,18 @@ std::vector<float> frequencies_along(const WavePattern& pattern, const Polylines
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options,
                            const Progress& progress) {
   check_curve_options(options);
-  const bool trims = options.trim > 0;
-  StripeCurves curves =
-      Tracer(waves, options, {}, progress.part(0, trims ? kTracedBeforeTrim : 1)).trace();
-  curves.lines.origin = waves.pattern().mesh.origin;
-  if (!trims) return curves;
-  return trimmed_ends(curves, frequencies_along(waves.pattern(), curves.lines), options.trim,
-                      progress.part(kTracedBeforeTrim, 1));
+  const WavePattern& pattern = waves.pattern();
+  const bool trims = options.trim > 0, fairs = options.fair > 0;
+  const double traced = (trims ? kTracedBeforeTrim : 1) * (fairs ? kBeforeFair : 1);
+  StripeCurves curves = Tracer(waves, options, {}, progress.part(0, traced)).trace();
+  curves.lines.origin = pattern.mesh.origin;
+  if (trims) {
+    curves = trimmed_ends(curves, frequencies_along(pattern, curves.lines), options.trim,
+                          progress.part(traced, fairs ? kBeforeFair : 1));
+  }
+  if (!fairs) return curves;
+  return faired_curves(curves, pattern, frequencies_along(pattern, curves.lines), options.fair,
+                       progress.part(kBeforeFair, 1));
 }
 
 void check_curve_options(const CurveOptions& options) {
@@ -602,6 +609,9 @@ void check_curve_options(const CurveOptions& options) {
   }
   if (options.trim > 0 && options.join) {
     throw Error("trim: ends that are joined run on into their neighbours; leave one of both out");
+  }
+  if (!(options.fair >= 0 && options.fair <= 1)) {
+    throw Error("fair: kinks are taken out up to a share of the spacing from 0 to 1");
   }
 }
 
@@ -627,6 +637,7 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
   longer.ends_at_neighbors = curves.ends_at_neighbors;
   longer.trimmed_ends = curves.trimmed_ends;
   longer.trimmed_away = curves.trimmed_away;
+  longer.largest_move = curves.largest_move;
   Polylines& lines = longer.lines;
   lines.origin = curves.lines.origin;
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {

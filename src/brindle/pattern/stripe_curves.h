@@ -33,7 +33,7 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
 /// Of the waves, at points of lines on the mesh.
 std::vector<float> frequencies_along(const WavePattern& pattern, const Polylines& lines);
 
-/// Throws Error for a share of the spacing out of range, and for `trim` together with `join`.
+/// Throws Error for shares of the spacing out of range, and for `trim` together with `join`.
 void check_curve_options(const CurveOptions& options);
 
 /// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the

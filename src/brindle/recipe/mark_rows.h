@@ -58,6 +58,21 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help = "cut ends at branches and singularities back to where no neighbour is nearer than "
              "SHARE of the spacing (default 0: as traced; 0.6 is good), without hooks"},
+    {.name = "fair",
+     .words = "fair curves",
+     .group = "Curves",
+     .kind = OptionKind::number,
+     .form = "SHARE",
+     .unit = "of the spacing",
+     .standard = "0",
+     .range = {.least = 0, .most = 1},
+     .slider = {0, 1},
+     .own = true,
+     .stale = OptionStage::style,
+     .jobs = kCurves,
+     .help =
+         "take out kinks shorter than about SHARE of the spacing, on the surface (default 0: as "
+         "traced; 0.25 is good)"},
     {.name = "min-length",
      .words = "shortest curve",
      .group = "Curves",
