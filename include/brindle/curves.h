@@ -28,6 +28,7 @@ struct StripeCurves {
   std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
   std::size_t joined_ends = 0;                ///< that `CurveOptions::join` made go
   std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
+  std::size_t smooth_forks = 0;               ///< of these, without an angle by `fair`
   std::size_t trimmed_ends = 0;               ///< that `CurveOptions::trim` cut back
   std::size_t trimmed_away = 0;               ///< curves of which it left nothing
   double largest_move = 0;                    ///< of a point by `CurveOptions::fair`, times f

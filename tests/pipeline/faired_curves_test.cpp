@@ -211,8 +211,7 @@ TEST(FairedCurves, DoNotDependOnPointsAlongThem) {
   const Traced traced("trefoil", 20);
   const Waves waves(traced.surface, traced.pattern);
   const auto faired = [&](const StripeCurves& curves) {
-    const std::vector<float> frequencies(curves.lines.points.size(), traced.frequency);
-    return faired_curves(curves, waves.pattern, frequencies, kFair);
+    return faired_curves(curves, waves.pattern, kFair);
   };
   const StripeCurves curves = traced.curves();
   const StripeCurves one = faired(curves), other = faired(with_middles(curves));
@@ -253,8 +252,7 @@ struct FlatCurve {
 
   std::vector<Vec3> faired() const {
     const Waves waves(surface, stripes);
-    const std::vector<float> frequencies(curves.lines.points.size(), 1);
-    return faired_curves(curves, waves.pattern, frequencies, kFair).lines.points;
+    return faired_curves(curves, waves.pattern, kFair).lines.points;
   }
 };
 

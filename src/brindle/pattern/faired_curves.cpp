@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,14 +17,14 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/surface_walk.h"
-#include "brindle/pattern/cut_curves.h"
+#include "brindle/pattern/smooth_forks.h"
+#include "brindle/pattern/stripe_curves.h"
 #include "brindle/pattern/unrolled_curve.h"
 
 namespace brindle {
 namespace {
 
 using Eigen::Vector3d;
-using WayPiece = SurfaceWays::Piece;
 
 constexpr double kSamplesPerScale = 4;
 /// How far a closed curve is unrolled beyond its start on both sides, times the scale: what is
@@ -31,9 +32,11 @@ constexpr double kSamplesPerScale = 4;
 constexpr int kBeyondStart = 8;
 /// Of a bound that curves shall not come nearer to than needed: so few rounds do.
 constexpr double kAlmost = 0.97;
+constexpr double kHeld = 1e6;  // the weight of what is not to move
+constexpr std::array<double, 2> kAllLoose = {std::numeric_limits<double>::infinity(),
+                                             std::numeric_limits<double>::infinity()};
 constexpr int kMostRounds = 20;
-constexpr double kNoPiece = 1e-4;    // shorter ones are left out, over the distance of samples
-constexpr double kSamePoint = 1e-5;  // barycentric
+constexpr double kNoPiece = 1e-4;  // shorter ones are left out, over the distance of samples
 constexpr double kMostFairedPoints = 0xfffffff0;  // numbers of points are Indices
 constexpr std::size_t kLinesPerReport = 32;
 
@@ -109,11 +112,11 @@ std::vector<double> excess(std::span<const PlanePoint> deviations,
 /// Where samples would go too far, the length of the spline is shorter: what a corner moves by
 /// grows with this length, which is the fourth root of a weight.
 std::vector<PlanePoint> bounded_deviations(std::span<const UnrolledPlace> places, double stiffness,
-                                           const std::array<PlanePoint, 2>& ends) {
+                                           const std::array<PlanePoint, 2>& ends,
+                                           std::vector<double> weights) {
   std::vector<PlanePoint> points;
   for (const UnrolledPlace& place : places) points.push_back(place.point);
   SmoothingSpline spline(points, stiffness, ends);
-  std::vector<double> weights(places.size(), 1.0);
   std::vector<PlanePoint> deviations = spline.deviations(weights);
   for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<double> too_far = excess(deviations, places);
@@ -130,6 +133,13 @@ std::vector<PlanePoint> bounded_deviations(std::span<const UnrolledPlace> places
   return deviations;
 }
 
+/// What is given of an open curve: how far its ends go, and so many periods from them all of it may
+/// move.
+struct Given {
+  std::array<PlanePoint, 2> moves{};
+  std::array<double, 2> loose = kAllLoose;
+};
+
 /// A sample of a curve, and where it goes.
 struct MovedSample {
   UnrolledPlace place;
@@ -138,7 +148,7 @@ struct MovedSample {
 
 /// Samples of a curve; of a closed one without its first at the end.
 std::vector<MovedSample> moved_samples(const UnrolledCurve& curve, double scale,
-                                       const std::array<PlanePoint, 2>& ends) {
+                                       const Given& given) {
   const double periods = curve.periods();
   const auto least = curve.closed() ? 8.0 : 3.0;
   const double count = std::max(std::ceil(periods * kSamplesPerScale / scale), least);
@@ -152,7 +162,14 @@ std::vector<MovedSample> moved_samples(const UnrolledCurve& curve, double scale,
     const double round = curve.closed() ? std::floor(static_cast<double>(i) / count) : 0;
     places.push_back(walker.at((static_cast<double>(i) - round * count) * step, round));
   }
-  const auto deviations = bounded_deviations(places, std::pow(scale / step, 4), ends);
+  std::vector<double> weights(places.size(), 1.0);
+  for (std::int64_t i = 0; i <= steps && !curve.closed(); ++i) {
+    const double passed = static_cast<double>(i) * step, left = periods - passed;
+    const bool held = passed > given.loose[0] && left > given.loose[1];
+    if (held) weights[static_cast<std::size_t>(i)] = kHeld;
+  }
+  const auto deviations =
+      bounded_deviations(places, std::pow(scale / step, 4), given.moves, weights);
   std::vector<MovedSample> samples;
   const auto first = static_cast<std::size_t>(beyond);
   const std::size_t kept = static_cast<std::size_t>(steps) + (curve.closed() ? 0 : 1);
@@ -160,201 +177,83 @@ std::vector<MovedSample> moved_samples(const UnrolledCurve& curve, double scale,
   return samples;
 }
 
-/// An end that lies on another curve.
-struct Touch {
-  Index line;
-  std::size_t end;
-  Index other;
-  std::size_t segment;  ///< of the other one
-  double share;
-};
+/// How far the ends of a curve go, in space.
+using EndMoves = std::array<std::optional<Vector3d>, 2>;
 
 struct FairedLine {
-  Polylines lines;
+  std::vector<SurfaceWays::Piece> pieces;
   double most = 0;  ///< that a point moved, times f
 };
 
 class Fairer {
  public:
-  Fairer(const StripeCurves& curves, const WavePattern& pattern, std::span<const float> frequencies,
-         double scale)
-      : curves_(curves),
-        pattern_(pattern),
-        frequencies_(frequencies),
-        scale_(scale),
-        ways_(pattern.mesh, pattern.edges) {
-    find_touches();
-  }
+  Fairer(const WavePattern& pattern, double scale)
+      : pattern_(pattern), scale_(scale), ways_(pattern.mesh, pattern.edges) {}
 
-  FairedLine faired(Index line) const {
+  const SurfaceWays& ways() const { return ways_; }
+
+  /// A curve, whose ends go along with others; it moves so many periods from its ends.
+  FairedLine faired(const std::vector<SurfaceWays::Piece>& own, bool closed,
+                    const EndMoves& moves = {},
+                    const std::array<double, 2>& loose = kAllLoose) const {
     FairedLine result;
-    const UnrolledCurve curve(pattern_.mesh, curves_.lines, line, frequencies_);
+    const Polylines line = line_of(own, closed);
+    const std::vector<float> frequencies = frequencies_along(pattern_, line);
+    const UnrolledCurve curve(pattern_.mesh, line, 0, frequencies);
     if (!(curve.periods() > 0)) {
-      add_as_it_is(line, result.lines);
+      result.pieces = own;
       return result;
     }
-    const std::vector<MovedSample> samples = moved_samples(curve, scale_, ends_of(line, curve));
+    std::array<PlanePoint, 2> ends{};
+    for (const std::size_t end : {0u, 1u}) {
+      if (moves[end]) ends[end] = curve.in_plane(end == 0 ? 0 : own.size() - 1, *moves[end]);
+    }
+    const auto samples = moved_samples(curve, scale_, {ends, loose});
     std::vector<TrianglePoint> places;
     for (const MovedSample& sample : samples) {
       places.push_back(
           ways_.straight_on(sample.place.place, curve.in_space(sample.place.segment, sample.by)));
       result.most = std::max(result.most, std::abs(sample.by) * sample.place.frequency);
     }
-    add_line(places, curve.closed(), curve.length() / static_cast<double>(samples.size()),
-             result.lines);
+    const double least = kNoPiece * curve.length() / static_cast<double>(samples.size());
+    const std::size_t segments = places.size() - (closed ? 0 : 1);
+    for (std::size_t i = 0; i < segments; ++i) {
+      add_way(pattern_, ways_, places[i], places[(i + 1) % places.size()], least, result.pieces);
+    }
     return result;
   }
 
-  /// Points that all curves will have, about.
-  double point_count() const {
-    double points = static_cast<double>(curves_.lines.points.size());
-    for (Index line = 0; line < curves_.lines.count(); ++line) {
-      points += periods_of(curves_.lines, line, frequencies_) * kSamplesPerScale / scale_;
-    }
-    return points;
-  }
-
- private:
-  const Polylines& lines() const { return curves_.lines; }
-
-  /// What an end goes along with.
-  std::array<PlanePoint, 2> ends_of(Index line, const UnrolledCurve& curve) const {
-    std::array<PlanePoint, 2> ends{};
-    for (const Touch& touch : touches_) {
-      if (touch.line != line) continue;
-      const UnrolledCurve other(pattern_.mesh, lines(), touch.other, frequencies_);
-      if (!(other.periods() > 0)) continue;
-      const std::vector<MovedSample> samples = moved_samples(other, scale_, {});
-      const double at = other.periods_at(touch.segment, touch.share);
-      const Vector3d way = other.in_space(touch.segment, movement_at(other, samples, at));
-      ends[touch.end] = curve.in_plane(touch.end == 0 ? 0 : curve.segment_count() - 1, way);
-    }
-    return ends;
-  }
-
-  /// In the plane, between two samples of a curve.
-  static PlanePoint movement_at(const UnrolledCurve& curve, const std::vector<MovedSample>& samples,
-                                double periods) {
+  /// Where a place on a curve goes, so many periods along it.
+  Vector3d move_at(const UnrolledCurve& curve, std::size_t segment, double periods) const {
+    const std::vector<MovedSample> samples = moved_samples(curve, scale_, {});
     const auto steps = static_cast<double>(samples.size() - (curve.closed() ? 0 : 1));
     const double at = std::clamp(periods / curve.periods() * steps, 0.0, steps);
     const auto before = std::min(static_cast<std::size_t>(at), samples.size() - 1);
     const std::size_t after = std::min(before + 1, samples.size() - 1);
     const double share = at - static_cast<double>(before);
-    return (1 - share) * samples[before].by + share * samples[after].by;
+    return curve.in_space(segment, (1 - share) * samples[before].by + share * samples[after].by);
   }
 
-  /// Where ends lie on other curves.
-  void find_touches() {
-    if (curves_.ends_at_neighbors == 0) return;
-    std::vector<std::pair<Index, Index>> ends;  // triangle, twice the line and the end
-    for (Index line = 0; line < lines().count(); ++line) {
-      for (const Index end : {0u, 1u}) {
-        if (lines().closed[line]) continue;
-        const Index point = end == 0 ? lines().offsets[line] : lines().offsets[line + 1] - 1;
-        ends.emplace_back(lines().places[point].triangle, 2 * line + end);
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    for (Index line = 0; line < lines().count(); ++line) {
-      const Index first = lines().offsets[line];
-      for (Index i = first; i < lines().offsets[line + 1]; ++i) {
-        const Index triangle = lines().places[i].triangle;
-        auto end = std::lower_bound(ends.begin(), ends.end(), std::pair(triangle, Index{0}));
-        for (; end != ends.end() && end->first == triangle; ++end) {
-          add_touch(end->second, line, i - first);
-        }
-      }
-    }
+ private:
+  Polylines line_of(const std::vector<SurfaceWays::Piece>& pieces, bool closed) const {
+    Polylines line;
+    add_points_of(pattern_, pieces, closed, line);
+    line.offsets.push_back(static_cast<Index>(line.points.size()));
+    line.closed.push_back(closed);
+    return line;
   }
 
-  void add_touch(Index end, Index other, Index segment) {
-    const Index line = end / 2;
-    if (line == other) return;
-    const bool known = std::any_of(touches_.begin(), touches_.end(), [&](const Touch& touch) {
-      return touch.line == line && touch.end == end % 2;
-    });
-    if (known) return;
-    const Index point = end % 2 == 0 ? lines().offsets[line] : lines().offsets[line + 1] - 1;
-    const Index from = lines().offsets[other] + segment;
-    const Vector3d p(lines().places[point].barycentric.data());
-    const Vector3d a(lines().places[from].barycentric.data());
-    const Vector3d along = Vector3d(lines().arrivals[from].data()) - a;
-    const double square = along.squaredNorm();
-    if (!(square > 0)) return;
-    const double share = std::clamp((p - a).dot(along) / square, 0.0, 1.0);
-    if ((p - a - share * along).norm() > kSamePoint) return;
-    touches_.push_back({line, end % 2, other, segment, share});
-  }
-
-  void add_as_it_is(Index line, Polylines& to) const {
-    const Index begin = lines().offsets[line], end = lines().offsets[line + 1];
-    for (Index i = begin; i < end; ++i) {
-      to.points.push_back(lines().points[i]);
-      to.normals.push_back(lines().normals[i]);
-      to.places.push_back(lines().places[i]);
-      to.arrivals.push_back(lines().arrivals[i]);
-    }
-  }
-
-  /// Through places, from triangle to triangle.
-  void add_line(const std::vector<TrianglePoint>& places, bool closed, double step,
-                Polylines& to) const {
-    std::vector<WayPiece> pieces;
-    const std::size_t segments = places.size() - (closed ? 0 : 1);
-    for (std::size_t i = 0; i < segments; ++i) {
-      add_pieces(places[i], places[(i + 1) % places.size()], kNoPiece * step, pieces);
-    }
-    for (const WayPiece& piece : pieces) add_point({piece.triangle, piece.from}, piece.to, to);
-    if (closed || pieces.empty()) return;
-    add_point({pieces.back().triangle, pieces.back().to}, pieces.back().to, to);
-  }
-
-  void add_pieces(const TrianglePoint& from, const TrianglePoint& to, double least,
-                  std::vector<WayPiece>& pieces) const {
-    std::vector<WayPiece> way;
-    if (!ways_.connect(from, to, upward(from, to), way)) {
-      const PlacedSegment straight =
-          placed_segment(pattern_.mesh, point_in_triangle(pattern_, from).place,
-                         point_in_triangle(pattern_, to).place);
-      way = {{straight.triangle, straight.from, straight.to}};
-    }
-    for (const WayPiece& piece : way) {
-      const Vector3d along = position_in(pattern_.mesh, {piece.triangle, piece.to}) -
-                             position_in(pattern_.mesh, {piece.triangle, piece.from});
-      if (along.norm() > least) pieces.push_back(piece);
-    }
-  }
-
-  Vector3d upward(const TrianglePoint& from, const TrianglePoint& to) const {
-    const Vector3d a = point_in_triangle(pattern_, from).normal.cast<double>();
-    const Vector3d b = point_in_triangle(pattern_, to).normal.cast<double>();
-    return a.dot(b) < 0 ? Vector3d(a - b) : Vector3d(a + b);
-  }
-
-  void add_point(const TrianglePoint& place, const std::array<double, 3>& arrival,
-                 Polylines& to) const {
-    const CurvePoint point = point_in_triangle(pattern_, place);
-    to.points.push_back(point.position);
-    to.normals.push_back(point.normal);
-    to.places.push_back(place);
-    to.arrivals.push_back(arrival);
-  }
-
-  const StripeCurves& curves_;
   const WavePattern& pattern_;
-  std::span<const float> frequencies_;
   double scale_;
   SurfaceWays ways_;
-  std::vector<Touch> touches_;
 };
 
-void check_faired(const StripeCurves& curves, std::span<const float> frequencies, float scale) {
+void check_faired(const StripeCurves& curves, float scale) {
   if (!(scale > 0 && scale <= 1)) {
     throw Error("curves are faired at a share of the spacing above 0 and at most 1");
   }
-  const std::size_t points = curves.lines.points.size();
-  if (frequencies.size() != points || curves.lines.arrivals.size() != points) {
-    throw Error("faired curves: every point needs a frequency and a place on the mesh");
+  if (curves.lines.arrivals.size() != curves.lines.points.size()) {
+    throw Error("faired curves: every point needs a place on the mesh");
   }
 }
 
@@ -369,44 +268,108 @@ void check_faired_memory(double points) {
   }
 }
 
-template <class Value>
-void append_all(const std::vector<Value>& from, std::vector<Value>& to) {
-  to.insert(to.end(), from.begin(), from.end());
+/// Points that all curves will have, about.
+double faired_points(const Polylines& lines, std::span<const float> frequencies, double scale) {
+  auto points = static_cast<double>(lines.points.size());
+  for (Index line = 0; line < lines.count(); ++line) {
+    points += periods_of(lines, line, frequencies) * kSamplesPerScale / scale;
+  }
+  return points;
 }
 
-}  // namespace
-
-StripeCurves faired_curves(const StripeCurves& curves, const WavePattern& pattern,
-                           std::span<const float> frequencies, float scale,
-                           const Progress& progress) {
-  check_faired(curves, frequencies, scale);
-  const std::size_t count = curves.lines.count();
-  progress.report(0);
-  const Fairer fairer(curves, pattern, frequencies, static_cast<double>(scale));
-  check_faired_memory(fairer.point_count());
-  std::vector<FairedLine> faired(count);
+/// How far ends go that lie on other curves, of every line.
+std::vector<EndMoves> moves_of(const std::vector<TouchingEnd>& touches, const Polylines& lines,
+                               const Mesh& mesh, std::span<const float> frequencies,
+                               const Fairer& fairer, const Progress& progress) {
+  std::vector<Vector3d> moves(touches.size());
   parallel_for(
-      count, progress,
+      touches.size(), progress,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t line = begin; line < end; ++line) {
-          faired[line] = fairer.faired(static_cast<Index>(line));
+        for (std::size_t i = begin; i < end; ++i) {
+          const UnrolledCurve other(mesh, lines, touches[i].other, frequencies);
+          moves[i] = fairer.move_at(other, touches[i].segment, touches[i].periods);
         }
       },
       1, kLinesPerReport);
+  std::vector<EndMoves> of_lines(lines.count());
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    of_lines[touches[i].line][touches[i].end] = moves[i];
+  }
+  return of_lines;
+}
+
+StripeCurves with_lines(const StripeCurves& curves, const std::vector<FairedLine>& faired,
+                        const WavePattern& pattern) {
   StripeCurves result = curves;
   Polylines& lines = result.lines;
   lines = {};
   lines.origin = curves.lines.origin;
   lines.closed = curves.lines.closed;
-  for (FairedLine& line : faired) {
-    const Polylines own = std::exchange(line.lines, {});
-    append_all(own.points, lines.points);
-    append_all(own.normals, lines.normals);
-    append_all(own.places, lines.places);
-    append_all(own.arrivals, lines.arrivals);
+  for (std::size_t line = 0; line < faired.size(); ++line) {
+    add_points_of(pattern, faired[line].pieces, lines.closed[line], lines);
     lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-    result.largest_move = std::max(result.largest_move, line.most);
+    result.largest_move = std::max(result.largest_move, faired[line].most);
   }
+  return result;
+}
+
+/// Curves that are fair already, with forks at these ends; so they leave other curves as they are.
+StripeCurves with_forks(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
+                        const WavePattern& pattern, const Fairer& fairer,
+                        const Progress& progress) {
+  const Polylines& lines = curves.lines;
+  const ForkMaker maker(curves, touches, pattern, fairer.ways(), progress.part(0, 0.5));
+  std::vector<FairedLine> forked(lines.count());
+  std::vector<std::size_t> forks(lines.count());
+  parallel_for(
+      lines.count(), progress.part(0.5, 1),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto line = static_cast<Index>(i);
+          forked[i].pieces = maker.forked(line);
+          std::array<double, 2> loose = maker.forks_of(line);
+          for (double& length : loose) {
+            forks[i] += length > 0;
+            if (length > 0) length += kBeforeFork;
+          }
+          if (forks[i] == 0) continue;
+          forked[i].pieces = fairer.faired(forked[i].pieces, false, {}, loose).pieces;
+        }
+      },
+      1, kLinesPerReport);
+  StripeCurves result = with_lines(curves, forked, pattern);
+  for (const std::size_t count : forks) result.smooth_forks += count;
+  return result;
+}
+
+}  // namespace
+
+StripeCurves faired_curves(const StripeCurves& curves, const WavePattern& pattern, float scale,
+                           const Progress& progress) {
+  check_faired(curves, scale);
+  const Polylines& lines = curves.lines;
+  const std::vector<float> frequencies = frequencies_along(pattern, lines);
+  check_faired_memory(faired_points(lines, frequencies, static_cast<double>(scale)));
+  JobStages stages(progress, {{"ends", 1}, {"curves", 3}, {"forks", 2}});
+  const Progress ends = stages.begin("ends");
+  ends.report(0);
+  const Fairer fairer(pattern, static_cast<double>(scale));
+  const std::vector<TouchingEnd> touches = touching_ends(curves, pattern.mesh, frequencies);
+  const auto moves = moves_of(touches, lines, pattern.mesh, frequencies, fairer, ends);
+  std::vector<FairedLine> faired(lines.count());
+  parallel_for(
+      faired.size(), stages.begin("curves"),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto pieces = pieces_of(lines, static_cast<Index>(i));
+          faired[i] = fairer.faired(pieces, lines.closed[i], moves[i]);
+        }
+      },
+      1, kLinesPerReport);
+  StripeCurves result = with_lines(curves, faired, pattern);
+  const Progress forking = stages.begin("forks");
+  if (!touches.empty()) result = with_forks(result, touches, pattern, fairer, forking);
+  stages.finish();
   return result;
 }
 

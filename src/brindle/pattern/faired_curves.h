@@ -1,8 +1,6 @@
 /// Curves without kinks, on their surface.
 #pragma once
 
-#include <span>
-
 #include "brindle/curves.h"
 #include "brindle/pattern/lifted_waves.h"
 #include "brindle/progress.h"
@@ -20,11 +18,10 @@ inline constexpr double kMostFaired = 0.1;
 /// Points lie a quarter of L apart, and where curves go from triangle to triangle. Open curves keep
 /// their ends, but for those that lie on another curve, which they follow; closed ones stay closed.
 ///
-/// `frequencies` has one entry per point of the lines. Throws Error for a scale that is not above 0
-/// and at most 1, and where memory would not hold the points, and Cancelled if `progress` asks for
-/// it.
-StripeCurves faired_curves(const StripeCurves& curves, const WavePattern& pattern,
-                           std::span<const float> frequencies, float scale,
+/// Ends on other curves get there smoothly (`ForkMaker`). Throws Error for a scale that is not
+/// above 0 and at most 1, for curves without places, and where memory would not hold the points,
+/// and Cancelled if `progress` asks for it.
+StripeCurves faired_curves(const StripeCurves& curves, const WavePattern& pattern, float scale,
                            const Progress& progress = {});
 
 }  // namespace brindle

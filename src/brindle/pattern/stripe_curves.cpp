@@ -599,8 +599,7 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
                           progress.part(traced, fairs ? kBeforeFair : 1));
   }
   if (!fairs) return curves;
-  return faired_curves(curves, pattern, frequencies_along(pattern, curves.lines), options.fair,
-                       progress.part(kBeforeFair, 1));
+  return faired_curves(curves, pattern, options.fair, progress.part(kBeforeFair, 1));
 }
 
 void check_curve_options(const CurveOptions& options) {
@@ -635,6 +634,7 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
   StripeCurves longer;
   longer.joined_ends = curves.joined_ends;
   longer.ends_at_neighbors = curves.ends_at_neighbors;
+  longer.smooth_forks = curves.smooth_forks;
   longer.trimmed_ends = curves.trimmed_ends;
   longer.trimmed_away = curves.trimmed_away;
   longer.largest_move = curves.largest_move;

@@ -173,12 +173,12 @@ void UnrolledCurve::measure(const Polylines& lines, Index line,
 Vector3d UnrolledCurve::in_space(std::size_t segment, const PlanePoint& way) const {
   const Segment& on = segments_[segment];
   const PlanePoint local = way * std::conj(on.heading);
-  return local.real() * on.along + local.imag() * on.normal.cross(on.along);
+  return local.real() * on.along + local.imag() * leftward(segment);
 }
 
 PlanePoint UnrolledCurve::in_plane(std::size_t segment, const Vector3d& way) const {
   const Segment& on = segments_[segment];
-  return PlanePoint(way.dot(on.along), way.dot(on.normal.cross(on.along))) * on.heading;
+  return PlanePoint(way.dot(on.along), way.dot(leftward(segment))) * on.heading;
 }
 
 UnrolledCurve::Round UnrolledCurve::next(const Round& round) const {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "brindle/mesh.h"
 #include "brindle/polylines.h"
@@ -46,6 +46,13 @@ class UnrolledCurve {
   /// back.
   Eigen::Vector3d in_space(std::size_t segment, const PlanePoint& way) const;
   PlanePoint in_plane(std::size_t segment, const Eigen::Vector3d& way) const;
+  /// Unit vectors of a segment: where it runs, and to its left.
+  const Eigen::Vector3d& along(std::size_t segment) const { return segments_[segment].along; }
+  Eigen::Vector3d leftward(std::size_t segment) const {
+    return segments_[segment].normal.cross(segments_[segment].along);
+  }
+  /// Whether left is right after a round of a closed curve.
+  bool changes_sides() const { return second_.mirrored; }
 
   /// Where a round begins: the rounds before it are turned, and mirrored on a surface that has but
   /// one side.

@@ -1,0 +1,71 @@
+/// Ends of curves that lie on other curves, and ways on which they get there smoothly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brindle/curves.h"
+#include "brindle/pattern/curve_ways.h"
+#include "brindle/pattern/unrolled_curve.h"
+#include "brindle/progress.h"
+
+namespace brindle {
+
+/// An end that lies on another curve, or on another part of its own.
+struct TouchingEnd {
+  Index line;
+  std::size_t end;  ///< 0 or 1
+  Index other;
+  std::size_t segment;  ///< of the other one,
+  double periods;       ///< and how far along it
+};
+
+/// All of them, in order of lines and ends.
+std::vector<TouchingEnd> touching_ends(const StripeCurves& curves, const Mesh& mesh,
+                                       std::span<const float> frequencies);
+
+/// A curve that has a fork should be faired so far before it, in periods; no other curve is led
+/// there.
+inline constexpr double kBeforeFork = 1;
+
+/// Leads curves smoothly to the ones that they touch. Going back from its end, a curve leaves its
+/// way at the first place where it runs along the other one, no nearer than 0.6 of 1/f, and from
+/// where it can go on along that one, nearer and nearer, until it meets it with no angle. Where
+/// there is no such place within 4/f, or the other curve ends before, or leaves its own way, the
+/// curve stays as it is.
+class ForkMaker {
+ public:
+  /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
+  /// `touches` may be those of the curves before they were faired.
+  ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
+            const WavePattern& pattern, const SurfaceWays& ways, const Progress& progress = {});
+  ~ForkMaker();
+  ForkMaker(const ForkMaker&) = delete;
+  ForkMaker& operator=(const ForkMaker&) = delete;
+
+  /// How long the ways are, in periods, that the ends of a line are led, 0 of those that stay; and
+  /// the line.
+  std::array<double, 2> forks_of(Index line) const;
+  std::vector<SurfaceWays::Piece> forked(Index line) const;
+
+ private:
+  struct Fork;
+  struct Course;
+
+  std::optional<Fork> fork(const TouchingEnd& touch) const;
+  std::optional<Fork> fork_on(const Course& course, double length) const;
+  std::optional<std::size_t> left_by(const TouchingEnd& touch) const;
+  void drop_conflicts();
+
+  const StripeCurves& curves_;
+  const WavePattern& pattern_;
+  const SurfaceWays& ways_;
+  std::vector<float> frequencies_;
+  std::vector<TouchingEnd> touches_;        // in order of lines and ends
+  std::vector<std::optional<Fork>> forks_;  // of every touch
+};
+
+}  // namespace brindle
