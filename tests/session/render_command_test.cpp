@@ -1,4 +1,5 @@
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -311,6 +312,26 @@ TEST_F(RenderTool, ExportsAreWhatRenderDrawsOrNothing) {
     ASSERT_EQ(run(arguments).exit_code, 0);
     EXPECT_EQ(content(path), content(folder / ("r" + kind))) << kind;
   }
+}
+
+TEST_F(RenderTool, ExportsGoOnBesideAWindow) {
+  SessionDocument document = small_document();
+  const std::string alone = rendered(document);
+  SessionWorker worker;
+  std::vector<std::jthread> exports;
+  for (int i = 0; i < 3; ++i) {
+    exports.emplace_back([&, i] {
+      CancelledAt never(2);
+      export_picture(document, folder / (std::to_string(i) + ".png"), never);
+    });
+    SessionDocument moved = document;
+    moved.camera.azimuth_deg = static_cast<float>(20 * i);
+    worker.request({moved, static_cast<std::uint64_t>(i + 1), PictureQuality::interactive});
+  }
+  exports.clear();
+  worker.wait();
+  EXPECT_EQ(worker.latest()->revision, 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(content(folder / (std::to_string(i) + ".png")), alone);
 }
 
 TEST_F(RenderTool, AFileThatIsNoMeshFailsAndWritesNothing) {
