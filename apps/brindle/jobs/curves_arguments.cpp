@@ -55,7 +55,7 @@ void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
   add_lines_option(command, arguments.traced);
   add_offset_option(command, arguments.offset);
   add_end_options(command, arguments.join, arguments.trim);
-  add_parsed_option(command, "--fair", arguments.fair, parse_share_of_spacing);
+  add_number_option(command, "--fair", arguments.fair);
   add_min_length_option(command, arguments.min_length);
   add_line_shape_options(command, arguments);
   add_line_width_option(command, arguments.line_width);
