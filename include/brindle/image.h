@@ -65,14 +65,15 @@ void check_image_size(std::int64_t width, std::int64_t height);
 /// The content of a PNG file: with an alpha channel only if a pixel is not opaque.
 /// Throws Error if the picture is empty or its pixels do not match its size, and Cancelled if
 /// `progress` asks for it: how large a file will be is not known, so that the fraction nears 1 ever
-/// more slowly.
-std::string png_of(const Image& image, const Progress& progress = {});
+/// more slowly. `pixels_per_inch` is written as pixels a metre, which is how large the picture is
+/// on paper; 0: the file says nothing of it. Throws Error, too, unless it is from 0 to a million.
+std::string png_of(const Image& image, const Progress& progress = {}, double pixels_per_inch = 0);
 
 /// Writes a PNG file: with an alpha channel only if a pixel is not opaque.
 /// Throws Error if the file is not named .png, if the picture is empty or its pixels do not match
 /// its size, and what `write_file` throws; Cancelled if `progress` asks for it.
-void write_png(const std::filesystem::path& path, const Image& image,
-               const Progress& progress = {});
+void write_png(const std::filesystem::path& path, const Image& image, const Progress& progress = {},
+               double pixels_per_inch = 0);
 
 /// Reads any PNG file and converts it to 8 bits a channel.
 /// Throws Error, naming the file and the reason, if it cannot be read, is no PNG file, is cut off

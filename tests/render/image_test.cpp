@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -104,6 +107,26 @@ Image noise(int width, int height) {
              static_cast<std::uint8_t>(x >> 24), 255};
   }
   return image;
+}
+
+// As in the PNG specification: a chunk between the header and the pixels, 9 bytes long, in pixels a
+// metre.
+TEST_F(ImageFile, SaysHowManyPixelsAreAnInch) {
+  const Image image = noise(7, 5);
+  const std::string plain = png_of(image), print = png_of(image, {}, 300);
+  EXPECT_EQ(plain.find("pHYs"), plain.npos);
+  ASSERT_EQ(print.size(), plain.size() + 21);
+  const auto chunk = print.find("pHYs");
+  ASSERT_EQ(chunk, 8u + 25 + 4);
+  const std::string_view bytes = std::string_view(print).substr(chunk + 4, 13);
+  const std::string density("\0\0\x2e\x23", 4);  // 11811
+  EXPECT_EQ(bytes.substr(0, 9), density + density + "\1");
+  EXPECT_EQ(bytes.substr(9), "\x78\xa5\x3f\x76");
+  const fs::path path = folder / "print.png";
+  write_png(path, image, {}, 300);
+  EXPECT_EQ(read_png(path).pixels, image.pixels);
+  EXPECT_THROW(png_of(image, {}, -1), Error);
+  EXPECT_THROW(png_of(image, {}, std::numeric_limits<double>::quiet_NaN()), Error);
 }
 
 TEST_F(ImageFile, WritingCanBeCancelledAtEveryReportAndLeavesWhatWasThere) {

@@ -171,8 +171,11 @@ TEST_F(RenderTool, SaysWhichCommandIsRefused) {
 TEST_F(RenderTool, OutputsMustSuit) {
   write_session(folder / "s.json", small_document());
   expect_refusal(2, "--output is required", {"render", "s.json"});
-  expect_refusal(2, "a drawing has but one",
+  expect_refusal(2, "--quality: has no effect here: it is for pixels",
                  {"render", "s.json", "-o", "a.svg", "--quality", "interactive"});
+  expect_refusal(2, "--dpi: has no effect here: it is for pixels",
+                 {"render", "s.json", "-o", "a.svg", "--dpi", "300"});
+  expect_refusal(2, "--dpi", {"render", "s.json", "-o", "a.png", "--dpi", "0"});
   expect_refusal(2, "use .png for a picture, .svg or", {"render", "s.json", "-o", "a.jpg"});
   expect_refusal(2, "is read by SESSION", {"render", "s.json", "-o", "s.json"});
   expect_refusal(2, "--size", {"render", "s.json", "-o", "a.vtp", "--size", "10x10"});
@@ -253,6 +256,7 @@ TEST_F(RenderTool, WithoutABackgroundAsIfTheSessionSaidSo) {
   SessionDocument document = small_document(), transparent = document;
   transparent.options["transparent"] = {};
   EXPECT_EQ(rendered(document, {"--transparent"}), rendered(transparent));
+  EXPECT_EQ(rendered(document, {"--dpi", "300"}).size(), rendered(document).size() + 21);
   EXPECT_NE(rendered(document), rendered(transparent));
 }
 
@@ -300,11 +304,11 @@ TEST_F(RenderTool, ExportsAreWhatRenderDrawsOrNothing) {
     const SessionDocument planned = planned_picture(document, fitting, path);
     for (const double share : {0.0, 0.3, 0.7}) {
       CancelledAt listener(share);
-      EXPECT_THROW(export_picture(planned, path, listener), Cancelled) << kind << share;
+      EXPECT_THROW(export_picture(planned, path, 0, listener), Cancelled) << kind << share;
       EXPECT_FALSE(std::filesystem::exists(path));
     }
     CancelledAt never(2);
-    export_picture(planned, path, never);
+    export_picture(planned, path, 0, never);
     write_session(folder / "s.json", document);
     std::vector<std::string> arguments = {"render",  "s.json",         "-q", "--size",
                                           "320x240", "--scale-widths", "-o", "r" + kind};
@@ -322,7 +326,7 @@ TEST_F(RenderTool, ExportsGoOnBesideAWindow) {
   for (int i = 0; i < 3; ++i) {
     exports.emplace_back([&, i] {
       CancelledAt never(2);
-      export_picture(document, folder / (std::to_string(i) + ".png"), never);
+      export_picture(document, folder / (std::to_string(i) + ".png"), 0, never);
     });
     SessionDocument moved = document;
     moved.camera.azimuth_deg = static_cast<float>(20 * i);

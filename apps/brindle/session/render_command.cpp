@@ -67,6 +67,11 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       .add_flag("--scale-widths", arguments.changes.scaled_widths,
                 "widths in pixels grow with --size, so that the picture looks as the session's")
       ->needs("--size");
+  command
+      .add_option("--dpi", arguments.changes.dpi,
+                  "pixels an inch that a PNG file says, for print; it changes no pixel")
+      ->type_name("D")
+      ->check(CLI::Range(1.0, 1e6));
   command.add_flag("--transparent", arguments.changes.transparent,
                    "no background, whatever the session says");
   command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
@@ -115,12 +120,13 @@ void check_outputs(const CLI::App& command, const RenderArguments& arguments,
     check_output_path(path);
   }
   if (pictures.empty()) {
-    return refuse_given(command, {"--size", "--quality", "--scale-widths", "--transparent"},
+    return refuse_given(command,
+                        {"--size", "--quality", "--scale-widths", "--transparent", "--dpi"},
                         "no picture is written; add --output FILE.png");
   }
   check_picture_files(parsed, pictures);
   if (std::ranges::all_of(pictures, is_drawing_file)) {
-    refuse_given(command, {"--quality"}, "a drawing has but one; add --output FILE.png");
+    refuse_given(command, {"--quality", "--dpi"}, "it is for pixels; add --output FILE.png");
   }
 }
 
@@ -171,7 +177,7 @@ void export_file(const LiveState& state, const std::string& path, JobListener& l
 
 void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const LiveState>& state,
                    ProgressDisplay& display) {
-  PictureWriter pictures(arguments.picture->render.quality);
+  PictureWriter pictures(arguments.picture->render.quality, arguments.changes.dpi);
   for (const std::string& path : arguments.outputs) {
     if (is_picture(path)) {
       pictures.write(state, path, display);

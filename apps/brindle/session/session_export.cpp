@@ -120,16 +120,16 @@ void PictureWriter::write(const std::shared_ptr<const LiveState>& state,
   if (!picture_) picture_.emplace();
   const Progress progress = listener.progress();
   const Image image = picture_->draw(state, quality_, progress.part(0, kDrawn));
-  write_png(path, image, progress.part(kDrawn, 1));
+  write_png(path, image, progress.part(kDrawn, 1), dpi_);
 }
 
-void export_picture(const SessionDocument& document, const std::filesystem::path& path,
+void export_picture(const SessionDocument& document, const std::filesystem::path& path, double dpi,
                     JobListener& listener) {
   listener.plan({{"solving", 6}, {"writing " + shown(path.native()), 4}});
   listener.stage("solving");
   LivePattern pattern;
   pattern.update(document, Follow::afresh, listener.progress());
-  PictureWriter(PictureQuality::final).write(pattern.state(), path, listener);
+  PictureWriter(PictureQuality::final, dpi).write(pattern.state(), path, listener);
 }
 
 void export_pattern(const LiveState& state, const std::filesystem::path& path,

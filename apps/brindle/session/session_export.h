@@ -21,6 +21,7 @@ struct PictureChanges {
   std::optional<PictureSize> size;
   bool transparent = false;    ///< without a background
   bool scaled_widths = false;  ///< those in pixels grow with the size, as all else does
+  double dpi = 0;              ///< pixels an inch that a PNG file says; 0: nothing
 
   bool operator==(const PictureChanges&) const = default;
 };
@@ -41,19 +42,21 @@ SessionDocument planned_picture(const SessionDocument& document, const PictureCh
 /// as `brindle stripe` and `curves`. Made and called on one thread.
 class PictureWriter {
  public:
-  explicit PictureWriter(PictureQuality quality) : quality_(quality) {}
+  /// `dpi`: as in `PictureChanges`.
+  explicit PictureWriter(PictureQuality quality, double dpi = 0) : quality_(quality), dpi_(dpi) {}
 
   void write(const std::shared_ptr<const LiveState>& state, const std::filesystem::path& path,
              JobListener& listener);
 
  private:
   PictureQuality quality_;
+  double dpi_;
   std::optional<LivePicture> picture_;
 };
 
 /// Solves for a document and writes its picture, whole or not at all. Throws Cancelled if the
 /// listener asks for it.
-void export_picture(const SessionDocument& document, const std::filesystem::path& path,
+void export_picture(const SessionDocument& document, const std::filesystem::path& path, double dpi,
                     JobListener& listener);
 
 /// A mesh (.ply .vtp .obj .gltf .glb) or a report (.json), as `brindle stripe --output`. Throws

@@ -66,7 +66,8 @@ PictureChanges ExportDialog::changes() const {
   return {.size = pixels_of(size_, dpi()),
           .transparent =
               transparent_ && !is_drawing_file(path()) && live_.document().shown == Shown::stripes,
-          .scaled_widths = scaled_widths_ && has_pixel_widths(live_.document())};
+          .scaled_widths = scaled_widths_ && has_pixel_widths(live_.document()),
+          .dpi = size_.millimetres && !is_drawing_file(path()) ? dpi_ : 0};
 }
 
 // Asked anew only if something has changed: files are looked at.
@@ -282,8 +283,8 @@ void ExportDialog::start() {
   live_.when_at_rest([this, path = path(), changes = changes()](const auto&) {
     try {
       const SessionDocument planned = planned_picture(live_.document_as_shown(), changes, path);
-      jobs_.write(path, [planned, path](JobListener& listener) {
-        export_picture(planned, path, listener);
+      jobs_.write(path, [planned, path, dpi = changes.dpi](JobListener& listener) {
+        export_picture(planned, path, dpi, listener);
       });
     } catch (const std::exception& error) {
       live_.add_message(MessageKind::error, error.what());
