@@ -151,6 +151,7 @@ py::dict figures_of(const CurvesData& data) {
   result["ends_at_neighbours"] = data.curves.ends_at_neighbors;
   result["trimmed_ends"] = data.curves.trimmed_ends;
   result["trimmed_away"] = data.curves.trimmed_away;
+  result["smooth_forks"] = data.curves.smooth_forks;
   result["largest_move"] = data.curves.largest_move;
   result["edges_with_jogs"] = data.jogs;
   return result;

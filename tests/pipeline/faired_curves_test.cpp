@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -291,27 +293,98 @@ TEST(FairedCurves, KeepCirclesRound) {
   }
 }
 
+/// The end of a line that lies on another one, or on a farther part of its own.
+struct Meeting {
+  float distance = 1e9f;  ///< between both, in periods
+  float degrees = 0;      ///< between their directions
+};
+
+Meeting meeting_of(const Polylines& lines, std::size_t line, std::size_t end, float period) {
+  const LineEnd own(lines, line, end);
+  const Vec3 direction = own.points[0] - own.points[own.segment_at(0.2f * period)];
+  Meeting meeting;
+  for (std::size_t other = 0; other < lines.count(); ++other) {
+    const LineEnd all(lines, other, other == line ? end : 0);
+    float passed = 0;
+    for (std::size_t i = 0; i + 1 < all.points.size(); ++i) {
+      const Vec3 along = all.points[i + 1] - all.points[i];
+      passed += along.norm();
+      if (other == line && passed < 1.5f * period) continue;
+      const float gap = distance_to_segment(own.points[0], all.points[i], all.points[i + 1]);
+      if (gap >= meeting.distance * period) continue;
+      const float degrees = degrees_between(direction, along);
+      meeting = {gap / period, std::min(degrees, 180 - degrees)};
+    }
+  }
+  return meeting;
+}
+
+struct Meetings {
+  std::size_t all = 0, smooth = 0;
+};
+
+Meetings meetings_of(const Traced& traced, const StripeCurves& curves) {
+  Meetings meetings;
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    for (const std::size_t end : {0u, 1u}) {
+      if (!is_inner(curves.ends[line][end])) continue;
+      const Meeting meeting = meeting_of(curves.lines, line, end, 1 / traced.frequency);
+      if (meeting.distance > 0.02f) continue;
+      ++meetings.all;
+      meetings.smooth += meeting.degrees < 30;
+    }
+  }
+  return meetings;
+}
+
+StripeCurves joined_curves_of(const Traced& traced, float fair) {
+  return stripe_curves(traced.surface, traced.pattern, {.join = true, .fair = fair});
+}
+
+TEST(FairedCurves, MeetTheirNeighboursWithNoAngle) {
+  const std::vector<std::pair<std::string, double>> shapes = {{"trefoil", 1},
+                                                              {"trefoil,resolution=60", 0.7},
+                                                              {"sphere", 0.7},
+                                                              {"vessels,resolution=60", 0.3}};
+  for (const auto& [shape, share] : shapes) {
+    const Traced traced(shape);
+    const StripeCurves joined = joined_curves_of(traced, 0),
+                       faired = joined_curves_of(traced, kFair);
+    const Meetings before = meetings_of(traced, joined), after = meetings_of(traced, faired);
+    EXPECT_EQ(joined.smooth_forks, 0u);
+    EXPECT_EQ(faired.ends, joined.ends) << shape;
+    EXPECT_EQ(faired.ends_at_neighbors, joined.ends_at_neighbors) << shape;
+    EXPECT_GE(static_cast<double>(faired.smooth_forks), share * static_cast<double>(before.all))
+        << shape;
+    EXPECT_GE(after.smooth, faired.smooth_forks) << shape;
+    EXPECT_LT(before.smooth, before.all / 4) << "nothing is shown if they had none before";
+    expect_on_surface(faired.lines, traced.surface.mesh);
+  }
+}
+
+TEST(FairedCurves, HaveAsManyForksOnFinerMeshes) {
+  const auto share = [](const std::string& shape) {
+    const StripeCurves curves = joined_curves_of(Traced(shape, 40), kFair);
+    return static_cast<double>(curves.smooth_forks) / static_cast<double>(curves.ends_at_neighbors);
+  };
+  EXPECT_GE(share("sphere,resolution=80"), share("sphere,resolution=20") - 0.05);
+}
+
 TEST(FairedCurves, KeepEndsOnOtherCurves) {
   for (const char* shape : kTracedShapes) {
     const Traced traced(shape);
-    const StripeCurves joined = stripe_curves(traced.surface, traced.pattern, {.join = true});
-    const StripeCurves faired =
-        stripe_curves(traced.surface, traced.pattern, {.join = true, .fair = kFair});
+    const float period = 1 / traced.frequency;
+    const StripeCurves joined = joined_curves_of(traced, 0),
+                       faired = joined_curves_of(traced, kFair);
     ASSERT_EQ(faired.lines.count(), joined.lines.count());
     std::size_t touching = 0;
     for (std::size_t line = 0; line < joined.lines.count(); ++line) {
       for (const std::size_t end : {0u, 1u}) {
         if (!is_inner(joined.ends[line][end])) continue;
-        const Vec3 before = LineEnd(joined.lines, line, end).points[0];
-        const Vec3 after = LineEnd(faired.lines, line, end).points[0];
-        for (std::size_t other = 0; other < joined.lines.count(); ++other) {
-          if (other == line) continue;
-          const float gap = distance_to_line(before, joined.lines, other) * traced.frequency;
-          if (gap > 1e-4f) continue;
-          ++touching;
-          EXPECT_LT(distance_to_line(after, faired.lines, other) * traced.frequency, 0.02f)
-              << shape << ' ' << line;
-        }
+        if (meeting_of(joined.lines, line, end, period).distance > 1e-4f) continue;
+        ++touching;
+        EXPECT_LT(meeting_of(faired.lines, line, end, period).distance, 0.02f)
+            << shape << ' ' << line << ' ' << end;
       }
     }
     EXPECT_GT(touching, 5u) << shape;

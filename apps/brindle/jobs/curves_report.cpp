@@ -94,7 +94,11 @@ std::string lines_of(const CurveRemarks& remarks, const std::string& indent) {
                                 curves.trimmed_ends, curves.trimmed_away);
   }
   if (curves.largest_move > 0) {
-    lines += indent + formatted("faired: points moved by up to %.3f / f\n", curves.largest_move);
+    lines += indent + formatted("faired: points moved by up to %.3f / f", curves.largest_move);
+    if (curves.ends_at_neighbors > 0) {
+      lines += formatted(", %zu ends meet their neighbours with no angle", curves.smooth_forks);
+    }
+    lines += '\n';
   }
   if (remarks.short_curves > 0) {
     lines += indent + formatted("%zu shorter curves left out\n", remarks.short_curves);
@@ -160,6 +164,7 @@ nlohmann::ordered_json to_json(const CurveFamily& family) {
       {"ends", ends_to_json(family.ends)},
       {"edges_with_jogs", family.jogs}};
   add_ends(family.curves, json);
+  json["smooth_forks"] = family.curves.smooth_forks;
   json["largest_move"] = family.curves.largest_move;
   json["lengths"] = to_json(family.lengths);
   const bool yields = !family.pattern.frequencies_wanted.empty();

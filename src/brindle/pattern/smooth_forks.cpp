@@ -22,6 +22,8 @@ constexpr double kLeastRoom = 0.6, kMostRoom = 1.6;
 constexpr double kShortestFork = 1, kLongestFork = 4;
 /// The steepest of such a fork runs aside by 25, 32 and 40 degrees; the first that can be is taken.
 constexpr double kForksPerRoom[] = {3.2, 2.4, 1.8};
+constexpr double kLooksBack[] = {0.75, 1.5, 2.5};
+constexpr double kAside = 0.3;         // cosine between a way to the side and the curve
 constexpr double kLeastAdvance = 0.4;  // of a step along the other curve
 constexpr std::size_t kForksPerReport = 64;
 constexpr double kDriftReach = 0.25;  // along which the drift of a curve from another is measured
@@ -112,6 +114,20 @@ struct EndInTriangle {
   auto operator<=>(const EndInTriangle&) const = default;
 };
 
+std::vector<std::array<Index, 2>> segments_of_all(const Polylines& lines) {
+  std::vector<std::array<Index, 2>> segments;
+  for (Index line = 0; line < lines.count(); ++line) {
+    const Index count = lines.offsets[line + 1] - lines.offsets[line];
+    for (Index i = 0; i + (lines.closed[line] ? 0 : 1) < count; ++i) segments.push_back({line, i});
+  }
+  return segments;
+}
+
+std::array<Vec3, 2> ends_of_segment(const Polylines& lines, const std::array<Index, 2>& segment) {
+  const auto points = lines.points_of(segment[0]);
+  return {points[segment[1]], points[(segment[1] + 1) % points.size()]};
+}
+
 std::vector<EndInTriangle> ends_by_triangle(const Polylines& lines) {
   std::vector<EndInTriangle> ends;
   for (Index line = 0; line < lines.count(); ++line) {
@@ -187,10 +203,18 @@ ForkMaker::ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>&
       pattern_(pattern),
       ways_(ways),
       frequencies_(frequencies_along(pattern, curves.lines)),
+      segments_(segments_of_all(curves.lines)),
+      tree_(
+          segments_.size(),
+          [&](Index number) {
+            const auto [a, b] = ends_of_segment(curves.lines, segments_[number]);
+            return BoundingBox{a.cwiseMin(b), a.cwiseMax(b)};
+          },
+          progress.part(0, 0.2)),
       touches_(touches),
       forks_(touches_.size()) {
   parallel_for(
-      touches_.size(), progress,
+      touches_.size(), progress.part(0.2, 1),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) forks_[i] = fork(touches_[i]);
       },
@@ -252,6 +276,52 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double l
 }
 
 std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch) const {
+  if (auto made = fork_beside(touch)) return made;
+  for (const TouchingEnd& neighbor : neighbors_of(touch)) {
+    if (auto made = fork_beside(neighbor)) return made;
+  }
+  return std::nullopt;
+}
+
+/// Other places that an end might be led to: on the nearest curves on both sides, not far before
+/// it.
+std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const {
+  const Polylines& lines = curves_.lines;
+  const UnrolledCurve curve(pattern_.mesh, lines, touch.line, frequencies_);
+  std::vector<TouchingEnd> found;
+  for (const double back : kLooksBack) {
+    const double at = touch.end == 0 ? back : curve.periods() - back;
+    if (at < 0 || at > curve.periods()) continue;
+    const Station here = stations(pattern_.mesh, curve, at, at).front();
+    const double reach = kMostRoom / here.place.frequency;
+    std::array<double, 2> least = {reach * reach, reach * reach};
+    std::array<std::optional<std::array<Index, 2>>, 2> nearest;
+    const auto look_at = [&](Index number) {
+      const auto [a, b] = ends_of_segment(lines, segments_[number]);
+      const Vector3d way = (0.5f * (a + b)).cast<double>() - here.position;
+      const Vector3d along = (b - a).cast<double>().stableNormalized();
+      const std::size_t side = way.dot(here.left) > 0;
+      const bool near_enough = way.squaredNorm() < least[side];
+      const bool beside = std::abs(way.dot(here.along)) < kAside * way.norm();
+      if (!near_enough || !beside || std::abs(along.dot(here.along)) < kAlongside) return;
+      least[side] = way.squaredNorm();
+      nearest[side] = segments_[number];
+    };
+    tree_.visit(
+        here.position,
+        [&](const BoundingBox&, double square) { return square < std::max(least[0], least[1]); },
+        look_at);
+    for (const auto& segment : nearest) {
+      if (!segment || (*segment)[0] == touch.other || (*segment)[0] == touch.line) continue;
+      const UnrolledCurve other(pattern_.mesh, lines, (*segment)[0], frequencies_);
+      const double periods = other.periods_at((*segment)[1], 0.5);
+      found.push_back({touch.line, touch.end, (*segment)[0], (*segment)[1], periods});
+    }
+  }
+  return found;
+}
+
+std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch) const {
   const Mesh& mesh = pattern_.mesh;
   const UnrolledCurve curve(mesh, curves_.lines, touch.line, frequencies_);
   const UnrolledCurve other(mesh, curves_.lines, touch.other, frequencies_);

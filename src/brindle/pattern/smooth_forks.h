@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brindle/curves.h"
+#include "brindle/geometry/box_tree.h"
 #include "brindle/pattern/curve_ways.h"
 #include "brindle/pattern/unrolled_curve.h"
 #include "brindle/progress.h"
@@ -34,8 +35,8 @@ inline constexpr double kBeforeFork = 1;
 /// Leads curves smoothly to the ones that they touch. Going back from its end, a curve leaves its
 /// way at the first place where it runs along the other one, no nearer than 0.6 of 1/f, and from
 /// where it can go on along that one, nearer and nearer, until it meets it with no angle. Where
-/// there is no such place within 4/f, or the other curve ends before, or leaves its own way, the
-/// curve stays as it is.
+/// there is no such place within 4/f, or the other curve ends before or leaves its own way, it
+/// takes another neighbour, and where there is none, it stays as it is.
 class ForkMaker {
  public:
   /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
@@ -56,6 +57,8 @@ class ForkMaker {
   struct Course;
 
   std::optional<Fork> fork(const TouchingEnd& touch) const;
+  std::optional<Fork> fork_beside(const TouchingEnd& touch) const;
+  std::vector<TouchingEnd> neighbors_of(const TouchingEnd& touch) const;
   std::optional<Fork> fork_on(const Course& course, double length) const;
   std::optional<std::size_t> left_by(const TouchingEnd& touch) const;
   void drop_conflicts();
@@ -64,8 +67,10 @@ class ForkMaker {
   const WavePattern& pattern_;
   const SurfaceWays& ways_;
   std::vector<float> frequencies_;
-  std::vector<TouchingEnd> touches_;        // in order of lines and ends
-  std::vector<std::optional<Fork>> forks_;  // of every touch
+  std::vector<std::array<Index, 2>> segments_;  // line, number
+  BoxTree tree_;                                // of them
+  std::vector<TouchingEnd> touches_;            // in order of lines and ends
+  std::vector<std::optional<Fork>> forks_;      // of every touch
 };
 
 }  // namespace brindle
