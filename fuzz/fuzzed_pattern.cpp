@@ -76,6 +76,11 @@ void check_energy(double energy) {
   promise(energy >= 0 && energy <= 1, "an energy is between 0 and 1");
 }
 
+void check_curves(const StripeCurves& curves) {
+  promise(curves.lines.points.size() == curves.lines.normals.size(), "points have normals");
+  for (const Vec3& point : curves.lines.points) promise(point.allFinite(), "points are finite");
+}
+
 bool same(std::span<const Complex> a, std::span<const Complex> b) {
   return std::ranges::equal(a, b);
 }
@@ -127,9 +132,8 @@ void run_pattern(std::span<const std::uint8_t> input) {
   check_energy(pattern.solution.energy);
   const StripePattern again = stripe_pattern(surface, directions, frequencies, options);
   promise(same(pattern.solution.z, again.solution.z), "the same request has the same bits");
-  const StripeCurves curves = stripe_curves(surface, pattern, {.trim = 0.6f});
-  promise(curves.lines.points.size() == curves.lines.normals.size(), "points have normals");
-  for (const Vec3& point : curves.lines.points) promise(point.allFinite(), "points are finite");
+  check_curves(stripe_curves(surface, pattern, {.trim = 0.6f}));
+  check_curves(stripe_curves(surface, pattern, {.join = true, .fair = 0.25f}));
   run_frames(bytes, surface, directions, frequencies);
 }
 

@@ -47,8 +47,10 @@ struct CurveOptions {
   /// is then shorter than 1/f. Not together with `join`, whose ends run on into their neighbours.
   float trim = 0;
   /// Above 0, takes out kinks shorter than about this share of the spacing 1/f (0 to 1; 0.25 is
-  /// good): curves become smoothing splines within the surface. Ends stay, those on other curves go
-  /// along with these, and no point moves by more than a tenth of 1/f. After `join` and `trim`.
+  /// good): curves become smoothing splines within the surface, and no point moves by more than a
+  /// tenth of 1/f. Ends stay; those that `join` has let run on leave their curves earlier and meet
+  /// their neighbours with no angle where they can, or else go along with these. After `join` and
+  /// `trim`.
   float fair = 0;
 };
 

@@ -368,7 +368,7 @@ StripeCurves faired_curves(const StripeCurves& curves, const WavePattern& patter
       1, kLinesPerReport);
   StripeCurves result = with_lines(curves, faired, pattern);
   const Progress forking = stages.begin("forks");
-  if (!touches.empty()) result = with_forks(result, touches, pattern, fairer, forking);
+  if (curves.ends_at_neighbors > 0) result = with_forks(result, touches, pattern, fairer, forking);
   stages.finish();
   return result;
 }

@@ -14,9 +14,10 @@ inline constexpr double kMostFaired = 0.1;
 /// is unrolled into the plane as it runs through its triangles, with its lengths and the angles by
 /// which it turns, and becomes the y with the least integral of |y - x|^2 + L^4 |y''|^2 for a
 /// length L of `scale` times 1/f; its points go there straight over the surface, by less than
-/// `kMostFaired` / f. So bends of the surface are no kinks, and circles stay as large as they are.
-/// Points lie a quarter of L apart, and where curves go from triangle to triangle. Open curves keep
-/// their ends, but for those that lie on another curve, which they follow; closed ones stay closed.
+/// `kMostFaired` / f. So bends of the surface are no kinks, and wide circles stay as large as they
+/// are. Points lie a quarter of L apart, and where curves go from triangle to triangle. Open curves
+/// keep their ends, but for those that lie on another curve, which they follow; closed ones stay
+/// closed.
 ///
 /// Ends on other curves get there smoothly (`ForkMaker`). Throws Error for a scale that is not
 /// above 0 and at most 1, for curves without places, and where memory would not hold the points,

@@ -114,6 +114,26 @@ struct EndInTriangle {
   auto operator<=>(const EndInTriangle&) const = default;
 };
 
+constexpr std::size_t kNoSegment = std::numeric_limits<std::size_t>::max();
+
+/// Those that touch, and those in branches and singularities that do not.
+std::vector<TouchingEnd> inner_ends(const StripeCurves& curves,
+                                    const std::vector<TouchingEnd>& touches) {
+  std::vector<TouchingEnd> ends;
+  auto next = touches.begin();
+  for (Index line = 0; line < curves.lines.count(); ++line) {
+    for (const std::size_t end : {0u, 1u}) {
+      const CurveEnd kind = curves.ends[line][end];
+      if (next != touches.end() && next->line == line && next->end == end) {
+        ends.push_back(*next++);
+      } else if (kind == CurveEnd::branch || kind == CurveEnd::singularity) {
+        ends.push_back({line, end, line, kNoSegment, 0});
+      }
+    }
+  }
+  return ends;
+}
+
 std::vector<std::array<Index, 2>> segments_of_all(const Polylines& lines) {
   std::vector<std::array<Index, 2>> segments;
   for (Index line = 0; line < lines.count(); ++line) {
@@ -211,7 +231,7 @@ ForkMaker::ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>&
             return BoundingBox{a.cwiseMin(b), a.cwiseMax(b)};
           },
           progress.part(0, 0.2)),
-      touches_(touches),
+      touches_(inner_ends(curves, touches)),
       forks_(touches_.size()) {
   parallel_for(
       touches_.size(), progress.part(0.2, 1),
@@ -226,6 +246,7 @@ ForkMaker::~ForkMaker() = default;
 
 /// The fork by which the other curve leaves its way before it comes to where an end touches it.
 std::optional<std::size_t> ForkMaker::left_by(const TouchingEnd& touch) const {
+  if (touch.segment == kNoSegment) return std::nullopt;
   const double all = periods_of(curves_.lines, touch.other, frequencies_);
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (!forks_[i] || touches_[i].line != touch.other) continue;
@@ -276,7 +297,9 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double l
 }
 
 std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch) const {
-  if (auto made = fork_beside(touch)) return made;
+  if (touch.segment != kNoSegment) {
+    if (auto made = fork_beside(touch)) return made;
+  }
   for (const TouchingEnd& neighbor : neighbors_of(touch)) {
     if (auto made = fork_beside(neighbor)) return made;
   }

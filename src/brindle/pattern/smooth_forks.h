@@ -40,7 +40,8 @@ inline constexpr double kBeforeFork = 1;
 class ForkMaker {
  public:
   /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
-  /// `touches` may be those of the curves before they were faired.
+  /// `touches` may be those of the curves before they were faired. Other ends in branches and
+  /// singularities are led to a neighbour, too, where one is.
   ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
             const WavePattern& pattern, const SurfaceWays& ways, const Progress& progress = {});
   ~ForkMaker();
@@ -69,8 +70,9 @@ class ForkMaker {
   std::vector<float> frequencies_;
   std::vector<std::array<Index, 2>> segments_;  // line, number
   BoxTree tree_;                                // of them
-  std::vector<TouchingEnd> touches_;            // in order of lines and ends
-  std::vector<std::optional<Fork>> forks_;      // of every touch
+  /// With the ends that touch nothing, as if they touched no segment of their own curve.
+  std::vector<TouchingEnd> touches_;        // in order of lines and ends
+  std::vector<std::optional<Fork>> forks_;  // of every touch
 };
 
 }  // namespace brindle

@@ -72,7 +72,8 @@ constexpr OptionInfo kMarkRows[] = {
      .jobs = kCurves,
      .help =
          "take out kinks shorter than about SHARE of the spacing, on the surface (default 0: as "
-         "traced; 0.25 is good)"},
+         "traced; 0.25 is good); ends that --join lets run on then meet their neighbours with no "
+         "angle where they can"},
     {.name = "min-length",
      .words = "shortest curve",
      .group = "Curves",
