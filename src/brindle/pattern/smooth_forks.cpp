@@ -28,6 +28,7 @@ constexpr double kLeastAdvance = 0.4;  // of a step along the other curve
 constexpr std::size_t kForksPerReport = 64;
 constexpr double kDriftReach = 0.25;  // along which the drift of a curve from another is measured
 constexpr double kMostDrift = 0.4;
+constexpr double kStraightOn = 0.6;  // cosine
 constexpr double kAlongside = 0.94;  // cosine of 20 degrees
 
 /// A place on a curve, and where the curve runs there.
@@ -82,6 +83,19 @@ bool may_leave(const Beside& here, const std::vector<Station>& other) {
   const bool within = here.periods > other.front().periods && here.periods < other.back().periods;
   const double room = std::abs(here.room);
   return within && room >= kLeastRoom && room <= kMostRoom && std::abs(here.parallel) >= kAlongside;
+}
+
+/// Whether a curve has turned within the last period before a station, against the other curve. It
+/// has come from those behind.
+bool comes_from_a_hook(const std::vector<Station>& own, std::size_t station,
+                       const std::vector<Station>& other) {
+  const double here = beside(own[station], other).parallel;
+  constexpr std::size_t kStride = 4;
+  const auto end = std::min(own.size(), station + static_cast<std::size_t>(1 / kForkStep) + 1);
+  for (std::size_t i = station + kStride; i < end; i += kStride) {
+    if (beside(own[i], other).parallel * here < kStraightOn) return true;
+  }
+  return false;
 }
 
 /// From `room` and a drift per period to neither, after `length` periods.
@@ -362,6 +376,7 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch) 
   for (std::size_t i = 0; i + back < own.size(); ++i) {
     const Beside here = beside(own[i], beside_it), before = beside(own[i + back], beside_it);
     if (!may_leave(here, beside_it) || !may_leave(before, beside_it)) continue;
+    if (comes_from_a_hook(own, i, beside_it)) continue;
     // Towards the end of the curve, along the other one.
     const double way = (here.parallel > 0) == at_start ? -1 : 1;
     const double drift =
