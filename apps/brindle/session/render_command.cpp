@@ -33,7 +33,7 @@ that the window shows when it rests, bit for bit.
 Examples:
   brindle render session.json --output horse.png
   brindle render session.json --size 3840x2160 --output large.png
-  brindle render session.json --size 3840x2160 --scale-widths --transparent --output print.png
+  brindle render session.json --size 3840x2160 --transparent --dpi 300 --output print.png
   brindle render session.json --output horse.svg
   brindle render session.json --replay events.jsonl --output after.png
   brindle render session.json --output horse.vtp --output horse_report.json
