@@ -147,6 +147,8 @@ void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json) {
   json["ends_at_neighbours"] = curves.ends_at_neighbors;
   json["trimmed_ends"] = curves.trimmed_ends;
   json["trimmed_away"] = curves.trimmed_away;
+  json["smooth_forks"] = curves.smooth_forks;
+  json["largest_move"] = curves.largest_move;
 }
 
 nlohmann::ordered_json to_json(const CurveFamily& family) {
@@ -164,8 +166,6 @@ nlohmann::ordered_json to_json(const CurveFamily& family) {
       {"ends", ends_to_json(family.ends)},
       {"edges_with_jogs", family.jogs}};
   add_ends(family.curves, json);
-  json["smooth_forks"] = family.curves.smooth_forks;
-  json["largest_move"] = family.curves.largest_move;
   json["lengths"] = to_json(family.lengths);
   const bool yields = !family.pattern.frequencies_wanted.empty();
   if (family.spacing) add_spacing(*family.spacing, yields, json);

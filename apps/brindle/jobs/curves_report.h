@@ -17,8 +17,8 @@ using CurveEnds = std::array<std::size_t, kCurveEndKinds>;
 nlohmann::ordered_json ends_to_json(const CurveEnds& ends);
 std::string line_of_ends(const CurveEnds& ends);
 
-/// The keys of what became of ends: "joined_ends", "ends_at_neighbours", "trimmed_ends" and
-/// "trimmed_away".
+/// The keys of what became of ends and points: "joined_ends", "ends_at_neighbours", "trimmed_ends",
+/// "trimmed_away", "smooth_forks" and "largest_move".
 void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json);
 
 /// Lines for people about curves of which ends were joined or trimmed, which were left out, and
