@@ -276,9 +276,12 @@ def save_session(window, path):
     return path.read_bytes()
 
 
-def open_gallery(window, item, picture):
+def open_gallery(window, item, picture, discards=False):
+    """`discards` what was edited before, which the window asks about."""
     window.click("menu Gallery")
     window.click(f"item {item}")
     since = window.now()
     window.click(f"item {item} {picture}")
+    if discards:
+        window.click("open discard")
     return window.settled(since)
