@@ -1,4 +1,4 @@
-#include "brindle/pattern/faired_curves.h"
+#include "brindle/pattern/fairing/faired_curves.h"
 
 #include <algorithm>
 #include <array>

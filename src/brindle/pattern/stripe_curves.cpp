@@ -20,7 +20,7 @@
 #include "brindle/pattern/curve_places.h"
 #include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/end_walks.h"
-#include "brindle/pattern/faired_curves.h"
+#include "brindle/pattern/fairing/faired_curves.h"
 #include "brindle/pattern/trimmed_ends.h"
 
 namespace brindle {
@@ -599,7 +599,11 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
                           progress.part(traced, fairs ? kBeforeFair : 1));
   }
   if (!fairs) return curves;
+#ifdef BRINDLE_HAS_FAIRING
   return faired_curves(curves, pattern, options.fair, progress.part(kBeforeFair, 1));
+#else
+  throw Error("this build cannot fair curves; configure with -DBRINDLE_FAIRING=ON");
+#endif
 }
 
 void check_curve_options(const CurveOptions& options) {

@@ -9,8 +9,8 @@
 
 #include "brindle/curves.h"
 #include "brindle/geometry/box_tree.h"
-#include "brindle/pattern/curve_ways.h"
-#include "brindle/pattern/unrolled_curve.h"
+#include "brindle/pattern/fairing/curve_ways.h"
+#include "brindle/pattern/fairing/unrolled_curve.h"
 #include "brindle/progress.h"
 
 namespace brindle {

@@ -1,4 +1,4 @@
-#include "brindle/pattern/faired_curves.h"
+#include "brindle/pattern/fairing/faired_curves.h"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/surface_walk.h"
-#include "brindle/pattern/smooth_forks.h"
+#include "brindle/pattern/fairing/smooth_forks.h"
 #include "brindle/pattern/stripe_curves.h"
-#include "brindle/pattern/unrolled_curve.h"
+#include "brindle/pattern/fairing/unrolled_curve.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/pattern/unrolled_curve.h"
+#include "brindle/pattern/fairing/unrolled_curve.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "brindle/pattern/smooth_forks.h"
+#include "brindle/pattern/fairing/smooth_forks.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "brindle/pattern/curve_ways.h"
+#include "brindle/pattern/fairing/curve_ways.h"
 
 #include <array>
 
