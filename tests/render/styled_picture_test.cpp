@@ -48,16 +48,23 @@ struct Sheets {
     for (Vec3& p : front.mesh.positions) p.z() = 0.05f;
     front.waves.positions = front.mesh.positions;
   }
+
+  StyledSurface seen_behind() const {
+    return {.mesh = back.mesh, .color = {0.2f, 0.5f, 0.3f}, .strokes = {strokes_of(back)}};
+  }
+  /// Red where it has not been discarded.
+  StyledSurface discarded_front() const {
+    StyledSurface surface{
+        .mesh = front.mesh, .strokes = {strokes_of(front)}, .between = BetweenStrokes::discarded};
+    surface.strokes[0].color = {1, 0, 0};
+    return surface;
+  }
 };
 
 TEST(StyledPicture, BetweenDiscardedStrokesIsExactlyWhatLiesBehind) {
   const Sheets sheets;
-  const StyledSurface behind{
-      .mesh = sheets.back.mesh, .color = {0.2f, 0.5f, 0.3f}, .strokes = {strokes_of(sheets.back)}};
-  StyledSurface front{.mesh = sheets.front.mesh,
-                      .strokes = {strokes_of(sheets.front)},
-                      .between = BetweenStrokes::discarded};
-  front.strokes[0].color = {1, 0, 0};
+  const StyledSurface behind = sheets.seen_behind();
+  StyledSurface front = sheets.discarded_front();
   StyledOptions options = styled_options();
   StyledSurface nothing = front;
   nothing.strokes[0].width = 0;  // so that the camera stands still
@@ -84,12 +91,8 @@ TEST(StyledPicture, BetweenDiscardedStrokesIsExactlyWhatLiesBehind) {
 // otherwise.
 TEST(StyledPicture, InDraftsPixelsAreStrokesOrWhatLiesBehind) {
   const Sheets sheets;
-  const StyledSurface behind{
-      .mesh = sheets.back.mesh, .color = {0.2f, 0.5f, 0.3f}, .strokes = {strokes_of(sheets.back)}};
-  StyledSurface front{.mesh = sheets.front.mesh,
-                      .strokes = {strokes_of(sheets.front)},
-                      .between = BetweenStrokes::discarded};
-  front.strokes[0].color = {1, 0, 0};
+  const StyledSurface behind = sheets.seen_behind();
+  StyledSurface front = sheets.discarded_front();
   StyledOptions options = styled_options();
   const Image final = draw_styled({front, behind}, options);
   options.render.quality = PictureQuality::interactive;

@@ -18,8 +18,8 @@
 #include "brindle/error.h"
 #include "brindle/geometry/surface_walk.h"
 #include "brindle/pattern/fairing/smooth_forks.h"
-#include "brindle/pattern/stripe_curves.h"
 #include "brindle/pattern/fairing/unrolled_curve.h"
+#include "brindle/pattern/stripe_curves.h"
 
 namespace brindle {
 namespace {
