@@ -20,6 +20,10 @@ def words(cell):
     return re.findall(r'`([a-z_0-9]+)`', cell)
 
 
+def paths(cell):
+    return re.findall(r'`([a-z/]+)`', cell)
+
+
 def read_table(text):
     rooms = {}
     for line in text.splitlines():
@@ -89,7 +93,7 @@ def check_arrows(root, rooms, files, include, room_of_include):
     return complaints
 
 
-TOOL_INCLUDE = re.compile(r'^\s*#\s*include "([a-z]+/[a-z_0-9]+)\.h"', re.MULTILINE)
+TOOL_INCLUDE = re.compile(r'^\s*#\s*include "((?:[a-z]+/)+[a-z_0-9]+)\.h"', re.MULTILINE)
 
 
 def read_tool_table(text):
@@ -97,23 +101,24 @@ def read_tool_table(text):
     section = text[text.index('\n## The tool'):]
     for line in section[:section.index('\n### ')].splitlines():
         cells = [cell.strip() for cell in line.strip().strip('|').split('|')]
-        if len(cells) == 3 and re.fullmatch(r'`[a-z]+`', cells[0]):
-            rooms[words(cells[0])[0]] = {'may': words(cells[2])}
+        if len(cells) == 3 and re.fullmatch(r'`[a-z/]+`', cells[0]):
+            rooms[paths(cells[0])[0]] = {'may': paths(cells[2])}
     return rooms
 
 
 def check_tool(root):
-    """The rooms of apps/brindle, whose includes name the room."""
+    """The rooms of apps/brindle, and those in them, whose includes name the room."""
     rooms = read_tool_table((root / 'docs/architecture.md').read_text())
     folder = root / 'apps/brindle'
-    folders = {p.name for p in folder.iterdir() if p.is_dir()}
+    room_of = lambda path: path.parent.relative_to(folder).as_posix()
+    files = [(path, room_of(path)) for path in folder.glob('*/**/*.[hc]*')]
+    folders = {room for _, room in files}
     complaints = [f"room '{name}' of the tool is in {'the sources' if name in folders else 'the table'} alone"
                   for name in sorted(folders ^ rooms.keys())]
     rooms = {name: room for name, room in rooms.items() if name in folders}
     complaints += [f'{path.relative_to(root)} is in no room' for path in folder.glob('*.cpp')
                    if path.name != 'main.cpp']
-    files = [(path, path.parent.name) for path in folder.glob('*/*.[hc]*')]
-    return complaints + check_arrows(root, rooms, files, TOOL_INCLUDE, lambda target: target.split('/')[0])
+    return complaints + check_arrows(root, rooms, files, TOOL_INCLUDE, lambda target: target.rpartition('/')[0])
 
 
 PRIVATE_INCLUDE = re.compile(r'^\s*#\s*include [<"]brindle/([a-z_]+)/(?:[a-z_]+/)*([a-z_0-9]+)\.h[>"]',

@@ -1,4 +1,4 @@
-#include "window/camera_motion.h"
+#include "window/picture/camera_motion.h"
 
 #include <gtest/gtest.h>
 

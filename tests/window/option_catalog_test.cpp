@@ -1,4 +1,4 @@
-#include "window/option_catalog.h"
+#include "window/panels/option_catalog.h"
 
 #include <charconv>
 #include <map>

@@ -1,4 +1,4 @@
-#include "window/print_size.h"
+#include "window/dialogs/print_size.h"
 
 #include <limits>
 

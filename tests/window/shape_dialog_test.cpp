@@ -1,4 +1,4 @@
-#include "window/shape_dialog.h"
+#include "window/dialogs/shape_dialog.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "window/stroke_curve.h"
+#include "window/picture/stroke_curve.h"
 
 #include <cmath>
 

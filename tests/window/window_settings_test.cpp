@@ -1,4 +1,4 @@
-#include "window/window_settings.h"
+#include "window/base/window_settings.h"
 
 #include <fstream>
 

@@ -4,6 +4,19 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import puppeteer from 'puppeteer-core';
 
+/**
+ * What a page complains of, from now on. What the driver says of its own speed is no complaint: whether it says
+ * so hangs on how busy the machine is.
+ */
+export function complaintsOf(page) {
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warn'].includes(message.type()) && !/GL Driver Message \(OpenGL, Performance/.test(message.text())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  return complaints;
+}
+
 export async function openBrowser() {
   const profile = mkdtempSync(join(tmpdir(), 'brindle-browser-'));
   const browser = await puppeteer.launch({

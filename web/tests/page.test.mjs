@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { serve } from '../serve.mjs';
-import { openBrowser } from './browser.mjs';
+import { complaintsOf, openBrowser } from './browser.mjs';
 
 const shots = process.env.BRINDLE_SHOTS;
 const scratch = mkdtempSync(join(tmpdir(), 'brindle-page-'));
@@ -26,11 +26,7 @@ after(async () => {
 async function visit({ hash = '#shape=torus', width = 760, height = 620, ...viewport } = {}) {
   await page?.close();
   page = await browser.newPage();
-  complaints = [];
-  page.on('console', (message) => {
-    if (['error', 'warn'].includes(message.type())) complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(String(error)));
+  complaints = complaintsOf(page);
   page.on('request', (request) => {
     if (!request.url().startsWith(address) && !/^(blob|data):/.test(request.url())) complaints.push(`foreign host: ${request.url()}`);
   });

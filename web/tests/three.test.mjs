@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { serve } from '../serve.mjs';
-import { openBrowser } from './browser.mjs';
+import { complaintsOf, openBrowser } from './browser.mjs';
 
 const folder = process.env.BRINDLE_PACKAGE, shots = process.env.BRINDLE_SHOTS;
 const side = 320;
@@ -143,11 +143,7 @@ before(async () => {
   ({ server, address } = await serve(scratch));
   ({ browser, close } = await openBrowser());
   page = await browser.newPage();
-  complaints = [];
-  page.on('console', (message) => {
-    if (['error', 'warn'].includes(message.type())) complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(String(error)));
+  complaints = complaintsOf(page);
   await page.goto(address);
   await page.waitForFunction(() => window.tests, { timeout: 60000 }).catch((error) => { throw new Error(complaints.join('\n') || String(error)); });
 });

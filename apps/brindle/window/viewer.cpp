@@ -13,8 +13,8 @@
 #include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "window/theme.h"
-#include "window/value_slider.h"
+#include "window/base/theme.h"
+#include "window/base/value_slider.h"
 
 namespace brindle::tool {
 namespace {

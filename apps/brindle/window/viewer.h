@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "window/app_window.h"
-#include "window/background_jobs.h"
-#include "window/export_dialog.h"
-#include "window/figure_panel.h"
-#include "window/file_browser.h"
-#include "window/gallery_menu.h"
-#include "window/live_session.h"
-#include "window/option_panel.h"
-#include "window/picture_view.h"
-#include "window/recording.h"
-#include "window/shape_dialog.h"
-#include "window/stroke_tool.h"
-#include "window/window_settings.h"
+#include "window/base/app_window.h"
+#include "window/base/background_jobs.h"
+#include "window/base/live_session.h"
+#include "window/base/recording.h"
+#include "window/base/window_settings.h"
+#include "window/dialogs/export_dialog.h"
+#include "window/dialogs/file_browser.h"
+#include "window/dialogs/shape_dialog.h"
+#include "window/panels/figure_panel.h"
+#include "window/panels/gallery_menu.h"
+#include "window/panels/option_panel.h"
+#include "window/picture/picture_view.h"
+#include "window/picture/stroke_tool.h"
 
 namespace brindle::tool {
 

@@ -1,0 +1,59 @@
+/// Built-in shapes with their parameters.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "window/base/live_session.h"
+
+namespace brindle::tool {
+
+struct ShapeParameter {
+  std::string name;
+  std::string standard;
+  std::string help;
+  float lowest = 0;
+  float highest = 1;
+  bool whole = false;
+};
+
+struct ShapeEntry {
+  std::string name;
+  std::string help;
+  std::vector<ShapeParameter> parameters;
+};
+
+/// The catalogue as `shape_help` lists it.
+std::vector<ShapeEntry> shape_entries(const std::string& help);
+
+/// "shape:torus,minor=0.2": only what is not as usual is named.
+std::string shape_text(const ShapeEntry& shape, const std::map<std::string, std::string>& values);
+
+/// The parameters of "shape:torus,minor=0.2".
+std::map<std::string, std::string> shape_values(const std::string& text);
+
+/// A window of Dear ImGui with the parameters of the shape that the session has.
+class ShapeDialog {
+ public:
+  /// `open` is called with a shape that takes the place of what is there.
+  ShapeDialog(LiveSession& live, WindowLog& log, std::function<void(const std::string&)> open);
+
+  const std::vector<ShapeEntry>& shapes() const { return shapes_; }
+  void open() { is_open_ = true; }
+
+  /// While it is open.
+  void draw();
+
+ private:
+  void draw_parameter(const ShapeEntry& shape, const ShapeParameter& parameter);
+
+  LiveSession& live_;
+  WindowLog& log_;
+  std::function<void(const std::string&)> open_;
+  std::vector<ShapeEntry> shapes_;
+  bool is_open_ = false;
+};
+
+}  // namespace brindle::tool

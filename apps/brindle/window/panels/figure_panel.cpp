@@ -1,0 +1,158 @@
+#include "window/panels/figure_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+
+#include <imgui.h>
+
+#include "brindle/base/formatted.h"
+#include "window/base/theme.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr std::size_t kMostValues = 200;
+constexpr double kPause = 0.5;  // seconds without frames that end a motion
+
+constexpr double kFewestEdges = 2;  // a period: below, stripes may come out as noise
+
+void figure_row(const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
+  ImGui::TextUnformatted(value.c_str());
+}
+
+void figure_row(const char* name, const std::string& value, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  figure_row(name, value);
+  ImGui::PopStyleColor();
+}
+
+std::string count_text(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, " ");
+  return text;
+}
+
+}  // namespace
+
+void FigurePanel::note_frame() {
+  const auto& frame = live_.frame();
+  if (!frame || frame->number == noted_) return;
+  noted_ = frame->number;
+  const double now = ImGui::GetTime();
+  if (!arrivals_.empty() && now - arrivals_.back() > kPause) arrivals_.clear();
+  arrivals_.push_back(now);
+  while (now - arrivals_.front() > 1) arrivals_.pop_front();
+  const LiveFigures& figures = frame->state->figures;
+  const std::array values = {static_cast<double>(figures.branches), figures.energy,
+                             figures.mean_angle_error_deg, frame->milliseconds,
+                             frames_per_second()};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::vector<float>& history = histories_[i].values;
+    history.push_back(static_cast<float>(values[i]));
+    if (history.size() > kMostValues) history.erase(history.begin());
+  }
+}
+
+double FigurePanel::frames_per_second() const {
+  if (arrivals_.size() < 2) return 0;
+  return static_cast<double>(arrivals_.size() - 1) / (arrivals_.back() - arrivals_.front());
+}
+
+void FigurePanel::draw(double window_milliseconds, bool dark) {
+  dark_ = dark;
+  asks_to_solve_anew_ = false;
+  note_frame();
+  const auto& frame = live_.frame();
+  if (!frame) {
+    ImGui::TextDisabled("no picture yet");
+    return;
+  }
+  draw_counts(*frame);
+  draw_notes(frame->state->notes);
+  ImGui::Separator();
+  draw_times(*frame, window_milliseconds);
+  ImGui::Separator();
+  draw_histories();
+}
+
+void FigurePanel::draw_counts(const SessionFrame& frame) {
+  const LiveFigures& figures = frame.state->figures;
+  figure_row("vertices", count_text(figures.vertices));
+  figure_row("triangles", count_text(figures.triangles));
+  figure_row("branches", count_text(figures.branches));
+  log_.note_widget("figure branches");
+  figure_row("singularities", count_text(figures.singularities));
+  figure_row("energy", formatted("%.5g", figures.energy));
+  figure_row("angle error", formatted("%.2f\u00b0", figures.mean_angle_error_deg));
+  figure_row("spacing error", formatted("%.2f%%", 100 * figures.mean_spacing_error));
+  if (figures.edges_per_period > 0) {
+    const std::string edges = formatted("%.3g", figures.edges_per_period);
+    figures.edges_per_period < kFewestEdges
+        ? figure_row("edges a period", edges, warning_color(dark_))
+        : figure_row("edges a period", edges);
+    log_.note_widget("figure edges a period");
+  }
+  for (const auto& [name, value] : figures.shown) {
+    figure_row(name.c_str(), formatted("%.6g", value));
+    log_.note_widget("figure " + name);
+  }
+  if (figures.followed) draw_followed(figures);
+}
+
+void FigurePanel::draw_followed(const LiveFigures& figures) {
+  figure_row("phases moved", formatted("%.3f rad", figures.phase_step));
+  asks_to_solve_anew_ = ImGui::Button("solve anew (N)", {-FLT_MIN, 0});
+  log_.note_widget("solve anew");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("stripes have followed those before; make them of the options alone");
+  }
+}
+
+// What the tool would print: what is probably not meant stands out.
+void FigurePanel::draw_notes(const std::vector<std::string>& notes) {
+  ImGui::PushTextWrapPos(0);
+  std::size_t number = 0;
+  for (const std::string& note : notes) {
+    const bool warns = note.starts_with("warning:");
+    const ImVec4 color =
+        warns ? warning_color(dark_) : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    log_.note_widget("note " + std::to_string(++number));
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void FigurePanel::draw_times(const SessionFrame& frame, double window_milliseconds) {
+  const auto row = [](const char* name, double milliseconds) {
+    figure_row(name, formatted("%.1f ms", milliseconds));
+  };
+  for (const auto& [name, milliseconds] : frame.state->figures.milliseconds) {
+    row(name.c_str(), milliseconds);
+  }
+  row("drawing", frame.draw_milliseconds);
+  row("all together", frame.milliseconds);
+  row("this window", window_milliseconds);
+  const double rate = frames_per_second();
+  figure_row("frames a second", rate > 0 ? formatted("%.1f", rate) : "-");
+}
+
+void FigurePanel::draw_histories() {
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, 2 * ImGui::GetFontSize());
+  for (const History& history : histories_) {
+    if (history.values.size() < 2) continue;
+    ImGui::TextDisabled("%s", history.name);
+    const auto [least, most] = std::ranges::minmax(history.values);
+    const float margin = std::max(0.1f * (most - least), 1e-6f + 0.001f * std::abs(most));
+    ImGui::PushID(history.name);
+    ImGui::PlotLines("##plot", history.values.data(), static_cast<int>(history.values.size()), 0,
+                     nullptr, least - margin, most + margin, size);
+    ImGui::PopID();
+  }
+}
+
+}  // namespace brindle::tool

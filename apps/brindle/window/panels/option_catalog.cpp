@@ -1,0 +1,133 @@
+#include "window/panels/option_catalog.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+
+#include "brindle/renderer.h"
+#include "cli/described_options.h"
+#include "cli/option_values.h"
+#include "session/session_options.h"
+
+namespace brindle::tool {
+namespace {
+
+// A value to be written as it stands; what stands for something is in capitals or "array:NAME".
+bool is_name(const std::string& part) {
+  return !part.empty() && part.find_first_not_of("abcdefghijklmnopqrstuvwxyz_-") == part.npos;
+}
+
+std::vector<std::string> names_of(const OptionInfo& info) {
+  if (info.kind == OptionKind::choice) return choices_of(info);
+  if (info.name == "texture") return split(std::string(built_in_tile_names()), '|');
+  std::vector<std::string> names;
+  for (const std::string& part : split(std::string(info.form), '|')) {
+    if (is_name(part)) names.push_back(part);
+  }
+  if (info.form.find("VALUE") != info.form.npos) {
+    names.insert(names.end(), {"curvature", "height", "light", "distance:camera"});
+  }
+  return names;
+}
+
+WidgetKind kind_of(const OptionInfo& info) {
+  switch (info.kind) {
+    case OptionKind::flag:
+      return WidgetKind::flag;
+    case OptionKind::choice:
+      return WidgetKind::choice;
+    case OptionKind::whole:
+    case OptionKind::number:
+      return WidgetKind::number;
+    case OptionKind::numbers:
+      return WidgetKind::numbers;
+    case OptionKind::length:
+      return WidgetKind::percent;
+    case OptionKind::text:
+      break;
+  }
+  return WidgetKind::text;
+}
+
+CatalogOption entry_of(const OptionInfo& info) {
+  CatalogOption entry;
+  entry.name = info.name;
+  entry.words = info.words;
+  entry.help = info.help;
+  entry.form = info.form;
+  entry.kind = kind_of(info);
+  entry.names = names_of(info);
+  entry.file = info.file;
+  entry.repeatable = info.several;
+  entry.whole = info.kind == OptionKind::whole;
+  entry.range = info.slider;
+  entry.standard = info.standard;
+  entry.excludes = option_names(info.excludes);
+  return entry;
+}
+
+/// Groups in the order in which they are reached for; others follow as the table has them.
+constexpr std::array<std::string_view, 9> kTitles = {
+    "Stripes", "Field",   "Textures", "Look", "Colours by value", "Outlines and depth",
+    "Making",  "Surface", "Solver"};
+
+std::size_t rank_of(const OptionGroup& group) {
+  return static_cast<std::size_t>(std::ranges::find(kTitles, group.title) - kTitles.begin());
+}
+
+/// What is shown by options of its own, as the table calls their group.
+std::string_view own_title(Shown shown) { return shown == Shown::curves ? "Curves" : "Samples"; }
+
+/// The group of a title, which is made if there is none.
+OptionGroup& group_of(std::string_view title, std::vector<OptionGroup>& groups) {
+  const auto found = std::ranges::find(groups, title, &OptionGroup::title);
+  if (found != groups.end()) return *found;
+  return groups.emplace_back(OptionGroup{std::string(title), {}});
+}
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_meant(const CatalogOption& option, const std::string& search) {
+  const std::string all =
+      in_small_letters(option.words + " --" + option.name + ' ' + option.form + ' ' + option.help);
+  std::istringstream words(in_small_letters(search));
+  for (std::string word; words >> word;) {
+    if (all.find(word) == std::string::npos) return false;
+  }
+  return true;
+}
+
+std::vector<OptionGroup> option_catalog(Shown shown) {
+  std::vector<OptionGroup> groups;
+  const auto add = [&](bool own) {
+    for (const OptionInfo* info : session_options(shown)) {
+      if (is_own(*info, shown) != own) continue;
+      group_of(own ? own_title(shown) : info->group, groups).options.push_back(entry_of(*info));
+    }
+  };
+  add(true);
+  if (!groups.empty()) {
+    // What is called after the group comes first, then what it shares with others: colours.
+    std::vector<CatalogOption>& own = groups.front().options;
+    std::stable_partition(own.begin(), own.end(), [&](const CatalogOption& option) {
+      return find_session_option(option.name, shown)->group == own_title(shown);
+    });
+  }
+  const auto shared = static_cast<std::ptrdiff_t>(groups.size());
+  add(false);
+  std::stable_sort(
+      groups.begin() + shared, groups.end(),
+      [](const OptionGroup& a, const OptionGroup& b) { return rank_of(a) < rank_of(b); });
+  return groups;
+}
+
+}  // namespace brindle::tool

@@ -1,0 +1,469 @@
+#include "window/panels/option_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "brindle/base/formatted.h"
+#include "brindle/image.h"
+#include "brindle/render/parsed_words.h"
+#include "cli/option_values.h"
+#include "pictures/picture_options.h"
+#include "window/base/value_slider.h"
+
+namespace brindle::tool {
+namespace {
+
+constexpr float kLabelShare = 0.44f;
+
+std::optional<float> number_in(const std::string& text) {
+  float value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// "0.1,0.9": both; also of "0.4,2.5,inverse". Empty for anything else.
+std::vector<float> numbers_in(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() < 2) return {};
+  const auto first = number_in(parts[0]), second = number_in(parts[1]);
+  if (!first || !second) return {};
+  return {*first, *second};
+}
+
+std::string hex_color(const float* color) {
+  const auto channel = [](float value) {
+    return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+  };
+  return formatted("#%02x%02x%02x", channel(color[0]), channel(color[1]), channel(color[2]));
+}
+
+void show_tooltip(const std::string& title, const std::string& text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(title.c_str());
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+OptionPanel::OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log)
+    : live_(live), browser_(browser), log_(log) {
+  for (const Shown shown : kAllShown) {
+    catalogs_[static_cast<std::size_t>(shown)] = option_catalog(shown);
+  }
+}
+
+void OptionPanel::note_session() {
+  note_surface();
+  if (noted_revision_ == live_.session().revision()) return;
+  noted_revision_ = live_.session().revision();
+  given_ = shown_options(live_.document());
+}
+
+// What sliders and lists of names follow from.
+void OptionPanel::note_surface() {
+  if (!live_.frame() || live_.frame()->state == noted_) return;
+  const bool another = !noted_ || noted_->job->surface != live_.frame()->state->job->surface;
+  noted_ = live_.frame()->state;
+  if (!another) return;
+  diagonal_ = bounding_box(noted_->job->surface->mesh).diagonal();
+  arrays_.clear();
+  for (const DataArray& array : noted_->job->data.arrays.points) {
+    arrays_.push_back("array:" + array.name);
+  }
+}
+
+void OptionPanel::draw() {
+  is_held_ = false;
+  note_session();
+  draw_shown();
+  draw_search();
+  // What is shown may have become another one.
+  note_session();
+  for (const OptionGroup& group : catalog()) draw_group(group);
+}
+
+void OptionPanel::draw_shown() {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("show");
+  for (const Shown shown : kAllShown) {
+    const std::string name(name_of(shown));
+    ImGui::SameLine();
+    if (ImGui::RadioButton(name.c_str(), live_.document().shown == shown)) {
+      live_.apply(commands::Show{shown});
+    }
+    log_.note_widget("show " + name);
+  }
+}
+
+void OptionPanel::draw_search() {
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  ImGui::InputTextWithHint("##search", "search options", &search_);
+  log_.note_widget("search");
+  if (ImGui::IsItemFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    search_.clear();
+  }
+}
+
+void OptionPanel::draw_option(const std::string& name) {
+  note_session();
+  for (const OptionGroup& group : catalog()) {
+    const auto option = std::ranges::find(group.options, name, &CatalogOption::name);
+    if (option == group.options.end()) continue;
+    ImGui::PushID(name.c_str());
+    draw_option(*option);
+    ImGui::PopID();
+  }
+}
+
+void OptionPanel::draw_group(const OptionGroup& group) {
+  const bool searching = search_.find_first_not_of(' ') != std::string::npos;
+  const auto is_shown = [&](const CatalogOption& option) {
+    return !searching || is_meant(option, search_);
+  };
+  if (std::ranges::none_of(group.options, is_shown)) return;
+  if (searching) {
+    ImGui::TextDisabled("%s", group.title.c_str());
+  } else {
+    const bool first = &group == &catalog().front();
+    const bool open =
+        ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    log_.note_widget("group " + group.title);
+    if (!open) return;
+  }
+  for (const CatalogOption& option : group.options) {
+    if (!is_shown(option)) continue;
+    ImGui::PushID(option.name.c_str());
+    draw_option(option);
+    ImGui::PopID();
+  }
+  ImGui::Dummy({0, ImGui::GetFontSize() * 0.3f});
+}
+
+void OptionPanel::draw_option(const CatalogOption& option) {
+  const bool given = given_.contains(option.name);
+  const float width = ImGui::GetContentRegionAvail().x;
+  draw_label(option, given);
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelShare * width);
+  ImGui::BeginGroup();
+  draw_widget(option);
+  ImGui::EndGroup();
+  log_.note_widget("option " + option.name);
+  if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) {
+    show_tooltip("--" + option.name + " " + option.form, option.help);
+  }
+}
+
+void OptionPanel::draw_label(const CatalogOption& option, bool given) {
+  ImGui::AlignTextToFramePadding();
+  if (given) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+  }
+  ImGui::TextUnformatted(option.words.c_str());
+  if (given) ImGui::PopStyleColor();
+  log_.note_widget("label " + option.name);
+  show_tooltip("--" + option.name + " " + option.form, option.help);
+  draw_menu(option, given);
+}
+
+void OptionPanel::draw_menu(const CatalogOption& option, bool given) {
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Left) && given) ImGui::OpenPopup("menu");
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("menu");
+  if (!ImGui::BeginPopup("menu")) return;
+  if (ImGui::MenuItem("Leave out (as if not given)", nullptr, false, given)) {
+    live_.apply(commands::ClearOption{option.name});
+  }
+  log_.note_widget("clear " + option.name);
+  if (option.kind == WidgetKind::number || option.kind == WidgetKind::percent) {
+    ImGui::TextDisabled("Type a value:");
+    draw_text(option, 0, 12 * ImGui::GetFontSize());
+  }
+  ImGui::EndPopup();
+}
+
+void OptionPanel::draw_widget(const CatalogOption& option) {
+  if (option.name == "colors") return draw_colors(option);
+  if (option.repeatable) return draw_texts(option);
+  switch (option.kind) {
+    case WidgetKind::flag:
+      return draw_flag(option);
+    case WidgetKind::choice:
+      return draw_choice(option);
+    case WidgetKind::number: {
+      const std::string text = text_of(option);
+      const auto value = number_in(text);
+      // Where a slider cannot show it, such as array:NAME.
+      if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
+      const auto lowest = static_cast<float>(range_of(option).lowest);
+      return draw_number(option, value.value_or(lowest), value.has_value());
+    }
+    case WidgetKind::numbers:
+      return draw_numbers(option);
+    case WidgetKind::percent:
+      return draw_percent(option);
+    case WidgetKind::text:
+      return draw_text(option, 0, -FLT_MIN);
+  }
+}
+
+// The value that is given, or the one that counts without.
+std::string OptionPanel::text_of(const CatalogOption& option) const {
+  const auto& options = given_;
+  const auto found = options.find(option.name);
+  if (found != options.end() && !found->second.empty()) return found->second.front();
+  if (option.name == "frequency" && diagonal_ > 0 && noted_) {
+    // What --stripes comes to.
+    const auto stripes = options.find("stripes");
+    const auto count = stripes == options.end() ? 40 : number_in(stripes->second.front());
+    if (count) return formatted("%.4g", static_cast<double>(*count) / diagonal_);
+  }
+  return option.standard;
+}
+
+SliderRange OptionPanel::range_of(const CatalogOption& option) const {
+  SliderRange range = option.range;
+  if (option.name.starts_with("frequency") && diagonal_ > 0) {
+    range.lowest = 2 / diagonal_;
+    range.highest = 400 / diagonal_;
+  }
+  const auto& options = given_;
+  if (const auto colors = options.find("color-range");
+      option.name == "threshold" && colors != options.end()) {
+    const auto ends = numbers_in(colors->second.front());
+    if (ends.size() == 2) range = {.lowest = ends[0], .highest = ends[1]};
+  }
+  return range;
+}
+
+void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values,
+                      ValueChange change_by) {
+  commands::SetOptions change{{{option.name, std::move(values)}}, {}};
+  for (const std::string& other : option.excludes) {
+    if (given_.contains(other)) change.clear.push_back(other);
+  }
+  SessionCommand command = change;
+  if (change.clear.empty()) {
+    command = commands::SetOption{option.name, change.set.at(option.name)};
+  }
+  // All that one press of the mouse does is one step; whoever draws the frame ends it.
+  live_.apply_value(change_by, command);
+}
+
+void OptionPanel::draw_flag(const CatalogOption& option) {
+  bool on = given_.contains(option.name);
+  if (!ImGui::Checkbox("##flag", &on)) return;
+  if (on) {
+    set(option, {});
+  } else {
+    live_.apply(commands::ClearOption{option.name});
+  }
+}
+
+void OptionPanel::draw_choice(const CatalogOption& option) {
+  const std::string current = text_of(option);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (!ImGui::BeginCombo("##choice", current.c_str())) return;
+  for (const std::string& name : option.names) {
+    const std::string label = name == option.standard ? name + " (default)" : name;
+    if (ImGui::Selectable((label + "##" + name).c_str(), name == current)) set(option, {name});
+    log_.note_widget("choice " + option.name + " " + name);
+  }
+  ImGui::EndCombo();
+}
+
+void OptionPanel::draw_number(const CatalogOption& option, float value, bool known) {
+  const SliderRange range = range_of(option);
+  const bool given = given_.contains(option.name);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
+  const std::string before = text_of(option);
+  const std::string shown = known ? before : "off";
+  if (!given) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  }
+  const ValueChange change =
+      slider_beside_number("##number", value, static_cast<float>(range.lowest),
+                           static_cast<float>(range.highest), shown.c_str(), flags);
+  if (!given) ImGui::PopStyleColor();
+  const std::string text = text_of_value(value, change, option.whole);
+  if (change != ValueChange::none && text != before) set(option, {text}, change);
+}
+
+// Two numbers, and what may be written behind them.
+void OptionPanel::draw_numbers(const CatalogOption& option) {
+  const std::string text = text_of(option);
+  std::vector<float> ends = numbers_in(text);
+  if (ends.size() != 2) return draw_text(option, 0, -FLT_MIN);
+  const bool given = given_.contains(option.name);
+  if (!given) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  }
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const float speed = std::max(0.002f * std::max(std::abs(ends[0]), std::abs(ends[1])), 1e-5f);
+  ImGui::SetNextItemWidth(width);
+  const ValueChange first = value_drag("##first", ends[0], speed, "%.4g");
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(width);
+  const ValueChange second = value_drag("##second", ends[1], speed, "%.4g");
+  const ValueChange change = second == ValueChange::none ? first : second;
+  if (!given) ImGui::PopStyleColor();
+  // What was not touched stays as it is written.
+  const std::vector<std::string> parts = split(text, ',');
+  std::string value =
+      (first == ValueChange::none ? parts[0] : text_of_value(ends[0], first, false)) + "," +
+      (second == ValueChange::none ? parts[1] : text_of_value(ends[1], second, false));
+  for (std::size_t i = 2; i < parts.size(); ++i) value += "," + parts[i];
+  if (change != ValueChange::none && value != text) set(option, {value}, change);
+}
+
+// A share of the diagonal; lengths in the mesh's units are typed.
+void OptionPanel::draw_percent(const CatalogOption& option) {
+  const std::string text = text_of(option);
+  const auto share =
+      text.ends_with('%') ? number_in(text.substr(0, text.size() - 1)) : std::nullopt;
+  if (!share && !text.empty()) return draw_text(option, 0, -FLT_MIN);
+  const auto lowest = static_cast<float>(option.range.lowest);
+  const auto highest = static_cast<float>(option.range.highest);
+  float value = share.value_or(lowest);
+  const std::string before = share ? text : "off";
+  if (!share) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  }
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  // A per cent sign is doubled for Dear ImGui.
+  const ValueChange change = slider_beside_number(
+      "##percent", value, lowest, highest, share ? (before + "%").c_str() : before.c_str(),
+      option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  if (!share) ImGui::PopStyleColor();
+  const std::string after = text_of_value(value, change, false) + "%";
+  if (change != ValueChange::none && after != before) set(option, {after}, change);
+}
+
+// Value number `index` of an option: a field to type into, names and files to choose.
+void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, float width) {
+  const std::string id = option.name + " " + std::to_string(index);
+  ImGui::PushID(id.c_str());
+  const float button = ImGui::GetFrameHeight();
+  const bool has_names = !option.names.empty() || option.form.find("array:") != std::string::npos;
+  const float buttons = (has_names ? button : 0) + (option.file ? button : 0);
+  ImGui::SetNextItemWidth(width > 0 ? width : ImGui::GetContentRegionAvail().x - buttons);
+  const auto found = given_.find(option.name);
+  const bool given = found != given_.end() && index < found->second.size();
+  std::string text = given ? found->second[index] : "";
+  if (edited_ == id) text = edit_;
+  const std::string hint = option.standard.empty() ? option.form : option.standard;
+  const bool entered =
+      ImGui::InputTextWithHint("##text", hint.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  log_.note_widget("text " + id);
+  if (ImGui::IsItemActive()) {
+    edited_ = id;
+    edit_ = text;
+  }
+  if (entered || ImGui::IsItemDeactivatedAfterEdit()) set_one(option, index, text);
+  if (ImGui::IsItemDeactivated() && edited_ == id) edited_.clear();
+  if (has_names) draw_names(option, index);
+  if (option.file) {
+    ImGui::SameLine(0, 0);
+    if (ImGui::Button("...", {button, 0})) {
+      browser_.ask({.title = "--" + option.name,
+                    .done = [this, option, index](const std::filesystem::path& path) {
+                      set_one(option, index, path.string());
+                    }});
+    }
+    log_.note_widget("browse " + id);
+  }
+  ImGui::PopID();
+}
+
+// An empty value is none.
+void OptionPanel::set_one(const CatalogOption& option, std::size_t index,
+                          const std::string& value) {
+  const auto found = given_.find(option.name);
+  std::vector<std::string> values;
+  if (found != given_.end()) values = found->second;
+  const std::vector<std::string> before = values;
+  if (index < values.size()) {
+    values[index] = value;
+  } else {
+    values.push_back(value);
+  }
+  std::erase(values, "");
+  if (values == before) return;
+  if (values.empty()) {
+    live_.apply(commands::ClearOption{option.name});
+  } else {
+    set(option, std::move(values));
+  }
+}
+
+void OptionPanel::draw_names(const CatalogOption& option, std::size_t index) {
+  ImGui::SameLine(0, 0);
+  if (ImGui::ArrowButton("names", ImGuiDir_Down)) ImGui::OpenPopup("names");
+  log_.note_widget("names " + option.name);
+  if (!ImGui::BeginPopup("names")) return;
+  for (const std::string& name : option.names) {
+    if (ImGui::Selectable(name.c_str())) set_one(option, index, name);
+    log_.note_widget("choice " + option.name + " " + name);
+  }
+  const bool takes_arrays = option.form.find("array:") != std::string::npos ||
+                            option.form.find("VALUE") != std::string::npos;
+  if (takes_arrays) {
+    for (const std::string& name : arrays_) {
+      if (ImGui::Selectable(name.c_str())) set_one(option, index, name);
+    }
+    if (arrays_.empty()) ImGui::TextDisabled("(the mesh has no arrays)");
+  }
+  ImGui::EndPopup();
+}
+
+void OptionPanel::draw_texts(const CatalogOption& option) {
+  const auto found = given_.find(option.name);
+  const std::size_t count = found == given_.end() ? 0 : found->second.size();
+  for (std::size_t index = 0; index <= count; ++index) draw_text(option, index, -FLT_MIN);
+}
+
+// Swatches of the stripes, the surface and the background.
+void OptionPanel::draw_colors(const CatalogOption& option) {
+  static constexpr std::array kTitles = {"stripes", "surface", "background"};
+  const RenderOptions standard;
+  std::array<Color, 3> colors = {standard.stripe_color, standard.base_color,
+                                 standard.background_edge};
+  const auto found = given_.find(option.name);
+  std::size_t given = 2;
+  if (found != given_.end()) {
+    const auto parts = split(found->second.front(), ',');
+    given = std::min(parts.size(), colors.size());
+    for (std::size_t i = 0; i < given; ++i) colors[i] = parse_color(parts[i]).value_or(colors[i]);
+  }
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    std::array<float, 3> channels = {colors[i].red, colors[i].green, colors[i].blue};
+    const bool changed = ImGui::ColorEdit3(
+        kTitles[i], channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+    log_.note_widget(std::string("color ") + kTitles[i]);
+    is_held_ |= ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) && ImGui::GetIO().WantTextInput;
+    if (!changed) continue;
+    colors[i] = {channels[0], channels[1], channels[2]};
+    std::string text;
+    for (std::size_t j = 0; j < std::max(given, i + 1); ++j) {
+      const std::array<float, 3> each = {colors[j].red, colors[j].green, colors[j].blue};
+      text += (j > 0 ? "," : "") + hex_color(each.data());
+    }
+    set(option, {text}, ValueChange::dragged);
+  }
+}
+
+}  // namespace brindle::tool

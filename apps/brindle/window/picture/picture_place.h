@@ -1,0 +1,32 @@
+/// Where the picture is in the window.
+#pragma once
+
+#include <imgui.h>
+
+#include "session/session_worker.h"
+#include "window/base/window_log.h"
+
+namespace brindle::tool {
+
+/// Between units of Dear ImGui and pixels of the picture that is shown.
+struct PicturePlace {
+  ImVec2 corner;  ///< upper left, units
+  float pixels_per_unit = 1;
+  PictureSize size;  ///< pixels
+  const SessionFrame* frame = nullptr;
+
+  Eigen::Vector2d pixel(const ImVec2& at) const {
+    return {(at.x - corner.x) * pixels_per_unit, (at.y - corner.y) * pixels_per_unit};
+  }
+  /// What the log says of something round there.
+  static WidgetPlace around(const ImVec2& middle, float radius) {
+    const auto side = static_cast<int>(2 * radius);
+    return {static_cast<int>(middle.x - radius), static_cast<int>(middle.y - radius), side, side};
+  }
+  ImVec2 unit(const Eigen::Vector2d& at) const {
+    return {corner.x + static_cast<float>(at.x()) / pixels_per_unit,
+            corner.y + static_cast<float>(at.y()) / pixels_per_unit};
+  }
+};
+
+}  // namespace brindle::tool

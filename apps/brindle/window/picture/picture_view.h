@@ -1,0 +1,62 @@
+/// The picture in the window, and what the mouse does on it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "session/picked_values.h"
+#include "session/view_legend.h"
+#include "window/picture/camera_motion.h"
+#include "window/picture/place_handles.h"
+#include "window/picture/stroke_tool.h"
+
+namespace brindle::tool {
+
+/// Shows the session's newest frame. The mouse turns, moves and zooms it, draws strokes or moves
+/// places.
+class PictureView {
+ public:
+  PictureView(LiveSession& live, StrokeTool& tool, PlaceHandles& places, WindowLog& log)
+      : live_(live), tool_(tool), places_(places), log_(log) {}
+  ~PictureView();
+  PictureView(const PictureView&) = delete;
+  PictureView& operator=(const PictureView&) = delete;
+
+  /// Fills the rest of Dear ImGui's current window, and asks for pictures of that size. `trail`:
+  /// where the mouse has been since the last call with its left button down.
+  void draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>& trail);
+
+  /// The point in the middle of the picture as far away as the surface's own; nothing before the
+  /// first frame.
+  std::optional<Vec3> middle() const;
+
+ private:
+  void upload();
+  void note_mouse(const PicturePlace& place, bool hovered);
+  void show_values(const ImVec2& corner, const ImVec2& end) const;
+  void show_legend(const ImVec2& corner) const;
+  void show(const PicturePlace& place);
+  void follow_mouse(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
+  void follow_tool(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
+  void follow_wheel();
+  void look(const ImVec2& motion, bool moves, const PicturePlace& place);
+  void centre_at(const PicturePlace& place);
+
+  LiveSession& live_;
+  StrokeTool& tool_;
+  PlaceHandles& places_;
+  WindowLog& log_;
+  std::shared_ptr<const SessionFrame> uploaded_;
+  ViewLegend legend_;  // of it
+  GLuint texture_ = 0;
+  int width_ = 0;  // of the texture
+  int height_ = 0;
+  bool drawing_ = false;                              // with the tool
+  std::vector<PickedValue> under_mouse_;              // of the surface
+  Eigen::Vector2d picked_pixel_ = {-1, -1};           // that they are of
+  std::shared_ptr<const SessionFrame> picked_frame_;  // the same
+};
+
+}  // namespace brindle::tool

@@ -1,0 +1,107 @@
+/// Drawing strokes that the field follows, on the picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "session/picking.h"
+#include "session/singularities.h"
+#include "window/base/live_session.h"
+#include "window/picture/picture_place.h"
+#include "window/picture/stroke_curve.h"
+
+namespace brindle::tool {
+
+enum class Tool { look, comb, spline, move, erase, steer };
+inline constexpr int kToolCount = 6;
+
+/// What the mouse does on the picture besides looking around. Every stroke is drawn, moved or
+/// erased by commands of the session, so that the field follows while the mouse moves and all is
+/// undone as one step.
+class StrokeTool {
+ public:
+  StrokeTool(LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
+
+  Tool tool() const { return tool_; }
+  void choose(Tool tool);
+
+  /// Tools, radius and strength, as a row of widgets.
+  void draw_bar();
+
+  /// The height of the bar with the tool that has most on it, so that pictures keep their size.
+  float bar_height() const;
+
+  /// The left button was pressed on the picture, the mouse moved with it along these pixels, it was
+  /// let go.
+  void press(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void drag(const PicturePlace& place, const std::vector<Eigen::Vector2d>& pixels);
+  void release();
+
+  /// Ends the spline that is being drawn. False if there is none.
+  bool finish_spline();
+
+  /// Erases the stroke that is chosen. False if there is none.
+  bool erase_chosen();
+
+  /// Strokes, singularities and the mouse's radius, over the picture.
+  void draw_over(ImDrawList& list, const PicturePlace& place, bool hovered);
+
+ private:
+  /// A singularity that is dragged, with what there was before.
+  struct Steering {
+    FieldSingularity singularity;
+    std::shared_ptr<const LiveState> state;
+    DirectionField directions;  ///< of the field itself
+    std::vector<FieldStroke> strokes;
+  };
+  struct Moving {
+    Points points;
+    Eigen::Vector2d from;  // pixels
+  };
+
+  std::optional<PickedPoint> pick_at(const PicturePlace& place, const Eigen::Vector2d& pixel) const;
+  std::optional<Eigen::Vector2d> pixel_of(const PicturePlace& place,
+                                          const Eigen::Vector3d& point) const;
+  std::vector<Eigen::Vector2d> line_of(const PicturePlace& place, const FieldStroke& stroke) const;
+  std::optional<std::size_t> stroke_at(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void set_points(Points points);
+  bool extend_comb(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void add_control(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void move_chosen(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void erase_at(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  const FieldSingularity* singularity_at(const PicturePlace& place,
+                                         const Eigen::Vector2d& pixel) const;
+  void begin_steering(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void steer(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  Points on_surface(const PicturePlace& place, const Points& points,
+                    const Eigen::Vector2d& shift) const;
+  void draw_sliders();
+  void draw_along();
+  void change_strokes(ValueChange change, float radius, float strength);
+  void draw_strokes(ImDrawList& list, const PicturePlace& place);
+  void draw_singularities(ImDrawList& list, const PicturePlace& place);
+  void draw_cursor(ImDrawList& list, const PicturePlace& place);
+  void note_frame(const SessionFrame& frame);
+
+  LiveSession& live_;
+  WindowLog& log_;
+  Tool tool_ = Tool::look;
+  float radius_ = 8;  // per cent of the surface's diagonal
+  float strength_ = 1;
+  bool show_singularities_ = false;
+
+  Points comb_;                        // of the stroke that is being drawn
+  Points controls_;                    // of the spline that is being drawn
+  std::optional<std::size_t> drawn_;   // the stroke that they are
+  std::optional<std::size_t> chosen_;  // the stroke that is moved
+  std::optional<Moving> moving_;
+  std::optional<Steering> steering_;
+  Eigen::Vector2d last_pixel_{0, 0};
+  bool refused_ = false;  // until the button is let go
+  std::shared_ptr<const StripeJob> noted_;
+  std::vector<FieldSingularity> singularities_;
+  double diagonal_ = 0;
+};
+
+}  // namespace brindle::tool
