@@ -24,7 +24,7 @@
 #include "brindle/recipe/making_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "jobs/curves_output.h"
 #include "jobs/curves_report.h"
 #include "outputs/outputs.h"
@@ -47,14 +47,7 @@ and writes one file by its extension: .obj .ply .vtp .csv, of tubes also .gltf .
 lines of every rank as they are, cut at borders: where one is, border_edge has the numbers of the
 edge's vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
 
-struct MpiCurvesArguments : PatternArguments, LineShape {
-  TracedWaves lines = TracedWaves::u;
-  float offset = 0;
-  bool join = false;
-  float trim = 0;
-  Length min_length;
-  std::optional<Length> line_width;
-};
+struct MpiCurvesArguments : PatternArguments, TracingOptions {};
 
 /// One of U and V, on rank 0.
 struct JoinedFamily {
@@ -219,7 +212,7 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (!arguments.tube_radius) {
     refuse_given(command, {"--tube-sides"}, "no tubes are written; add --tube-radius L");
   }
-  if (arguments.lines == TracedWaves::u) {
+  if (arguments.traced == TracedWaves::u) {
     refuse_given(command, {"--stripes-v", "--frequency-v"},
                  "V is not traced; add --lines v or --lines both");
   }
@@ -308,8 +301,7 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
         arguments.offset == 0
             ? 0
             : shift_phases(*patterns.surface, arguments.offset, (*solved)->waves, (*solved)->z);
-    families.push_back({name, piece_curves(patterns.piece(**solved, arguments),
-                                           {.join = arguments.join, .trim = arguments.trim})});
+    families.push_back({name, piece_curves(patterns.piece(**solved, arguments), arguments.curves)});
     if (writes_pieces(arguments)) {
       made.report[name] = to_json(ranks, families.back(), **solved);
       made.report[name]["edges_with_jogs"] = jogs;
@@ -340,8 +332,8 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
   double extract = 0;
   {
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
-    patterns = make_piece_patterns(ranks, arguments, arguments.lines != TracedWaves::v,
-                                   arguments.lines != TracedWaves::u, display);
+    patterns = make_piece_patterns(ranks, arguments, arguments.traced != TracedWaves::v,
+                                   arguments.traced != TracedWaves::u, display);
     enter_stage(ranks, display, "curves");
     Stopwatch watch;
     made = make_curves(ranks, patterns, arguments, display);
@@ -357,13 +349,10 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
 void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
   add_pattern_options(command, arguments,
                       "the curves: whole as .obj .ply .vtp .csv, in pieces as .pvtp", "FILE");
-  add_lines_option(command, arguments.lines);
-  add_min_length_option(command, arguments.min_length);
-  add_offset_option(command, arguments.offset);
-  add_end_options(command, arguments.join, arguments.trim);
-  add_line_shape_options(command, arguments);
-  add_line_width_option(command, arguments.line_width);
-  add_tube_options(command, arguments);
+  // Lines that run over several ranks cannot be faired.
+  arguments.visit([&command](const std::string& option, auto& field) {
+    if (option != "--fair") add_field(command, option, field);
+  });
 }
 
 }  // namespace

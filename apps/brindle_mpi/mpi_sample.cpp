@@ -17,7 +17,7 @@
 #include "brindle/points.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "jobs/sample_job.h"
 #include "outputs/outputs.h"
 #include "outputs/written_files.h"
@@ -172,7 +172,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
 void add_mpi_sample_options(CLI::App& command, MpiSampleArguments& arguments) {
   add_pattern_options(command, arguments, "the samples: .csv .ply .vtp, or in pieces as .pvtp",
                       "FILE");
-  add_min_distance_option(command, arguments.min_distance);
+  add_field(command, "--min-distance", arguments.min_distance);
 }
 
 }  // namespace

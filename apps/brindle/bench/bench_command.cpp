@@ -14,7 +14,7 @@
 #include "brindle/phases/coloring.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "cli/progress_display.h"
 #include "input/device.h"
 #include "input/preparation.h"
@@ -264,7 +264,7 @@ void run_measurements(const CLI::App& command, Arguments& arguments) {
 void add_options(CLI::App& command, Arguments& arguments) {
   add_bench_options(command, arguments.bench);
   add_wave_options(command, arguments.waves);
-  add_device_option(command, arguments.device);
+  add_field(command, "--device", arguments.device);
   command.add_option("--json", arguments.json, "write all figures here")->type_name("FILE.json");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }

@@ -69,13 +69,6 @@ float parse_positive_number(const std::string& option, const std::string& text) 
   return *value;
 }
 
-const OptionInfo& row_of(const std::string& option, OptionKind kind) {
-  for (const OptionInfo& row : option_table()) {
-    if (row.name == option.substr(2) && row.kind == kind) return row;
-  }
-  throw Error(option + " is no option of this kind");
-}
-
 float parse_number_of(const OptionInfo& row, const std::string& option, const std::string& text) {
   const auto value = finite_number(text);
   if (!value || !row.range.contains(*value)) wrong_usage(option, taken_by(row), text);
@@ -87,6 +80,14 @@ Length parse_length_of(const OptionInfo& row, const std::string& option, const s
   const auto value = finite_number(percent ? text.substr(0, text.size() - 1) : text);
   if (!value || !row.range.contains(*value)) wrong_usage(option, taken_by(row), text);
   return {percent ? *value / 100 : *value, percent};
+}
+
+std::size_t parse_choice_of(const OptionInfo& row, const std::string& option,
+                            const std::string& text) {
+  const std::vector<std::string> words = split(std::string(row.form), '|');
+  const auto word = std::ranges::find(words, text);
+  if (word == words.end()) wrong_usage(option, taken_by(row), text);
+  return static_cast<std::size_t>(word - words.begin());
 }
 
 Vec3 parse_direction(const std::string& option, const std::string& text) {

@@ -2,13 +2,13 @@
 /// option and what it expects, so that a mistyped value ends as wrong usage.
 #pragma once
 
-#include <initializer_list>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/option_table.h"
+#include "brindle/recipe/option_row.h"
 #include "brindle/types.h"
 
 namespace brindle::tool {
@@ -53,15 +53,15 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, Target& t
       description);
 }
 
-/// The first row of the table of options that has this name, with dashes, and this kind. Throws
-/// Error if there is none.
-const OptionInfo& row_of(const std::string& option, OptionKind kind);
-
 /// A number in the row's range.
 float parse_number_of(const OptionInfo& row, const std::string& option, const std::string& text);
 
 /// "0.02" or "1.5%", in the row's range.
 Length parse_length_of(const OptionInfo& row, const std::string& option, const std::string& text);
+
+/// Which of the row's words it is, from 0 on.
+std::size_t parse_choice_of(const OptionInfo& row, const std::string& option,
+                            const std::string& text);
 
 /// Adds an option for a number in the range that the table of options has.
 template <class Target>

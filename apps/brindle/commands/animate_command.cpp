@@ -11,7 +11,7 @@
 #include "brindle/waves/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "cli/progress_display.h"
 #include "input/slack_options.h"
 #include "input/surface_options.h"
@@ -394,8 +394,8 @@ void add_animate_options(CLI::App& command, AnimateArguments& arguments) {
   add_scene_options(command, arguments);
   add_series_options(command, arguments);
   add_animator_options(command, arguments.animation.animator);
-  add_slack_options(command, arguments.slack);
-  add_device_option(command, arguments.device);
+  add_fields(command, arguments.slack);
+  add_field(command, "--device", arguments.device);
   command.add_option("--threads", arguments.threads);
   add_frame_output_options(command, arguments);
   arguments.picture = add_picture_options(command);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "cli/option_fields.h"
 #include "input/csv_field.h"
 #include "input/vertex_values.h"
 
@@ -10,13 +11,6 @@ namespace brindle::tool {
 namespace {
 
 constexpr std::string_view kArray = "array:";
-
-std::optional<TensorAxis> parse_tensor_axis(std::string_view name) {
-  if (name == "major") return TensorAxis::major;
-  if (name == "minor") return TensorAxis::minor;
-  if (name == "max-abs") return TensorAxis::max_abs;
-  return std::nullopt;
-}
 
 std::string parse_frequency_value(const std::string& option, const std::string& text) {
   check_value_name(option, text);
@@ -49,11 +43,9 @@ std::string parse_array(const std::string& option, const std::string& value) {
 }
 
 void add_array_options(CLI::App& app, ArrayOptions& options) {
-  add_named_option(app, "--tensor", options.tensor, parse_tensor_axis);
+  add_fields(app, options);
   add_parsed_option(app, "--frequency-by", options.frequency_by, parse_frequency_value);
   add_parsed_option(app, "--frequency-range", options.range, parse_frequency_range);
-  app.add_option("--field-mesh", options.mesh);
-  add_length_option(app, "--max-distance", options.max_distance);
 }
 
 void check_array_options(const CLI::App& command, const ArrayOptions& options,

@@ -20,6 +20,14 @@ struct ArrayOptions {
   FrequencyRange range;                ///< of the factors
   std::string mesh;                    ///< file that all arrays are from; empty: the mesh's own
   std::optional<Length> max_distance;  ///< from `mesh`
+
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--tensor", tensor);
+    add("--field-mesh", mesh);
+    add("--max-distance", max_distance);
+  }
 };
 
 /// Whether an option's value names an array: "array:NAME", "array:points/NAME".

@@ -11,12 +11,6 @@
 namespace brindle::tool {
 namespace {
 
-std::optional<DeviceKind> parse_device_kind(std::string_view name) {
-  if (name == "cpu") return DeviceKind::cpu;
-  if (name == "gpu") return DeviceKind::gpu;
-  return std::nullopt;
-}
-
 class OnProcessor : public Animator {
  public:
   explicit OnProcessor(StripeAnimator animator) : animator_(std::move(animator)) {}
@@ -31,10 +25,6 @@ class OnProcessor : public Animator {
 };
 
 }  // namespace
-
-void add_device_option(CLI::App& app, DeviceKind& device) {
-  add_named_option(app, "--device", device, parse_device_kind);
-}
 
 bool has_solver(DeviceKind device, Solver solver) {
   return device == DeviceKind::cpu || is_available_on_gpu(solver);

@@ -13,9 +13,7 @@
 
 namespace brindle::tool {
 
-enum class DeviceKind { cpu, gpu };
-
-void add_device_option(CLI::App& app, DeviceKind& device);
+enum class DeviceKind { cpu, gpu };  // the words of --device
 
 /// Whether the device has the solver.
 bool has_solver(DeviceKind device, Solver solver);

@@ -7,7 +7,7 @@
 #include "brindle/arrays.h"
 #include "brindle/recipe/refusals.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 
 namespace brindle::tool {
 namespace {
@@ -28,12 +28,8 @@ std::string parse_weight_value(const std::string& option, const std::string& tex
 }  // namespace
 
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
-  add_number_option(app, "--field-detail", choice.periods);
+  add_fields(app, choice);
   add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
-  add_number_option(app, "--fill", choice.fill);
-  app.add_flag("--field-arrows", choice.arrows);
-  app.add_option("--field-singularities", choice.singularities);
-  add_number_option(app, "--frequency-detail", choice.frequency_periods);
 }
 
 bool is_own_weight(const std::string& weight) {

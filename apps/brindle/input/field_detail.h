@@ -22,6 +22,16 @@ struct FieldDetailChoice {
   std::optional<int> singularities;  ///< at most so many; nothing: all stay
   float memory = 0;                  ///< of the step before, in a series
   float frequency_periods = 0;       ///< the same scale for frequencies; 0: as they are
+
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--field-detail", periods);
+    add("--fill", fill);
+    add("--field-arrows", arrows);
+    add("--field-singularities", singularities);
+    add("--frequency-detail", frequency_periods);
+  }
 };
 
 /// --field-detail, --field-weight, --fill, --field-arrows, --field-singularities and

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "brindle/recipe/wave_rows.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 
 namespace brindle::tool {
 namespace {
@@ -36,8 +37,7 @@ WantedWinding parse_winding(const std::string& option, const std::string& text) 
 }
 
 void add_making_options(CLI::App& app, MakingOptions& options) {
-  add_number_option(app, "--anchor-boundary", options.anchor_boundary);
-  add_number_option(app, "--merge-branches", options.merge_branches);
+  visit_making(options, AddField(app));
   app.add_option_function<std::vector<std::string>>(
          "--winding",
          [&options](const std::vector<std::string>& texts) {

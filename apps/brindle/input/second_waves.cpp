@@ -7,15 +7,8 @@
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "brindle/windings.h"
-#include "cli/option_values.h"
 
 namespace brindle::tool {
-
-void add_second_wave_options(CLI::App& app, SecondWaveOptions& options) {
-  app.add_option("--field-v", options.field);
-  add_number_option(app, "--stripes-v", options.stripes);
-  add_number_option(app, "--frequency-v", options.frequency);
-}
 
 FirstWaves first_waves(const Preparation& prepared) {
   return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row};

@@ -17,10 +17,15 @@ struct SecondWaveOptions {
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
   WantedWinding wales;             ///< stripes round a loop, instead of both; 0: none
-};
 
-/// --field-v, --stripes-v and --frequency-v.
-void add_second_wave_options(CLI::App& app, SecondWaveOptions& options);
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--field-v", field);
+    add("--stripes-v", stripes);
+    add("--frequency-v", frequency);
+  }
+};
 
 /// Whether V is more than U turned by 90 degrees.
 inline bool is_other(const SecondWaveOptions& options) {

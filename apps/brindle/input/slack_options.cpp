@@ -2,14 +2,8 @@
 
 #include "brindle/files.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
 
 namespace brindle::tool {
-
-void add_slack_options(CLI::App& app, SlackOptions& options) {
-  add_number_option(app, "--slack", options.slack);
-  app.add_option("--calm", options.calm);
-}
 
 void check_slack_options(const CLI::App& command, const SlackOptions& options) {
   refuse_usage(command, [&](const IsGiven& given) { check_calm(given, options.slack > 0); });

@@ -15,10 +15,14 @@ namespace brindle::tool {
 struct SlackOptions {
   float slack = 0;
   std::string calm;  ///< a file; empty: none
-};
 
-/// --slack and --calm.
-void add_slack_options(CLI::App& app, SlackOptions& options);
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--slack", slack);
+    add("--calm", calm);
+  }
+};
 
 /// Throws CLI::ValidationError for --calm without slack.
 void check_slack_options(const CLI::App& command, const SlackOptions& options);

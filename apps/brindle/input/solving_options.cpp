@@ -1,36 +1,14 @@
 #include "input/solving_options.h"
 
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "brindle/phases/parsed_words.h"
-#include "brindle/waves/parsed_words.h"
+#include "brindle/recipe/solving_rows.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 
 namespace brindle::tool {
-namespace {
-
-std::optional<EdgeWeights> parse_edge_weights(std::string_view name) {
-  if (name == "paper") return EdgeWeights::paper;
-  if (name == "cotangent") return EdgeWeights::cotangent;
-  return std::nullopt;
-}
-
-}  // namespace
-
 void add_solving_options(CLI::App& app, SolvingOptions& options) {
-  SolverOptions& solver = options.stripes.solver;
-  add_named_option(app, "--phase-shift", options.stripes.phase_shift, parse_phase_shift_kind);
-  add_named_option(app, "--weights", options.stripes.weights, parse_edge_weights);
-  add_number_option(app, "--epsilon", solver.epsilon);
-  add_number_option(app, "--momentum", solver.momentum);
-  app.add_option("--seed", solver.seed);
-  app.add_option("--sweeps", solver.sweeps);
-  app.add_option("--cycles", solver.cycles);
-  app.add_option("--global-iterations", solver.global_iterations);
-  add_slack_options(app, options.slack);
+  visit_solving(options.stripes, AddField(app));
+  add_fields(app, options.slack);
   app.add_option("--threads", options.threads);
 }
 

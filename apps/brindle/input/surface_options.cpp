@@ -14,6 +14,7 @@
 #include "brindle/mesh_data.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/shapes.h"
+#include "cli/option_fields.h"
 
 namespace brindle::tool {
 namespace {
@@ -64,8 +65,7 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
 }
 
 void add_point_options(CLI::App& app, SurfaceOptions& options) {
-  app.add_flag("--points", options.points);
-  app.add_option("--neighbors", options.neighbors);
+  options.visit_points(AddField(app));
 }
 
 void refuse_points(const SurfaceOptions& options, const std::string& command) {

@@ -22,6 +22,13 @@ struct SurfaceOptions {
   Vec3 moved = Vec3::Zero();          ///< the mesh, after it was read
   /// The mesh's file, as far as it was read to answer `is_points`.
   mutable std::shared_ptr<SurfaceFile> file = {};
+
+  /// Calls `add("--option", field)` for what commands have that take points.
+  template <class Add>
+  void visit_points(const Add& add) {
+    add("--points", points);
+    add("--neighbors", neighbors);
+  }
 };
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options);

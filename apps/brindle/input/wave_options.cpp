@@ -9,7 +9,7 @@
 #include "brindle/curvature.h"
 #include "brindle/frequency_field.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 
 namespace brindle::tool {
 namespace {
@@ -18,12 +18,6 @@ constexpr float kDefaultStripes = 40;
 constexpr float kDefaultCurvatureAnchor = 0.1f;  // of --field curvature
 
 const std::vector<std::string> kMadeFields = {"smooth", "curvature", "raw-curvature"};
-
-std::optional<CurvatureDirection> parse_curvature_direction(std::string_view name) {
-  if (name == "max") return CurvatureDirection::maximum;
-  if (name == "min") return CurvatureDirection::minimum;
-  return std::nullopt;
-}
 
 // What neither is a field nor looks like a file.
 void check_field_name(const WaveOptions& options) {
@@ -141,18 +135,9 @@ float constant_frequency(float diagonal, const WaveOptions& options) {
   return frequency_of_stripes(options.stripes.value_or(kDefaultStripes), diagonal);
 }
 
-CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options) {
-  return add_parsed_option(app, "--direction", options.direction, parse_direction);
-}
-
-CLI::Option* add_along_option(CLI::App& app, WaveOptions& options) {
-  return app.add_flag("--along", options.along);
-}
-
 namespace {
 
-void add_frequency_options(CLI::App& app, WaveOptions& options) {
-  add_number_option(app, "--stripes", options.stripes);
+void add_frequency_option(CLI::App& app, WaveOptions& options) {
   app.add_option_function<std::string>("--frequency", [&options](const std::string& text) {
     if (is_array(text)) {
       options.arrays.frequency = parse_array("--frequency", text);
@@ -165,29 +150,15 @@ void add_frequency_options(CLI::App& app, WaveOptions& options) {
 }  // namespace
 
 void add_wave_options(CLI::App& app, WaveOptions& options) {
-  add_direction_option(app, options);
-  app.add_option("--field", options.field);
-  add_named_option(app, "--curvature-direction", options.curvature_direction,
-                   parse_curvature_direction);
-  add_number_option(app, "--curvature-anchor", options.curvature_anchor);
-  add_number_option(app, "--feature-anchor", options.feature_anchor);
-  add_number_option(app, "--feature-angle", options.feature_angle_deg);
-  add_length_option(app, "--feature-radius", options.feature_radius);
-  app.add_option("--strokes", options.strokes);
-  add_number_option(app, "--rotate", options.rotate_deg);
-  add_along_option(app, options);
-  add_frequency_options(app, options);
+  add_parsed_option(app, "--direction", options.direction, parse_direction);
+  add_fields(app, options);
+  add_frequency_option(app, options);
   add_array_options(app, options.arrays);
   add_field_detail_options(app, options.detail);
 }
 
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {
   return app.add_flag("--cross", options.cross);
-}
-
-void add_crossing_frequency_options(CLI::App& app, WaveOptions& options) {
-  add_number_option(app, "--stripes-v", options.stripes_v);
-  add_number_option(app, "--frequency-v", options.frequency_v);
 }
 
 }  // namespace brindle::tool

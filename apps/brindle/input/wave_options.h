@@ -36,6 +36,28 @@ struct WaveOptions {
   float frequency_factor = 1;  ///< multiplies all frequencies, whoever says them
   ArrayOptions arrays;
   FieldDetailChoice detail;
+
+  /// Calls `add("--option", field)` for what all patterns of stripes have.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--field", field);
+    add("--curvature-direction", curvature_direction);
+    add("--curvature-anchor", curvature_anchor);
+    add("--feature-anchor", feature_anchor);
+    add("--feature-angle", feature_angle_deg);
+    add("--feature-radius", feature_radius);
+    add("--strokes", strokes);
+    add("--rotate", rotate_deg);
+    add("--along", along);
+    add("--stripes", stripes);
+  }
+
+  /// The same for crossing stripes.
+  template <class Add>
+  void visit_crossing(const Add& add) {
+    add("--stripes-v", stripes_v);
+    add("--frequency-v", frequency_v);
+  }
 };
 
 /// Whether the field is `smooth_direction_field`, drawn to curvature with this weight or not.
@@ -70,20 +92,11 @@ bool may_vary(const WaveOptions& options);
 /// What a message calls the field: "the field 'wind.csv'".
 std::string source_of(const WaveOptions& options);
 
-/// --direction alone.
-CLI::Option* add_direction_option(CLI::App& app, WaveOptions& options);
-
-/// --along alone.
-CLI::Option* add_along_option(CLI::App& app, WaveOptions& options);
-
 /// Whether arrays of the mesh's own file are asked for.
 bool needs_own_arrays(const WaveOptions& options);
 
 /// --cross.
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options);
-
-/// --stripes-v and --frequency-v, for textures.
-void add_crossing_frequency_options(CLI::App& app, WaveOptions& options);
 
 /// All options but those of crossing stripes.
 void add_wave_options(CLI::App& app, WaveOptions& options);

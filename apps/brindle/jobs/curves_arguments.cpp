@@ -1,69 +1,11 @@
 #include "jobs/curves_arguments.h"
 
-#include <string_view>
-
 #include "brindle/error.h"
 #include "cli/command_line.h"
+#include "cli/option_fields.h"
 #include "outputs/outputs.h"
 
 namespace brindle::tool {
-namespace {
-
-std::optional<TracedWaves> parse_traced(std::string_view name) {
-  if (name == "u") return TracedWaves::u;
-  if (name == "v") return TracedWaves::v;
-  if (name == "both") return TracedWaves::both;
-  return std::nullopt;
-}
-
-}  // namespace
-
-void add_lines_option(CLI::App& command, TracedWaves& traced) {
-  add_named_option(command, "--lines", traced, parse_traced);
-}
-
-void add_min_length_option(CLI::App& command, Length& min_length) {
-  add_length_option(command, "--min-length", min_length);
-}
-
-void add_end_options(CLI::App& command, bool& join, float& trim) {
-  command.add_flag("--join", join);
-  add_number_option(command, "--trim", trim);
-}
-
-void add_line_width_option(CLI::App& command, std::optional<Length>& line_width) {
-  add_length_option(command, "--line-width", line_width);
-}
-
-void add_offset_option(CLI::App& command, float& offset) {
-  add_number_option(command, "--offset", offset);
-}
-
-void add_line_shape_options(CLI::App& command, LineShape& shape) {
-  add_length_option(command, "--simplify", shape.simplify);
-  add_length_option(command, "--resample", shape.resample);
-}
-
-void add_tube_options(CLI::App& command, LineShape& shape) {
-  add_length_option(command, "--tube-radius", shape.tube_radius);
-  command.add_option("--tube-sides", shape.tube_sides);
-}
-
-namespace {
-
-void add_curve_options(CLI::App& command, CurvesArguments& arguments) {
-  add_lines_option(command, arguments.traced);
-  add_offset_option(command, arguments.offset);
-  add_end_options(command, arguments.join, arguments.trim);
-  add_number_option(command, "--fair", arguments.fair);
-  add_min_length_option(command, arguments.min_length);
-  add_line_shape_options(command, arguments);
-  add_line_width_option(command, arguments.line_width);
-  add_tube_options(command, arguments);
-}
-
-}  // namespace
-
 namespace {
 
 WantedWinding parse_wales(const std::string& option, const std::string& text) {
@@ -77,8 +19,8 @@ WantedWinding parse_wales(const std::string& option, const std::string& text) {
 void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
-  add_second_wave_options(command, arguments.second);
-  add_curve_options(command, arguments);
+  add_fields(command, arguments.second);
+  add_fields<TracingOptions>(command, arguments);
   add_making_options(command, arguments.making);
   add_parsed_option(command, "--wales", arguments.second.wales, parse_wales);
   add_solver_option(command, arguments.solving);

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/recipe/mark_rows.h"
 #include "cli/option_values.h"
 #include "input/making_options.h"
 #include "input/second_waves.h"
@@ -25,38 +26,50 @@ enum class TracedWaves { u, v, both };
 struct LineShape {
   std::optional<Length> simplify, resample, tube_radius;
   int tube_sides = 8;
+  Length min_length;                 ///< shorter lines are left out
+  std::optional<Length> line_width;  ///< of drawings
+
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--min-length", min_length);
+    add("--simplify", simplify);
+    add("--resample", resample);
+    add("--line-width", line_width);
+    add("--tube-radius", tube_radius);
+    add("--tube-sides", tube_sides);
+  }
 };
 
-struct CurvesArguments : LineShape {
+/// Which lines are traced, and how.
+struct TracingOptions : LineShape {
+  TracedWaves traced = TracedWaves::u;
+  float offset = 0;
+  CurveOptions curves;
+
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--lines", traced);
+    add("--offset", offset);
+    visit_curves(curves, add);
+    LineShape::visit(add);
+  }
+};
+
+struct CurvesArguments : TracingOptions {
   SurfaceOptions surface;
   WaveOptions waves;
   SecondWaveOptions second;
   SolvingOptions solving;
   MakingOptions making;
   std::shared_ptr<PictureOptions> picture;
-  TracedWaves traced = TracedWaves::u;
-  float offset = 0;
-  bool join = false;
-  float trim = 0, fair = 0;
-  Length min_length;
-  std::optional<Length> line_width;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
 };
 
 enum class CurveOutput { lines, tubes, drawing, picture, report };
-
-/// Those that lines of many processes have, too: --lines, --min-length, --offset; --line-width;
-/// --join and --trim; --simplify and --resample; --tube-radius and --tube-sides.
-void add_lines_option(CLI::App& command, TracedWaves& traced);
-void add_min_length_option(CLI::App& command, Length& min_length);
-void add_offset_option(CLI::App& command, float& offset);
-
-void add_line_width_option(CLI::App& command, std::optional<Length>& line_width);
-void add_end_options(CLI::App& command, bool& join, float& trim);
-void add_line_shape_options(CLI::App& command, LineShape& shape);
-void add_tube_options(CLI::App& command, LineShape& shape);
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
 

@@ -28,8 +28,7 @@ std::string fewer_stripes(const WaveOptions& waves, double share) {
 StripeCurves traced_curves(const StripeTracer& tracer, const StripePattern& pattern,
                            const CurvesArguments& arguments, const Progress& progress) {
   try {
-    const CurveOptions options{arguments.join, arguments.trim, arguments.fair};
-    return tracer.curves(pattern, options, progress);
+    return tracer.curves(pattern, arguments.curves, progress);
   } catch (const TooLarge& error) {
     throw Error(error.what() + fewer_stripes(arguments.waves, error.share()));
   }

@@ -7,21 +7,17 @@
 #include "brindle/files.h"
 #include "brindle/points.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "outputs/outputs.h"
 
 namespace brindle::tool {
-
-void add_min_distance_option(CLI::App& command, float& min_distance) {
-  add_number_option(command, "--min-distance", min_distance);
-}
 
 void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_point_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
-  add_second_wave_options(command, arguments.second);
-  add_min_distance_option(command, arguments.min_distance);
+  add_fields(command, arguments.second);
+  add_field(command, "--min-distance", arguments.min_distance);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);

@@ -35,9 +35,6 @@ enum class SampleOutput { samples, picture, report };
 /// What a path asks for. Throws CLI::ValidationError, naming what to do, for what it cannot hold.
 SampleOutput planned_sample(const std::string& path);
 
-/// --min-distance, which samples of many processes have, too.
-void add_min_distance_option(CLI::App& command, float& min_distance);
-
 void add_sample_options(CLI::App& command, SampleArguments& arguments);
 
 /// Throws CLI::ValidationError for options that have no effect on these files, or leave each other

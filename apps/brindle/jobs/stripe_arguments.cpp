@@ -6,7 +6,7 @@
 #include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "outputs/mesh_output.h"
 #include "pictures/drawing_file.h"
 
@@ -168,9 +168,8 @@ std::vector<Output> checked_outputs(const CLI::App& command, const StripeArgumen
 namespace {
 
 void add_previous_options(CLI::App& command, StripeArguments& arguments) {
-  StripeOptions& stripes = arguments.solving.stripes;
   command.add_option("--previous", arguments.previous);
-  add_number_option(command, "--lambda", stripes.lambda);
+  add_field(command, "--lambda", arguments.solving.stripes.lambda);
   add_match_option(command, arguments.match);
 }
 
@@ -183,7 +182,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_cross_option(command, arguments.waves);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
-  add_device_option(command, arguments.device);
+  add_field(command, "--device", arguments.device);
   add_previous_options(command, arguments);
   add_making_options(command, arguments.making);
   add_texture_options(command, arguments.texture, arguments.waves);
@@ -191,7 +190,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_picture_options(command);
   add_style_options(command, arguments.style);
-  add_number_option(command, "--min-area", arguments.style.min_area);
+  add_field(command, "--min-area", arguments.style.min_area);
 }
 
 }  // namespace brindle::tool

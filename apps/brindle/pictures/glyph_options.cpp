@@ -7,7 +7,7 @@
 #include "brindle/legend.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
@@ -38,7 +38,7 @@ ValueRange parse_size_range(const std::string& option, const std::string& text) 
 
 void add_glyph_options(CLI::App& app, GlyphOptions& options) {
   add_parsed_option(app, "--glyph", options.glyph, parse_glyph);
-  add_number_option(app, "--glyph-size", options.size);
+  add_field(app, "--glyph-size", options.size);
   add_parsed_option(app, "--size-by", options.size_by, parse_size_value);
   add_parsed_option(app, "--size-range", options.size_range, parse_size_range);
   add_color_options(app, options.style);

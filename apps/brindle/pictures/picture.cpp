@@ -8,31 +8,12 @@
 
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
 
 namespace {
-
-std::optional<View> parse_view(std::string_view name) {
-  if (name == "stripes") return View::stripes;
-  if (name == "branches") return View::branches;
-  if (name == "angle_error") return View::angle_error;
-  return std::nullopt;
-}
-
-std::optional<UpAxis> parse_up_axis(std::string_view name) {
-  if (name == "y") return UpAxis::y;
-  if (name == "z") return UpAxis::z;
-  return std::nullopt;
-}
-
-std::optional<PictureQuality> parse_quality(std::string_view name) {
-  if (name == "interactive") return PictureQuality::interactive;
-  if (name == "final") return PictureQuality::final;
-  return std::nullopt;
-}
 
 std::optional<int> whole_number(const std::string& text) {
   int value = 0;
@@ -90,20 +71,12 @@ CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOpt
 
 }  // namespace
 
-namespace {
-
-void add_quality_option(CLI::App& app, RenderOptions& render) {
-  add_named_option(app, "--quality", render.quality, parse_quality);
-}
-
-}  // namespace
-
 std::shared_ptr<PictureOptions> add_size_options(CLI::App& app) {
   auto options = std::make_shared<PictureOptions>();
   add_render_option(app, "--size", options->render, set_size)
       ->description("picture: pixels (default: the session's)")
       ->type_name("WIDTHxHEIGHT");
-  add_quality_option(app, options->render);
+  add_field(app, "--quality", options->render.quality);
   return options;
 }
 
@@ -111,18 +84,16 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   auto options = std::make_shared<PictureOptions>();
   RenderOptions& render = options->render;
   add_render_option(app, "--camera", render, set_camera);
-  add_named_option(app, "--up", options->up, parse_up_axis);
+  add_field(app, "--up", options->up);
   add_render_option(app, "--size", render, set_size);
-  add_quality_option(app, render);
+  add_field(app, "--quality", render.quality);
   add_render_option(app, "--colors", render, set_colors);
   return options;
 }
 
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
   auto options = add_camera_options(app);
-  RenderOptions& render = options->render;
-  add_named_option(app, "--view", options->view, parse_view);
-  add_number_option(app, "--stripe-width", render.stripe_width);
+  options->visit_stripes(AddField(app));
   return options;
 }
 

@@ -17,6 +17,13 @@ struct PictureOptions {
   View view = View::stripes;
   std::optional<UpAxis> up;  // the user's choice
   RenderOptions render;
+
+  /// Calls `add("--option", field)` for what only stripes have.
+  template <class Add>
+  void visit_stripes(const Add& add) {
+    add("--view", view);
+    add("--stripe-width", render.stripe_width);
+  }
 };
 
 /// Of the darkest colour of the view of angle errors.

@@ -7,7 +7,7 @@
 #include "brindle/image.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 #include "input/vertex_values.h"
 
 namespace brindle::tool {
@@ -70,27 +70,6 @@ WidthRange parse_width_range(const std::string& option, const std::string& text)
 std::optional<bool> parse_between(std::string_view name) {
   if (name == "surface") return false;
   if (name == "nothing") return true;
-  return std::nullopt;
-}
-
-std::optional<ColoredPart> parse_color_on(std::string_view name) {
-  if (name == "strokes") return ColoredPart::strokes;
-  if (name == "surface") return ColoredPart::surface;
-  if (name == "figures") return ColoredPart::figures;
-  return std::nullopt;
-}
-
-std::optional<DepthCue> parse_depth_cue(std::string_view name) {
-  if (name == "none") return DepthCue::none;
-  if (name == "chroma") return DepthCue::chroma;
-  if (name == "haze") return DepthCue::haze;
-  return std::nullopt;
-}
-
-std::optional<OutlineStyle> parse_outline(std::string_view name) {
-  if (name == "none") return OutlineStyle::none;
-  if (name == "solid") return OutlineStyle::solid;
-  if (name == "dashed") return OutlineStyle::dashed;
   return std::nullopt;
 }
 
@@ -179,9 +158,7 @@ void add_color_options(CLI::App& app, StyleOptions& options) {
   add_parsed_option(app, "--color-by", options.color_by, parse_value);
   add_parsed_option(app, "--color-range", options.color_range, parse_rising_range);
   add_named_option(app, "--colormap", options.map, parse_color_map);
-  add_number_option(app, "--threshold", options.threshold);
-  app.add_option("--legend", options.legend);
-  app.add_flag("--no-legend", options.no_legend);
+  options.visit_colors(AddField(app));
 }
 
 namespace {
@@ -190,16 +167,8 @@ void add_value_options(CLI::App& app, StyleOptions& options) {
   add_parsed_option(app, "--width-by", options.width_by, parse_width_value);
   add_parsed_option(app, "--width-range", options.width_range, parse_width_range);
   add_color_options(app, options);
-  add_named_option(app, "--color-on", options.color_on, parse_color_on);
   add_parsed_option(app, "--opacity-by", options.opacity_by, parse_value);
   add_parsed_option(app, "--opacity-range", options.opacity_range, parse_shares);
-}
-
-void add_stroke_options(CLI::App& app, StyleOptions& options) {
-  add_number_option(app, "--pixel-width", options.pixel_width);
-  add_number_option(app, "--stroke-spacing", options.spacing);
-  add_parsed_option(app, "--tones", options.tones, parse_tones);
-  add_number_option(app, "--cross-hatch", options.cross_hatch);
 }
 
 void add_region_options(CLI::App& app, StyleOptions& options) {
@@ -210,18 +179,13 @@ void add_region_options(CLI::App& app, StyleOptions& options) {
   add_parsed_option(app, "--texture-shift", options.texture_shift, parse_shift);
 }
 
-void add_line_options(CLI::App& app, StyleOptions& options) {
-  add_named_option(app, "--outline", options.outline, parse_outline);
-  add_number_option(app, "--creases", options.crease_deg);
-  add_named_option(app, "--hidden-lines", options.hidden_dashed, parse_hidden);
-  add_number_option(app, "--line-width", options.line_width);
-}
-
 }  // namespace
 
 void add_style_options(CLI::App& app, StyleOptions& options) {
+  add_fields(app, options);
   add_value_options(app, options);
-  add_stroke_options(app, options);
+  add_parsed_option(app, "--tones", options.tones, parse_tones);
+  add_named_option(app, "--hidden-lines", options.hidden_dashed, parse_hidden);
   // `animate` has frames between steps.
   const bool is_free = app.get_option_no_throw("--between") == nullptr;
   add_named_option(app, is_free ? "--between,--between-stripes" : "--between-stripes",
@@ -237,13 +201,7 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  add_line_options(app, options);
   add_region_options(app, options);
-  add_number_option(app, "--occlusion", options.occlusion);
-  app.add_flag("--ground-shadow", options.ground_shadow);
-  app.add_flag("--flat", options.flat);
-  app.add_flag("--transparent", options.transparent);
-  add_named_option(app, "--depth-cue", options.depth_cue, parse_depth_cue);
 }
 
 bool is_styled(const CLI::App& command) {

@@ -97,6 +97,30 @@ struct StyleOptions {
   bool has_lines() const { return outline != OutlineStyle::none || crease_deg.has_value(); }
   bool by_light() const { return width_by == "light"; }
 
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--color-on", color_on);
+    add("--pixel-width", pixel_width);
+    add("--stroke-spacing", spacing);
+    add("--cross-hatch", cross_hatch);
+    add("--outline", outline);
+    add("--creases", crease_deg);
+    add("--line-width", line_width);
+    add("--occlusion", occlusion);
+    add("--ground-shadow", ground_shadow);
+    add("--flat", flat);
+    add("--transparent", transparent);
+    add("--depth-cue", depth_cue);
+  }
+  /// The same for what has colours of values, glyphs as well.
+  template <class Add>
+  void visit_colors(const Add& add) {
+    add("--threshold", threshold);
+    add("--legend", legend);
+    add("--no-legend", no_legend);
+  }
+
   /// Whether a value is another one from another viewpoint.
   bool follows_camera() const;
   bool follows_field() const;  ///< whether values are others where the field is

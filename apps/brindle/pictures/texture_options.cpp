@@ -8,7 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
-#include "cli/option_values.h"
+#include "cli/option_fields.h"
 
 namespace brindle::tool {
 namespace {
@@ -35,10 +35,9 @@ bool are_whole(const WholeTiles& whole, const TextureTile& tile) {
 }  // namespace
 
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves) {
-  app.add_option("--texture", choice.tile);
-  app.add_flag("--oriented", choice.oriented);
+  add_fields(app, choice);
   add_named_option(app, "--tiles", choice.whole, parse_whole);
-  add_crossing_frequency_options(app, waves);
+  waves.visit_crossing(AddField(app));
 }
 
 Drawn drawn_by(const TextureChoice& choice, bool has_tiles) {

@@ -18,6 +18,13 @@ struct TextureChoice {
   std::string tile;           ///< a built-in tile or a PNG file; empty: no texture
   bool oriented = false;      ///< the field's signs are meant
   std::optional<bool> whole;  ///< --tiles whole or cut; nothing: as suits the tile
+
+  /// Calls `add("--option", field)` for the options that set a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--texture", tile);
+    add("--oriented", oriented);
+  }
 };
 
 /// --texture, --oriented, --tiles, --stripes-v and --frequency-v.

@@ -1,6 +1,7 @@
 /// Rows of the table: curves and samples.
 #pragma once
 
+#include "brindle/curves.h"
 #include "brindle/option_table.h"
 #include "brindle/recipe/row_words.h"
 
@@ -262,5 +263,13 @@ constexpr OptionInfo kMarkRows[] = {
      .help = "leave out samples nearer to another, in spacings (default 0.25)"},
 
 };
+
+/// Calls `visit("--option", field)` for what becomes of curves.
+template <class Visit>
+void visit_curves(CurveOptions& curves, const Visit& visit) {
+  visit("--join", curves.join);
+  visit("--trim", curves.trim);
+  visit("--fair", curves.fair);
+}
 
 }  // namespace brindle

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "brindle/base/ranges.h"
+#include "brindle/error.h"
 #include "brindle/recipe/job_rows.h"
 #include "brindle/recipe/mark_rows.h"
+#include "brindle/recipe/option_row.h"
 #include "brindle/recipe/solving_rows.h"
 #include "brindle/recipe/style_rows.h"
 #include "brindle/recipe/texture_rows.h"
@@ -26,6 +28,14 @@ constexpr auto joined(const OptionInfo (&... parts)[Sizes]) {
 constexpr auto kTable =
     joined(kWaveRows, kSolvingRows, kTextureRows, kStyleRows, kMarkRows, kJobRows);
 
+template <class Condition>
+const OptionInfo& first_row(const std::string& option, Condition is_meant) {
+  for (const OptionInfo& row : kTable) {
+    if (option.compare(2, option.npos, row.name) == 0 && is_meant(row)) return row;
+  }
+  throw Error(option + " is no option of this kind");
+}
+
 }  // namespace
 
 bool NumberRange::contains(double value) const {
@@ -39,6 +49,14 @@ const OptionInfo* find_option(std::string_view name, PatternJob job) {
   const auto row = ranges::find_if(
       kTable, [&](const OptionInfo& info) { return info.name == name && info.is_for(job); });
   return row == std::end(kTable) ? nullptr : &*row;
+}
+
+const OptionInfo& row_of(const std::string& option) {
+  return first_row(option, [](const OptionInfo&) { return true; });
+}
+
+const OptionInfo& row_of(const std::string& option, OptionKind kind) {
+  return first_row(option, [kind](const OptionInfo& row) { return row.kind == kind; });
 }
 
 }  // namespace brindle

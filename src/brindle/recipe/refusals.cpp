@@ -6,6 +6,7 @@
 
 #include "brindle/base/formatted.h"
 #include "brindle/base/ranges.h"
+#include "brindle/recipe/option_row.h"
 #include "brindle/samples.h"
 
 namespace brindle {
@@ -16,17 +17,6 @@ void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
     if (given(option)) throw RefusedOption(option, "has no effect here: " + std::string(why));
   }
 }
-
-namespace {
-
-/// The first row of "--name". Throws Error if there is none.
-const OptionInfo& row_of(const std::string& option) {
-  const auto row = ranges::find(option_table(), option.substr(2), &OptionInfo::name);
-  if (row == option_table().end()) throw Error(option + " is no option");
-  return *row;
-}
-
-}  // namespace
 
 std::string taken_by(const OptionInfo& info) {
   const NumberRange& range = info.range;

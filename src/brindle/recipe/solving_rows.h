@@ -1,8 +1,11 @@
-/// Rows of the table: how phases are solved for.
+/// Rows of the table: how phases are solved for; and the fields that they set.
 #pragma once
 
 #include "brindle/option_table.h"
+#include "brindle/phases/parsed_words.h"
 #include "brindle/recipe/row_words.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/waves/parsed_words.h"
 
 namespace brindle {
 
@@ -151,5 +154,19 @@ constexpr OptionInfo kSolvingRows[] = {
      .help = "0: all that the machine has (default)"},
 
 };
+
+/// Calls `visit("--option", field)` or `visit("--option", field, parse)` for all but --solver.
+template <class Visit>
+void visit_solving(StripeOptions& stripes, const Visit& visit) {
+  SolverOptions& solver = stripes.solver;
+  visit("--phase-shift", stripes.phase_shift, parse_phase_shift_kind);
+  visit("--weights", stripes.weights);
+  visit("--epsilon", solver.epsilon);
+  visit("--momentum", solver.momentum);
+  visit("--seed", solver.seed);
+  visit("--sweeps", solver.sweeps);
+  visit("--cycles", solver.cycles);
+  visit("--global-iterations", solver.global_iterations);
+}
 
 }  // namespace brindle

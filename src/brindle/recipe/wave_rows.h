@@ -3,6 +3,7 @@
 #pragma once
 
 #include "brindle/option_table.h"
+#include "brindle/pattern_of.h"
 #include "brindle/recipe/row_words.h"
 
 namespace brindle {
@@ -407,5 +408,12 @@ constexpr OptionInfo kWaveRows[] = {
              "'brindle curves', where there are several; repeatable"},
 
 };
+
+/// Calls `visit("--option", field)` for what makers ask for in numbers.
+template <class Visit>
+void visit_making(MakingOptions& making, const Visit& visit) {
+  visit("--anchor-boundary", making.anchor_boundary);
+  visit("--merge-branches", making.merge_branches);
+}
 
 }  // namespace brindle

@@ -1,0 +1,71 @@
+/// Options whose values are fields of a struct. What lists them, `visit`, calls
+/// `add("--option", field)` for each, or `add("--option", field, parse)` where a function of the
+/// library reads its words; all else follows from the field's type and the table of options.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/option_values.h"
+
+namespace brindle::tool {
+
+template <class Field>
+struct ValueOf {
+  using Type = Field;
+};
+template <class Field>
+struct ValueOf<std::optional<Field>> {
+  using Type = Field;
+};
+
+/// Adds an option for a field. Enumerations have the words of the option's row in their order.
+class AddField {
+ public:
+  explicit AddField(CLI::App& app) : app_(&app) {}
+
+  template <class Field>
+  void operator()(const std::string& option, Field& field) const {
+    using Value = typename ValueOf<Field>::Type;
+    if constexpr (std::is_same_v<Field, bool>) {
+      app_->add_flag(option, field);
+    } else if constexpr (std::is_enum_v<Value>) {
+      const auto parse = [&row = row_of(option, OptionKind::choice)](const std::string& name,
+                                                                     const std::string& text) {
+        return static_cast<Value>(parse_choice_of(row, name, text));
+      };
+      add_parsed_option(*app_, option, field, parse);
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      add_number_option(*app_, option, field);
+    } else if constexpr (std::is_same_v<Value, Length>) {
+      add_length_option(*app_, option, field);
+    } else {
+      app_->add_option(option, field);  // a whole number or text
+    }
+  }
+
+  template <class Field, class Parse>
+  void operator()(const std::string& option, Field& field, Parse parse) const {
+    add_named_option(*app_, option, field, parse);
+  }
+
+ private:
+  CLI::App* app_;
+};
+
+template <class Field>
+void add_field(CLI::App& app, const std::string& option, Field& field) {
+  const AddField add(app);
+  add(option, field);
+}
+
+/// Adds the options that a struct's member `visit` lists.
+template <class Options>
+void add_fields(CLI::App& app, Options& options) {
+  options.visit(AddField(app));
+}
+
+}  // namespace brindle::tool
