@@ -285,7 +285,7 @@ std::vector<Job> pattern_jobs() {
       "merge_branches", [] { rough_pattern(); },
       [](const Progress& p) {
         StripePattern merged = rough_pattern();
-        merge_branches(torus(), merged, 0.1, {}, p);
+        merge_branches(torus(), merged, {0.1}, {}, p);
       });
   add(
       "cross_pattern", [] { rough_field(); },

@@ -14,14 +14,20 @@ struct MergedBranches {
   double energy_before = 0, energy_after = 0;
 };
 
-/// Removes pairs of opposite branches with a way between them of ten periods at most: the way is
-/// taken a period longer on one side, and phases around are solved for by least squares. Of all
-/// pairs those go first that raise the energy least, as long as it stays within 1 + `share` times
-/// what it was; those that lower it go in any case. Works on what any solver has found; phases
-/// farther than four periods from such a way, and fixed ones, stay as they are. Throws Error for a
-/// share that is negative or not finite, for points without triangles and for a pattern of another
-/// surface; Cancelled if `progress` asks for it. The pattern then is as it was.
-MergedBranches merge_branches(const Surface& surface, StripePattern& pattern, double share,
-                              const StripeOptions& options = {}, const Progress& progress = {});
+struct MergingOptions {
+  double share = 0;      ///< by how much the energy may rise, as a share of it: 0 or above
+  double distance = 10;  ///< from a branch to its opposite, in periods: above 0, 1000 at most
+};
+
+/// Removes pairs of opposite branches with a way between them of `distance` periods at most: the
+/// way is taken a period longer on one side, and phases around are solved for by least squares. Of
+/// all pairs those go first that raise the energy least, as long as it stays within 1 + `share`
+/// times what it was; those that lower it go in any case. Works on what any solver has found;
+/// phases farther than 0.4 `distance` from such a way, and fixed ones, stay as they are. Throws
+/// Error for options that are not in range, for points without triangles and for a pattern of
+/// another surface; Cancelled if `progress` asks for it. The pattern then is as it was.
+MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
+                              const MergingOptions& merging, const StripeOptions& options = {},
+                              const Progress& progress = {});
 
 }  // namespace brindle

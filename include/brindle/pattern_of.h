@@ -35,6 +35,7 @@ struct MakingOptions {
   std::optional<float> anchor_boundary;  ///< periods from the rim to the first stripe
   std::vector<WantedWinding> windings;
   std::optional<float> merge_branches;  ///< how much the energy may rise, as a share of it
+  std::optional<float> merge_distance;  ///< periods from a branch to its opposite; nothing: 10
   bool measure_windings = false;        ///< also where none are asked for
 
   /// Whether they make another pattern of the waves.

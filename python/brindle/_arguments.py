@@ -91,7 +91,8 @@ def check_scalar(name: str, value: Any) -> None:
         in_range(name, value, value)
 
 
-_NUMBERS = ("epsilon", "momentum", "anchor_boundary", "merge_branches", "lambda_")
+_NUMBERS = ("epsilon", "momentum", "anchor_boundary", "merge_branches", "merge_distance",
+            "lambda_")
 _WHOLE_NUMBERS = ("seed", "sweeps", "cycles", "global_iterations")
 
 

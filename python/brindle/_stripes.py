@@ -322,8 +322,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             global_iterations: Optional[int] = None, slack: Any = None,
             calm: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
             winding: Any = None, merge_branches: Optional[float] = None,
-            previous: Optional[Stripes] = None, lambda_: Optional[float] = None,
-            match: Optional[str] = None, field_detail: Optional[float] = None,
+            merge_distance: Optional[float] = None, previous: Optional[Stripes] = None,
+            lambda_: Optional[float] = None, match: Optional[str] = None,
+            field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None, frequency_detail: Optional[float] = None,
             threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
@@ -355,6 +356,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
 
     ``merge_branches``: removes pairs of opposite branches, those first that raise the energy least,
     as long as it stays within 1 + so much times what it was; 0: those alone that lower it.
+    ``merge_distance``: how far the two of a pair may be from each other, in periods (10).
 
     ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
     are matched by "number" or "position" (``match``; by number if the triangles are the same). The

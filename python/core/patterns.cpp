@@ -382,6 +382,9 @@ void bind_solving(py::module_& module) {
       .def_property(
           "merge_branches", [](const Solving& s) { return s.making.merge_branches; },
           [](Solving& s, std::optional<float> share) { s.making.merge_branches = share; })
+      .def_property(
+          "merge_distance", [](const Solving& s) { return s.making.merge_distance; },
+          [](Solving& s, std::optional<float> periods) { s.making.merge_distance = periods; })
       .def(
           "set_slack",
           [](Solving& s, py::handle slack, py::handle calm) {

@@ -48,6 +48,7 @@ OF_STRIPES = {
     "anchor_boundary": lambda c: number(c, 0, 1),
     "winding": lambda c: c.randint(-3, 3),
     "merge_branches": lambda c: number(c, 0, 0.3),
+    "merge_distance": lambda c: number(c, 1, 30),
 }
 OF_TEXTURES = {
     "oriented": lambda c: True,
@@ -71,7 +72,7 @@ FIELDS = {
 # Values that no request can have, one at a time: what is refused first is another question.
 WRONG = [("stripes", -1.0), ("stripes", 0.0), ("frequency", 0.0), ("frequency", -2.0), ("slack", -0.5),
          ("solver", "other"), ("phase_shift", "none"), ("weights", "equal"), ("sweeps", 99999),
-         ("cycles", 99999), ("merge_branches", -1.0), ("field_detail", -1.0), ("fill", -0.5),
+         ("cycles", 99999), ("merge_branches", -1.0), ("merge_distance", 0.0), ("field_detail", -1.0), ("fill", -0.5),
          ("field_singularities", -1)]
 
 

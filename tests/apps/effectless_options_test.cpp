@@ -83,6 +83,7 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"stripe", "--merge-branches", "0", "--points"},
       {"stripe", "--winding", "1", "--points"},
       {"stripe", "--merge-branches", "0", "--cross"},
+      {"stripe", "--merge-distance", "20"},
       {"curves", "--tube-radius", "1%"},
       {"curves", "--tube-sides", "5", "--output", "a.obj"},
       {"animate", "--lambda", "0.1", "--solver", "relaxation"},

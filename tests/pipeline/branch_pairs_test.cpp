@@ -1,6 +1,8 @@
 #include "brindle/branch_pairs.h"
 
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -34,7 +36,7 @@ TEST(BranchPairs, AreFewerAtNoMoreEnergy) {
   StripePattern pattern = knot.pattern();
   const std::size_t before = pattern.quality.branches;
   const double energy_before = pattern.solution.energy;
-  const MergedBranches merged = merge_branches(knot.surface, pattern, 0);
+  const MergedBranches merged = merge_branches(knot.surface, pattern, {0});
   EXPECT_GT(merged.pairs, 2u);
   EXPECT_EQ(merged.branches_before, before);
   EXPECT_LE(merged.branches_after + 2 * merged.pairs, before);
@@ -50,11 +52,50 @@ TEST(BranchPairs, GoAsLongAsTheEnergyAllows) {
   std::size_t last = knot.pattern().quality.branches;
   for (const double share : {0.0, 0.1, 0.5}) {
     StripePattern pattern = knot.pattern();
-    const MergedBranches merged = merge_branches(knot.surface, pattern, share);
+    const MergedBranches merged = merge_branches(knot.surface, pattern, {share});
     EXPECT_LE(merged.branches_after, last);
     EXPECT_LE(merged.energy_after, (1 + share + 1e-6) * merged.energy_before);
     last = merged.branches_after;
   }
+}
+
+TEST(BranchPairs, AreLookedForAsFarAwayAsIsAsked) {
+  // Straight waves, but for one that begins at A and ends at B, 20 periods farther.
+  const Surface plane = make_surface(make_shape("plane,width=4,height=1,resolution=160"));
+  const std::complex<float> a(-0.99f, 0.006f), b(1.01f, 0.006f);
+  StripeOptions options;
+  options.solve = [&](const PhaseGraph& graph, const SolverOptions&, const Progress&,
+                      const SolverData&) {
+    PhaseSolution solution;
+    for (const Vec3& at : plane.mesh.positions) {
+      const std::complex<float> place(at.x(), at.y());
+      const auto z = std::polar(1.0f, 20 * std::numbers::pi_v<float> * at.x()) * (place - a) *
+                     std::conj(place - b);
+      solution.z.push_back(z / std::abs(z));
+    }
+    solution.energy = energy(graph, solution.z);
+    return solution;
+  };
+  const StripePattern pattern =
+      stripe_pattern(plane, DirectionField(plane.mesh.vertex_count(), Vec3::UnitX()), 10, options);
+  ASSERT_EQ(pattern.quality.branches, 2u);
+  StripePattern nearer = pattern, farther = pattern;
+  EXPECT_EQ(merge_branches(plane, nearer, {1, 19}).pairs, 0u);
+  EXPECT_EQ(nearer.solution.z, pattern.solution.z);
+  EXPECT_EQ(merge_branches(plane, farther, {0, 25}).pairs, 1u);
+  EXPECT_EQ(farther.quality.branches, 0u);
+  EXPECT_LT(farther.solution.energy, 0.1 * pattern.solution.energy);
+}
+
+TEST(BranchPairs, CostLessWhereMoreIsSolvedForAround) {
+  const Knot knot;
+  StripePattern pattern = knot.pattern(), as_always = pattern, said = pattern, wide = pattern;
+  merge_branches(knot.surface, as_always, {0.2});
+  merge_branches(knot.surface, said, {0.2, 10});
+  EXPECT_EQ(as_always.solution.z, said.solution.z);
+  merge_branches(knot.surface, wide, {0.2, 25});
+  EXPECT_LT(wide.quality.branches, pattern.quality.branches);
+  EXPECT_LT(wide.solution.energy, said.solution.energy);
 }
 
 TEST(BranchPairs, OfAnySolverAreTaken) {
@@ -63,7 +104,7 @@ TEST(BranchPairs, OfAnySolverAreTaken) {
     if (!is_available(solver)) continue;
     knot.options.solver.solver = solver;
     StripePattern pattern = knot.pattern();
-    const MergedBranches merged = merge_branches(knot.surface, pattern, 0.1, knot.options);
+    const MergedBranches merged = merge_branches(knot.surface, pattern, {0.1}, knot.options);
     EXPECT_LE(merged.branches_after, merged.branches_before) << name_of(solver);
     EXPECT_LE(merged.energy_after, 1.1001 * merged.energy_before) << name_of(solver);
     EXPECT_NEAR(merged.energy_after, energy_again(knot.surface, pattern), 1e-9);
@@ -79,8 +120,8 @@ TEST(BranchPairs, HardlyDependOnHowDirectionsAreSigned) {
   }
   other.corners =
       corner_phases(knot.surface.mesh.triangles, other.waves, other.solution.z, other.phase_shift);
-  const MergedBranches a = merge_branches(knot.surface, pattern, 0.1);
-  const MergedBranches b = merge_branches(knot.surface, other, 0.1);
+  const MergedBranches a = merge_branches(knot.surface, pattern, {0.1});
+  const MergedBranches b = merge_branches(knot.surface, other, {0.1});
   EXPECT_NEAR(static_cast<double>(a.pairs), static_cast<double>(b.pairs), 1);
 }
 
@@ -88,9 +129,9 @@ TEST(BranchPairs, AreTheSameForEveryNumberOfThreads) {
   const Knot knot;
   StripePattern alone = knot.pattern(), together = alone;
   const ThreadLimit one(1);
-  merge_branches(knot.surface, alone, 0.1);
+  merge_branches(knot.surface, alone, {0.1});
   const ThreadLimit two(2);
-  merge_branches(knot.surface, together, 0.1);
+  merge_branches(knot.surface, together, {0.1});
   EXPECT_EQ(alone.solution.z, together.solution.z);
 }
 
@@ -99,14 +140,14 @@ TEST(BranchPairs, LeaveFixedPhasesAndPatternsWithoutBranchesAsTheyAre) {
   StripePattern pattern = knot.pattern();
   knot.options.fixed_phases = pattern.solution.z;
   const auto before = pattern.solution.z;
-  EXPECT_EQ(merge_branches(knot.surface, pattern, 1, knot.options).pairs, 0u);
+  EXPECT_EQ(merge_branches(knot.surface, pattern, {1}, knot.options).pairs, 0u);
   EXPECT_EQ(pattern.solution.z, before);
 
   const Surface plane = make_surface(make_shape("plane,resolution=20"));
   StripePattern straight =
       stripe_pattern(plane, projected_direction_field(Vec3::UnitX(), plane.normals), 4);
   const auto z = straight.solution.z;
-  EXPECT_EQ(merge_branches(plane, straight, 1).pairs, 0u);
+  EXPECT_EQ(merge_branches(plane, straight, {1}).pairs, 0u);
   EXPECT_EQ(straight.solution.z, z);
 }
 
@@ -114,13 +155,16 @@ TEST(BranchPairs, RefuseWhatCannotBe) {
   const Knot knot;
   StripePattern pattern = knot.pattern();
   for (const double bad : {-0.1, std::nan(""), HUGE_VAL}) {
-    EXPECT_THROW(merge_branches(knot.surface, pattern, bad), Error);
+    EXPECT_THROW(merge_branches(knot.surface, pattern, {bad}), Error);
   }
   const Surface other = make_surface(make_shape("torus,resolution=16"));
-  EXPECT_THROW(merge_branches(other, pattern, 0), Error);
+  for (const double bad : {0.0, -1.0, 1001.0, std::nan("")}) {
+    EXPECT_THROW(merge_branches(knot.surface, pattern, {0, bad}), Error);
+  }
+  EXPECT_THROW(merge_branches(other, pattern, {0}), Error);
   const auto before = pattern.solution.z;
   const Progress cancelling([](std::string_view, double) { return false; });
-  EXPECT_THROW(merge_branches(knot.surface, pattern, 0, {}, cancelling), Cancelled);
+  EXPECT_THROW(merge_branches(knot.surface, pattern, {0}, {}, cancelling), Cancelled);
   EXPECT_EQ(pattern.solution.z, before);
 }
 

@@ -198,7 +198,7 @@ std::vector<std::pair<std::string, Job>> jobs() {
         stripe_pattern(small, projected_direction_field({1, 0.3f, 0.2f}, small.normals), 8);
     StripePattern merged = before;
     try {
-      merge_branches(small, merged, 0.1, {}, progress);
+      merge_branches(small, merged, {0.1}, {}, progress);
     } catch (const Cancelled&) {
       EXPECT_EQ(merged.solution.z, before.solution.z);
       throw;

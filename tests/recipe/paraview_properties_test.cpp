@@ -116,6 +116,7 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"stripe-width", "of the representation"},
     {"calm", "not yet asked for"},
     {"merge-branches", "takes long"},
+    {"merge-distance", "takes long"},
     {"anchor-boundary", "not yet asked for"},
     {"winding", "loops have no names in ParaView"},
     {"lines", "a filter more traces the others"},

@@ -107,6 +107,7 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
 MakingOptions making_of_v(const CurvesArguments& arguments) {
   MakingOptions making;
   making.merge_branches = arguments.making.merge_branches;
+  making.merge_distance = arguments.making.merge_distance;
   if (arguments.second.wales.periods > 0) making.windings = {arguments.second.wales};
   return making;
 }

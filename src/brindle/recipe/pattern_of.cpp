@@ -53,8 +53,9 @@ StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions 
   StripePattern pattern =
       wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
   if (options.merge_branches) {
-    figures.merged = merge_branches(surface, pattern, static_cast<double>(*options.merge_branches),
-                                    stripes, progress);
+    MergingOptions merging{static_cast<double>(*options.merge_branches)};
+    if (options.merge_distance) merging.distance = static_cast<double>(*options.merge_distance);
+    figures.merged = merge_branches(surface, pattern, merging, stripes, progress);
   }
   return pattern;
 }

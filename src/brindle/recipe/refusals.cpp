@@ -88,6 +88,10 @@ void check_following(const IsGiven& given, bool follows, Solver solver) {
 }
 
 void check_making(const MakingOptions& options, Solver solver) {
+  if (options.merge_distance && !options.merge_branches) {
+    throw RefusedOption("--merge-distance",
+                        "has no effect here: no branches are merged; add --merge-branches");
+  }
   if (!options.anchor_boundary) return;
   if (solver != Solver::multilevel) {
     throw RefusedOption("--anchor-boundary", "has no effect here: it is for --solver multilevel");

@@ -383,6 +383,19 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kStripe | kCurves,
      .help = "remove pairs of opposite branches, as long as the energy rises by this share of "
              "itself at most (0.1: a tenth)"},
+    {.name = "merge-distance",
+     .words = "merge within",
+     .group = "Making",
+     .kind = OptionKind::number,
+     .form = "P",
+     .unit = "periods",
+     .standard = "10",
+     .range = {.least = 0, .most = 1000, .above_least = true},
+     .slider = {1, 100, true},
+     .stale = OptionStage::phases,
+     .jobs = kStripe | kCurves,
+     .help = "--merge-branches: how far the two branches of a pair may be from each other (default "
+             "10)"},
     {.name = "anchor-boundary",
      .words = "start at boundaries",
      .group = "Making",
@@ -414,6 +427,7 @@ template <class Visit>
 void visit_making(MakingOptions& making, const Visit& visit) {
   visit("--anchor-boundary", making.anchor_boundary);
   visit("--merge-branches", making.merge_branches);
+  visit("--merge-distance", making.merge_distance);
 }
 
 }  // namespace brindle

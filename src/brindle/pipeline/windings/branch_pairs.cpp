@@ -28,8 +28,11 @@
 namespace brindle {
 namespace {
 
-constexpr double kReach = 10;  // periods from a branch to its partner
-constexpr double kAround = 4;  // periods around the way between them that are solved for
+/// What is solved for around the way of a pair, as a share of the longest way; and how many periods
+/// of it are tried where other branches are in the way of more.
+constexpr double kAround = 0.4;
+constexpr double kNear = 4;
+constexpr double kMostDistance = 1000;  // periods
 constexpr int kPolishSweeps = 4;
 constexpr int kMostMergeRounds = 12;
 /// What is looked at between two reports: where periods are many edges long, a pair has as many
@@ -86,9 +89,10 @@ struct BranchPair {
 
 class PairMerger {
  public:
-  PairMerger(const Surface& surface, const StripePattern& pattern, const StripeOptions& options,
-             const Progress& progress)
-      : mesh_(surface.mesh),
+  PairMerger(const Surface& surface, const StripePattern& pattern, double distance,
+             const StripeOptions& options, const Progress& progress)
+      : distance_(distance),
+        mesh_(surface.mesh),
         adjacency_(*surface.neighborhood),
         waves_(pattern.waves),
         kind_(pattern.phase_shift),
@@ -247,7 +251,7 @@ class PairMerger {
     steps_.clear();
     std::vector<Index> touched;
     std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
-    const double reach = kReach * period_at(start);
+    const double reach = distance_ * period_at(start);
     const auto push = [&](Index from, int out, int turns, double length, int before) {
       const Index e = edges_.of_triangle[from][out];
       const auto& sides = triangles_of_[e];
@@ -308,9 +312,10 @@ class PairMerger {
     return !waves_.directions[v].isZero(0) && (fixed_.empty() || fixed_[v] == Complex(0));
   }
 
-  /// Free vertices within a few periods of the way, nearest first.
-  std::vector<Index> vertices_around(const BranchPair& pair, const Progress& progress) const {
-    const double reach = kAround * period_at(pair.triangles[0]);
+  /// Free vertices within so many periods of the way, nearest first.
+  std::vector<Index> vertices_around(const BranchPair& pair, double periods,
+                                     const Progress& progress) const {
+    const double reach = periods * period_at(pair.triangles[0]);
     std::vector<Index> found;
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -360,11 +365,19 @@ class PairMerger {
     return static_cast<Index>(at - edges_.vertices.begin());
   }
 
-  /// The phases that are best with so many turns across the way, if both branches go and no other
-  /// comes.
   std::optional<Trial> try_pair(const BranchPair& pair, const Progress& progress) {
+    const double around = kAround * distance_;
+    if (around <= kNear) return try_within(pair, around, progress);
+    std::optional<Trial> trial = try_within(pair, around, progress.part(0, 0.8));
+    return trial ? std::move(trial) : try_within(pair, kNear, progress.part(0.8, 1));
+  }
+
+  /// The phases that are best with so many turns across the way, so many periods around it, if both
+  /// branches go and no other comes.
+  std::optional<Trial> try_within(const BranchPair& pair, double periods,
+                                  const Progress& progress) {
     Trial trial;
-    trial.vertices = vertices_around(pair, progress);
+    trial.vertices = vertices_around(pair, periods, progress);
     if (!is_changed(trial.vertices)) return std::nullopt;  // the same as before
     for (std::size_t i = 0; i < trial.vertices.size(); ++i) {
       number_[trial.vertices[i]] = static_cast<Index>(i);
@@ -518,6 +531,7 @@ class PairMerger {
     return true;
   }
 
+  double distance_;  ///< in periods
   const Mesh& mesh_;
   const Adjacency& adjacency_;
   const WaveSet& waves_;
@@ -551,10 +565,14 @@ double energy_of(const Surface& surface, const StripePattern& pattern, EdgeWeigh
 
 }  // namespace
 
-MergedBranches merge_branches(const Surface& surface, StripePattern& pattern, double share,
-                              const StripeOptions& options, const Progress& progress) {
-  if (!(share >= 0) || !std::isfinite(share)) {
+MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
+                              const MergingOptions& merging, const StripeOptions& options,
+                              const Progress& progress) {
+  if (!(merging.share >= 0) || !std::isfinite(merging.share)) {
     throw Error("merging branches: the share must be a finite number of 0 or above");
+  }
+  if (!(merging.distance > 0) || !(merging.distance <= kMostDistance)) {
+    throw Error("merging branches: the distance must be above 0 and 1000 periods at most");
   }
   if (surface.mesh.triangles.empty()) throw Error("merging branches needs triangles");
   if (pattern.solution.z.size() != surface.mesh.vertex_count() ||
@@ -565,8 +583,8 @@ MergedBranches merge_branches(const Surface& surface, StripePattern& pattern, do
   merged.branches_before = pattern.quality.branches;
   merged.energy_before = pattern.solution.energy;
   JobStages stages(progress, {{"branches", 1}, {"merging branches", 5}, {"pattern", 1}});
-  PairMerger merger(surface, pattern, options, stages.begin("branches"));
-  merged.pairs = merger.merge(share, stages.begin("merging branches"));
+  PairMerger merger(surface, pattern, merging.distance, options, stages.begin("branches"));
+  merged.pairs = merger.merge(merging.share, stages.begin("merging branches"));
   const Progress measuring = stages.begin("pattern");
   if (merged.pairs > 0) {
     StripePattern result = pattern;
