@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
+#include "brindle/texture_waves.h"
 #include "brindle/threads.h"
 #include "progress_reports.h"
 #include "render/test_drawings.h"
@@ -181,16 +184,13 @@ TEST(StripeOutlines, EndWhereSomethingIsInFront) {
   EXPECT_NEAR(area_of(clipped[2]) / area_of(all[1]), 0.75, 2e-3);
 }
 
-/// The share of pixels of the surface that paths and the renderer show in another colour.
-double differing_share(const StripedSurface& s, const CameraView& view,
-                       const std::function<void(Strokes&)>& change) {
+/// The share of pixels of the surface that paths and the renderer show in another colour. Marks are
+/// white.
+double differing_share(StyledSurface surface, const CameraView& view) {
   Studio& studio = Studio::shared();
   static StyledRenderer renderer;
-  StyledSurface surface = styled(s);
   surface.shading = false;
   surface.color = {0, 0, 0};
-  surface.strokes[0].color = {1, 1, 1};
-  change(surface.strokes[0]);
   StyledOptions options;
   options.render = plain_options(kWidth, kHeight);
   options.render.camera = view;
@@ -198,7 +198,11 @@ double differing_share(const StripedSurface& s, const CameraView& view,
   const Image image = renderer.draw(options);
   studio.context.check_errors("drawing the test picture");
   const std::vector<Pen> pens = outlines_of({surface}, view);
-  const std::vector<int> covered = covered_samples(pens[1]);
+  std::vector<int> covered = covered_samples(pens[1]);
+  for (std::size_t pen = 2; pen < pens.size(); ++pen) {
+    const std::vector<int> more = covered_samples(pens[pen]);
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] += more[i];
+  }
   int differing = 0, stripes = 0;
   for (std::size_t i = 0; i < covered.size(); ++i) {
     const double share = covered[i] / static_cast<double>(kSide * kSide);
@@ -207,8 +211,110 @@ double differing_share(const StripedSurface& s, const CameraView& view,
     stripes += share > 0.5;
     differing += std::abs(share - light * pixel.alpha / 255) > 0.5;
   }
-  EXPECT_GT(stripes, kWidth * kHeight / 20);
+  EXPECT_GT(stripes, kWidth * kHeight / 40);
   return static_cast<double>(differing) / (kWidth * kHeight);
+}
+
+double differing_share(const StripedSurface& s, const CameraView& view,
+                       const std::function<void(Strokes&)>& change) {
+  StyledSurface surface = styled(s);
+  surface.strokes[0].color = {1, 1, 1};
+  change(surface.strokes[0]);
+  return differing_share(surface, view);
+}
+
+/// Tiles along two waves on one mesh, white.
+struct TiledSurface {
+  Mesh mesh;
+  TextureWaves waves;
+
+  TiledSurface(const StripedSurface& u, const StripedSurface& v)
+      : mesh(u.mesh), waves(texture_waves(mesh.triangles, u.waves, u.z, v.waves, v.z)) {
+    orient_corners(waves);
+  }
+
+  StyledSurface styled(std::vector<RegionTile> tiles) const {
+    for (RegionTile& tile : tiles) tile.color = {1, 1, 1};
+    StyledSurface surface{.mesh = mesh};
+    surface.texture = RegionTexture{.waves = &waves, .tiles = std::move(tiles)};
+    return surface;
+  }
+};
+
+TEST(StripeOutlines, OfTilesHaveTheirShareOfAPlate) {
+  const Mesh plate = square(3);
+  const TiledSurface tiled(plane_wave(plate, Vec3::UnitX(), 6),
+                           plane_wave(plate, Vec3::UnitY(), 6));
+  const auto share = [&](BuiltInTile tile) {
+    const std::vector<Pen> pens = outlines_of({tiled.styled({{.tile = tile}})});
+    EXPECT_EQ(pens.size(), 2u);
+    EXPECT_EQ(pens[1].name, "tiles");
+    EXPECT_EQ(pens[1].color.red, 1);
+    return area_of(pens[1]) / area_of(pens[0]);
+  };
+  EXPECT_NEAR(share(BuiltInTile::dots), std::numbers::pi * 0.29 * 0.29, 2e-3);
+  EXPECT_NEAR(share(BuiltInTile::minus), 4 * 0.25 * 0.07, 2e-3);
+  EXPECT_NEAR(share(BuiltInTile::checker), 0.5, 5e-3);
+}
+
+TEST(StripeOutlines, OfTilesOfRegionsHaveAPenEach) {
+  const Mesh plate = square(8);
+  const TiledSurface tiled(plane_wave(plate, Vec3::UnitX(), 8),
+                           plane_wave(plate, Vec3::UnitY(), 8));
+  std::vector<float> values;
+  for (const Vec3& p : plate.positions) values.push_back(p.x());
+  StyledSurface surface =
+      tiled.styled({{.tile = BuiltInTile::dots}, {.tile = BuiltInTile::minus, .from = 0.5f}});
+  surface.texture->values = values;
+  const std::vector<Pen> pens = outlines_of({surface});
+  ASSERT_EQ(pens.size(), 3u);
+  EXPECT_EQ(pens[2].name, "tiles2");
+  EXPECT_NEAR(area_of(pens[1]) / area_of(pens[0]), 0.5 * std::numbers::pi * 0.29 * 0.29, 0.02);
+  EXPECT_NEAR(area_of(pens[2]) / area_of(pens[0]), 0.5 * 4 * 0.25 * 0.07, 0.006);
+}
+
+TEST(StripeOutlines, OfTilesAreThoseOfPictures) {
+  const CameraView view{.azimuth_deg = 30, .elevation_deg = 35};
+  const TiledSurface plain(plane_wave(saddle(12), Vec3(0.6f, 0.8f, 0), 9),
+                           plane_wave(saddle(12), Vec3(-0.8f, 0.6f, 0), 9));
+  // Branches and singularities all over.
+  const TiledSurface torn(random_waves(saddle(5), 6), random_waves(saddle(5), 7));
+  for (const BuiltInTile tile : {BuiltInTile::stripes, BuiltInTile::checker, BuiltInTile::dots,
+                                 BuiltInTile::arrows, BuiltInTile::bricks, BuiltInTile::hatch,
+                                 BuiltInTile::plus, BuiltInTile::minus, BuiltInTile::plus_minus}) {
+    EXPECT_LT(differing_share(plain.styled({{.tile = tile}}), view), 0.004);
+    EXPECT_LT(differing_share(torn.styled({{.tile = tile}}), view), 0.02);
+  }
+  std::vector<float> rising;
+  for (const Vec3& p : plain.mesh.positions) rising.push_back(0.2f + 0.8f * p.x());
+  StyledSurface regions =
+      plain.styled({{.tile = BuiltInTile::dots}, {.tile = BuiltInTile::arrows, .from = 0.6f}});
+  regions.texture->values = rising;
+  regions.texture->shift = {0.3f, 0.1f};
+  EXPECT_LT(differing_share(regions, view), 0.004);
+  StyledSurface decals = plain.styled({{.tile = BuiltInTile::checker}});
+  decals.texture->sizes = rising;
+  EXPECT_LT(differing_share(decals, view), 0.004);
+}
+
+TEST(StripeOutlines, LeaveOutBrokenTilesAsPicturesDo) {
+  const CameraView view{.azimuth_deg = 30, .elevation_deg = 35};
+  // A branch of U in the middle.
+  StripedSurface u = plane_wave(saddle(16), Vec3::UnitX(), 8);
+  for (std::size_t i = 0; i < u.z.size(); ++i) {
+    const Vec3& p = u.mesh.positions[i];
+    const Complex away(p.x() - 0.51f, p.y() - 0.47f);
+    u.z[i] *= away / std::abs(away);
+  }
+  const TiledSurface tiled(u, plane_wave(saddle(16), Vec3::UnitY(), 8));
+  const BrokenTileFinder finder(tiled.mesh.triangles);
+  for (const BuiltInTile tile : {BuiltInTile::dots, BuiltInTile::bricks, BuiltInTile::arrows}) {
+    const BrokenTiles broken = finder.find(tiled.waves, tile_figures(tile));
+    const StyledSurface cut = tiled.styled({{.tile = tile}});
+    const StyledSurface whole = tiled.styled({{.tile = tile, .broken = &broken}});
+    EXPECT_LT(area_of(outlines_of({whole}, view)[1]), area_of(outlines_of({cut}, view)[1]));
+    EXPECT_LT(differing_share(whole, view), 0.004);
+  }
 }
 
 TEST(StripeOutlines, AreThoseOfPictures) {
@@ -271,6 +377,14 @@ TEST(StripeOutlines, RefuseWhatDoesNotFit) {
   EXPECT_THROW(draw(surfaces, 9000), Error);
   EXPECT_THROW(draw(surfaces, kWidth, -1), Error);
   EXPECT_THROW(draw({}, kWidth), Error);
+  const TiledSurface tiled(s, s);
+  EXPECT_NO_THROW(draw(std::vector{tiled.styled({{.tile = BuiltInTile::dots}})}, kWidth));
+  EXPECT_THROW(draw(std::vector{tiled.styled({{.tile = Image(2, 2)}})}, kWidth), Error);
+  EXPECT_THROW(draw(std::vector{tiled.styled({})}, kWidth), Error);
+  const std::vector<float> one(1, 0.5f);
+  StyledSurface few_values = tiled.styled({{.tile = BuiltInTile::dots}});
+  few_values.texture->values = one;
+  EXPECT_THROW(draw(std::vector{few_values}, kWidth), Error);
   std::vector<StyledSurface> few = surfaces;
   few[0].strokes[0].z = few[0].strokes[0].z.subspan(1);
   EXPECT_THROW(draw(few, kWidth), Error);

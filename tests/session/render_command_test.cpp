@@ -210,10 +210,28 @@ TEST_F(RenderTool, DrawingsAreThoseOfStripeAndCurves) {
   }
 }
 
+TEST_F(RenderTool, DrawingsOfTilesAreThoseOfStripe) {
+  for (const bool cross : {false, true}) {
+    SessionDocument document = small_document();
+    document.options = {{"stripes", {"12"}}, {"texture", {"plus"}}};
+    if (cross) document.options["cross"] = {};
+    write_session(folder / "s.json", document);
+    std::vector<std::string> arguments = {"stripe",         document.mesh,    "--stripes=12",
+                                          "--texture=plus", "--size=160x120", "--output=a.svg",
+                                          "--quiet"};
+    if (cross) arguments.emplace_back("--cross");
+    ASSERT_EQ(run(arguments).exit_code, 0);
+    ASSERT_EQ(run({"render", "s.json", "-q", "-o", "b.svg"}).exit_code, 0);
+    EXPECT_EQ(content(folder / "a.svg"), content(folder / "b.svg"));
+    EXPECT_NE(content(folder / "a.svg").find("tiles"), std::string::npos);
+  }
+}
+
 TEST_F(RenderTool, DrawingsShowOutlinesAlone) {
+  write_png(folder / "tile.png", Image(4, 4));
   const std::pair<OptionValues, const char*> refused[] = {
       {{{"view", {"branches"}}}, "--view has colours"},
-      {{{"texture", {"bricks"}}}, "not of tiles"},
+      {{{"texture", {"tile.png"}}}, "picture of pixels"},
       {{{"color-by", {"height"}}}, "--color-by"},
       {{{"transparent", {}}}, "no background"}};
   for (const auto& [options, why] : refused) {

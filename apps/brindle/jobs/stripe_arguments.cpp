@@ -73,7 +73,11 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
     return;
   }
   const auto refuse = [&](const char* why) { refuse_output(drawing->path, why); };
-  if (texture) refuse("a drawing shows outlines of stripes, not of tiles; write .png");
+  if (drawn_by(arguments.texture, texture) == Drawn::pictures) {
+    refuse(
+        "a drawing has outlines of figures, and the tile is a picture of pixels; take a built-in "
+        "tile, or write .png");
+  }
   if (is_points(arguments.surface)) refuse("points have no outlines; write .png");
   if (!shows_stripes(*arguments.picture)) refuse("--view has colours; write .png");
   const bool alone = std::ranges::all_of(outputs, [](const Output& output) {

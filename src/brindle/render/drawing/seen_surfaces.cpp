@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/render/drawing/tile_cover.h"
 #include "brindle/render/surface_light.h"
 
 namespace brindle {
@@ -21,7 +22,26 @@ Vec3 sight_to(const Camera& camera, const Vec3& view_position) {
   return camera.orthographic() ? Vec3(0, 0, -1) : view_position;
 }
 
+/// Whether the surface's marks follow what is beside a point on the screen.
+bool is_measured_on_screen(const StyledSurface& surface) {
+  if (surface.texture) return follows_values(*surface.texture);
+  return std::any_of(surface.strokes.begin(), surface.strokes.end(),
+                     [](const Strokes& s) { return s.unit == WidthUnit::pixels || s.spacing > 0; });
+}
+
 }  // namespace
+
+std::size_t mark_count(const StyledSurface& surface) {
+  return surface.texture ? surface.texture->tiles.size() : surface.strokes.empty() ? 0 : 1;
+}
+
+std::vector<std::size_t> first_codes(std::span<const StyledSurface> surfaces) {
+  std::vector<std::size_t> codes{1};
+  for (const StyledSurface& surface : surfaces) {
+    codes.push_back(codes.back() + 1 + mark_count(surface));
+  }
+  return codes;
+}
 
 SeenSurfaces::SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera, UpAxis up,
                            int width, int height, const Progress& progress)
@@ -32,7 +52,8 @@ SeenSurfaces::SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera
       width_(width),
       height_(height),
       columns_((width + kSquare - 1) / kSquare),
-      rows_((height + kSquare - 1) / kSquare) {
+      rows_((height + kSquare - 1) / kSquare),
+      first_codes_(first_codes(surfaces)) {
   for (const StyledSurface& surface : surfaces) project(surface);
   sort_into_squares(progress);
 }
@@ -121,8 +142,7 @@ bool SeenSurfaces::weights_at(std::size_t entry, double x, double y, Hit& hit) c
 }
 
 SeenPoint SeenSurfaces::point_of(const Hit& hit, double x, double y) const {
-  const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), hit.entry);
-  const auto number = static_cast<std::size_t>(after - first_entry_.begin()) - 1;
+  const std::size_t number = surface_of(hit.entry);
   SeenPoint point;
   point.surface = &surfaces_[number];
   point.number = number;
@@ -133,10 +153,7 @@ SeenPoint SeenSurfaces::point_of(const Hit& hit, double x, double y) const {
   };
   point.barycentric = rounded(hit.weights).cwiseMax(0.0f);
   point.barycentric /= point.barycentric.sum();
-  const bool on_screen =
-      std::any_of(point.surface->strokes.begin(), point.surface->strokes.end(),
-                  [](const Strokes& s) { return s.unit == WidthUnit::pixels || s.spacing > 0; });
-  if (!on_screen) return point;
+  if (!is_measured_on_screen(*point.surface)) return point;
   constexpr std::array<std::array<int, 2>, 4> kWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   for (std::size_t i = 0; i < 4; ++i) {
     Hit beside{};
@@ -168,11 +185,32 @@ float SeenSurfaces::tone_of(const SeenPoint& point, bool from_behind) const {
   return tone_at(from_behind ? -turned : turned, sight_to(camera_, seen), up_);
 }
 
-Cover SeenSurfaces::cover_of(const Hit& hit, double x, double y) const {
-  const SeenPoint point = point_of(hit, x, y);
+std::size_t SeenSurfaces::surface_of(std::size_t entry) const {
+  const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), entry);
+  return static_cast<std::size_t>(after - first_entry_.begin()) - 1;
+}
+
+/// By strokes.
+Cover SeenSurfaces::cover_of(const SeenPoint& point, bool from_behind) const {
   if (point.surface->strokes.empty()) return Cover::plain;
-  const float tone = follows_tone(*point.surface) ? tone_of(point, hit.from_behind) : 0.0f;
+  const float tone = follows_tone(*point.surface) ? tone_of(point, from_behind) : 0.0f;
   return cover_at(point, tone);
+}
+
+/// 0: the surface; from 1 on its marks.
+std::uint16_t SeenSurfaces::layer_of(const Hit& hit, double x, double y) const {
+  const SeenPoint point = point_of(hit, x, y);
+  if (!point.surface->texture) return cover_of(point, hit.from_behind) == Cover::stroke;
+  const auto tile = tile_at(point);
+  return static_cast<std::uint16_t>(tile ? *tile + 1 : 0);
+}
+
+/// Whether what lies behind is seen there: between strokes, and all around tiles.
+bool SeenSurfaces::is_open(const Hit& hit, double x, double y) const {
+  if (surfaces_[surface_of(hit.entry)].between != BetweenStrokes::discarded) return false;
+  const SeenPoint point = point_of(hit, x, y);
+  return point.surface->texture ? !tile_at(point)
+                                : cover_of(point, hit.from_behind) == Cover::ground;
 }
 
 std::uint16_t SeenSurfaces::code_at(double x, double y) const {
@@ -183,10 +221,6 @@ std::uint16_t SeenSurfaces::code_at(double x, double y) const {
                              static_cast<std::size_t>(column);
   double nearest = std::numeric_limits<double>::infinity();
   Hit best{};
-  const auto surface_of = [&](std::size_t entry) {
-    const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), entry);
-    return static_cast<std::size_t>(after - first_entry_.begin()) - 1;
-  };
   for (std::size_t i = square_begin_[square]; i < square_begin_[square + 1]; ++i) {
     Hit hit{};
     if (!weights_at(listed_[i], x, y, hit)) continue;
@@ -195,17 +229,13 @@ std::uint16_t SeenSurfaces::code_at(double x, double y) const {
       depth += hit.weights[m] * corners_[triangles_[hit.entry][m]].depth;
     }
     if (!(depth < nearest)) continue;
-    // What lies behind is seen between strokes of a surface that is discarded there.
-    if (surfaces_[surface_of(hit.entry)].between == BetweenStrokes::discarded &&
-        cover_of(hit, x, y) == Cover::ground) {
-      continue;
-    }
+    if (is_open(hit, x, y)) continue;
     nearest = depth;
     best = hit;
   }
   if (!std::isfinite(nearest)) return 0;
-  const bool stroke = cover_of(best, x, y) == Cover::stroke;
-  return static_cast<std::uint16_t>(2 * surface_of(best.entry) + (stroke ? 2 : 1));
+  const std::size_t code = first_codes_[surface_of(best.entry)] + layer_of(best, x, y);
+  return static_cast<std::uint16_t>(code);
 }
 
 }  // namespace brindle

@@ -19,25 +19,49 @@ namespace {
 constexpr double kTraceTolerance = 0.015;
 constexpr double kFitTolerance = 0.03;
 
+void check_texture(const RegionTexture& texture, const Mesh& mesh) {
+  if (texture.waves == nullptr || texture.tiles.empty()) {
+    throw Error("a texture has no waves or no tile; give both");
+  }
+  if (texture.waves->triangle_count() != mesh.triangle_count()) {
+    throw Error("the texture of a drawing's surface has waves of " +
+                std::to_string(texture.waves->triangle_count()) + " triangles, not of its " +
+                std::to_string(mesh.triangle_count()));
+  }
+  for (const RegionTile& tile : texture.tiles) {
+    if (std::holds_alternative<BuiltInTile>(tile.tile)) continue;
+    throw Error(
+        "a drawing has outlines of figures, and a tile is a picture of pixels; take a "
+        "built-in tile, or write .png");
+  }
+}
+
+void check_entries(const StyledSurface& surface) {
+  const std::size_t count = surface.mesh.vertex_count();
+  const auto check = [&](std::size_t size, const char* what, bool optional) {
+    if (size == count || (optional && size == 0)) return;
+    throw Error("the " + std::to_string(count) + " vertices of a drawing's surface have " +
+                std::to_string(size) + " " + what + "; give one per vertex");
+  };
+  check(surface.normals.size(), "normals", true);
+  for (const Strokes& strokes : surface.strokes) {
+    if (strokes.waves == nullptr) throw Error("strokes have no waves; give one per vertex");
+    check(strokes.z.size(), "phases", false);
+    check(strokes.widths.size(), "widths", true);
+    check(strokes.opacities.size(), "opacities", true);
+    check(strokes.color_places.size(), "places in the colour map", true);
+  }
+  if (!surface.texture) return;
+  check_texture(*surface.texture, surface.mesh);
+  check(surface.texture->values.size(), "values of regions", true);
+  check(surface.texture->sizes.size(), "sizes of tiles", true);
+}
+
 void check_entries(std::span<const StyledSurface> surfaces) {
-  constexpr std::size_t kMostSurfaces = std::numeric_limits<std::uint16_t>::max() / 2 - 1;
   if (surfaces.empty()) throw Error("cannot draw outlines of no surface; add one");
-  if (surfaces.size() > kMostSurfaces) throw Error("a drawing has at most 32766 surfaces");
-  for (const StyledSurface& surface : surfaces) {
-    const std::size_t count = surface.mesh.vertex_count();
-    const auto check = [&](std::size_t size, const char* what, bool optional) {
-      if (size == count || (optional && size == 0)) return;
-      throw Error("the " + std::to_string(count) + " vertices of a drawing's surface have " +
-                  std::to_string(size) + " " + what + "; give one per vertex");
-    };
-    check(surface.normals.size(), "normals", true);
-    for (const Strokes& strokes : surface.strokes) {
-      if (strokes.waves == nullptr) throw Error("strokes have no waves; give one per vertex");
-      check(strokes.z.size(), "phases", false);
-      check(strokes.widths.size(), "widths", true);
-      check(strokes.opacities.size(), "opacities", true);
-      check(strokes.color_places.size(), "places in the colour map", true);
-    }
+  for (const StyledSurface& surface : surfaces) check_entries(surface);
+  if (first_codes(surfaces).back() > std::numeric_limits<std::uint16_t>::max()) {
+    throw Error("a drawing has at most 65,534 surfaces, strokes and tiles");
   }
 }
 
@@ -62,6 +86,47 @@ Pen pen_of(std::string name, const Color& color, const std::vector<OutlineLoop>&
   return pen;
 }
 
+/// The pens of a surface: its own, then those of its marks.
+class SurfacePens {
+ public:
+  SurfacePens(const StyledSurface& surface, std::size_t number, std::size_t first_code)
+      : surface_(surface),
+        suffix_(number == 0 ? "" : "_" + std::to_string(number)),
+        first_code_(first_code),
+        marks_(mark_count(surface)) {}
+
+  void add_to(std::vector<Pen>& pens, const RegionTracer& tracer, double least_area,
+              const Progress& progress) const {
+    const auto trace = [&](std::size_t first, std::size_t last, std::size_t turn) {
+      const auto count = static_cast<double>(marks_ + 1);
+      return tracer.outlines(
+          static_cast<std::uint16_t>(first_code_ + first),
+          static_cast<std::uint16_t>(first_code_ + last), kTraceTolerance,
+          progress.part(static_cast<double>(turn) / count, static_cast<double>(turn + 1) / count));
+    };
+    if (surface_.between == BetweenStrokes::surface) {
+      pens.push_back(pen_of("surface" + suffix_, surface_.color, trace(0, marks_, 0), least_area));
+    }
+    for (std::size_t mark = 1; mark <= marks_; ++mark) {
+      pens.push_back(pen_of(name_of(mark), color_of(mark), trace(mark, mark, mark), least_area));
+    }
+  }
+
+ private:
+  std::string name_of(std::size_t mark) const {
+    if (!surface_.texture) return "stripes" + suffix_;
+    return "tiles" + (mark == 1 ? "" : std::to_string(mark)) + suffix_;
+  }
+
+  const Color& color_of(std::size_t mark) const {
+    return surface_.texture ? surface_.texture->tiles[mark - 1].color : surface_.strokes[0].color;
+  }
+
+  const StyledSurface& surface_;
+  std::string suffix_;
+  std::size_t first_code_, marks_;
+};
+
 }  // namespace
 
 std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const Camera& camera,
@@ -77,25 +142,13 @@ std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const 
   const RegionTracer::CodeAt code_at = [&](double x, double y) { return seen.code_at(x, y); };
   const RegionTracer tracer(width, height, code_at, progress.part(kSorted, kSeen));
   std::vector<Pen> pens;
+  const std::vector<std::size_t> codes = first_codes(surfaces);
   for (std::size_t i = surfaces.size(); i-- > 0;) {
-    const StyledSurface& surface = surfaces[i];
     const auto count = static_cast<double>(surfaces.size());
-    const double begin = kSeen + (1 - kSeen) * static_cast<double>(surfaces.size() - 1 - i) / count;
-    const double middle = begin + 0.5 * (1 - kSeen) / count;
-    const std::string number = i == 0 ? "" : "_" + std::to_string(i);
-    const auto plain = static_cast<std::uint16_t>(2 * i + 1);
-    const auto stroke = static_cast<std::uint16_t>(2 * i + 2);
-    const auto trace = [&](std::uint16_t first, const Progress& part) {
-      return tracer.outlines(first, stroke, kTraceTolerance, part);
-    };
-    if (surface.between == BetweenStrokes::surface) {
-      pens.push_back(pen_of("surface" + number, surface.color,
-                            trace(plain, progress.part(begin, middle)), least_area));
-    }
-    if (surface.strokes.empty()) continue;
-    pens.push_back(pen_of("stripes" + number, surface.strokes[0].color,
-                          trace(stroke, progress.part(middle, begin + (1 - kSeen) / count)),
-                          least_area));
+    const double share = (1 - kSeen) / count;
+    const double begin = kSeen + share * static_cast<double>(surfaces.size() - 1 - i);
+    SurfacePens(surfaces[i], i, codes[i])
+        .add_to(pens, tracer, static_cast<double>(least_area), progress.part(begin, begin + share));
   }
   stages.finish();
   return pens;
