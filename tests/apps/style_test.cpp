@@ -243,10 +243,8 @@ TEST_F(StyleTool, DrawsOutlinesOfStripes) {
   EXPECT_NE(large.find("id=\"surface\""), std::string::npos);
   EXPECT_LT(large.size(), svg.size() / 2);
   const Arguments to_svg = {"stripe", "shape:torus,resolution=24", "-o", "out.svg"};
-  for (const Arguments& more : std::vector<Arguments>{{"--color-by", "height"},
-                                                      {"--transparent"},
-                                                      {"--texture", "dots"},
-                                                      {"--view", "branches"}}) {
+  for (const Arguments& more : std::vector<Arguments>{
+           {"--color-by", "height"}, {"--transparent"}, {"--view", "branches"}}) {
     Arguments arguments = to_svg;
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run(arguments).exit_code, 2) << more[0];
