@@ -41,6 +41,23 @@ struct CameraView {
   bool operator==(const CameraView&) const = default;
 };
 
+/// Where the brightest light of a picture comes from, seen from the camera: 0,0 is the viewer,
+/// azimuth 90 is at the viewer's right and -90 at the left, elevation 90 is above. Angles may be
+/// any finite numbers: light may come from behind what is seen.
+struct LightDirection {
+  float azimuth_deg = 0;
+  float elevation_deg = 0;
+
+  bool operator==(const LightDirection&) const = default;
+};
+
+/// The light of a picture: the sky is where `up` points; without a direction, the brightest light
+/// comes from the upper left, about -31,39.
+struct PictureLight {
+  UpAxis up = UpAxis::y;
+  std::optional<LightDirection> from = {};
+};
+
 /// The rotation of a view, whichever way it is given: where a free rotation starts from.
 Eigen::Quaternionf rotation_of(const CameraView& view);
 

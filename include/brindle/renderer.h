@@ -1,6 +1,7 @@
 /// What a picture shows on top of the stripes: coloured triangles and marks (paper, Fig. 8).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -128,9 +129,10 @@ enum class PictureQuality {
 };
 
 struct RenderOptions {
-  int width = 1200;   ///< pixels
-  int height = 900;   ///< pixels
-  CameraView camera;  ///< the mesh is framed from this side
+  int width = 1200;                               ///< pixels
+  int height = 900;                               ///< pixels
+  CameraView camera;                              ///< the mesh is framed from this side
+  std::optional<LightDirection> light_from = {};  ///< nothing: the upper left
   Color base_color{0.957f, 0.937f, 0.898f};
   Color stripe_color{0.110f, 0.196f, 0.353f};
   float stripe_width = 0.5f;  ///< share of the period, 0 to 1

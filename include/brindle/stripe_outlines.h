@@ -25,12 +25,12 @@ namespace BRINDLE_EXPORT brindle {
 /// missed. Areas and holes of less than `least_area` square pixels are left out. Colours and
 /// opacities that follow values, and light, do not show.
 ///
-/// `camera` is relative to the origin of the first surface, as `styled_camera` has it; `up` is that
-/// of the light that widths follow. Needs no OpenGL. Throws Error if a side is not in 1 .. 8192,
-/// strokes do not have one entry per vertex, a tile is a picture, or `least_area` is negative or no
-/// number; Cancelled if `progress` asks for it.
+/// `camera` is relative to the origin of the first surface, as `styled_camera` has it; `light` is
+/// what widths follow. Needs no OpenGL. Throws Error if a side is not in 1 .. 8192, strokes do not
+/// have one entry per vertex, a tile is a picture, or `least_area` is negative or no number;
+/// Cancelled if `progress` asks for it.
 std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const Camera& camera,
-                                 UpAxis up, int width, int height, float least_area = 0.1f,
-                                 const Progress& progress = {});
+                                 const PictureLight& light, int width, int height,
+                                 float least_area = 0.1f, const Progress& progress = {});
 
 }  // namespace brindle

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _STRIPE_COLOR = "#1c325a"
 _SAMPLE_COLOR = "#c7422b"
-_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "up": None, "colors": None}
+_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "up": None, "colors": None, "light_from": None}
 
 
 #: Whether this build draws pictures.
@@ -26,7 +26,8 @@ has_opengl: bool = _core.has_opengl
 
 def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
                camera: Sequence[float] = (30, 20), up: Optional[str] = None,
-               colors: Optional[Sequence[str]] = None, **unknown: Any) -> "_core.Picture":
+               colors: Optional[Sequence[str]] = None,
+               light_from: Optional[Sequence[float]] = None, **unknown: Any) -> "_core.Picture":
     if unknown:
         raise TypeError(f"{next(iter(unknown))}: no option of pictures; there are "
                         f"{', '.join(_OPTIONS)}")
@@ -46,6 +47,12 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
                        number(zoom, "camera"), word(up, "up"))
     if colors is not None:
         picture.set_colors([word(color, "colors") for color in colors])
+    if light_from is not None:
+        try:
+            azimuth, elevation = light_from
+        except (TypeError, ValueError) as error:
+            raise Error("light_from: expected (azimuth, elevation) in degrees") from error
+        picture.set_light_from(number(azimuth, "light_from"), number(elevation, "light_from"))
     return picture
 
 
@@ -54,7 +61,7 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
            colors: Optional[Sequence[str]] = None, view: Optional[str] = None,
            stripe_width: Optional[float] = None, tile: Any = None, tiles: Optional[str] = None,
            tube_radius: Optional[float] = None, transparent: bool = False,
-           shading: bool = True) -> "NDArray[np.uint8]":
+           shading: bool = True, light_from: Optional[Sequence[float]] = None) -> "NDArray[np.uint8]":
     """A picture (h, w, 4) of uint8, red, green, blue and alpha, row by row from the top; that of the
     tool with the same options.
 
@@ -66,14 +73,18 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     "dots", "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out those that a
     branch, a seam or the border would cut, "cut" draws what is left of them; None: whole for tiles
     with a shape of their own, such as dots and arrows. ``tube_radius`` of curves. ``transparent``:
-    no background. ``shading``: light.
+    no background. ``shading``: light; ``light_from``: (azimuth, elevation) in degrees from the
+    viewer, (90, 0) from the right and (0, 90) from above; None: from the upper left.
 
     Needs a build with OpenGL, and no display: raises brindle.Error otherwise.
     """
     surface = as_surface(surface)
-    picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors)
+    picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors,
+                         light_from=light_from)
     picture.transparent = flag(transparent, "transparent")
     picture.shading = flag(shading, "shading")
+    if not picture.shading and light_from is not None:
+        raise Error("light_from has no effect here: there is no light; leave out shading=False")
     _refuse_unused(pattern, view, stripe_width, tile, tiles, tube_radius)
     if isinstance(pattern, (Stripes, Texture, Curves, Samples)):
         _check_belongs(surface, pattern)
@@ -158,6 +169,8 @@ def _discs(samples: Samples) -> Surface:
 
 def draw_curves(path: str, curves: Curves, options: Mapping[str, Any]) -> None:
     surface = curves.stripes.surface
+    if options.get("light_from") is not None:
+        raise Error("light_from has no effect here: a drawing of lines shows no light")
     picture = picture_of(surface, **options)
     pen = _core.PenLines("u", _color(options.get("colors")), curves._core.local_points,
                          curves.offsets, curves.closed.astype("u1"))

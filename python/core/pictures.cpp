@@ -41,6 +41,13 @@ void set_camera(Picture& picture, float azimuth, float elevation, float zoom,
   picture.options.camera = {azimuth, elevation, zoom, up_axis(up)};
 }
 
+void set_light_from(Picture& picture, float azimuth, float elevation) {
+  if (!(elevation >= -90 && elevation <= 90) || !std::isfinite(azimuth)) {
+    throw Error("light_from: give azimuth and elevation in degrees, elevation from -90 to 90");
+  }
+  picture.options.light_from = {azimuth, elevation};
+}
+
 void set_size(Picture& picture, int width, int height) {
   check_image_size(width, height);
   picture.options.width = width;
@@ -118,6 +125,7 @@ void bind_pictures(py::module_& module) {
       .def(py::init<>())
       .def("set_camera", set_camera, py::arg("azimuth"), py::arg("elevation"), py::arg("zoom"),
            py::arg("up"))
+      .def("set_light_from", set_light_from, py::arg("azimuth"), py::arg("elevation"))
       .def("set_size", set_size, py::arg("width"), py::arg("height"))
       .def("set_colors", set_colors, py::arg("colors"))
       .def("set_view", set_view, py::arg("view"))

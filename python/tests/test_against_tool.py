@@ -332,6 +332,7 @@ def test_points(tool, tmp_path):
     ([], {}),
     (["--camera", "60,-10,1.5", "--up", "y", "--colors", "#ff0000,#00ff00,#0000ff"],
      {"camera": (60, -10, 1.5), "up": "y", "colors": ("#ff0000", "#00ff00", "#0000ff")}),
+    (["--light-from", "70,-15.5"], {"light_from": (70, -15.5)}),
     (["--view", "branches"], {"view": "branches"}),
     (["--view", "angle_error"], {"view": "angle_error"}),
     (["--stripe-width", "0.2"], {"stripe_width": 0.2}),

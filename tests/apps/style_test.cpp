@@ -44,6 +44,7 @@ TEST_F(StyleTool, EveryStyleChangesThePicture) {
       {"--pixel-width", "3", "--stroke-spacing", "4"},
       {"--between", "nothing"},
       {"--with", "shape:sphere,resolution=6@#ff0000"},
+      {"--light-from", "70,10"},
       {"--flat"},
       {"--transparent"},
       {"--depth-cue", "chroma"},
@@ -52,6 +53,20 @@ TEST_F(StyleTool, EveryStyleChangesThePicture) {
       {"--creases", "10", "--outline", "solid", "--hidden-lines", "dashed"}};
   for (const Arguments& style : styles) {
     EXPECT_NE(picture(style).pixels, plain.pixels) << style[0] << ' ' << style.back();
+  }
+}
+
+// Whatever reads the light reads the one that is asked for.
+TEST_F(StyleTool, LightMovesAllThatFollowsIt) {
+  for (const Arguments& follows :
+       {Arguments{"--width-by", "light"}, Arguments{"--color-by", "light", "--flat"},
+        Arguments{"--frequency-by", "light"}, Arguments{"--opacity-by", "light", "--flat"},
+        Arguments{"--texture", "dots", "--tile-size-by", "light", "--flat"},
+        Arguments{"--view", "branches"}, Arguments{"--points"}}) {
+    const Image usual = picture(follows);
+    Arguments moved = follows;
+    moved.insert(moved.end(), {"--light-from", "80,-20"});
+    EXPECT_NE(picture(moved).pixels, usual.pixels) << follows[0];
   }
 }
 

@@ -21,17 +21,18 @@ struct Seen {
 };
 
 /// The tones of vertices against those of the pixels that show them.
-Seen compare(const Surface& surface, UpAxis up) {
+Seen compare(const Surface& surface, const PictureLight& light) {
   StyledOptions options;
   options.render.width = kWidth;
   options.render.height = kHeight;
-  options.render.camera.up = up;
+  options.render.camera.up = light.up;
+  options.render.light_from = light.from;
   options.render.transparent = true;
   const std::vector<StyledSurface> surfaces{
       {.mesh = surface.mesh, .normals = surface.normals, .color = {1, 1, 1}}};
   const Image image = render_styled(surfaces, options);
   const Camera camera = styled_camera(surfaces, options);
-  const std::vector<float> tones = surface_tones(surface.mesh, surface.normals, camera, up);
+  const std::vector<float> tones = surface_tones(surface.mesh, surface.normals, camera, light);
   const Vec3 eye = eye_of(camera);
   Seen seen;
   for (std::size_t v = 0; v < tones.size(); ++v) {
@@ -54,11 +55,74 @@ Seen compare(const Surface& surface, UpAxis up) {
 }
 
 TEST(SurfaceTones, AreThoseOfPictures) {
-  for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
-    const Seen seen = compare(make_surface(make_shape("sphere,resolution=24")), up);
+  for (const PictureLight& light :
+       {PictureLight{UpAxis::y}, PictureLight{UpAxis::z}, PictureLight{UpAxis::y, {{75, 10}}},
+        PictureLight{UpAxis::z, {{-120, -35}}}, PictureLight{UpAxis::y, {{0, 90}}}}) {
+    const Seen seen = compare(make_surface(make_shape("sphere,resolution=24")), light);
     EXPECT_GT(seen.vertices, 300u);
     EXPECT_LT(seen.worst, 0.03);
   }
+}
+
+/// Of a smooth white sphere, in linear light.
+Image sphere_lit_from(std::optional<LightDirection> from, float azimuth_deg = 30) {
+  static const Surface sphere = make_surface(make_shape("sphere,resolution=60"));
+  RenderOptions options;
+  options.width = options.height = 160;
+  options.camera.azimuth_deg = azimuth_deg;
+  options.base_color = {1, 1, 1};
+  options.transparent = true;
+  options.light_from = from;
+  return render_picture({.mesh = sphere.mesh, .normals = sphere.normals}, options);
+}
+
+/// The sum of all light in the columns from `begin` to `end`, or the rows.
+double light_in(const Image& image, int begin, int end, bool rows = false) {
+  double sum = 0;
+  for (int i = begin; i < end; ++i) {
+    for (int j = 0; j < 160; ++j) {
+      sum += static_cast<double>(
+          premultiplied_light(rows ? image.at(j, i) : image.at(i, j)).head<3>().sum());
+    }
+  }
+  return sum;
+}
+
+TEST(PictureLight, BrightensTheSideThatItComesFrom) {
+  const Image left = sphere_lit_from({{-80, 0}}), right = sphere_lit_from({{80, 0}});
+  EXPECT_GT(light_in(left, 0, 80), 1.3 * light_in(left, 80, 160));
+  EXPECT_GT(light_in(right, 80, 160), 1.3 * light_in(right, 0, 80));
+  // The same from the other side, as in a mirror.
+  EXPECT_NEAR(light_in(left, 0, 80) / light_in(right, 80, 160), 1, 0.02);
+  EXPECT_NEAR(light_in(left, 80, 160) / light_in(right, 0, 80), 1, 0.02);
+  const Image above = sphere_lit_from({{0, 80}}), below = sphere_lit_from({{0, -80}});
+  EXPECT_GT(light_in(above, 0, 80, true), 1.3 * light_in(above, 80, 160, true));
+  EXPECT_LT(light_in(below, 0, 80, true), light_in(below, 80, 160, true));
+}
+
+TEST(PictureLight, GoesWithTheCamera) {
+  const Image one = sphere_lit_from({{50, 20}}, 0), other = sphere_lit_from({{50, 20}}, 90);
+  int worst = 0;
+  for (std::size_t p = 0; p < one.pixels.size(); ++p) {
+    if (one.pixels[p].alpha < 255 || other.pixels[p].alpha < 255) continue;
+    worst = std::max(worst, std::abs(one.pixels[p].red - other.pixels[p].red));
+  }
+  EXPECT_LE(worst, 6) << "facets alone";
+}
+
+// What counts without a direction is one of them, less rounding.
+TEST(PictureLight, UsuallyComesFromTheUpperLeft) {
+  const Image usual = sphere_lit_from({});
+  const Image given = sphere_lit_from({{-30.963757f, 38.673f}});
+  int worst = 0;
+  for (std::size_t p = 0; p < usual.pixels.size(); ++p) {
+    worst = std::max(worst, std::abs(usual.pixels[p].red - given.pixels[p].red));
+  }
+  EXPECT_LE(worst, 1);
+}
+
+TEST(PictureLight, IsRefusedFromNowhere) {
+  EXPECT_THROW(sphere_lit_from({{std::numeric_limits<float>::quiet_NaN(), 0}}), Error);
 }
 
 TEST(SurfaceTones, AreThoseOfTheOuterSide) {
@@ -67,8 +131,8 @@ TEST(SurfaceTones, AreThoseOfTheOuterSide) {
   for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
   const Surface inside_out = make_surface(mesh);
   const Camera camera = framed_camera(mesh.positions, {}, kWidth, kHeight);
-  const auto one = surface_tones(outside.mesh, outside.normals, camera, UpAxis::y);
-  const auto other = surface_tones(inside_out.mesh, inside_out.normals, camera, UpAxis::y);
+  const auto one = surface_tones(outside.mesh, outside.normals, camera, {UpAxis::y});
+  const auto other = surface_tones(inside_out.mesh, inside_out.normals, camera, {UpAxis::y});
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t v = 0; v < one.size(); ++v) EXPECT_NEAR(one[v], other[v], 1e-4);
   EXPECT_GT(*std::ranges::max_element(one), 0.8f);
@@ -80,11 +144,11 @@ TEST(SurfaceTones, NeedNormals) {
   std::vector<Vec3> normals = surface.normals;
   const Camera camera = framed_camera(surface.mesh.positions, {}, kWidth, kHeight);
   normals[1] = Vec3::Zero();
-  const auto tones = surface_tones(surface.mesh, normals, camera, UpAxis::y);
+  const auto tones = surface_tones(surface.mesh, normals, camera, {UpAxis::y});
   EXPECT_TRUE(std::isnan(tones[1]));
   EXPECT_FALSE(std::isnan(tones[0]));
   normals.pop_back();
-  EXPECT_THROW(surface_tones(surface.mesh, normals, camera, UpAxis::y), Error);
+  EXPECT_THROW(surface_tones(surface.mesh, normals, camera, {UpAxis::y}), Error);
 }
 
 }  // namespace

@@ -416,6 +416,7 @@ TEST(LivePattern, SessionsKeepPhasesAsLongAsPatternsStay) {
   const SessionCommand changes[] = {commands::SetCamera{{80, 20, 1}},
                                     commands::SetOption{"up", {"y"}},
                                     commands::SetSize{{200, 120}},
+                                    commands::SetOption{"light-from", {"60,10"}},
                                     commands::SetOption{"stripe-width", {"0.3"}},
                                     commands::SetOption{"stripes", {"25"}},
                                     commands::SetOption{"sweeps", {"7"}},
@@ -442,7 +443,7 @@ TEST(LivePattern, SessionsKeepPhasesAsLongAsPatternsStay) {
       kept += same ? 1 : 0;
     }
   }
-  EXPECT_EQ(kept, 7 + 4 + 4 + 6) << "neither all nor none";
+  EXPECT_EQ(kept, 8 + 5 + 4 + 7) << "neither all nor none";
 }
 
 TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {

@@ -30,6 +30,14 @@ std::vector<CameraView> views_of_all_kinds() {
   return views;
 }
 
+TEST(CameraMotionTest, ALightFollowsTheMouseOverItsBall) {
+  const LightDirection light{170, 80};
+  EXPECT_EQ(moved_light(light, {0, 0}), light);
+  EXPECT_NEAR(moved_light(light, {0.1f, 0}).azimuth_deg, -166, 1e-3f) << "round the back";
+  EXPECT_LT(moved_light(light, {0, 0.1f}).elevation_deg, 80) << "the mouse goes down";
+  EXPECT_EQ(moved_light(light, {0, -0.5f}).elevation_deg, 90) << "not over the pole";
+}
+
 TEST(CameraMotionTest, AFreedViewShowsTheSame) {
   for (const CameraView& view : views_of_all_kinds()) {
     const Camera before = camera_of(view);

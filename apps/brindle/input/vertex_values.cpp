@@ -19,6 +19,7 @@ namespace {
 constexpr std::string_view kDistance = "distance:";
 constexpr std::string_view kCameraDistance = "distance:camera";
 constexpr std::string_view kHeight = "height";
+constexpr std::string_view kLight = "light";
 constexpr std::string_view kAgreement = "agreement";
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
@@ -130,7 +131,8 @@ VertexValues values_of_camera(const std::string& option, const std::string& text
   const Surface& surface = source.surface;
   const Camera camera = camera_of(*source.viewpoint, surface.mesh);
   if (text == kCameraDistance) return distances_to(eye_of(camera), surface, "distance");
-  return {surface_tones(surface.mesh, surface.normals, camera, source.viewpoint->view.up), "light"};
+  const PictureLight light{source.viewpoint->view.up, source.viewpoint->light_from};
+  return {surface_tones(surface.mesh, surface.normals, camera, light), std::string(kLight)};
 }
 
 }  // namespace
@@ -153,7 +155,7 @@ void check_value_name(const std::string& option, const std::string& text) {
   } else if (text.starts_with(kDistance)) {
     const std::string place = text.substr(kDistance.size());
     if (place != "camera") parse_place(option, place);
-  } else if (text != "curvature" && text != kHeight && text != "light" && text != kAgreement &&
+  } else if (text != "curvature" && text != kHeight && text != kLight && text != kAgreement &&
              !is_csv(text)) {
     wrong_usage(option, std::string("one of ") + kValueNames, text);
   }
@@ -162,8 +164,10 @@ void check_value_name(const std::string& option, const std::string& text) {
 bool is_of_file(const std::string& text) { return is_array(text) || is_csv(text); }
 
 bool depends_on_camera(const std::string& text) {
-  return text == kCameraDistance || text == "light";
+  return text == kCameraDistance || depends_on_light(text);
 }
+
+bool depends_on_light(const std::string& text) { return text == kLight; }
 
 bool depends_on_up(const std::string& text) { return text == kHeight || depends_on_camera(text); }
 

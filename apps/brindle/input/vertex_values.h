@@ -61,6 +61,9 @@ bool is_of_file(const std::string& text);
 /// Whether the values are others from another viewpoint.
 bool depends_on_camera(const std::string& text);
 
+/// Whether they are others where the light comes from elsewhere.
+bool depends_on_light(const std::string& text);
+
 /// Whether they are others where another axis points up.
 bool depends_on_up(const std::string& text);
 

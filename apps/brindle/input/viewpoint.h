@@ -17,6 +17,7 @@ struct Viewpoint {
   int height = 0;                             ///< of the picture, pixels
   std::optional<Mesh> framed = std::nullopt;  ///< by the camera, instead of the surface itself
   UpAxis height_axis = UpAxis::z;             ///< what heights are measured along
+  std::optional<LightDirection> light_from = std::nullopt;  ///< of the picture
 };
 
 /// The camera of this viewpoint, relative to the origin of `mesh`; of meshes without triangles, all

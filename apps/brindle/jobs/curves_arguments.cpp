@@ -52,6 +52,8 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
   }
   if (!picture && has(files, CurveOutput::drawing)) {
     refuse_given(command, {"--quality"}, "a drawing of lines has but one; add --output FILE.png");
+    refuse_light_option(command, arguments.waves,
+                        "a drawing of lines shows no light; add --output FILE.png");
   }
   if (!picture && !has(files, CurveOutput::tubes)) {
     refuse_given(command, {"--tube-radius", "--tube-sides"},

@@ -83,7 +83,12 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
   const bool alone = std::ranges::all_of(outputs, [](const Output& output) {
     return output.kind != OutputKind::picture || is_drawing(output);
   });
-  if (alone) refuse_for_outlines(command);
+  if (!alone) return;
+  refuse_for_outlines(command);
+  if (!arguments.style.by_light()) {
+    refuse_light_option(command, arguments.waves,
+                        "outlines of stripes show it by their widths alone; add --width-by light");
+  }
 }
 
 // Options that would change nothing.
@@ -100,6 +105,9 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   }
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   check_drawings(command, arguments, outputs, texture);
+  if (arguments.style.flat && !arguments.style.follows_light()) {
+    refuse_light_option(command, arguments.waves, "--flat draws without light; leave it out");
+  }
   const std::string no_picture = "no picture is written; add --output FILE.png";
   if (!has(outputs, OutputKind::picture)) {
     refuse_style_options(command, no_picture);

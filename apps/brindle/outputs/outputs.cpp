@@ -83,8 +83,13 @@ std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture)
   return files;
 }
 
+void refuse_light_option(const CLI::App& command, const WaveOptions& waves, std::string_view why) {
+  if (!depends_on_light(waves.arrays.frequency_by)) refuse_given(command, {"--light-from"}, why);
+}
+
 void refuse_camera_options(const CLI::App& command, const WaveOptions& waves,
                            std::string_view why) {
+  refuse_light_option(command, waves, why);
   if (depends_on_camera(waves.arrays.frequency_by)) return;
   refuse_given(command, {"--camera", "--size"}, why);
   if (!depends_on_up(waves.arrays.frequency_by)) refuse_given(command, {"--up"}, why);

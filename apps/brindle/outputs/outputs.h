@@ -40,7 +40,10 @@ std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture)
 void refuse_picture_options(const CLI::App& command, const WaveOptions& waves,
                             std::string_view why);
 
-/// The same of --camera, --up and --size alone.
+/// The same of --light-from alone, which counts anyway where frequencies follow the light.
+void refuse_light_option(const CLI::App& command, const WaveOptions& waves, std::string_view why);
+
+/// The same of --camera, --up, --size and --light-from alone.
 void refuse_camera_options(const CLI::App& command, const WaveOptions& waves, std::string_view why);
 
 /// Whether points without triangles can be written there.

@@ -46,6 +46,13 @@ void set_camera(RenderOptions& render, const std::string& option, const std::str
   render.camera = *view;
 }
 
+void set_light(RenderOptions& render, const std::string& option, const std::string& text) {
+  render.light_from = parse_light_direction(text);
+  if (!render.light_from) {
+    wrong_usage(option, "AZIMUTH,ELEVATION in degrees, elevation from -90 to 90", text);
+  }
+}
+
 void set_colors(RenderOptions& render, const std::string& option, const std::string& text) {
   std::vector<Color> colors;
   for (const std::string& part : split(text, ',')) {
@@ -85,6 +92,7 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   RenderOptions& render = options->render;
   add_render_option(app, "--camera", render, set_camera);
   add_field(app, "--up", options->up);
+  add_render_option(app, "--light-from", render, set_light);
   add_render_option(app, "--size", render, set_size);
   add_field(app, "--quality", render.quality);
   add_render_option(app, "--colors", render, set_colors);
@@ -104,8 +112,9 @@ void stand_on_z(PictureOptions& options) {
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
   const RenderOptions render = render_options(options);
   // A file's pictures have y up only because nobody has said what is; its heights stay along z.
-  return Viewpoint{render.camera, render.width, render.height, std::nullopt,
-                   options.up.value_or(UpAxis::z)};
+  return Viewpoint{
+      render.camera,    render.width, render.height, std::nullopt, options.up.value_or(UpAxis::z),
+      render.light_from};
 }
 
 bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }

@@ -123,6 +123,7 @@ struct StyleOptions {
 
   /// Whether a value is another one from another viewpoint.
   bool follows_camera() const;
+  bool follows_light() const;  ///< whether a value or a width is another one where the light moves
   bool follows_field() const;  ///< whether values are others where the field is
 };
 

@@ -32,9 +32,10 @@ void write_outlines(const std::filesystem::path& path, const StyledPicture& pict
                     const StyleOptions& style, const Progress& progress) {
   constexpr double kTraced = 0.7, kLined = 0.9;
   const RenderOptions& render = picture.options.render;
-  std::vector<Pen> pens = stripe_outlines(
-      picture.surfaces, styled_camera(picture.surfaces, picture.options), render.camera.up,
-      render.width, render.height, style.min_area, progress.part(0, kTraced));
+  std::vector<Pen> pens =
+      stripe_outlines(picture.surfaces, styled_camera(picture.surfaces, picture.options),
+                      {render.camera.up, render.light_from}, render.width, render.height,
+                      style.min_area, progress.part(0, kTraced));
   for (Pen& pen : pens_on_top(picture, style, progress.part(kTraced, kLined))) {
     if (!pen.strokes.empty()) pens.push_back(std::move(pen));
   }

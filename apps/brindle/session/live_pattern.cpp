@@ -664,7 +664,7 @@ class StageUpdate {
   // All that curves and samples follow from, once V is there.
   std::string shown_key() const {
     return std::to_string(stages_.patterns) + '\n' + stages_.shown.second.key +
-           options_key(document_, OptionStage::style) + camera_key(document_, OptionStage::style);
+           ornaments_key(document_);
   }
 
   bool make_curves() {

@@ -55,6 +55,12 @@ std::string up_key(const SessionDocument& document) {
   return key_of(named_options(document, kUp));
 }
 
+/// Where the light of pictures comes from.
+std::string light_key(const SessionDocument& document) {
+  constexpr std::array kLight = {std::string_view("light-from")};
+  return key_of(named_options(document, kLight));
+}
+
 std::string view_key(const SessionDocument& document) {
   return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
          std::to_string(document.size.height) + up_key(document);
@@ -81,8 +87,18 @@ std::string surface_key(const SessionDocument& document) {
 }
 
 std::string camera_key(const SessionDocument& document, OptionStage stages) {
+  if (has_values(document, stages, depends_on_light)) {
+    return view_key(document) + light_key(document);
+  }
   if (has_values(document, stages, depends_on_camera)) return view_key(document);
   return has_values(document, stages, depends_on_up) ? up_key(document) : "";
+}
+
+std::string ornaments_key(const SessionDocument& document) {
+  const OptionValues looks = chosen_options(document, [](const OptionInfo& info) {
+    return has(OptionStage::style, info.stale) && info.name != "light-from";
+  });
+  return key_of(looks) + camera_key(document, OptionStage::style);
 }
 
 std::string field_key(const SessionDocument& document) {
@@ -121,7 +137,8 @@ std::string values_key(const SessionDocument& document, const StyleOptions& styl
                        const std::string& others) {
   std::string key = options_key(document, OptionStage::values) + up_key(document);
   if (!style.follows_camera()) return key;
-  return key + options_key(document, OptionStage::margin) + others + view_key(document);
+  return key + options_key(document, OptionStage::margin) + others + view_key(document) +
+         (has_values(document, OptionStage::values, depends_on_light) ? light_key(document) : "");
 }
 
 std::string second_key(const SessionDocument& document) {

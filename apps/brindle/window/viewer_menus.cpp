@@ -31,7 +31,7 @@ constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
-constexpr std::array<std::pair<const char*, const char*>, 31> kKeys = {{
+constexpr std::array<std::pair<const char*, const char*>, 32> kKeys = {{
     {"drag", "turn"},
     {"Shift + drag, middle drag", "move"},
     {"wheel", "zoom"},
@@ -44,6 +44,7 @@ constexpr std::array<std::pair<const char*, const char*>, 31> kKeys = {{
     {"T", "turntable or free"},
     {"Ctrl + C, Ctrl + V", "copy and paste the view as JSON"},
     {"B", "stripes, branches, angle errors, curves, samples"},
+    {"I", "move the light"},
     {"V C S M E", "look, comb, spline, move and erase strokes"},
     {"G", "steer singularities"},
     {"F", "the place of distances follows the mouse, or not"},
@@ -357,6 +358,8 @@ void Viewer::follow_letter(int key) {
   switch (key) {
     case GLFW_KEY_V:
       return tool_.choose(Tool::look);
+    case GLFW_KEY_I:
+      return tool_.choose(Tool::light);
     case GLFW_KEY_C:
       return tool_.choose(Tool::comb);
     case GLFW_KEY_S:

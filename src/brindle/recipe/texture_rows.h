@@ -201,6 +201,19 @@ constexpr OptionInfo kTextureRows[] = {
      .jobs = kStripe,
      .help = "picture: what is between stripes or beside the figures of a texture; with nothing, "
              "what lies behind is seen in its own colours"},
+    {.name = "light-from",
+     .words = "light from",
+     .group = "Look",
+     .kind = OptionKind::numbers,
+     .form = "AZIMUTH,ELEVATION",
+     .unit = "degrees",
+     .standard = "-31,39",
+     .slider = {-90, 90},
+     .stale = OptionStage::style,
+     .jobs = kStripe | kCurves | kSample | kAnimate,
+     .help =
+         "picture: where the light comes from, in degrees from the viewer: 90,0 from the right, "
+         "0,90 from above (default -31,39)"},
     {.name = "flat",
      .words = "no shading",
      .group = "Look",

@@ -105,9 +105,8 @@ Eigen::Matrix4f parallel_projection(const Extent& extent, const CameraView& view
   return parallel(half_pixel * width, half_pixel * height, planes[0], planes[1]);
 }
 
-}  // namespace
-
-std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
+/// Finite numbers, separated by commas; empty if the text is anything else.
+std::vector<float> numbers_in(std::string_view text) {
   std::vector<float> numbers;
   const char* next = text.data();
   const char* end = text.data() + text.size();
@@ -120,6 +119,19 @@ std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
     if (*rest != ',') return {};
     next = rest + 1;
   }
+  return numbers;
+}
+
+}  // namespace
+
+std::optional<LightDirection> parse_light_direction(std::string_view text) {
+  const std::vector<float> numbers = numbers_in(text);
+  if (numbers.size() != 2 || std::abs(numbers[1]) > 90) return {};
+  return LightDirection{numbers[0], numbers[1]};
+}
+
+std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
+  const std::vector<float> numbers = numbers_in(text);
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90) return {};
   const float zoom = numbers.size() == 3 ? numbers[2] : 1.0f;
   if (zoom < 0.01f || zoom > 10000) return {};

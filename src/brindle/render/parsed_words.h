@@ -17,6 +17,10 @@ namespace brindle {
 /// not in 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
+/// Reads "azimuth,elevation" in degrees. Empty if the text is not that, a number is not finite, or
+/// elevation is beyond -90 .. 90.
+std::optional<LightDirection> parse_light_direction(std::string_view text);
+
 /// Reads "#rrggbb" or "#rgb", with or without the '#', and names of CSS such as "steelblue". Empty
 /// if the text is none of these.
 std::optional<Color> parse_color(std::string_view text);

@@ -15,8 +15,8 @@ const std::vector<ShaderSource> kFullScreen = {"full_screen.vert"};
 std::vector<ShaderSource> fragment_sources(std::vector<ShaderSource> pattern) {
   std::vector<ShaderSource> sources = {"surface_buffers.glsl", "surface_point.glsl"};
   sources.insert(sources.end(), pattern.begin(), pattern.end());
-  sources.insert(sources.end(),
-                 {"triangle_paint.glsl", "light.glsl", "visible_samples.glsl", "shade.frag"});
+  sources.insert(sources.end(), {"triangle_paint.glsl", "light.glsl", "picture_light.glsl",
+                                 "visible_samples.glsl", "shade.frag"});
   return sources;
 }
 
@@ -56,7 +56,7 @@ void Shading::draw(const GlSurface& surface, const VisibleTriangles& visible, co
   surface.bind(program, camera, tile);
   visible.bind(program);
   set_looks(program, options);
-  program.set("up", up_seen_by(camera, options.camera.up));
+  set_light(program, camera, options);
   program.set("target_size", Eigen::Vector2f(size.cast<float>()));
   groups_.shade(program, light, SampleGroups::count(surface, options.quality));
 }

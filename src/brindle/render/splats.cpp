@@ -79,8 +79,9 @@ std::vector<float> splat_radii(std::span<const Vec3> positions, const Adjacency&
 
 struct SplatRenderer::State {
   ShaderProgram splat{{"splat.vert"}, {"splat.frag"}};
-  ShaderProgram surface{{"full_screen.vert"},
-                        {"stripe_coverage.glsl", "light.glsl", "splat_surface.frag"}};
+  ShaderProgram surface{
+      {"full_screen.vert"},
+      {"stripe_coverage.glsl", "light.glsl", "picture_light.glsl", "splat_surface.frag"}};
   TiledPicture picture;
   GlVertexArray no_attributes = no_vertex_attributes();
 
@@ -147,7 +148,7 @@ void SplatRenderer::State::draw_surface(const Target& target, const Camera& came
   surface.set("view_scale",
               Eigen::Vector2f(camera.clip_from_view(0, 0), camera.clip_from_view(1, 1)));
   surface.set("orthographic", camera.orthographic());
-  surface.set("up", up_seen_by(camera, options.camera.up));
+  set_light(surface, camera, options);
   set_looks(surface, options);
   glBindTextureUnit(0, sums.textures[0]);
   glBindTextureUnit(1, sums.textures[1]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "brindle/base/elementary.h"
@@ -18,21 +19,39 @@ float smoothstep(float from, float to, float x) {
   return t * t * (3 - 2 * t);
 }
 
+/// Without a direction that is asked for; of any length.
+const Vec3 kUsualKey(-0.45f, 0.70f, 0.75f);
+
+/// From the side that the key light leaves dark, as far aside as that is off the middle, and no
+/// farther than the usual one.
+Vec3 fill_opposite(const Vec3& key) {
+  const float aside = key.x() / kUsualKey.normalized().x();
+  return Vec3(0.85f * std::clamp(aside, -1.0f, 1.0f), 0.05f, 0.50f).normalized();
+}
+
+/// Towards the light of these angles.
+Vec3 key_from(const LightDirection& from) {
+  const double azimuth = from.azimuth_deg * std::numbers::pi / 180;
+  const double elevation = from.elevation_deg * std::numbers::pi / 180;
+  const double level = elementary::cos(elevation);
+  return Eigen::Vector3d(level * elementary::sin(azimuth), elementary::sin(elevation),
+                         level * elementary::cos(azimuth))
+      .cast<float>();
+}
+
 /// The twin of `lit` in light.glsl for a white surface: change both or neither.
-Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Vec3& up) {
+Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Lights& lights) {
   const Vec3 v = -view_position.normalized();
   const float facing = std::clamp(n.dot(v), 0.0f, 1.0f);
-  const Vec3 key_from = Vec3(-0.45f, 0.70f, 0.75f).normalized();
-  const Vec3 fill_from = Vec3(0.85f, 0.05f, 0.50f).normalized();
-  const float key = std::clamp((n.dot(key_from) + 0.25f) / 1.25f, 0.0f, 1.0f);
-  const float fill = std::clamp((n.dot(fill_from) + 0.40f) / 1.40f, 0.0f, 1.0f);
-  const float sky = 0.5f + 0.5f * n.dot(up);
+  const float key = std::clamp((n.dot(lights.key) + 0.25f) / 1.25f, 0.0f, 1.0f);
+  const float fill = std::clamp((n.dot(lights.fill) + 0.40f) / 1.40f, 0.0f, 1.0f);
+  const float sky = 0.5f + 0.5f * n.dot(lights.sky);
   const Vec3 ground_light(0.17f, 0.165f, 0.16f), sky_light(0.30f, 0.31f, 0.33f);
   Vec3 light = key * Vec3(0.66f, 0.64f, 0.61f) + fill * Vec3(0.12f, 0.13f, 0.15f) + ground_light +
                sky * (sky_light - ground_light);
   light *= 0.62f + (1 - 0.62f) * smoothstep(0, 0.55f, facing);
   const float gloss =
-      elementary::pow(std::clamp(n.dot((key_from + v).normalized()), 0.0f, 1.0f), 40.0f);
+      elementary::pow(std::clamp(n.dot((lights.key + v).normalized()), 0.0f, 1.0f), 40.0f);
   light += Vec3::Constant(0.035f * gloss);
   light += Vec3::Constant(0.03f * elementary::pow(1 - facing, 4.0f) * sky);
   return light;
@@ -46,19 +65,25 @@ float tone_of(const Vec3& light) {
 
 }  // namespace
 
-float tone_at(const Vec3& view_normal, const Vec3& sight, const Vec3& up) {
-  return tone_of(light_on_white(view_normal, sight, up));
+Lights lights_of(const Camera& camera, const PictureLight& light) {
+  const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
+  const Vec3 key = light.from ? key_from(*light.from) : kUsualKey.normalized();
+  return {key, fill_opposite(key), turn.col(light.up == UpAxis::y ? 1 : 2)};
+}
+
+float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights) {
+  return tone_of(light_on_white(view_normal, sight, lights));
 }
 
 std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals,
-                                 const Camera& camera, UpAxis up) {
+                                 const Camera& camera, const PictureLight& light) {
   if (normals.size() != mesh.vertex_count()) {
     throw Error("light needs a normal for each of the " + std::to_string(mesh.vertex_count()) +
                 " vertices, not " + std::to_string(normals.size()));
   }
   const HiddenSide hidden = hidden_side(mesh);
   const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
-  const Vec3 upwards = turn * (up == UpAxis::z ? Vec3::UnitZ() : Vec3::UnitY());
+  const Lights lights = lights_of(camera, light);
   std::vector<float> tones(normals.size(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t v = 0; v < tones.size(); ++v) {
     if (normals[v].isZero(0)) continue;
@@ -69,7 +94,7 @@ std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals
     if (hidden == HiddenSide::front || (hidden == HiddenSide::none && turned_away)) {
       normal = -normal;
     }
-    tones[v] = tone_at(normal, place, upwards);
+    tones[v] = tone_at(normal, place, lights);
   }
   return tones;
 }

@@ -1,11 +1,13 @@
 #include "brindle/render/tiled_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/render/surface_light.h"
 
 namespace brindle {
 
@@ -19,8 +21,12 @@ Eigen::Vector4f tile_transform(const Tile& tile, const RenderOptions& options) {
   return {scale_x, scale_y, -middle_x * scale_x, -middle_y * scale_y};
 }
 
-Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up) {
-  return camera.view_from_world.block<3, 1>(0, up == UpAxis::y ? 1 : 2);
+void set_light(const ShaderProgram& program, const Camera& camera, const RenderOptions& options) {
+  const Lights lights = lights_of(camera, {options.camera.up, options.light_from});
+  program.set("light_is_moved", options.light_from.has_value());
+  program.set("key_from", lights.key);
+  program.set("fill_from", lights.fill);
+  program.set("up", lights.sky);
 }
 
 void set_looks(const ShaderProgram& surface, const RenderOptions& options) {
@@ -115,6 +121,10 @@ void check_options(const RenderOptions& options) {
                 " is out of range; give a number from 1 to 4");
   }
   if (options.tile_side < 64) throw Error("tiles must be at least 64 samples wide");
+  if (options.light_from && !(std::isfinite(options.light_from->azimuth_deg) &&
+                              std::isfinite(options.light_from->elevation_deg))) {
+    throw Error("the light must come from finite angles");
+  }
   if (!(options.mark_radius > 0)) throw Error("the radius of marks must be above 0 pixels");
 }
 

@@ -23,8 +23,8 @@ struct Tile {
 /// Scale and offset that spread the tile's part of clip space over the whole of it.
 Eigen::Vector4f tile_transform(const Tile& tile, const RenderOptions& options);
 
-/// The world's direction upwards, seen from the camera.
-Eigen::Vector3f up_seen_by(const Camera& camera, UpAxis up);
+/// Sets the uniforms of picture_light.glsl.
+void set_light(const ShaderProgram& program, const Camera& camera, const RenderOptions& options);
 
 /// Sets the uniforms `shading`, `base_color`, `stripe_color` and `stripe_width`.
 void set_looks(const ShaderProgram& surface, const RenderOptions& options);

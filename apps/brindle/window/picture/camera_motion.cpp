@@ -32,6 +32,11 @@ CameraView turned(const CameraView& view, const Eigen::Vector2f& motion) {
   return result;
 }
 
+LightDirection moved_light(const LightDirection& light, const Eigen::Vector2f& motion) {
+  return {std::remainder(light.azimuth_deg + motion.x() * kDegreesPerHeight, 360.0f),
+          std::clamp(light.elevation_deg - motion.y() * kDegreesPerHeight, -90.0f, 90.0f)};
+}
+
 CameraView zoomed(const CameraView& view, float clicks) {
   CameraView result = view;
   result.zoom = std::clamp(view.zoom * std::pow(kZoomPerClick, clicks), kLeastZoom, kMostZoom);

@@ -10,6 +10,10 @@ namespace brindle::tool {
 /// up and over the poles at most, or freely where the view has a rotation of its own.
 CameraView turned(const CameraView& view, const Eigen::Vector2f& motion);
 
+/// A light pulled by a motion of the mouse, in shares of the picture's height: to the right and up
+/// with it, over the poles at most.
+LightDirection moved_light(const LightDirection& light, const Eigen::Vector2f& motion);
+
 /// Zoomed in by this many clicks of the wheel, within what views allow.
 CameraView zoomed(const CameraView& view, float clicks);
 

@@ -62,6 +62,9 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   show(place);
   tool_.draw_over(*ImGui::GetWindowDrawList(), place, hovered);
   places_.draw_over(*ImGui::GetWindowDrawList(), place);
+  if (tool_.tool() == Tool::light) {
+    light_.draw_over(*ImGui::GetWindowDrawList(), {end.x, corner.y});
+  }
   note_mouse(place, hovered);
   show_values(corner, end);
   show_legend(corner);
@@ -184,11 +187,14 @@ void PictureView::show(const PicturePlace& place) {
 void PictureView::follow_mouse(const PicturePlace& place,
                                const std::vector<Eigen::Vector2f>& trail) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool draws = tool_.tool() != Tool::look;
+  const bool draws = tool_.draws();
   const bool moves_place = places_.follow_mouse(place);
   if (draws && !moves_place) follow_tool(place, trail);
   if (ImGui::IsItemActive() && !drawing_ && !moves_place &&
       (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    if (tool_.tool() == Tool::light && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift) {
+      return light_.drag(place, io.MouseDelta);
+    }
     look(io.MouseDelta, ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift, place);
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

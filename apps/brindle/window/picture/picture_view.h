@@ -9,6 +9,7 @@
 #include "session/picked_values.h"
 #include "session/view_legend.h"
 #include "window/picture/camera_motion.h"
+#include "window/picture/light_tool.h"
 #include "window/picture/place_handles.h"
 #include "window/picture/stroke_tool.h"
 
@@ -19,7 +20,7 @@ namespace brindle::tool {
 class PictureView {
  public:
   PictureView(LiveSession& live, StrokeTool& tool, PlaceHandles& places, WindowLog& log)
-      : live_(live), tool_(tool), places_(places), log_(log) {}
+      : live_(live), tool_(tool), places_(places), light_(live, log), log_(log) {}
   ~PictureView();
   PictureView(const PictureView&) = delete;
   PictureView& operator=(const PictureView&) = delete;
@@ -47,6 +48,7 @@ class PictureView {
   LiveSession& live_;
   StrokeTool& tool_;
   PlaceHandles& places_;
+  LightTool light_;
   WindowLog& log_;
   std::shared_ptr<const SessionFrame> uploaded_;
   ViewLegend legend_;  // of it

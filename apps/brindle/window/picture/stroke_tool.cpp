@@ -28,6 +28,9 @@ constexpr std::array<ToolName, kToolCount> kTools = {
     {{"Look",
       "drag to turn, Shift or the middle button to move, wheel to zoom, double click for "
       "the centre (V)"},
+     {"Light",
+      "drag to move the light of pictures; the right button turns the surface. Right click on "
+      "'light from' in the panel to have it where it was (I)"},
      {"Comb",
       "draw on the surface; stripes run across what you draw or along it, as the box says (C)"},
      {"Spline", "click points; Enter or a double click ends it (S)"},
@@ -106,7 +109,7 @@ void StrokeTool::draw_bar() {
     log_.note_widget(std::string("tool ") + kTools[i].name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kTools[i].help);
   }
-  if (tool_ != Tool::look) draw_sliders();
+  if (draws()) draw_sliders();
   if (tool_ == Tool::comb || tool_ == Tool::spline) draw_along();
   go_on(width_of_box(kSingularities), kBarGap * ImGui::GetFontSize());
   ImGui::Checkbox(kSingularities, &show_singularities_);
@@ -223,6 +226,7 @@ void StrokeTool::press(const PicturePlace& place, const Eigen::Vector2d& pixel) 
   last_pixel_ = pixel;
   switch (tool_) {
     case Tool::look:
+    case Tool::light:
       return;
     case Tool::comb:
       comb_.clear();
@@ -402,7 +406,7 @@ bool StrokeTool::erase_chosen() {
 void StrokeTool::draw_over(ImDrawList& list, const PicturePlace& place, bool hovered) {
   note_frame(*place.frame);
   if (show_singularities_ || tool_ == Tool::steer) draw_singularities(list, place);
-  if (tool_ == Tool::look) return;
+  if (!draws()) return;
   draw_strokes(list, place);
   if (hovered) draw_cursor(list, place);
 }

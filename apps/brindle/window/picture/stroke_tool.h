@@ -13,8 +13,8 @@
 
 namespace brindle::tool {
 
-enum class Tool { look, comb, spline, move, erase, steer };
-inline constexpr int kToolCount = 6;
+enum class Tool { look, light, comb, spline, move, erase, steer };
+inline constexpr int kToolCount = 7;
 
 /// What the mouse does on the picture besides looking around. Every stroke is drawn, moved or
 /// erased by commands of the session, so that the field follows while the mouse moves and all is
@@ -24,6 +24,8 @@ class StrokeTool {
   StrokeTool(LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
   Tool tool() const { return tool_; }
+  /// Whether the tool is one for strokes, and not for looking.
+  bool draws() const { return tool_ != Tool::look && tool_ != Tool::light; }
   void choose(Tool tool);
 
   /// Tools, radius and strength, as a row of widgets.

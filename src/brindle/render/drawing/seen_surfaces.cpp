@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "brindle/render/drawing/tile_cover.h"
-#include "brindle/render/surface_light.h"
 
 namespace brindle {
 namespace {
@@ -43,12 +42,12 @@ std::vector<std::size_t> first_codes(std::span<const StyledSurface> surfaces) {
   return codes;
 }
 
-SeenSurfaces::SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera, UpAxis up,
-                           int width, int height, const Progress& progress)
+SeenSurfaces::SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera,
+                           const PictureLight& light, int width, int height,
+                           const Progress& progress)
     : surfaces_(surfaces),
       camera_(camera),
-      up_(camera.view_from_world.topLeftCorner<3, 3>() *
-          (up == UpAxis::z ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitY()))),
+      lights_(lights_of(camera, light)),
       width_(width),
       height_(height),
       columns_((width + kSquare - 1) / kSquare),
@@ -182,7 +181,7 @@ float SeenSurfaces::tone_of(const SeenPoint& point, bool from_behind) const {
   place += (mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
   const Vec3 seen = (camera_.view_from_world * place.homogeneous()).head<3>();
   const Vec3 turned = camera_.view_from_world.topLeftCorner<3, 3>() * normal.normalized();
-  return tone_at(from_behind ? -turned : turned, sight_to(camera_, seen), up_);
+  return tone_at(from_behind ? -turned : turned, sight_to(camera_, seen), lights_);
 }
 
 std::size_t SeenSurfaces::surface_of(std::size_t entry) const {

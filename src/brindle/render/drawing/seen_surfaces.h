@@ -9,6 +9,7 @@
 #include "brindle/camera.h"
 #include "brindle/progress.h"
 #include "brindle/render/drawing/stroke_cover.h"
+#include "brindle/render/surface_light.h"
 #include "brindle/styled_picture.h"
 
 namespace brindle {
@@ -26,8 +27,8 @@ class SeenSurfaces {
  public:
   /// `camera` is relative to the origin of the first surface. Surfaces and what they refer to must
   /// live as long as this. Throws Cancelled if `progress` asks for it.
-  SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera, UpAxis up, int width,
-               int height, const Progress& progress);
+  SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera,
+               const PictureLight& light, int width, int height, const Progress& progress);
 
   /// What is seen at a point, in pixels from the upper left corner: nothing (0), surface number s
   /// (`first_codes(surfaces)[s]`), its strokes (one more) or, of a texture, the figures of its tile
@@ -58,7 +59,7 @@ class SeenSurfaces {
 
   std::span<const StyledSurface> surfaces_;
   Camera camera_;
-  Vec3 up_;
+  Lights lights_;
   int width_, height_, columns_, rows_;
   std::vector<Corner> corners_;           // of all surfaces
   std::vector<std::size_t> first_entry_;  // of each surface: its triangles among all

@@ -130,7 +130,7 @@ class SurfacePens {
 }  // namespace
 
 std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const Camera& camera,
-                                 UpAxis up, int width, int height, float least_area,
+                                 const PictureLight& light, int width, int height, float least_area,
                                  const Progress& heard) {
   check_drawing_size(width, height);
   check_entries(surfaces);
@@ -138,7 +138,7 @@ std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const 
   JobStages stages(heard, {{"outlines", 1}});
   const Progress progress = stages.begin("outlines");
   constexpr double kSorted = 0.05, kSeen = 0.5;
-  const SeenSurfaces seen(surfaces, camera, up, width, height, progress.part(0, kSorted));
+  const SeenSurfaces seen(surfaces, camera, light, width, height, progress.part(0, kSorted));
   const RegionTracer::CodeAt code_at = [&](double x, double y) { return seen.code_at(x, y); };
   const RegionTracer tracer(width, height, code_at, progress.part(kSorted, kSeen));
   std::vector<Pen> pens;

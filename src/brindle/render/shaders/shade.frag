@@ -6,13 +6,12 @@ uniform int group;          // the one to shade
 uniform int last_group;     // which all further ones join
 uniform vec3 base_color;
 uniform bool shading;
-uniform vec3 up;            // of the world, seen from the camera
 
 layout(location = 0) out vec4 color;
 
 vec3 light_at(SurfacePoint p) {
   vec3 surface = with_paint(with_pattern(base_color, p), p.triangle);
-  return shading ? lit(surface, p.view_normal, line_of_sight(p), up) : surface;
+  return shading ? lit_here(surface, p.view_normal, line_of_sight(p)) : surface;
 }
 
 void main() {

@@ -6,7 +6,6 @@ uniform vec4 tile;         // as in splat.vert
 uniform vec2 target_size;  // in pixels
 uniform vec2 view_scale;   // clip from view coordinates, x and y
 uniform bool orthographic;
-uniform vec3 up;           // of the world, seen from the camera
 uniform bool shading;
 uniform vec3 base_color;
 uniform vec3 stripe_color;
@@ -30,5 +29,5 @@ void main() {
   vec2 aside = orthographic ? vec2(0.0) : (clip - tile.zw) / tile.xy / view_scale;
   vec3 towards = vec3(aside, -1.0);
   vec3 normal = texelFetch(normal_sums, pixel, 0).xyz;
-  color = vec4(shading ? lit(surface, normal, towards, up) : surface, 1.0);
+  color = vec4(shading ? lit_here(surface, normal, towards) : surface, 1.0);
 }

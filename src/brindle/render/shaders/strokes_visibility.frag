@@ -2,7 +2,6 @@
 
 uniform int first_triangle;
 uniform int first_number;
-uniform vec3 up;
 
 layout(location = 0) out uint visible;
 
@@ -16,6 +15,6 @@ bool covered(SurfacePoint p, float tone) {
 void main() {
   uint number = uint(first_triangle + gl_PrimitiveID);
   SurfacePoint p = surface_point(surface_triangle(number), gl_FragCoord.xy, gl_FragCoord.xy);
-  if (!covered(p, tone_at(p, up))) discard;
+  if (!covered(p, tone_at(p))) discard;
   visible = uint(first_number) + number + 1u;
 }

@@ -9,7 +9,6 @@ uniform int triangle_count;
 uniform bool middle_of_samples;  // where samples may be no surface's in between
 uniform bool shading;
 uniform vec3 base_color;
-uniform vec3 up;  // of the world, seen from the camera
 
 layout(location = 0) out vec4 color;
 
@@ -19,8 +18,8 @@ vec4 light_at(SurfacePoint p) {
     float place = style_value(p, kPlaceOfSurface);
     if (place > kNoValue) surface = scale_color(place);
   }
-  if (!pattern_at(surface, p, tone_at(p, up))) return vec4(0.0);
-  if (shading) surface = lit(surface, p.view_normal, line_of_sight(p), up);
+  if (!pattern_at(surface, p, tone_at(p))) return vec4(0.0);
+  if (shading) surface = lit_here(surface, p.view_normal, line_of_sight(p));
   return vec4(with_depth_cue(surface * open_share(p), p), 1.0);
 }
 

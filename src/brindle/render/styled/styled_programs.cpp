@@ -51,8 +51,8 @@ const ShaderProgram& StyledPrograms::spread() {
 
 const ShaderProgram& StyledPrograms::between_strokes(const std::string& features) {
   return visibility("between strokes\n", features,
-                    {"stripe_middle.glsl", "light.glsl", "style_buffers.glsl", "color_scale.glsl",
-                     "strokes.glsl", "tone.glsl", "strokes_visibility.frag"});
+                    {"stripe_middle.glsl", "light.glsl", "picture_light.glsl", "style_buffers.glsl",
+                     "color_scale.glsl", "strokes.glsl", "tone.glsl", "strokes_visibility.frag"});
 }
 
 const ShaderProgram& StyledPrograms::beside_tiles(const std::string& features) {
@@ -64,14 +64,15 @@ const ShaderProgram& StyledPrograms::beside_tiles(const std::string& features) {
 
 const ShaderProgram& StyledPrograms::strokes(const std::string& features, bool occlusion) {
   return shading("strokes\n", features, occlusion,
-                 {"stripe_coverage.glsl", "light.glsl", "style_buffers.glsl", "color_scale.glsl",
-                  "strokes.glsl", "stroke_layers.glsl"});
+                 {"stripe_coverage.glsl", "light.glsl", "picture_light.glsl", "style_buffers.glsl",
+                  "color_scale.glsl", "strokes.glsl", "stroke_layers.glsl"});
 }
 
 const ShaderProgram& StyledPrograms::texture(const std::string& features, bool occlusion) {
-  return shading("texture\n", features, occlusion,
-                 {"light.glsl", "style_buffers.glsl", "color_scale.glsl", "texture_fragment.glsl",
-                  "texture_tile.glsl", "broken_tiles.glsl", "region_texture.glsl"});
+  return shading(
+      "texture\n", features, occlusion,
+      {"light.glsl", "picture_light.glsl", "style_buffers.glsl", "color_scale.glsl",
+       "texture_fragment.glsl", "texture_tile.glsl", "broken_tiles.glsl", "region_texture.glsl"});
 }
 
 const ShaderProgram& StyledPrograms::ground() {

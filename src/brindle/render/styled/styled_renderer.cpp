@@ -260,7 +260,7 @@ void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing&
   drawn.surface.bind(program, drawing.camera, part.transform);
   drawn.style.bind(program, samples * shading_side(drawing.options.render));
   program.set("target_size", Eigen::Vector2f((samples * part.size).cast<float>()));
-  program.set("up", up_seen_by(drawing.camera, drawing.up()));
+  set_light(program, drawing.camera, drawing.options.render);
   for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
     if (regions > 0) drawn.style.bind_region(program, region);
     drawn.surface.draw(program, drawing.camera, part.transform);
@@ -290,7 +290,7 @@ void StyledRenderer::State::set_picture(const ShaderProgram& program, const Draw
                                         const Part& part) const {
   const StyledOptions& options = drawing.options;
   program.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
-  program.set("up", up_seen_by(drawing.camera, drawing.up()));
+  set_light(program, drawing.camera, drawing.options.render);
   bind_visible(program, visible);
   program.set("color_map", static_cast<int>(kColorMapUnit));
   program.set("has_threshold", options.scale.threshold.has_value());
