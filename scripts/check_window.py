@@ -229,6 +229,32 @@ def check_curves_and_samples_are_live(start, folder):
     window.quit()
 
 
+def check_curves_are_exported(start, folder):
+    words = ("shape:trefoil,resolution=60", "--stripes", "24")
+    window = start(*words)
+    window.settled()
+    figures = figures_of(window, "curves", window.now())
+    told = folder / "told.json"
+    subprocess.run([start.tool, "curves", *words, "--report", told, "--output", "tool.obj", "--output", "tool.vtp",
+                    "--output", "tool.csv", "--output", "tool.ply"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    u = json.loads(told.read_text())["u"]
+    expect([figures[name] for name in ("curves of u", "closed ones of u", "ends of u")] ==
+           [u["curves"], u["closed"], u["ends"]["total"]], f"the panel has {figures}, the report {u}")
+    expect(abs(figures["length of u"] - u["length"]) < 1e-3 * u["length"], f"{figures['length of u']} is no length")
+    window.wait_until(lambda: "figure ends of u" in window.places, "ends in the panel")
+    save_session(window, folder / "session.json")
+    for kind in ("obj", "vtp", "csv", "ply", "svg"):
+        window.menu("File", "Export curves...")
+        window.save_as(folder / f"window.{kind}")
+        window.wait_for("message", text=f"wrote {folder / f'window.{kind}'}")
+    subprocess.run([start.tool, "render", "session.json", "--output", "tool.svg"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    for kind in ("obj", "vtp", "csv", "ply", "svg"):
+        seen, expected = (folder / f"{name}.{kind}" for name in ("window", "tool"))
+        expect(seen.read_bytes() == expected.read_bytes(), f"the window writes another {kind}")
+    window.quit()
+
+
 def check_typed_values_count_as_a_whole(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "30")
     window.settled()
@@ -552,6 +578,95 @@ def check_what_follows_the_light_fits_at_rest(start, folder):
                    stdout=subprocess.DEVNULL)
     alone = json.loads((folder / "alone.json.json").read_text())
     expect(rest["spacing_error"] <= alone["spacing_error_mean"] + 0.03, f"{rest} fits no more: {alone}")
+    window.quit()
+
+
+def search_option(window, text):
+    window.click("search")
+    window.key("ctrl+a")
+    window.type(text)
+
+
+def check_light_is_moved(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "20", "--width-by", "light")
+    window.settled()
+    before = save_picture(window, folder / "before.png")
+    camera = camera_of(window, folder / "camera.json")
+    window.key("i")
+    at = window.point("light")
+    since = window.now()
+    window.drag([window.point("picture", 0.3 + 0.05 * i, 0.5 + 0.03 * i) for i in range(6)])
+    window.settled(since)
+    frames = [e for e in window.lines[since:] if e["event"] == "frame"]
+    expect(any(not frame["final"] for frame in frames), "nothing was drawn while the light moved")
+    now = window.point("light")
+    expect(now[0] > at[0] + 5 and now[1] > at[1] + 5, f"the ball's light goes from {at} to {now}")
+    seen = save_picture(window, folder / "seen.png")
+    session = json.loads(save_session(window, folder / "session.json"))
+    azimuth, elevation = map(float, session["options"]["light-from"].split(","))
+    expect(-31 < azimuth < 90 and -60 < elevation < 39, f"the light comes from {azimuth}, {elevation}")
+    expect(session["camera"] == camera, "the camera moves with the light")
+    expect(seen != before, "another light shows the same")
+    subprocess.run([start.tool, "render", "session.json", "--output", "rendered.png"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
+    search_option(window, "light from")
+    window.place("option light-from")
+    since = window.now()
+    window.drag([window.point("picture", 0.5), window.point("picture", 0.6)], button=3)
+    window.settled(since)
+    expect(camera_of(window, folder / "turned.json") != camera, "the right button does not turn the surface")
+    since = window.now()
+    window.key("Escape", "ctrl+z")
+    window.settled(since)
+    expect("light-from" not in options_of(window, folder / "undone.json"), "a drag is not one step to undo")
+    window.quit()
+
+
+def place_under_mouse(window):
+    def find():
+        for name in window.places:
+            if name.startswith("value place "):
+                return [float(number) for number in name.removeprefix("value place ").split(",")]
+        return None
+    window.move(*window.point("picture", 0.5, 0.51))
+    window.move(*window.point("picture"))
+    return window.wait_until(find, "place under the mouse")
+
+
+def check_slice_opens_the_surface(start, folder):
+    window = start("shape:sphere,resolution=40", "--stripes", "20", "--camera", "0,0", "--up", "y")
+    window.settled()
+    expect(place_under_mouse(window)[2] > 0.9, "the front is not seen")
+    search_option(window, "cut open")
+    window.click("slice axis")
+    since = window.now()
+    window.click("choice slice z")
+    window.settled(since)
+    expect(options_of(window, folder / "half.json").get("slice") == "z=50%", "no slice through the middle")
+    expect(place_under_mouse(window)[2] < -0.9, "the mouse does not reach what is seen within")
+    since = window.now()
+    window.drag_slider("option slice", 0.5, 0.65)
+    window.settled(since)
+    frames = [e for e in window.lines[since:] if e["event"] == "frame"]
+    expect(any(not frame["final"] for frame in frames), "nothing was drawn while the plane moved")
+    expect(not any("solve" in str(frame["stages"]) for frame in frames), "a slice is solved for")
+    seen = save_picture(window, folder / "seen.png")
+    session = json.loads(save_session(window, folder / "session.json"))
+    percent = float(session["options"]["slice"].removeprefix("z=").removesuffix("%"))
+    expect(5 < percent < 95 and percent != 50, f"the slider says {percent}")
+    subprocess.run([start.tool, "render", "session.json", "--output", "rendered.png"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
+    since = window.now()
+    window.key("Escape", "ctrl+z")
+    window.settled(since)
+    expect(options_of(window, folder / "undone.json").get("slice") == "z=50%", "a drag is not one step to undo")
+    window.click("slice axis")
+    since = window.now()
+    window.click("choice slice not")
+    window.settled(since)
+    expect("slice" not in options_of(window, folder / "whole.json"), "the slice stays")
     window.quit()
 
 

@@ -21,6 +21,17 @@ enum class Projection {
   orthographic  ///< parallel: what is equally long looks equally long, however far away
 };
 
+/// A plane that opens surfaces: what lies on the side that its normal points to is not seen.
+struct Slice {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< of the plane
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of any length above 0
+  /// The point is in shares of the bounding box of the points that are framed, 0 to 1 along each
+  /// axis, and not in their coordinates.
+  bool in_shares = false;
+
+  bool operator==(const Slice&) const = default;
+};
+
 /// The side from which a mesh is looked at; distance and aim follow from its shape. With y up,
 /// azimuth and elevation 0 look from +z towards -z, with +x to the right; with z up, from -y
 /// towards +y, with +x to the right. The camera moves counter-clockwise, seen from above, as
@@ -37,6 +48,8 @@ struct CameraView {
   /// Turns the points' coordinates to the viewer's: x to the right, y up, z towards the viewer.
   /// Instead of azimuth, elevation and `up`, which have no say then; need not be of unit length.
   std::optional<Eigen::Quaternionf> rotation = {};
+  /// In the coordinates of the points that are framed. It has no say in how they are framed.
+  std::optional<Slice> slice = {};
 
   bool operator==(const CameraView&) const = default;
 };
@@ -67,6 +80,12 @@ struct Camera {
   Vec3 origin = Vec3::Zero();
   Eigen::Matrix4f view_from_world = Eigen::Matrix4f::Identity();  ///< of points less `origin`
   Eigen::Matrix4f clip_from_view = Eigen::Matrix4f::Identity();   ///< OpenGL's clip space
+
+  /// What is on its positive side is not seen; in the coordinates of the points that are framed.
+  std::optional<Eigen::Hyperplane<float, 3>> slice = {};
+
+  /// Whether the slice takes the point away.
+  bool cuts_off(const Vec3& point) const { return slice && slice->signedDistance(point) > 0; }
 
   bool orthographic() const { return clip_from_view(3, 3) == 1; }
 };

@@ -20,6 +20,11 @@ namespace BRINDLE_EXPORT brindle {
 /// `eye` is relative to the mesh's origin.
 Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye);
 
+/// The edge along which a slice (`Camera::slice`) opens the surface, a ten-thousandth of its
+/// diagonal within what is left.
+Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
+                      const Eigen::Hyperplane<float, 3>& slice);
+
 /// Borders, and edges at which the surface bends by more than `angle_deg` degrees (0: flat).
 /// Throws Cancelled if `progress` asks for it.
 Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,

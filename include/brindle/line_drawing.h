@@ -22,7 +22,9 @@ namespace BRINDLE_EXPORT brindle {
 /// A stroke of the pen: x to the right and y downwards, in pixels from the upper left corner.
 using Stroke = std::vector<Eigen::Vector2f>;
 
-/// What can be seen of a surface from one side, at every half pixel: found without OpenGL.
+/// What can be seen of a surface from one side, at every half pixel: found without OpenGL. What the
+/// view's or the camera's slice takes away hides nothing, and lines have no strokes there, hidden
+/// ones neither.
 class Visibility {
  public:
   /// The picture of `width` x `height` pixels from `view`, in which the mesh is framed.
@@ -44,9 +46,11 @@ class Visibility {
   struct Seen {
     Eigen::Vector2f pixel;
     float distance;  ///< along the viewing direction
+    float beyond;    ///< the camera's slice: above 0 it is not there
   };
   Seen project(const Vec3& point) const;
   float nearness(std::span<const Seen> seen, std::span<const float> weights) const;
+  float beyond(std::span<const Seen> seen, std::span<const float> weights) const;
   struct Cells;
   void draw(const Mesh& mesh, const Progress& progress);
   Cells cells_of(const std::array<Seen, 3>& corners) const;

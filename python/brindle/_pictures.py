@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 _STRIPE_COLOR = "#1c325a"
 _SAMPLE_COLOR = "#c7422b"
-_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "up": None, "colors": None, "light_from": None}
+_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "up": None, "colors": None, "light_from": None,
+            "slice": None}
 
 
 #: Whether this build draws pictures.
@@ -27,7 +28,8 @@ has_opengl: bool = _core.has_opengl
 def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
                camera: Sequence[float] = (30, 20), up: Optional[str] = None,
                colors: Optional[Sequence[str]] = None,
-               light_from: Optional[Sequence[float]] = None, **unknown: Any) -> "_core.Picture":
+               light_from: Optional[Sequence[float]] = None, slice: Optional[str] = None,
+               **unknown: Any) -> "_core.Picture":
     if unknown:
         raise TypeError(f"{next(iter(unknown))}: no option of pictures; there are "
                         f"{', '.join(_OPTIONS)}")
@@ -53,6 +55,8 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
         except (TypeError, ValueError) as error:
             raise Error("light_from: expected (azimuth, elevation) in degrees") from error
         picture.set_light_from(number(azimuth, "light_from"), number(elevation, "light_from"))
+    if slice is not None:
+        picture.set_slice(word(slice, "slice"))
     return picture
 
 
@@ -61,7 +65,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
            colors: Optional[Sequence[str]] = None, view: Optional[str] = None,
            stripe_width: Optional[float] = None, tile: Any = None, tiles: Optional[str] = None,
            tube_radius: Optional[float] = None, transparent: bool = False,
-           shading: bool = True, light_from: Optional[Sequence[float]] = None) -> "NDArray[np.uint8]":
+           shading: bool = True, light_from: Optional[Sequence[float]] = None,
+           slice: Optional[str] = None) -> "NDArray[np.uint8]":
     """A picture (h, w, 4) of uint8, red, green, blue and alpha, row by row from the top; that of the
     tool with the same options.
 
@@ -75,12 +80,14 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     with a shape of their own, such as dots and arrows. ``tube_radius`` of curves. ``transparent``:
     no background. ``shading``: light; ``light_from``: (azimuth, elevation) in degrees from the
     viewer, (90, 0) from the right and (0, 90) from above; None: from the upper left.
+    ``slice``: a plane beyond which nothing is seen, such as "x=0.2", "z=50%" of the bounding box,
+    "-z=50%" for the other side, or "X,Y,Z,NX,NY,NZ", a point and a normal.
 
     Needs a build with OpenGL, and no display: raises brindle.Error otherwise.
     """
     surface = as_surface(surface)
     picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors,
-                         light_from=light_from)
+                         light_from=light_from, slice=slice)
     picture.transparent = flag(transparent, "transparent")
     picture.shading = flag(shading, "shading")
     if not picture.shading and light_from is not None:

@@ -48,6 +48,15 @@ void set_light_from(Picture& picture, float azimuth, float elevation) {
   picture.options.light_from = {azimuth, elevation};
 }
 
+void set_slice(Picture& picture, const std::string& text) {
+  picture.slice = parse_slice(text);
+  if (picture.slice) return;
+  throw Error(
+      "slice: expected 'AXIS=PLACE' such as 'x=0.2', 'z=50%' or '-z=50%', or "
+      "'X,Y,Z,NX,NY,NZ', got '" +
+      text + "'");
+}
+
 void set_size(Picture& picture, int width, int height) {
   check_image_size(width, height);
   picture.options.width = width;
@@ -99,8 +108,8 @@ void draw_lines(const std::string& path, const SurfaceData& data,
     throw Error("cannot draw '" + path +
                 "': a drawing is an .svg here; brindle curves writes .pdf");
   }
-  const RenderOptions& options = picture.options;
   const Surface& surface = data.surface;
+  const RenderOptions options = options_relative_to(surface.mesh.origin, picture);
   std::vector<PenLines> lines;
   for (const HeldLines& pen : pens) lines.push_back({pen.name, pen.color, pen.lines});
   until_interrupted([&](const Progress& progress) {
@@ -120,12 +129,20 @@ Ornament ornament(py::handle vertices, py::handle triangles, const std::string& 
 
 }  // namespace
 
+RenderOptions options_relative_to(const Eigen::Vector3d& origin, const Picture& picture) {
+  RenderOptions options = picture.options;
+  options.camera.slice = picture.slice;
+  if (picture.slice && !picture.slice->in_shares) options.camera.slice->point -= origin;
+  return options;
+}
+
 void bind_pictures(py::module_& module) {
   py::class_<Picture>(module, "Picture")
       .def(py::init<>())
       .def("set_camera", set_camera, py::arg("azimuth"), py::arg("elevation"), py::arg("zoom"),
            py::arg("up"))
       .def("set_light_from", set_light_from, py::arg("azimuth"), py::arg("elevation"))
+      .def("set_slice", set_slice, py::arg("slice"))
       .def("set_size", set_size, py::arg("width"), py::arg("height"))
       .def("set_colors", set_colors, py::arg("colors"))
       .def("set_view", set_view, py::arg("view"))

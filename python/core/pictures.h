@@ -15,8 +15,12 @@ namespace py = pybind11;
 /// Options of pictures and drawings, as Python sets them.
 struct Picture {
   RenderOptions options;
+  std::optional<Slice> slice;    ///< in the surface's own coordinates
   std::string view = "stripes";  ///< or branches, angle_error
 };
+
+/// The options with the slice, of surfaces relative to `origin`.
+RenderOptions options_relative_to(const Eigen::Vector3d& origin, const Picture& picture);
 
 /// A mesh of one colour on the surface: tubes along curves, discs at samples.
 struct Ornament {

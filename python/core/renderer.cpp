@@ -66,8 +66,9 @@ Overlay overlay_of(const std::string& view, const StripesData& data) {
   return {};
 }
 
-RenderOptions options_of(const Picture& picture) {
-  return picture.view == "stripes" ? picture.options : with_faint_stripes(picture.options);
+RenderOptions options_of(const Picture& picture, const Mesh& mesh) {
+  const RenderOptions options = options_relative_to(mesh.origin, picture);
+  return picture.view == "stripes" ? options : with_faint_stripes(options);
 }
 
 Image picture_of_points(const SurfaceData& data, const StripesData* stripes,
@@ -90,7 +91,7 @@ py::array render_stripes(const SurfaceData& surface, const StripesData* stripes,
   }
   use_unforkable(UnforkableWork::pictures);
   return array_of(until_interrupted([&](const Progress& progress) {
-    const RenderOptions options = options_of(picture);
+    const RenderOptions options = options_of(picture, surface.surface.mesh);
     if (surface.is_points()) return picture_of_points(surface, stripes, options, progress);
     SurfaceDrawing drawing{.mesh = surface.surface.mesh, .normals = surface.surface.normals};
     if (stripes == nullptr) return render_picture(drawing, options, progress);
@@ -148,9 +149,9 @@ py::array render_texture(const TextureData& texture, py::handle tile, std::optio
       drawing.z = texture.u->pattern.solution.z;
       drawing.triangle_colors = overlay.triangle_colors;
       drawing.marks = overlay.marks;
-      return render_picture(drawing, options_of(picture), progress);
+      return render_picture(drawing, options_of(picture, drawing.mesh), progress);
     }
-    return render_picture(drawing, options_of(picture), progress);
+    return render_picture(drawing, options_of(picture, drawing.mesh), progress);
   }));
 }
 
@@ -168,7 +169,7 @@ py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>&
       colors.resize(mesh.triangle_count(), {ornament.color, 1});
     }
     return render_picture({.mesh = mesh, .normals = normals, .triangle_colors = colors},
-                          picture.options, progress);
+                          options_relative_to(mesh.origin, picture), progress);
   }));
 }
 

@@ -331,12 +331,12 @@ def test_pictures(torus, tmp_path):
     for options in ({"size": (0, 5)}, {"size": (10**6, 10**6)}, {"size": 5}, {"camera": (1,)},
                     {"camera": (0, 100)}, {"up": "x"}, {"colors": ("reddish", "blue")},
                     {"colors": ("#fff",)}, {"view": "nothing"}, {"stripe_width": 2},
-                    {"tile": "dots"}, {"tube_radius": 1}, {"light_from": 5}, {"light_from": (0, 95)},
+                    {"tile": "dots"}, {"tube_radius": 1}, {"light_from": 5}, {"slice": "50%"}, {"slice": "0,0,0,0,0,0"}, {"light_from": (0, 95)},
                     {"light_from": (float("nan"), 0)},
                     {"light_from": (0, 0), "shading": False}):
         with pytest.raises(brindle.Error):
             brindle.render(torus, p, **options)
-    for options in ({"size": (10.5, 3)}, {"transparent": "yes"}, {"colors": (1, 2)}):
+    for options in ({"size": (10.5, 3)}, {"transparent": "yes"}, {"colors": (1, 2)}, {"slice": 0.5}):
         with pytest.raises(TypeError):
             brindle.render(torus, p, **options)
     with pytest.raises(TypeError):

@@ -45,6 +45,7 @@ TEST_F(StyleTool, EveryStyleChangesThePicture) {
       {"--between", "nothing"},
       {"--with", "shape:sphere,resolution=6@#ff0000"},
       {"--light-from", "70,10"},
+      {"--slice", "z=50%"},
       {"--flat"},
       {"--transparent"},
       {"--depth-cue", "chroma"},

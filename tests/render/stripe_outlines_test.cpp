@@ -344,6 +344,9 @@ TEST(StripeOutlines, AreThoseOfPictures) {
   const auto by_light = [](Strokes& s) { s.tone = ToneRange{1, 0.3f, 0.1f}; };
   EXPECT_LT(differing_share(torus, view, by_light), 0.002);
   EXPECT_LT(differing_share(torus, view, by_light, LightDirection{70, -10}), 0.002);
+  CameraView sliced = view;
+  sliced.slice = Slice{{0.1, 0, 0}, {1, 0.3, 0.2}, false};
+  EXPECT_LT(differing_share(torus, sliced, nothing), 0.002);
 }
 
 TEST(StripeOutlines, LeaveOutWhatIsSmall) {

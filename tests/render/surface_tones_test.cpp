@@ -46,8 +46,8 @@ Seen compare(const Surface& surface, const PictureLight& light) {
     const int y = static_cast<int>((1 - clip.y() / clip.w()) / 2 * kHeight);
     const Pixel pixel = image.at(x, y);
     if (pixel.alpha < 255) continue;
-    const Vec3 light = premultiplied_light(pixel).head<3>();
-    const float tone = std::pow(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 1 / 2.2f);
+    const Vec3 shown = premultiplied_light(pixel).head<3>();
+    const float tone = std::pow(shown.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 1 / 2.2f);
     seen.worst = std::max(seen.worst, std::abs(static_cast<double>(tone - tones[v])));
     ++seen.vertices;
   }

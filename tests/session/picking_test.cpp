@@ -50,6 +50,20 @@ TEST(Picking, FromBehindTheNormalIsThatOfTheOtherSide) {
   EXPECT_TRUE(hit->normal.isApprox(Vec3(0, 0, -1), 1e-5f));
 }
 
+TEST(Picking, GoesThroughWhatASliceTakesAway) {
+  const Surface ball = make_surface(make_shape("sphere,resolution=12"));
+  CameraView view = view_of(Projection::perspective, 0, 0);
+  const auto depth_of = [&](std::optional<Slice> slice) {
+    view.slice = slice;
+    const Camera camera = framed_camera(ball.mesh.positions, view, 100, 100);
+    const auto hit = pick(ball, camera, 100, 100, 50, 50);
+    return hit ? hit->position.z() : 5;
+  };
+  EXPECT_NEAR(depth_of({}), 1, 0.05);
+  EXPECT_NEAR(depth_of(Slice{{0, 0, 0}, {0, 0, 1}}), -1, 0.05);
+  EXPECT_EQ(depth_of(Slice{{0, 0, -2}, {0, 0, 1}}), 5) << "nothing is left";
+}
+
 /// Of a closed surface no ray that goes through the middle comes out between triangles.
 TEST(Picking, MissesNothingBetweenTriangles) {
   Mesh mesh = make_shape("sphere,resolution=12");

@@ -236,6 +236,7 @@ void check_scene_options(const CLI::App& command, const AnimateArguments& argume
 void check_styles(const CLI::App& command, const AnimateArguments& arguments) {
   const bool texture = !arguments.texture.tile.empty();
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
+  check_light_option(command, arguments.style, arguments.waves);
   const auto refuse = [&](const char* why) {
     refuse_style_options(command, why);
     refuse_given(command, {"--texture", "--tiles"}, why);

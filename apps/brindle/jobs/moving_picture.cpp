@@ -29,10 +29,11 @@ std::span<const Complex> phases_of(const SolvedFrame& solved) {
 class PlainFrames : public FramePainter {
  public:
   explicit PlainFrames(const PictureOptions& options)
-      : view_(options.view), render_(render_options(options)) {}
+      : options_(options), render_(render_options(options, Eigen::Vector3d::Zero())) {}
 
   Image paint(const SolvedFrame& frame) override {
-    Overlay overlay = overlay_of(view_, frame.scene.mesh, frame.scene.waves, frame.corners);
+    if (first_) render_ = render_options(options_, frame.scene.mesh.origin);
+    Overlay overlay = overlay_of(options_.view, frame.scene.mesh, frame.scene.waves, frame.corners);
     add_points(frame.scene.points, overlay.marks);
     show(frame, overlay);
     first_ = false;
@@ -44,7 +45,7 @@ class PlainFrames : public FramePainter {
   void show(const SolvedFrame& solved, const Overlay& overlay);
   bool has_waves(const WaveSet& waves);
 
-  View view_;
+  const PictureOptions& options_;
   RenderOptions render_;
   Renderer renderer_;
   bool first_ = true;
@@ -136,8 +137,7 @@ void MovingPicture::State::write(Image image) {
 MovingPicture::MovingPicture(std::vector<FrameOutput> outputs, const PictureOptions& options,
                              int frames_per_second, bool own_context, const FrameStyle* style)
     : state_(std::make_unique<State>(std::move(outputs), options, own_context, style)) {
-  const RenderOptions render = render_options(options);
-  const VideoFormat format{render.width, render.height, frames_per_second};
+  const VideoFormat format{options.render.width, options.render.height, frames_per_second};
   for (const FrameOutput& output : state_->outputs) {
     state_->videos.push_back(output.is_video() ? std::make_unique<VideoFile>(output.video, format)
                                                : nullptr);

@@ -105,9 +105,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   }
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   check_drawings(command, arguments, outputs, texture);
-  if (arguments.style.flat && !arguments.style.follows_light()) {
-    refuse_light_option(command, arguments.waves, "--flat draws without light; leave it out");
-  }
+  check_light_option(command, arguments.style, arguments.waves);
   const std::string no_picture = "no picture is written; add --output FILE.png";
   if (!has(outputs, OutputKind::picture)) {
     refuse_style_options(command, no_picture);

@@ -243,7 +243,7 @@ Image StyledFrames::paint(const SolvedFrame& frame) {
   const Surface surface{frame.scene.mesh, frame.data.surface.neighborhood, frame.scene.normals};
   if (count_ == 0) begin(frame, surface);
   Followed followed = follow(style_.style, values_.read(frame.data, surface, viewpoint_));
-  StyledOptions options = styled_options(style_.style, picture_, followed);
+  StyledOptions options = styled_options(style_.style, picture_, surface.mesh.origin, followed);
   if (style_.tile) name_tiles(style_.style, *style_.tile, options.render, followed);
   options.framed = framed_;
   const StyledScene scene = scene_of(frame, surface, followed);

@@ -87,9 +87,16 @@ void refuse_light_option(const CLI::App& command, const WaveOptions& waves, std:
   if (!depends_on_light(waves.arrays.frequency_by)) refuse_given(command, {"--light-from"}, why);
 }
 
+void check_light_option(const CLI::App& command, const StyleOptions& style,
+                        const WaveOptions& waves) {
+  if (!style.flat || style.follows_light()) return;
+  refuse_light_option(command, waves, "--flat draws without light; leave it out");
+}
+
 void refuse_camera_options(const CLI::App& command, const WaveOptions& waves,
                            std::string_view why) {
   refuse_light_option(command, waves, why);
+  refuse_given(command, {"--slice"}, why);
   if (depends_on_camera(waves.arrays.frequency_by)) return;
   refuse_given(command, {"--camera", "--size"}, why);
   if (!depends_on_up(waves.arrays.frequency_by)) refuse_given(command, {"--up"}, why);

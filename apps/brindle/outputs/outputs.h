@@ -9,6 +9,7 @@
 #include "input/used_files.h"
 #include "input/wave_options.h"
 #include "outputs/mesh_output.h"
+#include "pictures/style_options.h"
 
 namespace brindle::tool {
 
@@ -42,6 +43,11 @@ void refuse_picture_options(const CLI::App& command, const WaveOptions& waves,
 
 /// The same of --light-from alone, which counts anyway where frequencies follow the light.
 void refuse_light_option(const CLI::App& command, const WaveOptions& waves, std::string_view why);
+
+/// Throws CLI::ValidationError where pictures of this style have no light that --light-from would
+/// move.
+void check_light_option(const CLI::App& command, const StyleOptions& style,
+                        const WaveOptions& waves);
 
 /// The same of --camera, --up, --size and --light-from alone.
 void refuse_camera_options(const CLI::App& command, const WaveOptions& waves, std::string_view why);

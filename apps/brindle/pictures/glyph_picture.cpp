@@ -54,7 +54,7 @@ GlyphPicture::GlyphPicture(const Surface& surface, std::span<const Sample> sampl
   if (input.picture) keep_proportions(*input.picture, sizes);
   glyphs_ = glyphs_at(samples, options.glyph.shape, sizes, progress);
   glyphs_.mesh.origin = mesh.origin;
-  styled.render = render_options(picture);
+  styled.render = render_options(picture, mesh.origin);
   add_colors(samples, mesh, options, input);
   const RenderOptions& render = styled.render;
   styled.right_margin = legend_width(legends, render.width, render.height);

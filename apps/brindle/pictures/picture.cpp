@@ -53,6 +53,14 @@ void set_light(RenderOptions& render, const std::string& option, const std::stri
   }
 }
 
+Slice slice_of(const std::string& text) {
+  const auto slice = parse_slice(text);
+  if (!slice) {
+    wrong_usage("--slice", "AXIS=PLACE such as x=0.2, z=50% or -z=50%, or X,Y,Z,NX,NY,NZ", text);
+  }
+  return *slice;
+}
+
 void set_colors(RenderOptions& render, const std::string& option, const std::string& text) {
   std::vector<Color> colors;
   for (const std::string& part : split(text, ',')) {
@@ -93,6 +101,8 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   add_render_option(app, "--camera", render, set_camera);
   add_field(app, "--up", options->up);
   add_render_option(app, "--light-from", render, set_light);
+  app.add_option_function<std::string>(
+      "--slice", [slice = &options->slice](const std::string& text) { *slice = slice_of(text); });
   add_render_option(app, "--size", render, set_size);
   add_field(app, "--quality", render.quality);
   add_render_option(app, "--colors", render, set_colors);
@@ -110,7 +120,9 @@ void stand_on_z(PictureOptions& options) {
 }
 
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
-  const RenderOptions render = render_options(options);
+  // What follows the camera or the light has nothing to do with slices.
+  const RenderOptions render =
+      render_options({options.view, options.up, {}, options.render}, Eigen::Vector3d::Zero());
   // A file's pictures have y up only because nobody has said what is; its heights stay along z.
   return Viewpoint{
       render.camera,    render.width, render.height, std::nullopt, options.up.value_or(UpAxis::z),
@@ -134,8 +146,10 @@ Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
   return {};
 }
 
-RenderOptions render_options(const PictureOptions& options) {
+RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3d& origin) {
   RenderOptions render = options.render;
+  render.camera.slice = options.slice;
+  if (options.slice && !options.slice->in_shares) render.camera.slice->point -= origin;
   if (options.view != View::stripes) render = with_faint_stripes(render);
   render.camera.up = options.up.value_or(render.camera.up);
   return render;
@@ -172,7 +186,7 @@ void write_picture(const std::filesystem::path& path, const Surface& surface,
                    const Progress& progress) {
   const Progress drawing = progress.part(0, kDrawn), writing = progress.part(kDrawn, 1);
   const StripePattern& pattern = result.stripes();
-  const RenderOptions render = render_options(options);
+  const RenderOptions render = render_options(options, surface.mesh.origin);
   if (surface.mesh.triangles.empty()) {
     const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
     const SplatDrawing splats = splat_drawing_of(surface, pattern, radii);

@@ -15,7 +15,8 @@ enum class View { stripes, branches, angle_error };
 
 struct PictureOptions {
   View view = View::stripes;
-  std::optional<UpAxis> up;  // the user's choice
+  std::optional<UpAxis> up;    // the user's choice
+  std::optional<Slice> slice;  // in the coordinates of the mesh's file
   RenderOptions render;
 
   /// Calls `add("--option", field)` for what only stripes have.
@@ -39,7 +40,8 @@ SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
 SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
                               std::span<const float> radii);
 
-/// How the renderer draws what the user asked for.
-RenderOptions render_options(const PictureOptions& options);
+/// How the renderer draws what the user asked for, of surfaces relative to `origin` (`Mesh::origin`
+/// of the first one).
+RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3d& origin);
 
 }  // namespace brindle::tool

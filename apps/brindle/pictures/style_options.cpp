@@ -330,11 +330,6 @@ bool StyleOptions::follows_camera() const {
                              depends_on_camera);
 }
 
-bool StyleOptions::follows_light() const {
-  return std::ranges::any_of(std::array{width_by, color_by, opacity_by, texture_by, tile_size_by},
-                             depends_on_light);
-}
-
 bool StyleOptions::follows_field() const {
   return std::ranges::any_of(std::array{width_by, color_by, opacity_by, texture_by, tile_size_by},
                              depends_on_field);

@@ -1,6 +1,8 @@
 /// How strokes and surfaces of a picture look. A build without OpenGL offers none of the options.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,6 +98,11 @@ struct StyleOptions {
 
   bool has_lines() const { return outline != OutlineStyle::none || crease_deg.has_value(); }
   bool by_light() const { return width_by == "light"; }
+  /// Whether a value or a width is another one where the light comes from elsewhere.
+  bool follows_light() const {
+    const std::array values{&width_by, &color_by, &opacity_by, &texture_by, &tile_size_by};
+    return std::ranges::any_of(values, [](auto* value) { return *value == "light"; });
+  }
 
   /// Calls `add("--option", field)` for the options that set a field.
   template <class Add>
@@ -123,7 +130,6 @@ struct StyleOptions {
 
   /// Whether a value is another one from another viewpoint.
   bool follows_camera() const;
-  bool follows_light() const;  ///< whether a value or a width is another one where the light moves
   bool follows_field() const;  ///< whether values are others where the field is
 };
 

@@ -127,7 +127,7 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
                                     styled.followed, whole);
     styled.scene.texture->broken = styled.broken;
   }
-  styled.options = styled_options(style, picture, styled.followed);
+  styled.options = styled_options(style, picture, surface.mesh.origin, styled.followed);
   if (const Texture* texture = result.texture()) {
     name_tiles(style, texture->tile, styled.options.render, styled.followed);
   }

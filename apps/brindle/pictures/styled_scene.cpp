@@ -83,9 +83,9 @@ Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others) {
 }
 
 StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
-                             const Followed& followed) {
+                             const Eigen::Vector3d& origin, const Followed& followed) {
   StyledOptions options;
-  options.render = render_options(picture);
+  options.render = render_options(picture, origin);
   options.render.transparent = style.transparent;
   options.depth_cue = style.depth_cue;
   options.occlusion = style.occlusion;
@@ -237,6 +237,9 @@ class LineInk {
 
   void add_outline(const StyledSurface& surface, const StripesView* pattern,
                    const Progress& progress) {
+    if (camera_.slice) {
+      add(slice_lines(surface.mesh, surface.normals, *camera_.slice), progress);
+    }
     const Polylines lines = silhouette_lines(surface.mesh, surface.normals, viewpoint_of(camera_));
     if (style_.outline == OutlineStyle::dashed && pattern != nullptr) {
       const bool shares = !surface.strokes.empty() && surface.strokes[0].width > 0 &&

@@ -64,7 +64,7 @@ struct StyledScene {
 
 /// The options that do not depend on the surfaces.
 StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
-                             const Followed& followed);
+                             const Eigen::Vector3d& origin, const Followed& followed);
 
 /// The surfaces of a picture, first that with the pattern. They refer to the scene and to
 /// `followed`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <filesystem>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -223,12 +224,37 @@ void add_times(const Report& report, StageTimes& times) {
   times.emplace_back("measure", no_less(ms.pattern));
 }
 
+/// Ends of curves, of each kind that there is, and what became of others.
+void add_end_figures(const CurveFamily& family,
+                     std::vector<std::pair<std::string, double>>& figures) {
+  constexpr std::array<std::pair<CurveEnd, const char*>, 3> kKinds = {
+      {{CurveEnd::boundary, "at the boundary"},
+       {CurveEnd::branch, "at branches"},
+       {CurveEnd::singularity, "at singularities"}}};
+  std::size_t rest = std::accumulate(family.ends.begin(), family.ends.end(), std::size_t{0});
+  figures.emplace_back("ends of " + family.name, rest);
+  const auto add = [&](const char* name, std::size_t count) {
+    if (count > 0) figures.emplace_back(std::string("  ") + name + " (" + family.name + ")", count);
+  };
+  for (const auto& [kind, name] : kKinds) {
+    const std::size_t count = family.ends[static_cast<std::size_t>(kind)];
+    add(name, count);
+    rest -= count;
+  }
+  add("elsewhere", rest);
+  add("joined in pairs", family.curves.joined_ends);
+  add("run on into others", family.curves.ends_at_neighbors);
+  add("trimmed", family.curves.trimmed_ends);
+}
+
 void add_shown_figures(LiveState& state) {
   auto& figures = state.figures.shown;
   if (state.curves) {
     for (const CurveFamily& family : state.curves->families) {
       figures.emplace_back("curves of " + family.name, family.curves.lines.count());
+      figures.emplace_back("closed ones of " + family.name, closed_count(family.curves.lines));
       figures.emplace_back("length of " + family.name, total_length(family.curves.lines));
+      add_end_figures(family, figures);
       if (family.coverage) {
         figures.emplace_back("% covered by " + family.name, 100 * *family.coverage);
       }

@@ -24,6 +24,8 @@ const PictureOptions& picture_of(const LiveState& state) {
   return *state.parsed->arguments().picture;
 }
 
+const Eigen::Vector3d& origin_of(const LiveState& state) { return state.job->surface->mesh.origin; }
+
 bool is_of_points(const LiveState& state) { return state.job->surface->mesh.triangles.empty(); }
 
 /// The points that the camera frames: those that are drawn.
@@ -194,7 +196,7 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, const DrawSettin
   const float reduction = settings.draft ? draft_size.reduction() : 1;
   const StyleOptions& style = state.parsed->arguments().style;
   StyledOptions& options = styled_picture->options;
-  options = styled_options(style, picture_of(state), styled_picture->followed);
+  options = styled_options(style, picture_of(state), origin_of(state), styled_picture->followed);
   options.render.quality = settings.quality;
   options.framed = framed;
   StyledOptions smaller = options;
@@ -211,7 +213,7 @@ namespace {
 /// Of glyphs, as the state's camera and size want it.
 StyledOptions glyph_options(const LiveState& state, const GlyphPicture& glyphs) {
   StyledOptions options = glyphs.styled;
-  options.render = render_options(picture_of(state));
+  options.render = render_options(picture_of(state), origin_of(state));
   options.right_margin = legend_width(glyphs.legends, options.render.width, options.render.height);
   return options;
 }
@@ -232,7 +234,7 @@ Image LivePicture::Drawing::draw_glyphs(const LiveState& state, const GlyphPictu
 
 Image LivePicture::Drawing::draw_plain(const LiveState& state, const DrawSettings& settings) {
   const float reduction = settings.draft ? draft_size.reduction() : 1;
-  RenderOptions render = render_options(picture_of(state));
+  RenderOptions render = render_options(picture_of(state), origin_of(state));
   render.quality = settings.quality;
   const RenderOptions smaller = reduced(render, reduction);
   return in_full_size(is_of_points(state) ? splats->draw(smaller) : plain->draw(smaller), render);
@@ -283,7 +285,7 @@ Camera LivePicture::camera(const LiveState& state) const {
   if (state.style && drawing_->styled_picture) {
     return styled_camera(drawing_->styled_picture->surfaces, drawing_->styled_picture->options);
   }
-  const RenderOptions render = render_options(picture_of(state));
+  const RenderOptions render = render_options(picture_of(state), origin_of(state));
   return framed_camera(drawing_->framed, render.camera, render.width, render.height);
 }
 

@@ -22,12 +22,15 @@ struct PixelView {
   Matrix4d view_from_world;
   Matrix4d clip_from_view;
   Vector3d pixel;  ///< x and y in clip space, and 1
+  std::optional<Eigen::Hyperplane<double, 3>> slice;
 
   PixelView(const Camera& camera, int width, int height, double x, double y)
       : origin(camera.origin.cast<double>()),
         view_from_world(camera.view_from_world.cast<double>()),
         clip_from_view(camera.clip_from_view.cast<double>()),
-        pixel(2 * x / width - 1, 1 - 2 * y / height, 1) {}
+        pixel(2 * x / width - 1, 1 - 2 * y / height, 1) {
+    if (camera.slice) slice = camera.slice->cast<double>();
+  }
 
   Vector3d in_view(const Vec3& position) const {
     const Vector3d relative = position.cast<double>() - origin;
@@ -50,6 +53,16 @@ struct Hit {
   }
 };
 
+bool is_cut_off(const PixelView& view, const Mesh& mesh, const Hit& hit) {
+  if (!view.slice) return false;
+  double beyond = 0;
+  for (int m = 0; m < 3; ++m) {
+    const Vec3& corner = mesh.positions[mesh.triangles[hit.triangle][m]];
+    beyond += hit.barycentric[m] * view.slice->signedDistance(corner.cast<double>());
+  }
+  return beyond > 0;
+}
+
 /// Where the pixel's ray meets a triangle. The three numbers that decide are those of its edges,
 /// which are the same but for their sign on the other side of an edge: no ray passes between.
 std::optional<Hit> hit_of(const PixelView& view, const Mesh& mesh, std::size_t number) {
@@ -67,7 +80,7 @@ std::optional<Hit> hit_of(const PixelView& view, const Mesh& mesh, std::size_t n
   if (sum == 0) return std::nullopt;
   Hit hit{number, side / sum, 0};
   for (int m = 0; m < 3; ++m) hit.depth -= hit.barycentric[m] * corner[m].z();
-  if (!(hit.depth > 0)) return std::nullopt;
+  if (!(hit.depth > 0) || is_cut_off(view, mesh, hit)) return std::nullopt;
   return hit;
 }
 

@@ -20,7 +20,7 @@ struct PickedPoint {
 
 /// The nearest hit of the surface at `x`, `y` in pixels from the upper left corner of a picture of
 /// `width` x `height`; pixel centres are at 0.5. Nothing is missed between triangles with a common
-/// edge. Nothing for points without triangles.
+/// edge. What the camera's slice takes away is not hit. Nothing for points without triangles.
 std::optional<PickedPoint> pick(const Surface& surface, const Camera& camera, int width, int height,
                                 double x, double y);
 

@@ -18,7 +18,7 @@ ShownCurves shown_curves(const CurvesArguments& arguments,
   if (arguments.traced != TracedWaves::v) add("u", patterns.u);
   if (arguments.traced != TracedWaves::u) add("v", *patterns.v);
   shown.drawn.ornaments = ornamented(*surface, tubes_of(arguments, surface->mesh, shown.families),
-                                     render_options(*arguments.picture));
+                                     render_options(*arguments.picture, surface->mesh.origin));
   return shown;
 }
 
@@ -31,7 +31,8 @@ ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arg
   const Surface& surface = prepared->surface;
   if (!has_glyphs(command)) {
     const Ornament discs = discs_of(samples, surface.mesh.origin);
-    drawn.ornaments = ornamented(surface, std::span(&discs, 1), render_options(*arguments.picture));
+    drawn.ornaments = ornamented(surface, std::span(&discs, 1),
+                                 render_options(*arguments.picture, surface.mesh.origin));
     return drawn;
   }
   GlyphInput input = read_glyph_input(arguments.glyphs, *prepared, arguments.surface,

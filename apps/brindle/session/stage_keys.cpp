@@ -96,7 +96,7 @@ std::string camera_key(const SessionDocument& document, OptionStage stages) {
 
 std::string ornaments_key(const SessionDocument& document) {
   const OptionValues looks = chosen_options(document, [](const OptionInfo& info) {
-    return has(OptionStage::style, info.stale) && info.name != "light-from";
+    return has(OptionStage::style, info.stale) && info.name != "light-from" && info.name != "slice";
   });
   return key_of(looks) + camera_key(document, OptionStage::style);
 }

@@ -26,8 +26,8 @@ std::string second_key(const SessionDocument& document);
 /// up: both, where there are any such values.
 std::string camera_key(const SessionDocument& document, OptionStage stages);
 
-/// What curves and samples of a pattern are shown by, and how: all looks but the light, which is
-/// the picture's alone.
+/// What curves and samples of a pattern are shown by, and how: all looks but light and slice, which
+/// are the picture's alone.
 std::string ornaments_key(const SessionDocument& document);
 
 /// What other surfaces of a picture are read by. Those with stripes of their own have them by the

@@ -306,9 +306,7 @@ void Viewer::draw_camera() {
   labelled("zoom");
   const ValueChange zooms =
       slider_beside_number("##zoom", zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic);
-  CameraView zoomed = view;
-  zoomed.zoom = zoom;
-  live_.apply_value(zooms, commands::SetCamera{zoomed});
+  live_.apply_value(zooms, commands::SetCamera{zoomed_to(view, zoom)});
   log_.note_widget("zoom");
   float share = live_.document().frequency_by_zoom;
   labelled("stripes by zoom");

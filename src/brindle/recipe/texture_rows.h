@@ -214,6 +214,16 @@ constexpr OptionInfo kTextureRows[] = {
      .help =
          "picture: where the light comes from, in degrees from the viewer: 90,0 from the right, "
          "0,90 from above (default -31,39)"},
+    {.name = "slice",
+     .words = "cut open at",
+     .group = "Look",
+     .kind = OptionKind::text,
+     .form = "AXIS=PLACE|X,Y,Z,NX,NY,NZ",
+     .stale = OptionStage::style,
+     .jobs = kStripe | kCurves | kSample | kAnimate,
+     .help =
+         "picture: without what lies beyond a plane, such as x=0.2, z=50% of the bounding box, or "
+         "-z=50% for the other side; or beyond one through a point, on the side of its normal"},
     {.name = "flat",
      .words = "no shading",
      .group = "Look",

@@ -63,15 +63,25 @@ Extent extent_of(std::span<const Vec3> points, const Vec3& origin, const Eigen::
   return extent;
 }
 
+/// Around zero if there are no points.
+Eigen::AlignedBox3f box_around(std::span<const Vec3> points) {
+  Eigen::AlignedBox3f box;
+  for (const Vec3& point : points) box.extend(point);
+  return box.isEmpty() ? Eigen::AlignedBox3f(Vec3::Zero()) : box;
+}
+
 Vec3 middle_of(std::span<const Vec3> points) {
-  if (points.empty()) return Vec3::Zero();
-  Vec3 lower = points[0];
-  Vec3 upper = points[0];
-  for (const Vec3& point : points) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  return lower + (upper - lower) / 2;
+  const Eigen::AlignedBox3f box = box_around(points);
+  return box.min() + (box.max() - box.min()) / 2;
+}
+
+Eigen::Hyperplane<float, 3> plane_of(const Slice& slice, std::span<const Vec3> points) {
+  const Eigen::AlignedBox3d box = box_around(points).cast<double>();
+  const Eigen::Vector3d point =
+      slice.in_shares ? Eigen::Vector3d(box.min() + slice.point.cwiseProduct(box.sizes()))
+                      : slice.point;
+  const Eigen::Hyperplane<double, 3> plane(slice.normal.stableNormalized(), point);
+  return plane.cast<float>();
 }
 
 Eigen::Matrix4f perspective(double t, double u, double near_plane, double far_plane) {
@@ -130,6 +140,40 @@ std::optional<LightDirection> parse_light_direction(std::string_view text) {
   return LightDirection{numbers[0], numbers[1]};
 }
 
+namespace {
+
+/// "0.2" or "50%" along the axis that `name` names, "x" or, the other way round, "-x".
+std::optional<Slice> slice_along(std::string_view name, std::string_view place) {
+  const bool backwards = name.starts_with('-');
+  if (backwards) name.remove_prefix(1);
+  if (name.size() != 1 || name[0] < 'x' || name[0] > 'z') return {};
+  Slice slice;
+  slice.in_shares = place.ends_with('%');
+  if (slice.in_shares) place.remove_suffix(1);
+  const std::vector<float> numbers = numbers_in(place);
+  if (numbers.size() != 1) return {};
+  const int axis = name[0] - 'x';
+  slice.point[axis] = static_cast<double>(numbers[0]) / (slice.in_shares ? 100 : 1);
+  slice.normal = (backwards ? -1 : 1) * Eigen::Vector3d::Unit(axis);
+  return slice;
+}
+
+}  // namespace
+
+std::optional<Slice> parse_slice(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals != text.npos) return slice_along(text.substr(0, equals), text.substr(equals + 1));
+  const std::vector<float> numbers = numbers_in(text);
+  if (numbers.size() != 6) return {};
+  Slice slice;
+  for (int axis = 0; axis < 3; ++axis) {
+    slice.point[axis] = static_cast<double>(numbers[axis]);
+    slice.normal[axis] = static_cast<double>(numbers[axis + 3]);
+  }
+  if (slice.normal.isZero(0)) return {};
+  return slice;
+}
+
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
   const std::vector<float> numbers = numbers_in(text);
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90) return {};
@@ -176,6 +220,7 @@ Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int w
   }
   if (view.center) eye.head<2>() = (axes * (*view.center - camera.origin).cast<double>()).head<2>();
 
+  if (view.slice) camera.slice = plane_of(*view.slice, points);
   camera.view_from_world.topLeftCorner<3, 3>() = axes.cast<float>();
   camera.view_from_world.topRightCorner<3, 1>() = -eye.cast<float>();
   const double near_plane = std::max(0.9 * (eye.z() - extent.front), 1e-3 * size);

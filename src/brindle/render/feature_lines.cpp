@@ -114,8 +114,8 @@ void check_normals(const Mesh& mesh, std::span<const Vec3> normals) {
 }
 
 /// Where a line crosses the edge between corners a and b of a triangle.
-Weights crossing(int a, int b, double facing_a, double facing_b) {
-  const double share = facing_a / (facing_a - facing_b);
+Weights crossing(int a, int b, double value_a, double value_b) {
+  const double share = value_a / (value_a - value_b);
   Weights weights{};
   weights[a] = 1 - share;
   weights[b] = share;
@@ -169,13 +169,12 @@ float fine_spacing(const WaveSet& waves) {
 
 }  // namespace
 
-Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye) {
-  check_normals(mesh, normals);
-  std::vector<double> facing(mesh.vertex_count());
-  for (std::size_t v = 0; v < facing.size(); ++v) {
-    const Vec3 view = eye - mesh.positions[v];
-    facing[v] = static_cast<double>(normals[v].dot(view.normalized()));
-    if (facing[v] == 0) facing[v] = 1e-12;  // a line through a vertex passes beside it
+namespace {
+
+/// Where values of vertices, linear between them, pass zero.
+Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vector<double> values) {
+  for (double& value : values) {
+    if (value == 0) value = 1e-12;  // a line through a vertex passes beside it
   }
   std::map<std::array<Index, 2>, Index> nodes;  // by edge
   std::vector<LineSegment> segments;
@@ -185,17 +184,41 @@ Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, cons
     int found = 0;
     for (int a = 0; a < 3; ++a) {
       const int b = (a + 1) % 3;
-      const double facing_a = facing[corners[a]], facing_b = facing[corners[b]];
-      if ((facing_a > 0) == (facing_b > 0)) continue;
+      const double value_a = values[corners[a]], value_b = values[corners[b]];
+      if ((value_a > 0) == (value_b > 0)) continue;
       const std::array<Index, 2> edge{std::min(corners[a], corners[b]),
                                       std::max(corners[a], corners[b])};
       segment.nodes[found] =
           nodes.try_emplace(edge, static_cast<Index>(nodes.size())).first->second;
-      segment.barycentric[found++] = crossing(a, b, facing_a, facing_b);
+      segment.barycentric[found++] = crossing(a, b, value_a, value_b);
     }
     if (found == 2) segments.push_back(segment);
   }
   return SegmentJoiner(mesh, normals, std::move(segments)).joined();
+}
+
+}  // namespace
+
+Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye) {
+  check_normals(mesh, normals);
+  std::vector<double> facing(mesh.vertex_count());
+  for (std::size_t v = 0; v < facing.size(); ++v) {
+    const Vec3 view = eye - mesh.positions[v];
+    facing[v] = static_cast<double>(normals[v].dot(view.normalized()));
+  }
+  return zero_lines(mesh, normals, std::move(facing));
+}
+
+Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
+                      const Eigen::Hyperplane<float, 3>& slice) {
+  constexpr float kWithin = 1e-4f;  // of the diagonal: on the side that is left
+  check_normals(mesh, normals);
+  const float within = kWithin * bounding_box(mesh).diagonal();
+  std::vector<double> beyond(mesh.vertex_count());
+  for (std::size_t v = 0; v < beyond.size(); ++v) {
+    beyond[v] = static_cast<double>(slice.signedDistance(mesh.positions[v]) + within);
+  }
+  return zero_lines(mesh, normals, std::move(beyond));
 }
 
 Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,

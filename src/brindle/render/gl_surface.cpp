@@ -8,6 +8,7 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/render/sliced_drawing.h"
 
 namespace brindle {
 namespace {
@@ -205,6 +206,7 @@ bool GlSurface::has_waves() const {
 void GlSurface::draw(const ShaderProgram& program, const Camera& camera,
                      const Eigen::Vector4f& tile) const {
   set_camera(program, camera, tile);
+  const SlicedDrawing sliced(program, camera);
   glUseProgram(program.name());
   glVertexArrayElementBuffer(vertices_, buffers_[kTriangles]);
   glVertexArrayVertexBuffer(vertices_, 0, buffers_[kPositions], 0, sizeof(Vec3));

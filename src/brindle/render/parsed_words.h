@@ -21,6 +21,11 @@ std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = U
 /// elevation is beyond -90 .. 90.
 std::optional<LightDirection> parse_light_direction(std::string_view text);
 
+/// Reads "x=0.2", "z=50%" (of the bounding box), "-z=50%", which takes away the other side, or a
+/// point and a normal: "x,y,z,nx,ny,nz". Empty if the text is none of these, a number is not finite
+/// or the normal is zero.
+std::optional<Slice> parse_slice(std::string_view text);
+
 /// Reads "#rrggbb" or "#rgb", with or without the '#', and names of CSS such as "steelblue". Empty
 /// if the text is none of these.
 std::optional<Color> parse_color(std::string_view text);

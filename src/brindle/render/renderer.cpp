@@ -9,6 +9,7 @@
 #include "brindle/headless_context.h"
 #include "brindle/render/gl_surface.h"
 #include "brindle/render/shading.h"
+#include "brindle/render/sliced_drawing.h"
 #include "brindle/render/tiled_picture.h"
 #include "brindle/render/visible_triangles.h"
 
@@ -58,6 +59,7 @@ void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& ti
   mark.set("view_from_world", camera.view_from_world);
   mark.set("clip_from_view", camera.clip_from_view);
   mark.set("tile", tile);
+  mark.set("slice", slice_of(camera));
   mark.set("mark_size",
            Eigen::Vector2f(2 * options.mark_radius / static_cast<float>(options.width),
                            2 * options.mark_radius / static_cast<float>(options.height)));

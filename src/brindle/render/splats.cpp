@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
@@ -12,6 +14,7 @@
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/shader_program.h"
 #include "brindle/headless_context.h"
+#include "brindle/render/sliced_drawing.h"
 #include "brindle/render/tiled_picture.h"
 
 namespace brindle {
@@ -124,6 +127,7 @@ void SplatRenderer::State::draw_tile(const Target& target, const Camera& camera,
   splat.set("view_from_world", camera.view_from_world);
   splat.set("clip_from_view", camera.clip_from_view);
   splat.set("tile", tile_transform(tile, options));
+  std::optional<SlicedDrawing> sliced(std::in_place, splat, camera);
   glEnable(GL_DEPTH_TEST);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   draw_splats(true);
@@ -132,6 +136,7 @@ void SplatRenderer::State::draw_tile(const Target& target, const Camera& camera,
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   draw_splats(false);
+  sliced.reset();
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);

@@ -81,7 +81,8 @@ std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals
     throw Error("light needs a normal for each of the " + std::to_string(mesh.vertex_count()) +
                 " vertices, not " + std::to_string(normals.size()));
   }
-  const HiddenSide hidden = hidden_side(mesh);
+  // A slice shows the inner side, too.
+  const HiddenSide hidden = camera.slice ? HiddenSide::none : hidden_side(mesh);
   const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
   const Lights lights = lights_of(camera, light);
   std::vector<float> tones(normals.size(), std::numeric_limits<float>::quiet_NaN());

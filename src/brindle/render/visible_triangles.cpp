@@ -22,6 +22,8 @@ void VisibleTriangles::draw(const GlSurface& surface, const Camera& camera,
 }
 
 void leave_out_hidden_side(const GlSurface& surface, const Camera& camera) {
+  // A slice opens surfaces: what was hidden is seen.
+  if (camera.slice) return;
   if (surface.hidden_side() == HiddenSide::none || surface.box().contains(eye_of(camera))) return;
   glEnable(GL_CULL_FACE);
   glCullFace(surface.hidden_side() == HiddenSide::back ? GL_BACK : GL_FRONT);

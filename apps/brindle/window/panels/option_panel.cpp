@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -186,7 +187,8 @@ void OptionPanel::draw_menu(const CatalogOption& option, bool given) {
     live_.apply(commands::ClearOption{option.name});
   }
   log_.note_widget("clear " + option.name);
-  if (option.kind == WidgetKind::number || option.kind == WidgetKind::percent) {
+  if (option.kind == WidgetKind::number || option.kind == WidgetKind::percent ||
+      option.name == "slice") {
     ImGui::TextDisabled("Type a value:");
     draw_text(option, 0, 12 * ImGui::GetFontSize());
   }
@@ -195,6 +197,7 @@ void OptionPanel::draw_menu(const CatalogOption& option, bool given) {
 
 void OptionPanel::draw_widget(const CatalogOption& option) {
   if (option.name == "colors") return draw_colors(option);
+  if (option.name == "slice") return draw_slice(option);
   if (option.repeatable) return draw_texts(option);
   switch (option.kind) {
     case WidgetKind::flag:
@@ -436,6 +439,51 @@ void OptionPanel::draw_texts(const CatalogOption& option) {
 }
 
 // Swatches of the stripes, the surface and the background.
+namespace {
+
+/// "x=50%" and the like: what is before and behind the sign; nothing for anything else.
+std::optional<std::pair<std::string, float>> percent_slice(const std::string& text) {
+  const std::vector<std::string> parts = split(text, '=');
+  if (parts.size() != 2 || !parts[1].ends_with('%')) return std::nullopt;
+  const auto percent = number_in(parts[1].substr(0, parts[1].size() - 1));
+  if (!percent) return std::nullopt;
+  return std::pair(parts[0], *percent);
+}
+
+}  // namespace
+
+// An axis, and how far along it. Planes that are given in another way are text.
+void OptionPanel::draw_slice(const CatalogOption& option) {
+  static constexpr std::array kAxes = {"x", "y", "z", "-x", "-y", "-z"};
+  const std::string text = text_of(option);
+  auto slice = percent_slice(text);
+  if (!slice && !text.empty()) return draw_text(option, 0, -FLT_MIN);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SetNextItemWidth(slice ? 0.3f * ImGui::GetContentRegionAvail().x : -FLT_MIN);
+  const bool opened = ImGui::BeginCombo("##axis", slice ? slice->first.c_str() : "not");
+  log_.note_widget("slice axis");
+  if (opened) {
+    if (ImGui::Selectable("not", !slice)) live_.apply(commands::ClearOption{option.name});
+    log_.note_widget("choice slice not");
+    for (const char* axis : kAxes) {
+      if (ImGui::Selectable(axis, slice && slice->first == axis)) {
+        const std::string place = slice ? text.substr(text.find('=')) : "=50%";
+        set(option, {axis + place});
+      }
+      log_.note_widget(std::string("choice slice ") + axis);
+    }
+    ImGui::EndCombo();
+  }
+  if (!slice) return;
+  ImGui::SameLine(0, gap);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  // A per cent sign is doubled for Dear ImGui.
+  const ValueChange change = slider_beside_number("##place", slice->second, 0, 100,
+                                                  (text.substr(text.find('=') + 1) + "%").c_str());
+  const std::string value = slice->first + "=" + text_of_value(slice->second, change, false) + "%";
+  if (change != ValueChange::none && value != text) set(option, {value}, change);
+}
+
 void OptionPanel::draw_colors(const CatalogOption& option) {
   static constexpr std::array kTitles = {"stripes", "surface", "background"};
   const RenderOptions standard;

@@ -46,6 +46,7 @@ class OptionPanel {
   void draw_text(const CatalogOption& option, std::size_t index, float width);
   void draw_texts(const CatalogOption& option);
   void draw_names(const CatalogOption& option, std::size_t index);
+  void draw_slice(const CatalogOption& option);
   void draw_colors(const CatalogOption& option);
 
   std::string text_of(const CatalogOption& option) const;

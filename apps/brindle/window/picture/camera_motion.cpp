@@ -37,6 +37,12 @@ LightDirection moved_light(const LightDirection& light, const Eigen::Vector2f& m
           std::clamp(light.elevation_deg - motion.y() * kDegreesPerHeight, -90.0f, 90.0f)};
 }
 
+CameraView zoomed_to(const CameraView& view, float zoom) {
+  CameraView result = view;
+  result.zoom = zoom;
+  return result;
+}
+
 CameraView zoomed(const CameraView& view, float clicks) {
   CameraView result = view;
   result.zoom = std::clamp(view.zoom * std::pow(kZoomPerClick, clicks), kLeastZoom, kMostZoom);

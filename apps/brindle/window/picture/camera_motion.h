@@ -14,6 +14,9 @@ CameraView turned(const CameraView& view, const Eigen::Vector2f& motion);
 /// with it, over the poles at most.
 LightDirection moved_light(const LightDirection& light, const Eigen::Vector2f& motion);
 
+/// The same with this zoom.
+CameraView zoomed_to(const CameraView& view, float zoom);
+
 /// Zoomed in by this many clicks of the wheel, within what views allow.
 CameraView zoomed(const CameraView& view, float clicks);
 

@@ -437,6 +437,7 @@ void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place)
   const Vec3 viewpoint = viewpoint_of(camera);
   for (const FieldSingularity& singularity : singularities_) {
     if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
+    if (camera.cuts_off(singularity.position)) continue;
     const auto pixel =
         place_in_picture(singularity.position, camera, place.size.width, place.size.height);
     if (!pixel) continue;

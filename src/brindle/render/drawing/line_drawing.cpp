@@ -15,6 +15,7 @@
 #include "brindle/base/reported_sort.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
+#include "brindle/feature_lines.h"
 #include "brindle/render/drawing/drawing_size.h"
 #include "brindle/render/drawing/simplified_stroke.h"
 
@@ -237,7 +238,8 @@ Visibility::Seen Visibility::project(const Vec3& point) const {
   const float x = clip.x() / clip.w(), y = clip.y() / clip.w();
   return {
       {0.5f * (1 + x) * static_cast<float>(width_), 0.5f * (1 - y) * static_cast<float>(height_)},
-      camera_.orthographic() ? -seen.z() : clip.w()};
+      camera_.orthographic() ? -seen.z() : clip.w(),
+      camera_.slice ? camera_.slice->signedDistance(point) : -1.0f};
 }
 
 /// Where a triangle may be seen.
@@ -277,6 +279,16 @@ float Visibility::nearness(std::span<const Seen> seen, std::span<const float> we
   return camera_.orthographic() ? 1 / sum : sum;
 }
 
+/// The distance from the slice, which is linear in space; its sign is right, its size is not.
+float Visibility::beyond(std::span<const Seen> seen, std::span<const float> weights) const {
+  float sum = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const float share = weights[i] * seen[i].beyond;
+    sum += camera_.orthographic() ? share : share / seen[i].distance;
+  }
+  return sum;
+}
+
 Visibility::Cells Visibility::cells_of(const std::array<Seen, 3>& corners) const {
   const auto& [a, b, c] = corners;
   const Eigen::Vector2f lower = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
@@ -307,6 +319,7 @@ void Visibility::draw_triangle(const std::array<Seen, 3>& corners, Reporter& rep
       const float v = edge_function(c.pixel, a.pixel, x, y) / area;
       const float w = 1 - u - v;
       if (u < 0 || v < 0 || w < 0) continue;
+      if (camera_.slice && beyond(corners, std::array{u, v, w}) > 0) continue;
       float& nearest = nearness_[static_cast<std::size_t>(row) * columns_ + column];
       nearest = std::max(nearest, nearness(corners, std::array{u, v, w}));
     }
@@ -351,7 +364,7 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool h
   const auto pass = [&](const Seen& seen, float step) {
     behind.push_back(seen.pixel);
     passed += step;
-    if (in_picture(seen) && visible(seen, tolerance) != hidden) {
+    if (seen.beyond <= 0 && in_picture(seen) && visible(seen, tolerance) != hidden) {
       if (passed > kLongestGap + step) finish(), behind = {seen.pixel};
       stroke.insert(stroke.end(), behind.begin(), behind.end());
       behind.clear();
@@ -368,7 +381,8 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool h
     for (int step = 1; step <= steps; ++step) {
       const float t = static_cast<float>(step) / static_cast<float>(steps);
       const float near = nearness(path.subspan(i - 1, 2), std::array{1 - t, t});
-      pass({from.pixel + t * (to.pixel - from.pixel), 1 / near},
+      const float off = beyond(path.subspan(i - 1, 2), std::array{1 - t, t});
+      pass({from.pixel + t * (to.pixel - from.pixel), 1 / near, off},
            length / static_cast<float>(steps));
     }
   }
@@ -460,6 +474,12 @@ std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
   pens.push_back(
       {"outline", kOutlineColor, 1.4f,
        visibility.strokes(bounds, kOutlineTolerance, false, progress.part(kOutlined, 1))});
+  const Camera camera = drawing_camera(mesh, view, width, height);
+  if (!camera.slice) return pens;
+  const Polylines edge = slice_lines(mesh, normals, *camera.slice);
+  for (Stroke& stroke : visibility.strokes(edge, kOutlineTolerance)) {
+    pens.back().strokes.push_back(std::move(stroke));
+  }
   return pens;
 }
 

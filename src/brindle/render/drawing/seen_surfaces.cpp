@@ -67,8 +67,10 @@ void SeenSurfaces::project(const StyledSurface& surface) {
   for (const Vec3& position : surface.mesh.positions) {
     const Eigen::Vector4d seen = view * (position + offset).cast<double>().homogeneous();
     const Eigen::Vector4d c = clip * seen;
-    corners_.push_back(
-        {0.5 * width_ * (c.w() + c.x()), 0.5 * height_ * (c.w() - c.y()), c.w(), -seen.z()});
+    const Vec3 place = position + offset + camera_.origin;
+    const float beyond = camera_.slice ? camera_.slice->signedDistance(place) : -1.0f;
+    corners_.push_back({0.5 * width_ * (c.w() + c.x()), 0.5 * height_ * (c.w() - c.y()), c.w(),
+                        -seen.z(), static_cast<double>(beyond)});
   }
   for (const Triangle& t : surface.mesh.triangles) {
     triangles_.push_back({first + t[0], first + t[1], first + t[2]});
@@ -223,11 +225,12 @@ std::uint16_t SeenSurfaces::code_at(double x, double y) const {
   for (std::size_t i = square_begin_[square]; i < square_begin_[square + 1]; ++i) {
     Hit hit{};
     if (!weights_at(listed_[i], x, y, hit)) continue;
-    double depth = 0;
+    double depth = 0, beyond = 0;
     for (std::size_t m = 0; m < 3; ++m) {
       depth += hit.weights[m] * corners_[triangles_[hit.entry][m]].depth;
+      beyond += hit.weights[m] * corners_[triangles_[hit.entry][m]].beyond;
     }
-    if (!(depth < nearest)) continue;
+    if (!(depth < nearest) || beyond > 0) continue;
     if (is_open(hit, x, y)) continue;
     nearest = depth;
     best = hit;

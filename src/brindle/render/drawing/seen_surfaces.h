@@ -37,9 +37,10 @@ class SeenSurfaces {
 
  private:
   /// A vertex as the camera sees it: places in pixels times w, for weights that are linear on the
-  /// surface; and the distance along the viewing direction.
+  /// surface; the distance along the viewing direction, and that from the camera's slice.
   struct Corner {
     double x, y, w, depth;
+    double beyond;  ///< the slice, and so not seen; below 0: on this side of it
   };
   struct Hit {
     std::size_t entry;

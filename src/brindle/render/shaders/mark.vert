@@ -6,6 +6,7 @@ uniform mat4 view_from_world;
 uniform mat4 clip_from_view;
 uniform vec4 tile;
 uniform vec3 origin;
+uniform vec4 slice;      // as in visible_triangles.vert
 uniform vec2 mark_size;  // radius of a disc in clip coordinates of the whole picture
 
 out vec2 disc;
@@ -27,4 +28,6 @@ void main() {
   gl_Position = clip_from_view * vec4(center, 1.0);
   gl_Position.xy += disc * mark_size * gl_Position.w;
   gl_Position.xy = gl_Position.xy * tile.xy + gl_Position.w * tile.zw;
+  // A mark is seen or not, as its middle is.
+  if (dot(slice.xyz, position) + slice.w > 0.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -12,6 +12,7 @@ uniform mat4 view_from_world;
 uniform mat4 clip_from_view;
 uniform vec4 tile;  // scale and offset of clip coordinates: the part of the picture being drawn
 uniform vec3 origin;
+uniform vec4 slice;  // as in visible_triangles.vert
 uniform bool behind;
 
 out vec2 disc;  // across the disc, from -1 to 1; x runs along the wave
@@ -42,6 +43,7 @@ void main() {
 
   vec3 center = splat.position_radius.xyz - origin;
   vec3 position = center + radius * (disc.x * along + disc.y * cross(normal, along));
+  gl_ClipDistance[0] = -(dot(slice.xyz, position) + slice.w);
   view_position = (view_from_world * vec4(position, 1.0)).xyz;
   view_normal = mat3(view_from_world) * normal;
   if (behind) {

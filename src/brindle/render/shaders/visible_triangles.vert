@@ -7,8 +7,12 @@ uniform mat4 clip_from_view;
 uniform vec4 tile;    // scale and offset of clip coordinates: the part of the picture being drawn
 uniform vec3 origin;  // taken off every position: a surface far from zero keeps its digits
 
+uniform vec4 slice;   // of positions less `origin`: what it makes positive is not seen
+
 void main() {
-  vec4 view_position = view_from_world * vec4(vertex_position - origin, 1.0);
+  vec3 position = vertex_position - origin;
+  vec4 view_position = view_from_world * vec4(position, 1.0);
   gl_Position = clip_from_view * vec4(view_position.xyz, 1.0);
   gl_Position.xy = gl_Position.xy * tile.xy + gl_Position.w * tile.zw;
+  gl_ClipDistance[0] = -(dot(slice.xyz, position) + slice.w);
 }

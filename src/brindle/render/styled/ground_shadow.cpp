@@ -58,6 +58,28 @@ void blur(Grid& grid, int radius) {
 
 }  // namespace
 
+Mesh left_by(const Eigen::Hyperplane<float, 3>& slice, const Mesh& mesh) {
+  Mesh left;
+  left.origin = mesh.origin;
+  left.positions = mesh.positions;
+  for (const Triangle& t : mesh.triangles) {
+    // The corners that are left and where its sides meet the plane, all the way round.
+    std::vector<Index> corners;
+    for (std::size_t m = 0; m < 3; ++m) {
+      const Vec3 &a = mesh.positions[t[m]], &b = mesh.positions[t[(m + 1) % 3]];
+      const float from = slice.signedDistance(a), to = slice.signedDistance(b);
+      if (from <= 0) corners.push_back(t[m]);
+      if ((from <= 0) == (to <= 0)) continue;
+      corners.push_back(static_cast<Index>(left.positions.size()));
+      left.positions.push_back(a + from / (from - to) * (b - a));
+    }
+    for (std::size_t m = 2; m < corners.size(); ++m) {
+      left.triangles.push_back({corners[0], corners[m - 1], corners[m]});
+    }
+  }
+  return left;
+}
+
 GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangle> triangles,
                            const Eigen::Matrix3f& axes) {
   constexpr float kRoom = 0.3f;  // of the longer side

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -21,5 +23,9 @@ struct GroundShadow {
 /// Triangles stand for surfaces; `points` are their corners.
 GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangle> triangles,
                            const Eigen::Matrix3f& axes);
+
+/// Of a mesh, as many triangles as are left of it on the side of the plane that its normal points
+/// away from. Those that it cuts end there.
+Mesh left_by(const Eigen::Hyperplane<float, 3>& slice, const Mesh& mesh);
 
 }  // namespace brindle

@@ -481,6 +481,7 @@ Drawing StyledRenderer::State::drawing(const Camera& camera, const StyledOptions
   if (!options.ground_shadow) return drawing;
   Mesh all;
   for (const DrawnSurface& drawn : surfaces) append(drawn.mesh, all);
+  if (camera.slice) all = left_by(*camera.slice, all);
   GroundShadow shadow = ground_shadow(all.positions, all.triangles, ground_axes(drawing.up()));
   if (shadow.missing.empty()) return drawing;
   drawing.shadow_texture = shadow_texture(shadow);
