@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "brindle/feature_lines.h"
 #include "brindle/line_drawing.h"
 #include "brindle/render/parsed_words.h"
@@ -67,6 +68,16 @@ TEST(Slice, LeavesTheCameraWhereItIs) {
     EXPECT_EQ(camera.clip_from_view, whole.clip_from_view);
     EXPECT_TRUE(camera.cuts_off({0.001f, -7, 3}));
     EXPECT_FALSE(camera.cuts_off({-0.001f, 7, 3}));
+  }
+}
+
+TEST(Slice, NeedsAPointAndANormal) {
+  const StripedSurface plate = plane_wave(square(1), Vec3::UnitX(), 2);
+  for (const Slice& slice : {Slice{{0, 0, 0}, {0, 0, 0}}, Slice{{NAN, 0, 0}, {0, 0, 1}},
+                             Slice{{0, 0, 0}, {0, INFINITY, 1}}}) {
+    RenderOptions options = plain_options();
+    options.camera.slice = slice;
+    EXPECT_THROW(Studio::shared().draw(plate.drawing(), options), Error);
   }
 }
 

@@ -125,6 +125,11 @@ void check_options(const RenderOptions& options) {
                               std::isfinite(options.light_from->elevation_deg))) {
     throw Error("the light must come from finite angles");
   }
+  if (const auto& slice = options.camera.slice) {
+    if (!slice->point.allFinite() || !slice->normal.allFinite() || slice->normal.isZero(0)) {
+      throw Error("a slice needs a finite point and a finite normal that is not zero");
+    }
+  }
   if (!(options.mark_radius > 0)) throw Error("the radius of marks must be above 0 pixels");
 }
 
