@@ -71,6 +71,19 @@ TEST_F(StyleTool, LightMovesAllThatFollowsIt) {
   }
 }
 
+TEST_F(StyleTool, SlicesLeaveSomething) {
+  for (const Arguments& slice :
+       {Arguments{"--slice", "z=-3"}, Arguments{"--slice", "-x=3", "--flat"},
+        Arguments{"--slice", "-y=110%", "--points"}}) {
+    const ToolResult result = run(with(slice));
+    EXPECT_EQ(result.exit_code, 1) << slice[1];
+    EXPECT_NE(result.err.find("--slice leaves nothing"), std::string::npos) << result.err;
+  }
+  const Image beside =
+      picture({"--slice", "z=-3", "--with", "shape:sphere,radius=2,resolution=8@0,0,-5"});
+  EXPECT_NE(beside.pixels, picture({}).pixels);
+}
+
 TEST_F(StyleTool, TransparentPicturesHaveNoBackground) {
   EXPECT_EQ(picture({"--transparent"}).at(0, 0).alpha, 0);
   EXPECT_EQ(picture({"--flat"}).at(0, 0).alpha, 255);

@@ -44,6 +44,7 @@ void write_ornaments(const std::filesystem::path& path, const Surface& surface,
                      std::span<const Ornament> ornaments, const PictureOptions& options,
                      const Progress& progress) {
   const RenderOptions render = render_options(options, surface.mesh.origin);
+  check_slice(surface, render);
   const OrnamentedSurface all = ornamented(surface, ornaments, render);
   const Image image = render_picture(all.drawing(), render, progress.part(0, kDrawn));
   write_png(path, image, progress.part(kDrawn, 1));
@@ -53,6 +54,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
                         std::span<const FamilyLines> families, const PictureOptions& options,
                         const Progress& progress) {
   const RenderOptions render = render_options(options, surface.mesh.origin);
+  check_slice(surface, render);
   std::vector<PenLines> lines;
   for (const FamilyLines& family : families) {
     lines.push_back({family.name, ornament_color(family.second, render), family.lines});

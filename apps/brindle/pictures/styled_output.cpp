@@ -146,6 +146,8 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
                           const StyleOptions& style, const StyleInput& input,
                           const PictureOptions& picture, const Progress& progress) {
   StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
+  // What is left may be other surfaces.
+  if (style.others.empty()) check_slice(surface, styled.options.render);
   if (is_drawing_file(path)) {
     return write_outlines(path, styled, style, progress);
   }
