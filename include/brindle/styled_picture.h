@@ -86,6 +86,7 @@ struct StyledSurface {
   bool shading = true;                                  ///< false: plain colours without light
   std::optional<RegionTexture> texture = std::nullopt;  ///< instead of strokes
   bool tinted = true;  ///< false: the picture's depth cue leaves its colours as they are
+  bool sliced = true;  ///< false: the camera's slice leaves it whole
 };
 
 /// How values become colours, for all surfaces of a picture.

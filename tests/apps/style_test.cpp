@@ -71,6 +71,28 @@ TEST_F(StyleTool, LightMovesAllThatFollowsIt) {
   }
 }
 
+TEST_F(StyleTool, OtherSurfacesStayWholeWhereTheyAreToldTo) {
+  const std::string ball = "shape:sphere,radius=0.5,resolution=8@#ff0000";
+  const auto red = [&](const Arguments& more) {
+    Arguments arguments = {"--flat", "--colors", "000,fff,fff", "--with", ball};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::size_t count = 0;
+    for (const Pixel& pixel : picture(arguments).pixels) {
+      count += pixel.red > 200 && pixel.green < 50 ? 1 : 0;
+    }
+    return count;
+  };
+  const std::size_t cut = red({"--slice", "z=0"});
+  const std::size_t whole =
+      red({"--slice", "z=0", "--with", "shape:sphere,radius=0.5,resolution=8@whole@#ff0000"});
+  EXPECT_GT(whole, cut + 100);
+  for (const Arguments& refused :
+       {Arguments{"--with", ball + "@whole"},
+        Arguments{"--with", ball + "@whole", "--slice", "z=0", "--outline", "solid"}}) {
+    EXPECT_EQ(run(with(refused)).exit_code, 2);
+  }
+}
+
 TEST_F(StyleTool, SlicesLeaveSomething) {
   for (const Arguments& slice :
        {Arguments{"--slice", "z=-3"}, Arguments{"--slice", "-x=3", "--flat"},

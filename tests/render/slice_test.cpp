@@ -10,6 +10,7 @@
 #include "brindle/render/styled/ground_shadow.h"
 #include "brindle/shapes.h"
 #include "brindle/splats.h"
+#include "brindle/stripe_outlines.h"
 #include "brindle/styled_picture.h"
 #include "brindle/surface.h"
 #include "render/test_drawings.h"
@@ -128,6 +129,34 @@ TEST(Slice, TakesAwayTheOtherSideWithASign) {
   EXPECT_EQ(covered(studio.draw(plate.drawing(), sliced_by("x=-1"))), 0);
   EXPECT_EQ(studio.draw(plate.drawing(), sliced_by("z=1")).pixels,
             studio.draw(plate.drawing(), plain_options()).pixels);
+}
+
+TEST(Slice, SparesSurfacesThatAreToStayWhole) {
+  const StripedSurface plate = plane_wave(square(5), Vec3::UnitX(), 12);
+  StyledSurface styled{.mesh = plate.mesh, .strokes = {{.waves = &plate.waves, .z = plate.z}}};
+  styled.strokes[0].color = {1, 1, 1};
+  styled.color = {0, 0, 0};
+  const Image whole = draw_styled(styled, plain_options());
+  EXPECT_NEAR(covered(draw_styled(styled, sliced_by("x=50%"))) / covered(whole), 0.5, 0.01);
+  styled.sliced = false;
+  EXPECT_EQ(draw_styled(styled, sliced_by("x=50%")).pixels, whole.pixels);
+  styled.between = BetweenStrokes::discarded;
+  const double strokes = covered(draw_styled(styled, plain_options()));
+  EXPECT_NEAR(covered(draw_styled(styled, sliced_by("x=50%"))), strokes, 1e-9);
+  // Drawings agree.
+  const auto stripes_of = [&](bool sliced) {
+    styled.sliced = sliced;
+    CameraView view = plain_options().camera;
+    view.slice = parse_slice("x=50%");
+    const Camera camera = framed_camera(plate.mesh.positions, view, 160, 120);
+    std::size_t stripes = 0;
+    for (const Pen& pen : stripe_outlines({&styled, 1}, camera, {}, 160, 120)) {
+      stripes += pen.name == "stripes" ? pen.strokes.size() : 0;
+    }
+    return stripes;
+  };
+  EXPECT_EQ(stripes_of(false), 12u);
+  EXPECT_EQ(stripes_of(true), 6u);
 }
 
 TEST(Slice, CutsDiscsOfPoints) {

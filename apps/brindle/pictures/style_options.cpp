@@ -83,7 +83,7 @@ OtherSurfaceChoice parse_other(const std::string& option, const std::string& tex
   std::vector<std::string> parts = split(text, '@');
   OtherSurfaceChoice choice;
   choice.mesh = parts.front();
-  const char* expected = "MESH[@opaque|striped|discarded][@untinted][@#rrggbb][@X,Y,Z]";
+  const char* expected = "MESH[@opaque|striped|discarded][@untinted][@whole][@#rrggbb][@X,Y,Z]";
   if (choice.mesh.empty()) wrong_usage(option, expected, text);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i] == "striped" || parts[i] == "discarded") {
@@ -91,6 +91,8 @@ OtherSurfaceChoice parse_other(const std::string& option, const std::string& tex
       if (parts[i] == "discarded") choice.between = BetweenStrokes::discarded;
     } else if (parts[i] == "untinted") {
       choice.tinted = false;
+    } else if (parts[i] == "whole") {
+      choice.whole = true;
     } else if (parts[i].find(',') != std::string::npos) {
       choice.moved = parse_place(option, parts[i]);
     } else if (parts[i] != "opaque") {
@@ -306,7 +308,25 @@ void check_tiles(const CLI::App& command, const StyleOptions& options, Drawn dra
 
 }  // namespace
 
+namespace {
+
+void check_others(const CLI::App& command, const StyleOptions& options) {
+  const bool whole = std::ranges::any_of(options.others, &OtherSurfaceChoice::whole);
+  if (!whole) return;
+  if (!is_given(command, "--slice")) {
+    throw CLI::ValidationError("--with", "@whole has no effect here: nothing is cut; add --slice");
+  }
+  if (options.has_lines()) {
+    throw CLI::ValidationError(
+        "--with",
+        "@whole goes without lines, which are cut as one; leave out --outline and --creases");
+  }
+}
+
+}  // namespace
+
 void check_style_options(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
+  check_others(command, options);
   check_tiles(command, options, drawn);
   check_widths(command, options);
   check_colors(command, options);

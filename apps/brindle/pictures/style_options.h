@@ -14,12 +14,14 @@
 
 namespace brindle::tool {
 
-/// Another surface of the picture: "MESH[@opaque|striped|discarded][@untinted][@#rrggbb][@X,Y,Z]".
+/// Another surface of the picture:
+/// "MESH[@opaque|striped|discarded][@untinted][@whole][@#rrggbb][@X,Y,Z]".
 struct OtherSurfaceChoice {
   std::string mesh;
   bool striped = false;
   BetweenStrokes between = BetweenStrokes::surface;
   bool tinted = true;  ///< by --depth-cue
+  bool whole = false;  ///< whatever --slice takes away
   std::optional<Color> color;
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
 };

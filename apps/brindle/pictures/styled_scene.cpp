@@ -150,7 +150,8 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
                         .color = choice.color.value_or(kOtherColor),
                         .between = choice.between,
                         .shading = !style.flat,
-                        .tinted = choice.tinted};
+                        .tinted = choice.tinted,
+                        .sliced = !choice.whole};
   if (other.pattern) {
     // The surface's own colour is that of its strokes where nothing else is left of it.
     const bool alone = choice.between == BetweenStrokes::discarded && choice.color;

@@ -189,9 +189,10 @@ constexpr OptionInfo kStyleRows[] = {
      .file = true,
      .stale = OptionStage::style,
      .jobs = kStripe | kAnimate,
-     .help = "picture: another surface, plain unless it says more: "
-             "MESH[@opaque|striped|discarded][@untinted][@#rrggbb][@X,Y,Z], untinted: without "
-             "--depth-cue, moved by X,Y,Z; repeatable"},
+     .help =
+         "picture: another surface, plain unless it says more: "
+         "MESH[@opaque|striped|discarded][@untinted][@whole][@#rrggbb][@X,Y,Z], untinted: without "
+         "--depth-cue, whole: in spite of --slice, moved by X,Y,Z; repeatable"},
 };
 
 }  // namespace brindle

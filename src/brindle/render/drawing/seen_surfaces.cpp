@@ -68,7 +68,8 @@ void SeenSurfaces::project(const StyledSurface& surface) {
     const Eigen::Vector4d seen = view * (position + offset).cast<double>().homogeneous();
     const Eigen::Vector4d c = clip * seen;
     const Vec3 place = position + offset + camera_.origin;
-    const float beyond = camera_.slice ? camera_.slice->signedDistance(place) : -1.0f;
+    const bool sliced = camera_.slice && surface.sliced;
+    const float beyond = sliced ? camera_.slice->signedDistance(place) : -1.0f;
     corners_.push_back({0.5 * width_ * (c.w() + c.x()), 0.5 * height_ * (c.w() - c.y()), c.w(),
                         -seen.z(), static_cast<double>(beyond)});
   }

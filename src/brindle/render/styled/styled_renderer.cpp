@@ -34,6 +34,7 @@ struct DrawnSurface {
   GlSurface surface;
   GlStyle style;
   bool tinted = true;    ///< by the depth cue
+  bool sliced = true;    ///< as the camera says
   int first_number = 0;  ///< of its triangles among those of all surfaces
 };
 
@@ -167,6 +168,12 @@ struct Drawing {
   GlTexture color_map;
 
   PictureQuality quality() const { return options.render.quality; }
+  /// The camera as it shows a surface.
+  Camera camera_of(const DrawnSurface& drawn) const {
+    Camera own = camera;
+    if (!drawn.sliced) own.slice.reset();
+    return own;
+  }
   UpAxis up() const { return options.render.camera.up; }
 
   /// Between passes of pictures that take a while. Some drivers put passes off until somebody waits
@@ -239,8 +246,9 @@ void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& par
       draw_parts(drawn, drawing, part, kVisibleSamples);
     } else {
       programs.whole().set("first_number", drawn.first_number);
-      if (draft) leave_out_hidden_side(drawn.surface, drawing.camera);
-      drawn.surface.draw(programs.whole(), drawing.camera, part.transform);
+      const Camera camera = drawing.camera_of(drawn);
+      if (draft) leave_out_hidden_side(drawn.surface, camera);
+      drawn.surface.draw(programs.whole(), camera, part.transform);
       glDisable(GL_CULL_FACE);
     }
     glDisable(GL_DEPTH_TEST);
@@ -263,7 +271,7 @@ void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing&
   set_light(program, drawing.camera, drawing.options.render);
   for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
     if (regions > 0) drawn.style.bind_region(program, region);
-    drawn.surface.draw(program, drawing.camera, part.transform);
+    drawn.surface.draw(program, drawing.camera_of(drawn), part.transform);
   }
 }
 
@@ -397,7 +405,8 @@ SurfaceDrawing drawing_of(const StyledSurface& styled, const Mesh& mesh) {
 }
 
 DrawnSurface drawn_surface(const StyledSurface& styled, const Eigen::Vector3d& origin) {
-  DrawnSurface drawn{moved_to(styled.mesh, origin), {}, GlStyle(styled), styled.tinted};
+  DrawnSurface drawn{
+      moved_to(styled.mesh, origin), {}, GlStyle(styled), styled.tinted, styled.sliced};
   drawn.surface.upload(drawing_of(styled, drawn.mesh));
   return drawn;
 }
@@ -465,6 +474,7 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
     drawn.mesh = std::move(mesh);
     drawn.style = std::move(style);
     drawn.tinted = surface.tinted;
+    drawn.sliced = surface.sliced;
   } else {
     std::size_t triangles = surface.mesh.triangle_count();
     for (const DrawnSurface& other : s.surfaces) triangles += other.mesh.triangle_count();
@@ -480,8 +490,10 @@ Drawing StyledRenderer::State::drawing(const Camera& camera, const StyledOptions
   drawing.color_map = color_map_texture(options.scale.map);
   if (!options.ground_shadow) return drawing;
   Mesh all;
-  for (const DrawnSurface& drawn : surfaces) append(drawn.mesh, all);
-  if (camera.slice) all = left_by(*camera.slice, all);
+  for (const DrawnSurface& drawn : surfaces) {
+    const bool cut = camera.slice && drawn.sliced;
+    append(cut ? left_by(*camera.slice, drawn.mesh) : drawn.mesh, all);
+  }
   GroundShadow shadow = ground_shadow(all.positions, all.triangles, ground_axes(drawing.up()));
   if (shadow.missing.empty()) return drawing;
   drawing.shadow_texture = shadow_texture(shadow);
