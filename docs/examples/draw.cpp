@@ -10,9 +10,12 @@
 #include <epoxy/gl.h>
 
 #include "brindle/headless_context.h"
+#include "brindle/normals.h"
 #include "brindle/pattern_buffers.h"
+#include "brindle/pattern_frames.h"
 #include "brindle/renderer.h"
 #include "brindle/shapes.h"
+#include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 
 constexpr int kWidth = 800, kHeight = 600;
@@ -98,6 +101,51 @@ double difference(const std::vector<unsigned char>& pixels, const brindle::Image
   return static_cast<double>(different) / inside;
 }
 
+// The library's own shaders for a dialect, with the main functions above.
+GLuint linked_program(const std::string& dialect) {
+  const std::string version = "#version " + dialect + " core\n";
+  const GLuint program = glCreateProgram();
+  attach(program, GL_VERTEX_SHADER, version + shader(dialect, "pattern_vertex.glsl") + kVertex);
+  attach(program, GL_FRAGMENT_SHADER,
+         version + shader(dialect, "pattern_fragment.glsl") + kFragment);
+  glLinkProgram(program);
+  return program;
+}
+
+// What is in the buffers drawn by both dialects, and compared with the library's picture of
+// `shape`.
+bool agrees(const char* what, const brindle::SurfaceDrawing& shape, int corners) {
+  brindle::RenderOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  options.base_color = {1, 1, 1};
+  options.stripe_color = {0, 0, 0};
+  options.transparent = true;
+  options.shading = false;
+  options.quality = brindle::PictureQuality::interactive;
+  const brindle::Image image = brindle::render_picture(shape, options);
+  const brindle::Camera camera = brindle::framed_camera(brindle::points_of_triangles(shape.mesh),
+                                                        options.camera, kWidth, kHeight);
+  bool all = true;
+  for (const std::string dialect : {"330", "450"}) {
+    const GLuint program = linked_program(dialect);
+    glUseProgram(program);
+    const auto place = [&](const char* name) { return glGetUniformLocation(program, name); };
+    glUniform1i(place("pattern_vertices"), 0);
+    glUniform1i(place("pattern_triangles"), 1);
+    glUniformMatrix4fv(place("view_from_world"), 1, GL_FALSE, camera.view_from_world.data());
+    glUniformMatrix4fv(place("clip_from_view"), 1, GL_FALSE, camera.clip_from_view.data());
+    glUniform3fv(place("origin"), 1, camera.origin.data());
+    glUniform2f(place("target_size"), kWidth, kHeight);
+    glUniform3f(place("stripe_color"), 0, 0, 0);
+    glUniform1f(place("stripe_width"), 0.5f);
+    const double share = difference(drawn(corners), image);
+    std::printf("%s, GLSL %s: %.3f %% of the pixels differ\n", what, dialect.c_str(), 100 * share);
+    all = all && share < 0.005;
+  }
+  return all;
+}
+
 int main() {
   const brindle::Surface surface =
       brindle::make_surface(brindle::make_shape("sphere,resolution=16"));
@@ -113,22 +161,6 @@ int main() {
                                 .frequencies = pattern.waves.frequencies,
                                 .z = pattern.solution.z},
                                surface.mesh.triangles, pattern.corners);
-
-  brindle::RenderOptions options;
-  options.width = kWidth;
-  options.height = kHeight;
-  options.base_color = {1, 1, 1};
-  options.stripe_color = {0, 0, 0};
-  options.transparent = true;
-  options.shading = false;
-  options.quality = brindle::PictureQuality::interactive;
-  const brindle::Image image = brindle::render_picture({.mesh = surface.mesh,
-                                                        .normals = surface.normals,
-                                                        .waves = &pattern.waves,
-                                                        .z = pattern.solution.z},
-                                                       options);
-  const brindle::Camera camera = brindle::framed_camera(brindle::points_of_triangles(surface.mesh),
-                                                        options.camera, kWidth, kHeight);
 
   const brindle::HeadlessContext context;  // your window's context, in your program
   GLuint names[2], textures[2];
@@ -149,29 +181,35 @@ int main() {
     glTexBuffer(GL_TEXTURE_BUFFER, formats[i], names[i]);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, names[i]);  // for 450
   }
+  const int corners = static_cast<int>(3 * buffers.triangles.size());
+  bool all = agrees("a pattern",
+                    {.mesh = surface.mesh,
+                     .normals = surface.normals,
+                     .waves = &pattern.waves,
+                     .z = pattern.solution.z},
+                    corners);
 
-  bool agrees = true;
-  for (const std::string dialect : {"330", "450"}) {
-    const std::string version = "#version " + dialect + " core\n";
-    const GLuint program = glCreateProgram();
-    attach(program, GL_VERTEX_SHADER, version + shader(dialect, "pattern_vertex.glsl") + kVertex);
-    attach(program, GL_FRAGMENT_SHADER,
-           version + shader(dialect, "pattern_fragment.glsl") + kFragment);
-    glLinkProgram(program);
-    glUseProgram(program);
-    const auto place = [&](const char* name) { return glGetUniformLocation(program, name); };
-    glUniform1i(place("pattern_vertices"), 0);
-    glUniform1i(place("pattern_triangles"), 1);
-    glUniformMatrix4fv(place("view_from_world"), 1, GL_FALSE, camera.view_from_world.data());
-    glUniformMatrix4fv(place("clip_from_view"), 1, GL_FALSE, camera.clip_from_view.data());
-    glUniform3fv(place("origin"), 1, camera.origin.data());
-    glUniform2f(place("target_size"), kWidth, kHeight);
-    glUniform3f(place("stripe_color"), 0, 0, 0);
-    glUniform1f(place("stripe_width"), 0.5f);
-    const double share = difference(drawn(static_cast<int>(3 * buffers.triangles.size())), image);
-    std::printf("GLSL %s: %.3f %% of the pixels differ\n", dialect.c_str(), 100 * share);
-    agrees = agrees && share < 0.005;
-  }
+  // A frame: the surface has become longer, and the buffer of vertices is filled anew.
+  brindle::StripeAnimator animator(surface);
+  brindle::PatternFrames frames(surface);
+  brindle::Mesh moved = surface.mesh;
+  for (brindle::Vec3& position : moved.positions) position.y() *= 1.4f;
+  const std::vector<brindle::Vec3> normals = brindle::vertex_normals(moved);
+  const brindle::WaveSet waves{moved.positions,
+                               brindle::projected_direction_field({0.3f, 1, 0.2f}, normals),
+                               pattern.waves.frequencies};
+
+  const brindle::FrameInput input{waves.positions, waves.directions, waves.frequencies};
+  const brindle::FrameResult frame = animator.frame(input);
+  glBindBuffer(GL_TEXTURE_BUFFER, names[0]);
+  auto* const mapped =
+      static_cast<brindle::PatternVertex*>(glMapBuffer(GL_TEXTURE_BUFFER, GL_WRITE_ONLY));
+  frames.fill(input, frame, {mapped, moved.vertex_count()});
+  glUnmapBuffer(GL_TEXTURE_BUFFER);
+
+  all = agrees("a frame", {.mesh = moved, .normals = normals, .waves = &waves, .z = frame.z},
+               corners) &&
+        all;
   context.check_errors("the example");
-  return agrees ? 0 : 1;
+  return all ? 0 : 1;
 }

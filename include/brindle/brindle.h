@@ -40,6 +40,7 @@
 #include "brindle/nearby_data.h"
 #include "brindle/option_table.h"
 #include "brindle/pattern_buffers.h"
+#include "brindle/pattern_frames.h"
 #include "brindle/pattern_of.h"
 #include "brindle/pattern_warnings.h"
 #include "brindle/phase_graph.h"

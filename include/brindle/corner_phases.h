@@ -39,6 +39,11 @@ inline bool is_branch(TriangleKind kind) {
   return kind == TriangleKind::branch || kind == TriangleKind::field_singularity;
 }
 
+/// Whether the corners of such a triangle have lifted phases.
+inline bool is_lifted(TriangleKind kind) {
+  return kind == TriangleKind::regular || kind == TriangleKind::branch;
+}
+
 /// What `corner_phases` finds for one triangle.
 struct CornerPhases {
   std::array<float, 3> phase{};       ///< lifted phases of the oriented corners, in radians
@@ -60,6 +65,12 @@ CornerPhases corner_phases(const std::array<CornerWave, 3>& corners, PhaseShiftK
 std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
                                         std::span<const Complex> z, PhaseShiftKind kind,
                                         const Progress& progress = {});
+
+/// The same into `corners`, which has one entry per triangle, as frames need it: allocates nothing.
+/// Throws Error for another number of entries.
+void fill_corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
+                        std::span<const Complex> z, PhaseShiftKind kind,
+                        std::span<CornerPhases> corners);
 
 /// The same for triangles whose corners have waves of their own, as TextureWaves has them.
 std::vector<CornerPhases> corner_phases(std::span<const std::array<CornerWave, 3>> triangles,

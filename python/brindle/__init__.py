@@ -19,7 +19,7 @@ import importlib
 
 # What is loaded when it is first asked for: the C++ side brings a dozen libraries along.
 _HOMES = {
-    "_animate": ("Animator", "FieldAnimator", "FieldDetail", "TextureAnimator"),
+    "_animate": ("Animator", "FieldAnimator", "FieldDetail", "PatternFrames", "TextureAnimator"),
     "_arguments": ("Cancelled", "Error", "PatternWarning"),
     "_curves": ("Curves", "Samples", "samples", "samples_of"),
     "_pictures": ("has_opengl", "read_png", "render", "write_png"),

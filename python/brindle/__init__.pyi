@@ -1,6 +1,7 @@
 from ._animate import Animator as Animator
 from ._animate import FieldAnimator as FieldAnimator
 from ._animate import FieldDetail as FieldDetail
+from ._animate import PatternFrames as PatternFrames
 from ._animate import TextureAnimator as TextureAnimator
 from ._arguments import Cancelled as Cancelled
 from ._arguments import Error as Error

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
@@ -134,6 +135,43 @@ class TextureAnimator:
     def restart(self) -> None:
         """Forgets the last frame."""
         self._core.restart()
+
+
+class PatternFrames:
+    """What a renderer of your own draws of the frames of an ``Animator``: normals of vertices that
+    moved, corner phases, and the buffers that the installed shaders read (docs/draw.md). ``phases``
+    are what ``Animator.frame`` gave; ``directions``, ``frequencies`` and ``positions`` what it was
+    given, with slack ``Animator.frequencies``. Packed arrays of float32 are read where they are, and
+    ``out`` spares the result's allocation. One call at a time."""
+
+    def __init__(self, surface: Any) -> None:
+        self.surface: Surface = as_surface(surface)
+        self._core = _core.PatternFrames(self.surface._core)
+
+    @cached_property
+    def triangles(self) -> "NDArray[np.uint32]":
+        """(m, 4) the buffer of triangles: three vertices and 0, which no frame changes."""
+        return self._core.triangles()
+
+    def normals(self, positions: "ArrayLike") -> "NDArray[np.float32]":
+        """(n, 3) unit normals of vertices that stand at ``positions`` (n, 3)."""
+        return self._core.normals(positions)
+
+    def vertices(self, phases: "ArrayLike", directions: "ArrayLike", frequencies: "ArrayLike",
+                 positions: "Optional[ArrayLike]" = None, *,
+                 normals: "Optional[ArrayLike]" = None,
+                 out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
+        """(n, 12) the buffer of vertices: x, y, z, frequency; direction, cosine of the phase; normal,
+        its sine. ``normals``: (n, 3); left out: those of ``positions``."""
+        return self._core.vertices(phases, directions, frequencies, positions, normals, out)
+
+    def corner_phases(self, phases: "ArrayLike", directions: "ArrayLike",
+                      frequencies: "ArrayLike", positions: "Optional[ArrayLike]" = None, *,
+                      phase_shift: str = "aligned",
+                      out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
+        """(m, 3) as ``Stripes.corner_phases``."""
+        return self._core.corner_phases(phases, directions, frequencies, positions,
+                                        word(phase_shift, "phase_shift"), out)
 
 
 class FieldAnimator:

@@ -93,8 +93,7 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
   const OneAtATime alone(data.busy, "this animator");
   const std::size_t vertices = data.surface->surface.mesh.vertex_count();
   const RowsIn<Vec3> directions_in(directions, "directions");
-  const RowsIn<Vec3> positions_in =
-      positions.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(positions, "positions");
+  const RowsIn<Vec3> positions_in = rows_if_given(positions, "positions");
   const Table frequency_table = table_of(frequencies, "frequencies");
   const RowsIn<float> frequencies_in = frequency_table.is_number
                                            ? RowsIn<float>()

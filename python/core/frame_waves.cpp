@@ -34,4 +34,18 @@ FrameWaves::FrameWaves(std::span<const Vec3> directions, std::span<const float> 
   frequencies_ = own_frequencies_;
 }
 
+FrequenciesIn::FrequenciesIn(py::handle given, std::size_t vertices, const std::string& what) {
+  if (given.is_none()) return;
+  const Table table = table_of(given, what);
+  if (table.is_number) {
+    everywhere_.assign(vertices, numbers_of(table.view, what).front());
+  } else {
+    rows_ = RowsIn<float>(table.array, what);
+  }
+}
+
+RowsIn<Vec3> rows_if_given(py::handle given, const std::string& what) {
+  return given.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(given, what);
+}
+
 }  // namespace brindle::python

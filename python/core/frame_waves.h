@@ -2,7 +2,10 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
+#include "arrays.h"
 #include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
 
@@ -28,5 +31,21 @@ class FrameWaves {
   std::span<const Vec3> directions_;
   std::span<const float> frequencies_;
 };
+
+/// Frequencies of a number, for all vertices, or of an array.
+class FrequenciesIn {
+ public:
+  FrequenciesIn(py::handle given, std::size_t vertices, const std::string& what);
+
+  std::span<const float> rows() const { return everywhere_.empty() ? rows_.rows() : everywhere_; }
+  std::span<const float> array() const { return rows_.rows(); }  ///< empty of a number
+
+ private:
+  std::vector<float> everywhere_;
+  RowsIn<float> rows_;
+};
+
+/// No rows of None.
+RowsIn<Vec3> rows_if_given(py::handle given, const std::string& what);
 
 }  // namespace brindle::python

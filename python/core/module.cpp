@@ -56,6 +56,7 @@ PYBIND11_MODULE(_core, module) {
   bind_animators(module);
   bind_field_detail(module);
   bind_texture_animator(module);
+  bind_pattern_frames(module);
   bind_files(module);
   bind_pictures(module);
 }

@@ -109,6 +109,7 @@ void bind_curves(py::module_& module);
 void bind_animators(py::module_& module);
 void bind_field_detail(py::module_& module);
 void bind_texture_animator(py::module_& module);
+void bind_pattern_frames(py::module_& module);
 void bind_loops(py::module_& module);
 void bind_files(py::module_& module);
 void bind_pictures(py::module_& module);

@@ -44,26 +44,6 @@ std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer&
   return std::make_unique<TextureAnimatorData>(surface, options);
 }
 
-// Frequencies of a number, for all vertices, or of an array.
-class FrequenciesIn {
- public:
-  FrequenciesIn(py::handle given, std::size_t vertices, const std::string& what) {
-    if (given.is_none()) return;
-    const Table table = table_of(given, what);
-    if (table.is_number) {
-      everywhere_.assign(vertices, numbers_of(table.view, what).front());
-    } else {
-      rows_ = RowsIn<float>(table.array, what);
-    }
-  }
-  std::span<const float> rows() const { return everywhere_.empty() ? rows_.rows() : everywhere_; }
-  std::span<const float> array() const { return rows_.rows(); }
-
- private:
-  std::vector<float> everywhere_;
-  RowsIn<float> rows_;
-};
-
 py::dict figures_of(const TextureFrameResult& result) {
   py::dict figures;
   figures["orientation"] = kOrientations[static_cast<std::size_t>(result.orientation)];
@@ -79,18 +59,14 @@ py::dict figures_of(const TextureFrameResult& result) {
   return figures;
 }
 
-RowsIn<Vec3> vectors_in(py::handle given, const std::string& what) {
-  return given.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(given, what);
-}
-
 py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::handle frequencies,
                         py::handle positions, py::handle frequencies_v, py::handle normals,
                         const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   const Mesh& mesh = data.surface->surface.mesh;
   const RowsIn<Vec3> directions_in(directions, "directions");
-  const RowsIn<Vec3> positions_in = vectors_in(positions, "positions");
-  const RowsIn<Vec3> normals_in = vectors_in(normals, "normals");
+  const RowsIn<Vec3> positions_in = rows_if_given(positions, "positions");
+  const RowsIn<Vec3> normals_in = rows_if_given(normals, "normals");
   const FrequenciesIn u(frequencies, mesh.vertex_count(), "frequencies");
   const FrequenciesIn v(frequencies_v, mesh.vertex_count(), "frequencies_v");
   const FrameWaves waves(directions_in.rows(), u.array());

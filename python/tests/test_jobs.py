@@ -212,6 +212,51 @@ def test_frames_follow(torus):
     np.testing.assert_array_equal(calm.frame(turned, 4.2, moved), loose.frame(turned, 4.2, moved))
 
 
+@pytest.mark.parametrize("slack", [None, 0.3])
+def test_frames_are_drawn_as_fresh_patterns_are(torus, slack):
+    """Bit for bit, where vertices move and where they do not."""
+    animator, drawn = brindle.Animator(torus, slack=slack), brindle.PatternFrames(torus)
+    n, m = torus.vertex_count, len(torus.triangles)
+    np.testing.assert_array_equal(drawn.triangles, np.c_[torus.triangles, np.zeros(m, int)])
+    buffer, corners = np.empty((n, 12), np.float32), np.empty((m, 3), np.float32)
+    for number in (0, 1, 1, 2, 0):
+        wave = 1 + 0.05 * np.sin(4 * torus.vertices[:, :1] + number)
+        moved = (torus.vertices * wave).astype(np.float32)
+        there = torus.moved(moved)
+        d = there.projected_field((0.31, 0.9, 0.27))
+        z = animator.frame(d, 4, moved)
+        f = np.full(n, 4, np.float32) if slack is None else animator.frequencies
+        assert drawn.vertices(z, d, f, moved, out=buffer) is buffer
+        np.testing.assert_array_equal(drawn.normals(moved), there.normals)
+        fresh = np.c_[moved, f, d, z.real, there.normals, z.imag]
+        np.testing.assert_array_equal(buffer, fresh)
+        p = brindle.stripes_from_phases(there, z, d, frequency=f)
+        assert drawn.corner_phases(z, d, f, moved, out=corners) is corners
+        np.testing.assert_array_equal(corners, p.corner_phases)
+    np.testing.assert_array_equal(drawn.vertices(z, d, 4), drawn.vertices(z, d, np.full(n, 4.0), torus.vertices))
+    given = drawn.vertices(z, d, 4, normals=torus.normals[:, [1, 2, 0]])
+    np.testing.assert_array_equal(given[:, 8:11], torus.normals[:, [1, 2, 0]])
+
+
+def test_frames_that_do_not_fit_are_not_drawn(torus):
+    d = torus.smooth_field()
+    drawn, z = brindle.PatternFrames(torus), brindle.Animator(torus).frame(d, 4)
+    n = torus.vertex_count
+    for arguments, message in (((z[1:], d, 4), "phases for"), ((z, d[1:], 4), "directions for"),
+                               ((z, d, 4, torus.vertices[1:]), "positions for"),
+                               ((z, d, np.full(n - 1, 4)), "frequencies for")):
+        with pytest.raises(brindle.Error, match=message):
+            drawn.vertices(*arguments)
+    for out, error in ((np.empty((n, 11), "f4"), brindle.Error), (np.empty(12 * n, "f4"), brindle.Error),
+                       (np.empty((n, 12)), TypeError), (np.empty((n, 24), "f4")[:, ::2], TypeError)):
+        with pytest.raises(error, match="out: expected"):
+            drawn.vertices(z, d, 4, out=out)
+    with pytest.raises(brindle.Error, match="no triangles"):
+        brindle.PatternFrames(brindle.points(torus.vertices, torus.normals))
+    with pytest.raises(brindle.Error, match="phase_shift"):
+        drawn.corner_phases(z, d, 4, phase_shift="none")
+
+
 def test_frames_own_their_phases(torus):
     d = torus.smooth_field()
     animator = brindle.Animator(torus)

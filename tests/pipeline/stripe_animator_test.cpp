@@ -11,6 +11,7 @@
 #include "bad_waves.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/pattern_frames.h"
 #include "brindle/solver.h"
 #include "phase_graphs.h"
 #include "progress_reports.h"
@@ -363,12 +364,21 @@ TEST(StripeAnimator, AllocatesNothingAfterTheFirstFrame) {
     flip_half(surface.waves, 2);
     AnimatorOptions options;
     options.slack = slack;
-    StripeAnimator animator(Surface{surface.mesh, surface.neighborhood, surface.normals}, options);
-    animator.frame(input_of(surface));
+    const Surface whole{surface.mesh, surface.neighborhood, surface.normals};
+    StripeAnimator animator(whole, options);
+    PatternFrames drawn(whole);
+    std::vector<PatternVertex> vertices(surface.mesh.vertex_count());
+    const auto next = [&] {
+      const FrameResult frame = animator.frame(input_of(surface));
+      drawn.fill(input_of(surface), frame, vertices);
+      drawn.corners(input_of(surface), frame);
+    };
+    next();
     const std::size_t before = allocations;
     for (int n = 0; n < 5; ++n) {
       zoom(surface);
-      animator.frame(input_of(surface));
+      for (Vec3& p : surface.waves.positions) p *= 1.01f;
+      next();
     }
     EXPECT_EQ(allocations, before) << slack;
   }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "brindle/pattern_frames.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/surface.h"
@@ -34,6 +36,8 @@ struct TextureObject {
 struct AnimatorObject {
   SurfacePointer surface;
   StripeAnimator animator;
+  std::optional<PatternFrames> frames;  ///< once somebody draws
+  std::vector<PatternVertex> vertices;  ///< of the last frame that somebody drew
 };
 
 /// Each says what its functions are called, and to whom they belong.

@@ -4,6 +4,7 @@
 
 #include <emscripten/bind.h>
 
+#include "brindle/camera.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
@@ -101,6 +102,28 @@ val triangles_of(const SurfaceObject& object) {
   return array_of(std::span<const std::uint32_t>(triangles.data()->data(), 3 * triangles.size()));
 }
 
+/// Where the tool's --camera looks from.
+val camera_of(const SurfaceObject& object, val given) {
+  return guarded([&] {
+    CameraView view;
+    view.azimuth_deg = given["azimuth"].as<float>();
+    view.elevation_deg = given["elevation"].as<float>();
+    view.zoom = given["zoom"].as<float>();
+    view.up = given["up"].as<std::string>() == "z" ? UpAxis::z : UpAxis::y;
+    const Camera camera = framed_camera(points_of_triangles(of(object).mesh), view,
+                                        given["width"].as<int>(), given["height"].as<int>());
+    const auto numbers = [](const Eigen::Matrix4f& matrix) {
+      return array_of(std::span<const float>(matrix.data(), 16));
+    };
+    const Vec3 up = camera.view_from_world.col(view.up == UpAxis::z ? 2 : 1).head<3>();
+    val result = val::object();
+    result.set("viewFromWorld", numbers(camera.view_from_world));
+    result.set("clipFromView", numbers(camera.clip_from_view));
+    result.set("up", array_of(std::span<const float>(up.data(), 3)));
+    return result;
+  });
+}
+
 val origin_of(const SurfaceObject& object) {
   val list = val::array();
   for (const double coordinate : of(object).mesh.origin) list.call<void>("push", coordinate);
@@ -133,6 +156,7 @@ void bind_surfaces() {
       .function("notes",
                 optional_override([](const SurfaceObject& s) { return array_of(s.notes); }))
       .function("triangles", &triangles_of)
+      .function("camera", &camera_of)
       .function("origin", &origin_of);
   function("surfaceFromArrays", &surface_from_arrays);
   function("surfaceFromShape", &surface_from_shape);

@@ -79,6 +79,10 @@ std::vector<Vec3> vectors_of(const val& array) {
   return vectors;
 }
 
+void fill_array(const val& array, std::span<const float> numbers) {
+  array.call<void>("set", val(emscripten::typed_memory_view(numbers.size(), numbers.data())));
+}
+
 val array_of(std::span<const float> numbers) { return copied(numbers.data(), numbers.size()); }
 val array_of(std::span<const Vec3> vectors) {
   return copied(reinterpret_cast<const float*>(vectors.data()), 3 * vectors.size());

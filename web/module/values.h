@@ -50,6 +50,9 @@ class Table {
 std::vector<float> floats_of(const val& array);
 std::vector<Vec3> vectors_of(const val& array);
 
+/// Copies into an array that JavaScript owns and that is as long.
+void fill_array(const val& array, std::span<const float> numbers);
+
 /// Copies, as arrays that JavaScript owns.
 val array_of(std::span<const float> numbers);
 val array_of(std::span<const Vec3> vectors);

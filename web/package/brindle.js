@@ -58,6 +58,16 @@ function floats(numbers, count, what) {
   return array;
 }
 
+// An array to be filled: the one that was given, or a new one where that is asked for.
+function filled(wanted, count, what) {
+  if (wanted === undefined || wanted === false) return undefined;
+  if (wanted === true) return new Float32Array(count);
+  if (!(wanted instanceof Float32Array) || wanted.length !== count) {
+    fail(`${what} must be true or a Float32Array of ${count} numbers`);
+  }
+  return wanted;
+}
+
 // Has one object of the module, until it is disposed of.
 class Owned {
   #raw;
@@ -176,6 +186,14 @@ export class Surface extends Owned {
     return new Texture(this.#module.texture(this.raw, directions, frequency, o.oriented, o));
   }
 
+  camera(given) {
+    const o = options(given, { azimuth: 30, elevation: 20, zoom: 1, up: 'y', width: 800, height: 600 }, 'camera');
+    choice(o.up, ['y', 'z'], 'up');
+    if (Math.abs(o.elevation) > 90) fail('elevation must be from -90 to 90');
+    if (!(o.zoom > 0 && o.width > 0 && o.height > 0)) fail('zoom, width and height must be above 0');
+    return { ...this.raw.camera(o), width: o.width, height: o.height };
+  }
+
   animator(given) {
     const o = options(given, { lambda: 0.025, cycles: 0, slack: 0 }, 'animator');
     return new Animator(this.#module.animator(this.raw, o), this);
@@ -243,8 +261,8 @@ export class Animator extends Owned {
   }
   frame(given) {
     const o = options(given, { directions: undefined, frequencies: undefined, stripes: undefined,
-                               frequency: undefined, positions: undefined, normals: undefined },
-                      'frame');
+                               frequency: undefined, positions: undefined, normals: undefined,
+                               vertices: undefined, corners: undefined }, 'frame');
     const surface = this.#surface;
     const vectors = 3 * surface.vertexCount;
     const input = { directions: floats(o.directions, vectors, 'directions') };
@@ -252,7 +270,9 @@ export class Animator extends Owned {
     if (o.normals) input.normals = floats(o.normals, vectors, 'normals');
     input.frequencies = o.frequencies
       ? floats(o.frequencies, surface.vertexCount, 'frequencies') : surface.frequencies(o);
-    return this.raw.frame(input);
+    const drawn = { vertices: filled(o.vertices, 12 * surface.vertexCount, 'vertices'),
+                    corners: filled(o.corners, 3 * surface.triangleCount, 'corners') };
+    return { ...this.raw.frame({ ...input, ...drawn }), ...Object.fromEntries(Object.entries(drawn).filter(([, array]) => array)) };
   }
   energy() {
     return this.raw.energy();

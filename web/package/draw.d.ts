@@ -22,7 +22,7 @@ export interface StripeView {
   width: number;
   height: number;
   /** Of the world, seen from the camera: the light comes from there. */
-  up?: readonly number[];
+  up?: Float32Array | readonly number[];
   /** Share of the period, 0 to 1. */
   stripeWidth?: number;
   baseColor?: RGB;
@@ -44,6 +44,8 @@ export class StripeDrawing {
   setSurface(surface: { positions: Float32Array; normals: Float32Array; triangles: Uint32Array }): void;
   setPattern(pattern: { directions: Float32Array; frequencies: Float32Array; phases: Float32Array }): void;
   setPhases(phases: Float32Array): void;
+  /** A frame's `vertices`: its pattern, and where vertices are now. */
+  setVertices(vertices: Float32Array): void;
   setKinds(kinds: Uint8Array): void;
   draw(view: StripeView): void;
   dispose(): void;

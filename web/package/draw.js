@@ -72,9 +72,9 @@ function triangleBuffer(triangles, kinds) {
 
 // Format, kind of number and numbers a texel of every texture.
 const layouts = (gl) => ({
-  pattern_vertices: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4, Float32Array],
-  pattern_triangles: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 4, Uint32Array],
-  marks: [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1, Uint32Array],
+  pattern_vertices: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4],
+  pattern_triangles: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 4],
+  marks: [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1],
 });
 
 export class StripeDrawing {
@@ -95,13 +95,11 @@ export class StripeDrawing {
 
   #upload(name, numbers) {
     const { gl, rowLength } = this;
-    const [inside, format, type, width, List] = this.layouts[name];
+    const [inside, format, type, width] = this.layouts[name];
     const count = numbers.length / width, rows = Math.max(1, Math.ceil(count / rowLength));
     if (rows > this.largest) {
       throw new BrindleError(`the graphics card takes ${Math.floor(this.largest * rowLength / 3)} vertices at most; use a smaller mesh`);
     }
-    const padded = new List(rows * rowLength * width);
-    padded.set(numbers);
     let texture = this.textures[name];
     if (texture?.rows !== rows) {
       if (texture) gl.deleteTexture(texture.id);
@@ -114,7 +112,9 @@ export class StripeDrawing {
     }
     gl.bindTexture(gl.TEXTURE_2D, texture.id);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowLength, rows, format, type, padded);
+    const whole = Math.floor(count / rowLength), rest = count - whole * rowLength;
+    if (whole > 0) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowLength, whole, format, type, numbers);
+    if (rest > 0) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, whole, rest, 1, format, type, numbers, whole * rowLength * width);
   }
 
   /** Three numbers a vertex and a triangle each, as `Surface` gives them. */
@@ -130,6 +130,7 @@ export class StripeDrawing {
     this.center = lower.map((l, axis) => (l + upper[axis]) / 2);
     this.surface = { positions, normals, triangles };
     this.pattern = null;
+    this.hasVertices = false;
     this.triangleCount = triangles.length / 3;
     this.setKinds(new Uint8Array(this.triangleCount));
   }
@@ -137,7 +138,15 @@ export class StripeDrawing {
   /** Directions (three numbers a vertex), frequencies (one), phases (two), as `Pattern` gives them. */
   setPattern({ directions, frequencies, phases }) {
     this.pattern = { directions, frequencies, phases };
-    this.#upload('pattern_vertices', patternBuffers({ ...this.surface, triangles: [] }, this.pattern).vertices);
+    this.setVertices(patternBuffers({ ...this.surface, triangles: [] }, this.pattern).vertices);
+  }
+
+  /** A frame's `vertices`: its pattern, and where vertices are now. */
+  setVertices(vertices) {
+    const count = 4 * this.surface.positions.length;
+    if (vertices.length !== count) throw new BrindleError(`vertices must have ${count} numbers, not ${vertices.length}`);
+    this.#upload('pattern_vertices', vertices);
+    this.hasVertices = true;
   }
 
   setPhases(phases) {
@@ -163,7 +172,7 @@ export class StripeDrawing {
          baseColor = colorOf('#f4efe5'), stripeColor = colorOf('#1c325a'),
          branches = false, branchColor = colorOf('#d1352b'), singularColor = colorOf('#f0a202'), markSize = 10 }) {
     const { gl, stripes, marks } = this;
-    if (this.triangleCount === 0 || !this.pattern) return;
+    if (this.triangleCount === 0 || !this.hasVertices) return;
     gl.viewport(0, 0, width, height);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE);

@@ -126,8 +126,32 @@ export class Surface extends Owned {
   stripes(field: DirectionField, options?: StripeOptions): Pattern;
   /** Texture coordinates: two patterns, the second across the first. */
   texture(field: DirectionField, options?: TextureOptions): Texture;
+  /** Where pictures of the tool are taken from, by its --camera: the whole surface, or with `zoom` its middle. */
+  camera(options?: CameraOptions): CameraView;
   /** Stripes that follow changing input, frame by frame. */
   animator(options?: AnimatorOptions): Animator;
+}
+
+export interface CameraOptions {
+  /** Degrees; 30 and 20 if left out. The camera moves counter-clockwise, seen from above, as the azimuth grows. */
+  azimuth?: number;
+  elevation?: number;
+  /** 1 if left out. */
+  zoom?: number;
+  /** The axis that points up; 'y' if left out. */
+  up?: 'y' | 'z';
+  /** Pixels of the picture; 800 and 600 if left out. */
+  width?: number;
+  height?: number;
+}
+
+/** What `StripeDrawing.draw` takes: matrices in columns, the first of positions less the middle of the surface's box. */
+export interface CameraView {
+  viewFromWorld: Float32Array;
+  clipFromView: Float32Array;
+  up: Float32Array;
+  width: number;
+  height: number;
 }
 
 export interface Curves {
@@ -222,6 +246,10 @@ export interface FrameInput extends FrequencyOptions {
   positions?: Float32Array;
   /** Unit vectors that directions must be tangent to. */
   normals?: Float32Array;
+  /** Whether the frame has `vertices`; or an array of 12 numbers a vertex, which is filled and handed back. */
+  vertices?: boolean | Float32Array;
+  /** Whether the frame has `corners`; or an array of 3 numbers a triangle, likewise. */
+  corners?: boolean | Float32Array;
 }
 
 export interface Frame {
@@ -232,6 +260,10 @@ export interface Frame {
   milliseconds: number;
   /** With slack: those chosen. */
   frequencies?: Float32Array;
+  /** What shaders read, with the normals of positions that moved: for `setVertices` of brindle/draw and brindle/three. */
+  vertices?: Float32Array;
+  /** Phases at the corners of triangles in radians, linear in each triangle; NaN where there are none. */
+  corners?: Float32Array;
 }
 
 export class Animator extends Owned {

@@ -28,6 +28,8 @@ export class Stripes {
   width: number;
   /** Another pattern of the same surface, such as a frame; `moved`: positions and normals that changed with it. */
   setPattern(pattern: PatternArrays, moved?: { positions: Float32Array; normals: Float32Array }): void;
+  /** A frame's `vertices`: its pattern, and where vertices are now. */
+  setVertices(vertices: Float32Array): void;
   /** Lets a material have the stripes over its colour, and gives it back. Use it with `geometry` alone. */
   paint<M extends Material>(material: M): M;
   /** Gives geometry and textures back; the materials are yours. */

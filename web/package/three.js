@@ -49,6 +49,10 @@ export function surfaceInput(geometry) {
   return { positions: snapped(positions), triangles };
 }
 
+// Frames move its vertices.
+const ownSurface = ({ positions, normals, triangles }) =>
+  ({ positions: Float32Array.from(positions), normals: Float32Array.from(normals), triangles });
+
 export class Stripes {
   #surface;
   #uniforms;
@@ -58,7 +62,7 @@ export class Stripes {
    * triangles; directions, frequencies and phases.
    */
   constructor(surface, pattern, { color = '#1c325a', width = 0.5 } = {}) {
-    this.#surface = surface;
+    this.#surface = ownSurface(surface);
     const { vertices, triangles } = patternBuffers(surface, pattern);
     this.#uniforms = {
       pattern_vertices: { value: textureOf(vertices, RGBAFormat, FloatType, 'RGBA32F') },
@@ -87,11 +91,30 @@ export class Stripes {
 
   /** Another pattern of the same surface, such as a frame. `moved`: positions and normals that changed with it. */
   setPattern(pattern, moved = {}) {
-    this.#surface = { ...this.#surface, ...moved };
+    this.#surface = ownSurface({ ...this.#surface, ...moved });
     const texture = this.#uniforms.pattern_vertices.value;
     texture.image.data.set(patternBuffers({ ...this.#surface, triangles: [] }, pattern).vertices);
     texture.needsUpdate = true;
     if (moved.positions) this.#fillGeometry();
+  }
+
+  /** A frame's `vertices`: its pattern, and where vertices are now. */
+  setVertices(vertices) {
+    const { positions, normals } = this.#surface;
+    if (vertices.length !== 4 * positions.length) {
+      throw new BrindleError(`vertices must have ${4 * positions.length} numbers, not ${vertices.length}`);
+    }
+    const texture = this.#uniforms.pattern_vertices.value;
+    texture.image.data.set(vertices);
+    texture.needsUpdate = true;
+    let moved = false;
+    for (let i = 0; i < positions.length; ++i) {
+      const from = 12 * Math.floor(i / 3) + i % 3;
+      moved ||= positions[i] !== vertices[from];
+      positions[i] = vertices[from];
+      normals[i] = vertices[from + 8];
+    }
+    if (moved) this.#fillGeometry();
   }
 
   /** Lets a material have the stripes over its colour, and gives it back. Use it with `geometry` alone. */
@@ -142,7 +165,9 @@ void main()`);
         attribute = new BufferAttribute(new Float32Array(3 * triangles.length), 3);
         this.geometry.setAttribute(name, attribute);
       }
-      triangles.forEach((vertex, corner) => attribute.array.set(numbers.subarray(3 * vertex, 3 * vertex + 3), 3 * corner));
+      for (let corner = 0; corner < triangles.length; ++corner) {
+        for (let axis = 0; axis < 3; ++axis) attribute.array[3 * corner + axis] = numbers[3 * triangles[corner] + axis];
+      }
       attribute.needsUpdate = true;
     }
     this.geometry.computeBoundingBox();

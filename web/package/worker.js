@@ -8,7 +8,7 @@ const methods = {
   Brindle: ['shapes', 'shape', 'surface', 'readSurface'],
   Surface: ['positions', 'normals', 'triangles', 'vertexOfRow', 'smoothField', 'curvatureField',
             'projectedField', 'tangentField', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
-            'texture', 'animator', 'dispose'],
+            'texture', 'camera', 'animator', 'dispose'],
   Pattern: ['phases', 'directions', 'frequencies', 'triangleKinds', 'curves', 'curvesFile', 'samplesWith',
             'svg', 'dispose'],
   Texture: ['cornerUVs', 'mesh', 'glb', 'dispose'],

@@ -97,7 +97,8 @@ function showFigures({ pattern, milliseconds }) {
 
 function shown(result) {
   if (!drawing) return;
-  drawing.setPattern(result);
+  if (result.vertices) drawing.setVertices(result.vertices);
+  else drawing.setPattern(result);
   if (result.kinds) drawing.setKinds(result.kinds);
   if (result.pattern) showFigures(result);
   wanted = true;

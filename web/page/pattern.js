@@ -77,10 +77,9 @@ export class LivePattern {
     const { stripes } = settings, slack = settings.slack / 100;
     if (draft && slack === 0) {
       this.animator ??= await this.surface.animator();
-      const { phases } = await this.animator.frame({ directions, stripes });
-      const frequencies = await this.surface.frequencies({ stripes });
-      this.last = phases.slice();
-      this.call.shown({ directions, frequencies, phases, milliseconds: performance.now() - begin });
+      const { phases, vertices } = await this.animator.frame({ directions, stripes, vertices: true });
+      this.last = phases;
+      this.call.shown({ vertices, milliseconds: performance.now() - begin });
       return;
     }
     const pattern = await this.surface.stripes(directions, { stripes, slack, ...(this.last ? { lastPhases: this.last } : {}) });

@@ -164,6 +164,39 @@ test('frames follow, and an unchanged frame says so', () => {
   refused(() => animator.frame({ directions: field.slice(3) }), /must have/);
 });
 
+test('frames are drawn as fresh patterns are, bit for bit, where vertices move', async () => {
+  const { patternBuffers } = await load('draw.js');
+  const torus = brindle.shape('torus,resolution=30'), triangles = torus.triangles(), rest = torus.positions();
+  for (const slack of [0, 0.3]) {
+    const animator = torus.animator({ slack });
+    const vertices = new Float32Array(12 * torus.vertexCount);
+    for (const step of [0, 1, 1, 2, 0]) {
+      const positions = rest.map((c, i) => c * (1 + 0.05 * Math.sin(4 * rest[i - i % 3] + step)));
+      const there = brindle.surface({ positions, triangles });
+      const directions = there.projectedField([0.31, 0.9, 0.27]);
+      const frame = animator.frame({ directions, positions, stripes: 14, vertices, corners: true });
+      assert.equal(frame.vertices, vertices);
+      const pattern = { directions, phases: frame.phases, frequencies: frame.frequencies ?? torus.frequencies({ stripes: 14 }) };
+      assert.equal(frame.frequencies !== undefined, slack > 0);
+      assert.deepEqual(vertices, patternBuffers({ positions, normals: there.normals(), triangles }, pattern).vertices);
+      // A corner has its vertex's phase, or that of the same wave running the other way.
+      assert.equal(frame.corners.length, triangles.length);
+      const lifted = [...frame.corners.keys()].filter((corner) => !Number.isNaN(frame.corners[corner]));
+      assert.ok(lifted.length > 0.9 * triangles.length);
+      for (const corner of lifted) {
+        const [re, im] = [Math.cos(frame.corners[corner]), Math.sin(frame.corners[corner])], vertex = 2 * triangles[corner];
+        assert.ok(Math.abs(im - frame.phases[vertex + 1]) < 1e-4 && Math.abs(Math.abs(re) - Math.abs(frame.phases[vertex])) < 1e-4);
+      }
+      there.dispose();
+    }
+    animator.dispose();
+  }
+  const animator = torus.animator(), directions = torus.smoothField();
+  assert.equal(animator.frame({ directions }).vertices, undefined);
+  refused(() => animator.frame({ directions, vertices: new Float32Array(3) }), /vertices must be true or a Float32Array of/);
+  refused(() => animator.frame({ directions, corners: [] }), /corners must be true/);
+});
+
 test('texture coordinates at corners and at vertices agree up to whole tiles', () => {
   const sphere = brindle.shape('sphere');
   const texture = sphere.texture(sphere.smoothField(), { stripes: 12 });

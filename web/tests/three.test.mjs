@@ -114,8 +114,13 @@ window.tests = {
     const lifted = torus.positions().map((x, i) => (i % 3 === 1 ? x + 0.4 : x));
     stripes.setPattern({ ...input, phases: frame.phases ?? frame }, { positions: lifted, normals: torus.normals() });
     const moved = drawn(stripes, material);
+    const { vertices } = animator.frame({ ...input, positions: lifted.map((x, i) => (i % 3 === 1 ? x - 0.4 : x)), vertices: true });
+    stripes.setVertices(vertices);
+    const back = drawn(stripes, material);
+    stripes.setVertices(animator.frame({ ...input, positions: lifted, vertices: true }).vertices);
+    const again = drawn(stripes, material);
     const differ = (a, b) => share(a, (value, i) => Math.abs(value - b[i]) > 128);
-    return { narrow: share(narrow, (v) => v > 128) / share(first, (v) => v > 128), denser: differ(first, denser), moved: differ(denser, moved) };
+    return { narrow: share(narrow, (v) => v > 128) / share(first, (v) => v > 128), denser: differ(first, denser), moved: differ(denser, moved), back: differ(denser, back), again: differ(moved, again) };
   },
   geometry() {
     const indexed = new THREE.SphereGeometry(1, 24, 16);
@@ -179,9 +184,11 @@ test('lit materials take them, too', async () => {
 });
 
 test('width, pattern and moved positions can change', async () => {
-  const { narrow, denser, moved } = await of('changes');
+  const { narrow, denser, moved, back, again } = await of('changes');
   assert.ok(narrow > 1.2, `narrower stripes leave ${narrow} times as much white`);
   assert.ok(denser > 0.05 && moved > 0.05, `${denser}, ${moved}`);
+  // Phases follow where vertices go, to the last digits.
+  assert.ok(back < 0.005 && again < 0.005, `${back}, ${again}`);
 });
 
 test('geometries become surfaces, and what cannot be is refused', async () => {

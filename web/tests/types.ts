@@ -15,6 +15,7 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   const drawing = new StripeDrawing(gl);
   drawing.setSurface({ positions: surface.positions(), normals: surface.normals(), triangles: surface.triangles() });
   drawing.setPattern({ directions: pattern.directions(), frequencies: pattern.frequencies(), phases: pattern.phases() });
+  drawing.draw({ ...surface.camera({ azimuth: 10, up: 'z', width: 320, height: 200 }), stripeWidth: 0.3 });
   drawing.draw({ viewFromWorld: [], clipFromView: [], width: 1, height: 1, stripeColor: colorOf('#000000') });
   // @ts-expect-error an option that is unknown
   surface.stripes(field, { strips: 20 });
@@ -31,6 +32,8 @@ async function inThree(): Promise<Mesh> {
     { positions: surface.positions(), normals: surface.normals(), triangles: surface.triangles() },
     { directions: pattern.directions(), frequencies: pattern.frequencies(), phases: pattern.phases() }, { color: 'navy' });
   stripes.width = 0.4;
+  const { vertices } = surface.animator().frame({ directions: pattern.directions(), vertices: true, corners: new Float32Array(3) });
+  if (vertices) stripes.setVertices(vertices);
   return new Mesh(stripes.geometry, stripes.paint(new MeshStandardMaterial()));
 }
 

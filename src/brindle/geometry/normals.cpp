@@ -59,12 +59,6 @@ double angle_of(double y, double x) {
   return x < 0 ? pi - angle : angle;
 }
 
-/// What all corners of a triangle are told from.
-struct TriangleAngles {
-  Vec3 normal;
-  std::array<float, 3> angle;  ///< radians; zero without an area
-};
-
 TriangleAngles angles_of(const Mesh& mesh, const Triangle& triangle) {
   std::array<Eigen::Vector3d, 3> p, edge;
   for (int c = 0; c < 3; ++c) p[c] = mesh.positions[triangle[c]].cast<double>();
@@ -162,13 +156,22 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh) {
 
 std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around,
                                  const Progress& progress) {
-  std::vector<TriangleAngles> angles(mesh.triangle_count());
+  std::vector<TriangleAngles> angles;
+  std::vector<Vec3> normals;
+  fill_vertex_normals(mesh, around, angles, normals, progress);
+  return normals;
+}
+
+void fill_vertex_normals(const Mesh& mesh, const VertexTriangles& around,
+                         std::vector<TriangleAngles>& angles, std::vector<Vec3>& normals,
+                         const Progress& progress) {
+  angles.resize(mesh.triangle_count());
   parallel_for(angles.size(), progress.part(0, 0.5), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) angles[t] = angles_of(mesh, mesh.triangles[t]);
   });
-  std::vector<Vec3> normals(mesh.vertex_count());
+  normals.resize(mesh.vertex_count());
   parallel_for(mesh.vertex_count(), progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
-    std::vector<Corner> corners;
+    thread_local std::vector<Corner> corners;
     for (std::size_t v = begin; v < end; ++v) {
       corners.clear();
       for (const Index t : around.of(v)) {
@@ -177,7 +180,6 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around
       normals[v] = normal_of(corners);
     }
   });
-  return normals;
 }
 
 }  // namespace brindle

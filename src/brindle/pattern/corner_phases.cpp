@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/pattern/triangle_kernels.h"
 
@@ -50,17 +52,23 @@ void lift(std::size_t count, const CornersOf& corners_of, PhaseShiftKind kind,
 }
 
 template <class CornersOf>
-std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
-                                   PhaseShiftKind kind, const Progress& progress) {
-  std::vector<CornerPhases> result;
-  reported_resize(result, triangles, progress.part(0, 0.2));
-  parallel_for(triangles, progress.part(0.2, 1), [&](std::size_t begin, std::size_t end) {
+void lift_into(std::span<CornerPhases> result, const CornersOf& corners_of, PhaseShiftKind kind,
+               const Progress& progress = {}) {
+  parallel_for(result.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; t += kTriangleLanes) {
       lift(
           std::min(kTriangleLanes, end - t), [&](std::size_t i) { return corners_of(t + i); }, kind,
           result.data() + t);
     }
   });
+}
+
+template <class CornersOf>
+std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
+                                   PhaseShiftKind kind, const Progress& progress) {
+  std::vector<CornerPhases> result;
+  reported_resize(result, triangles, progress.part(0, 0.2));
+  lift_into(std::span(result), corners_of, kind, progress.part(0.2, 1));
   return result;
 }
 
@@ -87,6 +95,17 @@ std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, con
   return lift_all(
       triangles.size(), [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind,
       progress);
+}
+
+void fill_corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
+                        std::span<const Complex> z, PhaseShiftKind kind,
+                        std::span<CornerPhases> corners) {
+  if (corners.size() != triangles.size()) {
+    throw Error("corner phases: there are " + std::to_string(corners.size()) + " entries for " +
+                std::to_string(triangles.size()) + " triangles");
+  }
+  lift_into(
+      corners, [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind);
 }
 
 std::vector<CornerPhases> corner_phases(std::span<const Corners> triangles, PhaseShiftKind kind,

@@ -270,12 +270,9 @@ std::vector<float> corner_texture_coordinates(const TextureWaves& waves, PhaseSh
   std::vector<float> uv(6 * waves.triangle_count(), std::numeric_limits<float>::quiet_NaN());
   const std::vector<CornerPhases> u = corner_phases(waves.u, kind);
   const std::vector<CornerPhases> v = corner_phases(waves.v, kind);
-  const auto has_coordinates = [](const CornerPhases& corners) {
-    return corners.kind == TriangleKind::regular || corners.kind == TriangleKind::branch;
-  };
   const auto value = [](const Coordinate& c) { return c.base + static_cast<float>(c.tiles); };
   for (std::size_t t = 0; t < waves.triangle_count(); ++t) {
-    if (!has_coordinates(u[t]) || !has_coordinates(v[t])) continue;
+    if (!is_lifted(u[t].kind) || !is_lifted(v[t].kind)) continue;
     const auto along_u = coordinates_of(waves.u[t], u[t]);
     const auto along_v = coordinates_of(waves.v[t], v[t]);
     for (std::size_t m = 0; m < 3; ++m) {

@@ -156,7 +156,8 @@ TexturePatternFrame TextureAnimator::State::measured(AnimatedPattern& pattern,
                                                      const FrameResult& stripes) const {
   const PhaseShiftKind kind = options.stripes.phase_shift;
   WaveSet& waves_now = pattern.waves;
-  pattern.corners = corner_phases(surface.mesh.triangles, waves_now, stripes.z, kind);
+  pattern.corners.resize(surface.mesh.triangle_count());
+  fill_corner_phases(surface.mesh.triangles, waves_now, stripes.z, kind, pattern.corners);
   PatternQuality quality = measure_quality(surface.mesh, waves_now, pattern.corners);
   quality.spacing_error_wanted_mean = quality.spacing_error_mean;
   if (!pattern.frequencies_wanted.empty()) {
