@@ -28,6 +28,26 @@ precision highp int;
 `;
 // Comments are for readers of the sources.
 const stripped = (glsl) => glsl.replace(/\/\/[^\n]*/g, '').replace(/[ \t]+$/gm, '').replace(/\n{2,}/g, '\n').replace(/^\n/, '');
+// The library's sources for textures, with textures of WebGL in the place of buffers.
+const source = (name) => text(join(root, `src/brindle/render/shaders/${name}.glsl`));
+function exchanged(code, ...pairs) {
+  for (const [from, to] of pairs) {
+    if (code.search(from) < 0) throw new Error(`${from} is no longer in the library's shaders; see web/build.mjs`);
+    code = code.replaceAll(from, to);
+  }
+  return code;
+}
+function texturePattern() {
+  return [
+    'precision highp sampler2D;\n#define precise\n', ours('texture_access.glsl'), source('pattern_buffers_300es'), source('pattern_access'),
+    exchanged(source('surface_point'), [/uniform vec4 tile;[^\n]*/g, 'const vec4 tile = vec4(1.0, 1.0, 0.0, 0.0);']),
+    source('fragment_phase'), source('fragment_turns'),
+    exchanged(source('texture_fragment'), [/samplerBuffer/g, 'sampler2D'], [/texelFetch\(buffer_of_waves, /g, 'texel_of(buffer_of_waves, ']),
+    source('texture_tile'),
+    exchanged(source('broken_tiles'), [/layout\(std430[^}]*\};/g, ''], [/broken_tiles\[([^\]]*)\]/g, 'broken_word($1)']),
+    source('texture_pattern'), source('light'), ours('stripes.frag'),
+  ];
+}
 const shader = (...parts) => stripped(prologue + parts.join('\n'));
 
 function shaders() {
@@ -37,6 +57,7 @@ function shaders() {
     patternVertex: stripped(vertex),
     patternFragment: stripped(fragment),
     stripesMain: { vertex: stripped(ours('stripes.vert')), fragment: stripped(ours('stripes.frag')) },
+    textureFragment: shader(...texturePattern()),
     marksVertex: shader(vertex, ours('marks.vert')),
     marksFragment: shader(ours('marks.frag')),
   };

@@ -112,9 +112,13 @@ GLuint linked_program(const std::string& dialect) {
   return program;
 }
 
-// What is in the buffers drawn by both dialects, and compared with the library's picture of
-// `shape`.
-bool agrees(const char* what, const brindle::SurfaceDrawing& shape, int corners) {
+// The library's own picture, and where it was taken from.
+struct Expected {
+  brindle::Image image;
+  brindle::Camera camera;
+};
+
+Expected expected_of(const brindle::SurfaceDrawing& drawing) {
   brindle::RenderOptions options;
   options.width = kWidth;
   options.height = kHeight;
@@ -123,9 +127,14 @@ bool agrees(const char* what, const brindle::SurfaceDrawing& shape, int corners)
   options.transparent = true;
   options.shading = false;
   options.quality = brindle::PictureQuality::interactive;
-  const brindle::Image image = brindle::render_picture(shape, options);
-  const brindle::Camera camera = brindle::framed_camera(brindle::points_of_triangles(shape.mesh),
-                                                        options.camera, kWidth, kHeight);
+  return {brindle::render_picture(drawing, options),
+          brindle::framed_camera(brindle::points_of_triangles(drawing.mesh), options.camera, kWidth,
+                                 kHeight)};
+}
+
+// What is in the buffers, drawn by both dialects.
+bool agrees(const char* what, const Expected& expected, int corners) {
+  const brindle::Camera& camera = expected.camera;
   bool all = true;
   for (const std::string dialect : {"330", "450"}) {
     const GLuint program = linked_program(dialect);
@@ -139,7 +148,7 @@ bool agrees(const char* what, const brindle::SurfaceDrawing& shape, int corners)
     glUniform2f(place("target_size"), kWidth, kHeight);
     glUniform3f(place("stripe_color"), 0, 0, 0);
     glUniform1f(place("stripe_width"), 0.5f);
-    const double share = difference(drawn(corners), image);
+    const double share = difference(drawn(corners), expected.image);
     std::printf("%s, GLSL %s: %.3f %% of the pixels differ\n", what, dialect.c_str(), 100 * share);
     all = all && share < 0.005;
   }
@@ -162,6 +171,25 @@ int main() {
                                 .z = pattern.solution.z},
                                surface.mesh.triangles, pattern.corners);
 
+  // A frame: the surface has become longer.
+  brindle::StripeAnimator animator(surface);
+  brindle::PatternFrames frames(surface);
+  brindle::Mesh moved = surface.mesh;
+  for (brindle::Vec3& position : moved.positions) position.y() *= 1.4f;
+  const std::vector<brindle::Vec3> normals = brindle::vertex_normals(moved);
+  const brindle::WaveSet waves{moved.positions,
+                               brindle::projected_direction_field({0.3f, 1, 0.2f}, normals),
+                               pattern.waves.frequencies};
+  const brindle::FrameInput input{waves.positions, waves.directions, waves.frequencies};
+  const brindle::FrameResult frame = animator.frame(input);
+
+  const Expected first = expected_of({.mesh = surface.mesh,
+                                      .normals = surface.normals,
+                                      .waves = &pattern.waves,
+                                      .z = pattern.solution.z});
+  const Expected second =
+      expected_of({.mesh = moved, .normals = normals, .waves = &waves, .z = frame.z});
+
   const brindle::HeadlessContext context;  // your window's context, in your program
   GLuint names[2], textures[2];
   glGenBuffers(2, names);
@@ -182,34 +210,16 @@ int main() {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, names[i]);  // for 450
   }
   const int corners = static_cast<int>(3 * buffers.triangles.size());
-  bool all = agrees("a pattern",
-                    {.mesh = surface.mesh,
-                     .normals = surface.normals,
-                     .waves = &pattern.waves,
-                     .z = pattern.solution.z},
-                    corners);
+  bool all = agrees("a pattern", first, corners);
 
-  // A frame: the surface has become longer, and the buffer of vertices is filled anew.
-  brindle::StripeAnimator animator(surface);
-  brindle::PatternFrames frames(surface);
-  brindle::Mesh moved = surface.mesh;
-  for (brindle::Vec3& position : moved.positions) position.y() *= 1.4f;
-  const std::vector<brindle::Vec3> normals = brindle::vertex_normals(moved);
-  const brindle::WaveSet waves{moved.positions,
-                               brindle::projected_direction_field({0.3f, 1, 0.2f}, normals),
-                               pattern.waves.frequencies};
-
-  const brindle::FrameInput input{waves.positions, waves.directions, waves.frequencies};
-  const brindle::FrameResult frame = animator.frame(input);
+  // Into the buffer that is there.
   glBindBuffer(GL_TEXTURE_BUFFER, names[0]);
   auto* const mapped =
       static_cast<brindle::PatternVertex*>(glMapBuffer(GL_TEXTURE_BUFFER, GL_WRITE_ONLY));
   frames.fill(input, frame, {mapped, moved.vertex_count()});
   glUnmapBuffer(GL_TEXTURE_BUFFER);
 
-  all = agrees("a frame", {.mesh = moved, .normals = normals, .waves = &waves, .z = frame.z},
-               corners) &&
-        all;
+  all = agrees("a frame", second, corners) && all;
   context.check_errors("the example");
   return all ? 0 : 1;
 }

@@ -1,8 +1,14 @@
+#include <tuple>
+
 #include <emscripten/bind.h>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/corner_phases.h"
+#include "brindle/error.h"
 #include "brindle/pattern_warnings.h"
 #include "brindle/polylines.h"
+#include "brindle/render/parsed_words.h"
+#include "brindle/renderer.h"
 #include "brindle/samples.h"
 #include "brindle/texture_coordinates.h"
 #include "objects.h"
@@ -42,6 +48,12 @@ std::shared_ptr<TextureObject> texture(std::shared_ptr<SurfaceObject> surface, v
         texture_pattern(surface->surface, vectors_of(directions), frequency, options);
     return std::make_shared<TextureObject>(TextureObject{surface, std::move(pattern)});
   });
+}
+
+BuiltInTile tile_named(const std::string& name) {
+  const auto tile = parse_built_in_tile(name);
+  if (tile) return *tile;
+  throw Error("there is no tile '" + name + "'; there are " + std::string(built_in_tile_names()));
 }
 
 val figures_of(const PatternObject& object) {
@@ -143,6 +155,81 @@ val textured_mesh_of(const TextureObject& object) {
   });
 }
 
+/// Direction, frequency and phase at all corners, as shaders of textures read them.
+val packed(const std::vector<CornerWaves>& triangles) {
+  std::vector<float> numbers;
+  numbers.reserve(18 * triangles.size());
+  for (const CornerWaves& corners : triangles) {
+    for (const auto& [wave, z] : corners) {
+      numbers.insert(numbers.end(), wave.direction.begin(), wave.direction.end());
+      numbers.insert(numbers.end(), {wave.frequency, z.real(), z.imag()});
+    }
+  }
+  return array_of(std::span<const float>(numbers));
+}
+
+val texture_waves_of(const TextureObject& object) {
+  return guarded([&] {
+    val result = val::object();
+    result.set("u", packed(object.pattern.waves.u));
+    result.set("v", packed(object.pattern.waves.v));
+    return result;
+  });
+}
+
+/// What is in a triangle of U, or if that is regular, of V.
+val texture_kinds_of(const TextureObject& object) {
+  const auto& [u, v] = std::tie(object.pattern.u.corners, object.pattern.v.corners);
+  std::vector<std::uint8_t> kinds;
+  kinds.reserve(u.size());
+  for (std::size_t t = 0; t < u.size(); ++t) {
+    const TriangleKind kind = u[t].kind == TriangleKind::regular ? v[t].kind : u[t].kind;
+    kinds.push_back(static_cast<std::uint8_t>(kind));
+  }
+  return array_of(std::span<const std::uint8_t>(kinds));
+}
+
+val texture_figures_of(const TextureObject& object) {
+  const StripePattern &u = object.pattern.u, &v = object.pattern.v;
+  val figures = val::object();
+  figures.set("branches", u.quality.branches + v.quality.branches);
+  figures.set("energy", (u.solution.energy + v.solution.energy) / 2);
+  return figures;
+}
+
+/// The figures of a tile that branches, seams and borders cut, where the tile is to have none.
+val broken_tiles_of(const TextureObject& object, std::string name) {
+  return guarded([&] {
+    const TextureTile tile = tile_named(name);
+    BrokenTiles broken;
+    if (has_own_shape(tile)) {
+      broken = broken_tiles(object.surface->surface.mesh.triangles, object.pattern.waves,
+                            tile_figures(tile));
+    }
+    val result = val::object();
+    result.set("words", array_of(std::span<const std::uint32_t>(broken.words)));
+    result.set("layout", static_cast<int>(broken.layout));
+    result.set("split", broken.split);
+    return result;
+  });
+}
+
+/// Distances from the middles of side x side texels to the figure, row by row from V = 0.
+val tile_distances(std::string name, int side) {
+  return guarded([&] {
+    const BuiltInTile tile = tile_named(name);
+    const auto sides = static_cast<float>(side);
+    std::vector<float> distances;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        distances.push_back(tile_distance(tile, (static_cast<float>(x) + 0.5f) / sides,
+                                          (static_cast<float>(y) + 0.5f) / sides));
+      }
+    }
+    return array_of(std::span<const float>(distances));
+  });
+}
+
 val corner_uvs_of(const TextureObject& object) {
   return guarded([&] {
     const std::vector<float> uvs =
@@ -176,10 +263,16 @@ void bind_patterns() {
   class_<TextureObject>("TextureObject")
       .smart_ptr<std::shared_ptr<TextureObject>>("TexturePointer")
       .function("cornerUVs", &corner_uvs_of)
+      .function("waves", &texture_waves_of)
+      .function("kinds", &texture_kinds_of)
+      .function("figures", &texture_figures_of)
+      .function("brokenTiles", &broken_tiles_of)
       .function("mesh", &textured_mesh_of);
   function("stripes", &stripes);
   function("texture", &texture);
   function("samples", &samples_of);
+  function("tileDistances", &tile_distances);
+  function("tileNames", optional_override([] { return std::string(built_in_tile_names()); }));
 }
 
 }  // namespace brindle::web

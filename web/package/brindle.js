@@ -241,6 +241,16 @@ export class Pattern extends Owned {
 export class Texture extends Owned {
   constructor(raw) {
     super('Texture', raw);
+    Object.assign(this, raw.figures());
+  }
+  waves() {
+    return this.raw.waves();
+  }
+  triangleKinds() {
+    return this.raw.kinds();
+  }
+  brokenTiles(tile) {
+    return this.raw.brokenTiles(String(tile));
   }
   cornerUVs() {
     return this.raw.cornerUVs();
@@ -282,6 +292,8 @@ export class Animator extends Owned {
   }
 }
 
+const tileSide = 512;
+
 class Brindle {
   #module;
   constructor(module) {
@@ -291,6 +303,12 @@ class Brindle {
 
   shapes() {
     return this.#module.shapeNames();
+  }
+  tiles() {
+    return this.#module.tileNames().split('|');
+  }
+  tile(name) {
+    return { side: tileSide, distances: this.#module.tileDistances(String(name), tileSide) };
   }
   shape(spec) {
     return new Surface(this.#module, this.#module.surfaceFromShape(String(spec)));

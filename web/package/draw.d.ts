@@ -47,6 +47,12 @@ export class StripeDrawing {
   /** A frame's `vertices`: its pattern, and where vertices are now. */
   setVertices(vertices: Float32Array): void;
   setKinds(kinds: Uint8Array): void;
+  /**
+   * A texture instead of stripes, until a pattern is set: `Texture.waves()`, `brindle.tile(name)` and
+   * `Texture.brokenTiles(name)`, without which figures are cut.
+   */
+  setTexture(waves: { u: Float32Array; v: Float32Array }, tile: { side: number; distances: Float32Array },
+             broken?: { words: Uint32Array; layout: number; split: boolean }): void;
   draw(view: StripeView): void;
   dispose(): void;
 }

@@ -1,8 +1,8 @@
-// Stripes in a WebGL 2 context of yours, by the library's own shaders: the phase is computed at every
+// Stripes and textures in a WebGL 2 context of yours, by the library's own shaders: the phase is computed at every
 // pixel, so that stripes are clean at every zoom and at branches, too. What is drawn is in two textures,
 // in the layout of the library's pattern_buffers.h.
 import { BrindleError } from './error.js';
-import { marksFragment, marksVertex, stripesFragment, stripesVertex } from './shaders.js';
+import { marksFragment, marksVertex, stripesFragment, stripesVertex, textureFragment } from './shaders.js';
 
 const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
 /** Red, green and blue of '#1c325a', from 0 to 1 as they are shown. */
@@ -74,6 +74,9 @@ function triangleBuffer(triangles, kinds) {
 const layouts = (gl) => ({
   pattern_vertices: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4],
   pattern_triangles: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 4],
+  texture_u: [gl.RG32F, gl.RG, gl.FLOAT, 2],
+  texture_v: [gl.RG32F, gl.RG, gl.FLOAT, 2],
+  broken_words: [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1],
   marks: [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1],
 });
 
@@ -131,6 +134,7 @@ export class StripeDrawing {
     this.surface = { positions, normals, triangles };
     this.pattern = null;
     this.hasVertices = false;
+    this.tile = null;
     this.triangleCount = triangles.length / 3;
     this.setKinds(new Uint8Array(this.triangleCount));
   }
@@ -147,6 +151,44 @@ export class StripeDrawing {
     if (vertices.length !== count) throw new BrindleError(`vertices must have ${count} numbers, not ${vertices.length}`);
     this.#upload('pattern_vertices', vertices);
     this.hasVertices = true;
+    this.tile = null;
+  }
+
+  /** A texture instead of stripes, until a pattern is set: `Texture.waves()`, `brindle.tile(name)`, `Texture.brokenTiles(name)`. */
+  setTexture({ u, v }, tile, { words = new Uint32Array(0), layout = 0, split = false } = {}) {
+    const { positions, normals, triangles } = this.surface, count = positions.length / 3;
+    for (const [name, numbers] of [['u', u], ['v', v]]) {
+      if (numbers.length !== 6 * triangles.length) {
+        throw new BrindleError(`${name} must have ${6 * triangles.length} numbers for ${triangles.length / 3} triangles, not ${numbers.length}`);
+      }
+    }
+    if (words.length > 0 && words.length < triangles.length / 3) throw new BrindleError('the broken tiles are those of another surface');
+    this.texture ??= new Program(this.gl, stripesVertex, textureFragment);
+    // Places and normals; waves are those of corners.
+    this.setVertices(patternBuffers({ positions, normals, triangles: [] }, { directions: new Float32Array(3 * count),
+      frequencies: new Float32Array(count), phases: new Float32Array(2 * count) }).vertices);
+    this.#upload('texture_u', u);
+    this.#upload('texture_v', v);
+    this.#upload('broken_words', words);
+    this.#uploadTile(tile);
+    this.tile = { has_broken_tiles: words.length > 0, tile_layout: layout, splits_broken_tiles: split, tile_is_figure: true };
+  }
+
+  // Distances, and how much of each texel the figure covers, with smaller copies.
+  #uploadTile({ side, distances }) {
+    const { gl } = this;
+    const covered = Uint8Array.from(distances, (d) => Math.round(255 * Math.min(1, Math.max(0, 0.5 - side * d))));
+    for (const [name, inside, type, numbers, smallest] of [['tile_distances', gl.R16F, gl.FLOAT, distances, gl.LINEAR],
+                                                           ['tile_colors', gl.R8, gl.UNSIGNED_BYTE, covered, gl.LINEAR_MIPMAP_LINEAR]]) {
+      this.textures[name] ??= { id: gl.createTexture() };
+      gl.bindTexture(gl.TEXTURE_2D, this.textures[name].id);
+      gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+      gl.texImage2D(gl.TEXTURE_2D, 0, inside, side, side, 0, gl.RED, type, numbers);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, smallest);
+      for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.REPEAT);
+      if (smallest !== gl.LINEAR) gl.generateMipmap(gl.TEXTURE_2D);
+    }
   }
 
   setPhases(phases) {
@@ -171,23 +213,24 @@ export class StripeDrawing {
   draw({ viewFromWorld, clipFromView, width, height, up = [0, 1, 0], stripeWidth = 0.5,
          baseColor = colorOf('#f4efe5'), stripeColor = colorOf('#1c325a'),
          branches = false, branchColor = colorOf('#d1352b'), singularColor = colorOf('#f0a202'), markSize = 10 }) {
-    const { gl, stripes, marks } = this;
+    const { gl, marks } = this, surface = this.tile ? this.texture : this.stripes;
     if (this.triangleCount === 0 || !this.hasVertices) return;
     gl.viewport(0, 0, width, height);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.BLEND);
     gl.bindVertexArray(this.nothing);
-    this.#use(stripes, viewFromWorld, clipFromView);
-    gl.uniform2f(stripes.place('target_size'), width, height);
-    gl.uniform1i(stripes.place('smooth_normals'), 1);
-    gl.uniform3fv(stripes.place('base_color'), baseColor.map(linear));
-    gl.uniform3fv(stripes.place('stripe_color'), stripeColor.map(linear));
-    gl.uniform3fv(stripes.place('branch_color'), branchColor.map(linear));
-    gl.uniform3fv(stripes.place('singular_color'), singularColor.map(linear));
-    gl.uniform1f(stripes.place('stripe_width'), stripeWidth);
-    gl.uniform1i(stripes.place('branches'), branches ? 1 : 0);
-    gl.uniform3fv(stripes.place('up'), up);
+    this.#use(surface, viewFromWorld, clipFromView);
+    for (const [name, value] of Object.entries(this.tile ?? {})) gl.uniform1i(surface.place(name), Number(value));
+    gl.uniform2f(surface.place('target_size'), width, height);
+    gl.uniform1i(surface.place('smooth_normals'), 1);
+    gl.uniform3fv(surface.place('base_color'), baseColor.map(linear));
+    gl.uniform3fv(surface.place('stripe_color'), stripeColor.map(linear));
+    gl.uniform3fv(surface.place('branch_color'), branchColor.map(linear));
+    gl.uniform3fv(surface.place('singular_color'), singularColor.map(linear));
+    gl.uniform1f(surface.place('stripe_width'), stripeWidth);
+    gl.uniform1i(surface.place('branches'), branches ? 1 : 0);
+    gl.uniform3fv(surface.place('up'), up);
     gl.drawArrays(gl.TRIANGLES, 0, 3 * this.triangleCount);
     if (!branches || this.markCount === 0) return;
     this.#use(marks, viewFromWorld, clipFromView);
@@ -218,7 +261,7 @@ export class StripeDrawing {
   dispose() {
     const { gl } = this;
     Object.values(this.textures).forEach(({ id }) => gl.deleteTexture(id));
-    [this.stripes, this.marks].forEach(({ program }) => gl.deleteProgram(program));
+    [this.stripes, this.marks, this.texture].forEach((made) => made && gl.deleteProgram(made.program));
     gl.deleteVertexArray(this.nothing);
     this.textures = {};
   }

@@ -222,7 +222,35 @@ export interface TexturedMesh {
   uvs: Float32Array;
 }
 
+/** Direction, frequency and cosine and sine of the phase at every corner of every triangle: six numbers each. */
+export interface TextureWaves {
+  u: Float32Array;
+  v: Float32Array;
+}
+
+/** A figure that repeats: distances to its border in sides of the tile, negative inside; row by row from V = 0. */
+export interface Tile {
+  side: number;
+  distances: Float32Array;
+}
+
+/** Which figures of a tile branches, seams and borders would cut; without words none. */
+export interface BrokenTiles {
+  words: Uint32Array;
+  layout: number;
+  split: boolean;
+}
+
 export class Texture extends Owned {
+  /** Branches of U and V, and the mean of their energies. */
+  readonly branches: number;
+  readonly energy: number;
+  /** For `StripeDrawing.setTexture`, with `brindle.tile(name)` and `brokenTiles(name)`. */
+  waves(): TextureWaves;
+  /** Of tiles that the tool draws whole: arrows, dots, signs and bricks. */
+  brokenTiles(tile: string): BrokenTiles;
+  /** As those of a Pattern: of U, and where that is regular, of V. */
+  triangleKinds(): Uint8Array;
   /** U and V of three corners per triangle; NaN in singularities and where there is no wave. */
   cornerUVs(): Float32Array;
   /** One pair per vertex: vertices are split where needed, triangles at branches, too. */
@@ -276,6 +304,9 @@ export interface Brindle {
   readonly version: string;
   /** Names of the built-in shapes. */
   shapes(): string[];
+  /** Names of the built-in tiles: 'checker', 'dots' and so on. */
+  tiles(): string[];
+  tile(name: string): Tile;
   /** A built-in shape: 'torus' or 'torus,resolution=64'. */
   shape(spec: string): Surface;
   /** Of arrays, checked; with `repair`, vertices at one place are joined and bad triangles dropped. */

@@ -5,13 +5,13 @@ import { BrindleError } from './error.js';
 export { BrindleError };
 
 const methods = {
-  Brindle: ['shapes', 'shape', 'surface', 'readSurface'],
+  Brindle: ['shapes', 'tiles', 'tile', 'shape', 'surface', 'readSurface'],
   Surface: ['positions', 'normals', 'triangles', 'vertexOfRow', 'smoothField', 'curvatureField',
             'projectedField', 'tangentField', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
             'texture', 'camera', 'animator', 'dispose'],
   Pattern: ['phases', 'directions', 'frequencies', 'triangleKinds', 'curves', 'curvesFile', 'samplesWith',
             'svg', 'dispose'],
-  Texture: ['cornerUVs', 'mesh', 'glb', 'dispose'],
+  Texture: ['waves', 'triangleKinds', 'brokenTiles', 'cornerUVs', 'mesh', 'glb', 'dispose'],
   Animator: ['frame', 'energy', 'restart', 'dispose'],
 };
 

@@ -91,13 +91,14 @@ function showFigures({ pattern, milliseconds }) {
     span.append(strong, ` ${what}`);
     return span;
   }));
-  canvas.setAttribute('aria-label', `${opened} with ${settings.values.stripes} stripes along its diagonal, ${
-    pattern.branches} branches`);
+  const { tile, stripes } = settings.values, what = tile === 'stripes' ? 'stripes' : `rows of ${$('tile').selectedOptions[0].text.toLowerCase()}`;
+  canvas.setAttribute('aria-label', `${opened} with ${stripes} ${what} along its diagonal, ${pattern.branches} branches`);
 }
 
 function shown(result) {
   if (!drawing) return;
-  if (result.vertices) drawing.setVertices(result.vertices);
+  if (result.waves) drawing.setTexture(result.waves, result.tile, result.broken);
+  else if (result.vertices) drawing.setVertices(result.vertices);
   else drawing.setPattern(result);
   if (result.kinds) drawing.setKinds(result.kinds);
   if (result.pattern) showFigures(result);
@@ -167,7 +168,15 @@ function follow(name) {
   rest = setTimeout(() => live?.ask(settings.values), 180);
 }
 
-const carry = () => history.replaceState(null, '', location.pathname + location.search + settings.hash());
+const sorted = (hash) => [...new URLSearchParams(hash.slice(1))].map(String).sort().join('&');
+const sameLink = (a, b) => sorted(a) === sorted(b);
+function carry() {
+  history.replaceState(null, '', location.pathname + location.search + settings.hash());
+  for (const link of document.querySelectorAll('#gallery a')) {
+    if (sameLink(link.hash, settings.hash())) link.setAttribute('aria-current', 'true');
+    else link.removeAttribute('aria-current');
+  }
+}
 const settings = new Settings($('settings'), follow);
 
 $('settings').addEventListener('submit', (event) => event.preventDefault());
@@ -314,14 +323,15 @@ const savers = {
                         'image/svg+xml', 'svg'),
   obj: async () => save(await live.pattern.curvesFile('stripes.obj'), 'model/obj', 'obj'),
   glb: async () => {
-    const texture = await live.surface.texture(live.field, { stripes: settings.values.stripes, slack: settings.values.slack / 100 });
+    const texture = live.texture ??
+      await live.surface.texture(live.field, { stripes: settings.values.stripes, slack: settings.values.slack / 100 });
     save(await texture.glb(), 'model/gltf-binary', 'glb');
-    await texture.dispose();
+    if (texture !== live.texture) await texture.dispose();
   },
 };
 for (const button of document.querySelectorAll('[data-save]')) {
   button.addEventListener('click', async () => {
-    if (!live?.pattern) return;
+    if (!live?.pattern && !live?.texture) return;
     working(true);
     try {
       await savers[button.dataset.save]();

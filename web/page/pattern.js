@@ -8,6 +8,7 @@ export class LivePattern {
     this.busy = false;
     this.surface = null;
     this.strokes = [];
+    this.tiles = {};
   }
 
   /** `settings`, and `draft`: whether there is more to come at once. */
@@ -40,10 +41,10 @@ export class LivePattern {
       const [positions, normals, triangles] =
         [await surface.positions(), await surface.normals(), await surface.triangles()];
       while (this.busy) await new Promise((done) => setTimeout(done, 10));
-      const old = [this.pattern, this.animator, this.surface];
+      const old = [this.pattern, this.texture, this.animator, this.surface];
       this.surface = surface;
       this.shape = { positions, normals, triangles };
-      this.pattern = this.animator = this.field = this.fieldKey = this.last = null;
+      this.pattern = this.texture = this.animator = this.field = this.fieldKey = this.last = null;
       this.strokes = [];
       await Promise.all(old.map((object) => object?.dispose()));
       return surface;
@@ -75,6 +76,7 @@ export class LivePattern {
     const begin = performance.now();
     const directions = await this.fieldFor(settings);
     const { stripes } = settings, slack = settings.slack / 100;
+    if (settings.tile !== 'stripes') return this.followTexture(settings, directions, begin);
     if (draft && slack === 0) {
       this.animator ??= await this.surface.animator();
       const { phases, vertices } = await this.animator.frame({ directions, stripes, vertices: true });
@@ -85,9 +87,27 @@ export class LivePattern {
     const pattern = await this.surface.stripes(directions, { stripes, slack, ...(this.last ? { lastPhases: this.last } : {}) });
     const [phases, frequencies, kinds] =
       [await pattern.phases(), await pattern.frequencies(), await pattern.triangleKinds()];
-    await this.pattern?.dispose();
-    this.pattern = pattern;
+    await this.keep({ pattern });
     this.last = phases.slice();
     this.call.shown({ directions, frequencies, phases, kinds, pattern, milliseconds: performance.now() - begin });
+  }
+
+  async followTexture({ field, stripes, slack, tile }, directions, begin) {
+    // Vectors have a sense, along which arrows point.
+    const oriented = 'xyz'.includes(field) && this.strokes.length === 0;
+    const texture = await this.surface.texture(directions, { stripes, slack: slack / 100, oriented });
+    this.tiles[tile] ??= await this.brindle.tile(tile);
+    const [waves, kinds, broken] = [await texture.waves(), await texture.triangleKinds(), await texture.brokenTiles(tile)];
+    await this.keep({ texture });
+    this.last = null;
+    this.call.shown({ waves, kinds, broken, tile: this.tiles[tile], pattern: texture, milliseconds: performance.now() - begin });
+  }
+
+  /** One of both: what is shown. */
+  async keep({ pattern = null, texture = null }) {
+    const old = [this.pattern, this.texture];
+    this.pattern = pattern;
+    this.texture = texture;
+    await Promise.all(old.map((object) => object?.dispose()));
   }
 }

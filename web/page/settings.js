@@ -1,5 +1,5 @@
 // What the form says, and the link that carries it.
-export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, stripes: 40, width: 50, slack: 0, branches: false };
+export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, tile: 'stripes', stripes: 40, width: 50, slack: 0, branches: false };
 
 const units = { rotate: (v) => `${v}°`, width: (v) => `${v} %`, slack: (v) => `${v} %`, stripes: (v) => String(v) };
 
@@ -18,17 +18,15 @@ export class Settings {
     }
   }
 
-  /** Names that are unknown or values that a control has not are passed over. */
+  /** All settings: those that a link does not name are as they are by default, and so are values that a control has not. */
   read(hash) {
     const given = new URLSearchParams(hash.replace(/^#/, ''));
     this.strokes = given.get('strokes') ?? '';
-    for (const [name, text] of given) {
-      const input = this.form.elements.namedItem(name);
-      if (!input || !(name in defaults)) continue;
+    for (const [name, usual] of Object.entries(defaults)) {
+      const input = this.form.elements.namedItem(name), text = given.get(name) ?? String(usual);
       if (input.type === 'checkbox') input.checked = text === 'true';
-      else if (input.type !== 'range') {
-        if ([...input.options].some((option) => option.value === text)) input.value = text;
-      } else if (Number.isFinite(Number(text))) input.value = text;
+      else if (input.type === 'range') input.value = Number.isFinite(Number(text)) ? text : usual;
+      else input.value = [...input.options].some((option) => option.value === text) ? text : usual;
       this.values[name] = valueOf(input);
     }
     this.show();
@@ -40,6 +38,9 @@ export class Settings {
       input.nextElementSibling.textContent = text;
       input.setAttribute('aria-valuetext', text);
     }
+    const isTexture = this.values.tile !== 'stripes';
+    this.form.elements.namedItem('width').disabled = isTexture;
+    for (const what of ['svg', 'obj']) this.form.querySelector(`[data-save="${what}"]`).disabled = isTexture;
   }
 
   hash() {

@@ -211,6 +211,45 @@ test('texture coordinates at corners and at vertices agree up to whole tiles', (
   assert.ok(Math.abs(back.diagonal - sphere.diagonal) < 1e-5);
 });
 
+test('textures have what shaders draw, and figures that branches cut', () => {
+  assert.deepEqual(brindle.tiles().slice(0, 3), ['stripes', 'checker', 'dots']);
+  const { side, distances } = brindle.tile('dots');
+  assert.equal(distances.length, side * side);
+  // A disc in the middle, as dark as its area.
+  assert.ok(Math.abs(distances.filter((d) => d < 0).length / distances.length - Math.PI * 0.29 ** 2) < 0.001);
+  assert.ok(distances[side / 2 * (side + 1)] < -0.28 && distances[0] > 0.4);
+  refused(() => brindle.tile('stars'), /no tile 'stars'; there are stripes\|checker/);
+  const sphere = brindle.shape('sphere,resolution=20');
+  const texture = sphere.texture(sphere.smoothField(), { stripes: 12 });
+  const { u, v } = texture.waves(), kinds = texture.triangleKinds();
+  assert.equal(u.length, 18 * sphere.triangleCount);
+  assert.equal(v.length, u.length);
+  for (let corner = 0; corner < u.length; corner += 6) {
+    // V runs across U, and phases are numbers of length 1, as at vertices.
+    assert.ok(Math.abs(u[corner] * v[corner] + u[corner + 1] * v[corner + 1] + u[corner + 2] * v[corner + 2]) < 1e-5);
+    assert.ok(Math.abs(Math.hypot(u[corner + 4], u[corner + 5]) - 1) < 1e-4);
+  }
+  assert.ok(texture.branches > 0 && kinds.some((kind) => kind === 1 || kind === 2));
+  const { words, layout, split } = texture.brokenTiles('dots');
+  assert.ok(words.length > sphere.triangleCount && layout === 0 && !split);
+  assert.ok(words.subarray(0, sphere.triangleCount).some((word) => word === 0));
+  assert.equal(texture.brokenTiles('checker').words.length, 0);
+  assert.deepEqual([texture.brokenTiles('bricks').layout, texture.brokenTiles('bricks').split], [2, true]);
+  refused(() => texture.brokenTiles('stars'), /no tile 'stars'/);
+});
+
+test("a camera is the tool's", () => {
+  const sphere = brindle.shape('sphere,resolution=16');
+  const { viewFromWorld, clipFromView, up, width, height } = sphere.camera({ azimuth: 90, elevation: 0, up: 'z', width: 300, height: 200 });
+  assert.deepEqual([width, height, viewFromWorld.length, clipFromView.length], [300, 200, 16, 16]);
+  // From -y and a quarter counter-clockwise: from +x, with z up.
+  assert.ok(Math.abs(viewFromWorld[2] - 1) < 1e-6 && Math.abs(viewFromWorld[9] - 1) < 1e-6 && Math.abs(up[1] - 1) < 1e-6);
+  assert.ok(sphere.camera({ zoom: 2 }).clipFromView[0] / sphere.camera().clipFromView[0] - 2 < 1e-6);
+  refused(() => sphere.camera({ elevation: 91 }), /elevation must be/);
+  refused(() => sphere.camera({ up: 'x' }), /up must be y or z/);
+  refused(() => sphere.camera({ width: 0 }), /above 0/);
+});
+
 test('damaged glTF is refused', () => {
   const sphere = brindle.shape('sphere,resolution=8');
   const glb = sphere.texture(sphere.smoothField(), { stripes: 5 }).glb();

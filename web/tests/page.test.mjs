@@ -204,16 +204,64 @@ test('downloads are whole files', async () => {
   assert.deepEqual(complaints, []);
 });
 
+test('tiles are drawn in the place of stripes, and travel in links', async () => {
+  await visit({ hash: '#shape=torus&field=z&stripes=24' });
+  const ofStripes = without(await figures()), drawn = new Set([await canvasShot()]);
+  for (const tile of ['checker', 'dots', 'arrows', 'bricks', 'hatch', 'plus', 'plusminus']) {
+    await page.select('#tile', tile);
+    await ready();
+    assert.match(page.url(), new RegExp(`tile=${tile}(&|$)`));
+    drawn.add(await canvasShot());
+    await screenshot(`tile_${tile}`);
+    assert.equal(await page.$eval('[name="width"]', (e) => e.disabled) && await page.$eval('[data-save="svg"]', (e) => e.disabled), true);
+  }
+  assert.equal(drawn.size, 8);
+  assert.match(await page.$eval('#canvas', (e) => e.getAttribute('aria-label')), /rows of plus and minus/);
+  const link = await page.evaluate(() => location.hash), said = without(await figures());
+  await slide('stripes', 12);
+  await ready();
+  assert.notEqual(without(await figures()), said);
+  await visit({ hash: link });
+  assert.equal(without(await figures()), said);
+  await page.select('#tile', 'stripes');
+  await ready();
+  assert.equal(without(await figures()), ofStripes);
+  assert.equal(await page.$eval('[name="width"]', (e) => e.disabled), false);
+  assert.deepEqual(complaints, []);
+});
+
+test('every item of the gallery is a link to settings that the page shows', async () => {
+  await visit({ hash: '#shape=torus&width=80&rotate=10', width: 1000, height: 700 });
+  const items = await page.$$eval('#gallery a', (links) => links.map((a) => [a.textContent, a.hash]));
+  assert.ok(items.length >= 6);
+  const drawn = new Set();
+  for (const [name, hash] of items) {
+    await page.evaluate((text) => [...document.querySelectorAll('#gallery a')].find((a) => a.textContent === text).click(), name);
+    await ready();
+    // All of them are settings, and nothing of those before is left.
+    assert.deepEqual(new Set(new URLSearchParams(await page.evaluate(() => location.hash.slice(1)))), new Set(new URLSearchParams(hash.slice(1))));
+    assert.deepEqual(await page.$$eval('#gallery [aria-current="true"]', (links) => links.map((a) => a.textContent)), [name]);
+    drawn.add(await canvasShot());
+    await screenshot(`gallery_${name.toLowerCase()}`);
+  }
+  assert.equal(drawn.size, items.length);
+  await page.select('#shape', 'plane');
+  await ready();
+  assert.equal(await page.$$eval('#gallery [aria-current]', (links) => links.length), 0);
+  assert.deepEqual(complaints, []);
+});
+
 test('keys alone reach and change everything', async () => {
   await visit();
   const reached = [];
-  for (let i = 0; i < 24; ++i) {
+  for (let i = 0; i < 33; ++i) {
     await page.keyboard.press('Tab');
-    reached.push(await page.evaluate(() => document.activeElement.name || document.activeElement.id || document.activeElement.dataset.save || ''));
+    reached.push(await page.evaluate(() => document.activeElement.name || document.activeElement.id || document.activeElement.dataset.save || document.activeElement.hash || ''));
   }
-  for (const name of ['canvas', 'shape', 'file', 'field', 'rotate', 'brush', 'stripes', 'width', 'slack', 'branches', 'png', 'svg', 'obj', 'glb', 'link']) {
+  for (const name of ['canvas', 'shape', 'file', 'field', 'rotate', 'brush', 'tile', 'stripes', 'width', 'slack', 'branches', 'png', 'svg', 'obj', 'glb', 'link']) {
     assert.ok(reached.includes(name), `${name} is not reached: ${reached}`);
   }
+  assert.equal(new Set(reached.filter((name) => name.startsWith('#'))).size, await page.$$eval('#gallery a', (links) => links.length));
   await page.focus('#canvas');
   for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Home']) {
     const seen = await canvasShot();
@@ -233,7 +281,7 @@ test('every control has a name that is read out', async () => {
   const tree = await page.accessibility.snapshot({ interestingOnly: true });
   const nameless = [];
   const walk = (node) => {
-    if (['button', 'slider', 'combobox', 'checkbox', 'img', 'textbox'].includes(node.role) && !node.name) nameless.push(node);
+    if (['link', 'button', 'slider', 'combobox', 'checkbox', 'img', 'textbox'].includes(node.role) && !node.name) nameless.push(node);
     (node.children ?? []).forEach(walk);
   };
   walk(tree);

@@ -33,11 +33,15 @@ async function pixelsOf(address) {
   return context.getImageData(0, 0, width, height).data;
 }
 
-function drawn({ positions, normals, triangles, camera, ...pattern }) {
+function drawn({ positions, normals, triangles, camera, texture, ...pattern }) {
   gl.clearColor(0, 0, 0, 0);
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   drawing.setSurface({ positions: Float32Array.from(positions), normals: Float32Array.from(normals), triangles: Uint32Array.from(triangles) });
-  drawing.setPattern(pattern);
+  if (texture) {
+    const { u, v, side, distances, words, ...broken } = texture;
+    drawing.setTexture({ u: Float32Array.from(u), v: Float32Array.from(v) }, { side, distances: Float32Array.from(distances) },
+                       { ...broken, words: Uint32Array.from(words) });
+  } else drawing.setPattern(pattern);
   drawing.draw({ ...camera, width, height });
   const upwards = new Uint8Array(4 * width * height);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upwards);
@@ -114,43 +118,75 @@ after(async () => {
 });
 
 const brindle = await createBrindle();
+
+/** What the tool is asked for; its picture, and the mesh with its pattern. */
+function toolOf(name, mesh, { azimuth, elevation, zoom = 1, up = 'z', words }) {
+  const picture = `${name}.png`, written = join(scratch, `${name}.ply`);
+  const stripe = (...more) => execFileSync(tool, ['stripe', mesh, ...more, '--quiet'], { stdio: 'pipe' });
+  stripe(...words, '--camera', `${azimuth},${elevation},${zoom}`, '--up', up, '--size', `${width}x${height}`, '--quality', 'interactive',
+         '--transparent', '--colors', '#1c325a,#f4efe5', '--output', join(scratch, picture));
+  stripe(...words.filter((word, i) => !/^--(texture|oriented|tiles)$/.test(word) && !/^--(texture|tiles)$/.test(words[i - 1])), '--output', written);
+  const { vertices: v, triangles } = readPLY(written);
+  const surface = brindle.surface({ positions: columns(v.x, v.y, v.z), triangles });
+  const { viewFromWorld, clipFromView, up: upwards } = surface.camera({ azimuth, elevation, zoom, up, width, height });
+  const camera = { viewFromWorld: [...viewFromWorld], clipFromView: [...clipFromView], up: [...upwards] };
+  const phases = v.phase.flatMap((phase) => (Number.isNaN(phase) ? [0, 1] : [Math.cos(phase), Math.sin(phase)]));
+  const waves = { directions: columns(v.direction_x, v.direction_y, v.direction_z), frequencies: Float32Array.from(v.frequency), phases };
+  return { picture, surface, waves, drawn: { positions: [...surface.positions()], normals: [...surface.normals()], triangles, camera } };
+}
+
+/** The shares of pixels that differ, which are told. Contours of the tool's pictures are smoothed, those of WebGL are not. */
+async function compared(t, name, picture, what, given) {
+  const result = await page.evaluate((...all) => window.compared(...all), address + picture, given);
+  if (shots) {
+    mkdirSync(shots, { recursive: true });
+    writeFileSync(join(shots, `tool_${name}.png`), readFileSync(join(scratch, picture)));
+    writeFileSync(join(shots, `webgl_${name}.png`), await (await page.$('canvas')).screenshot({ omitBackground: true }));
+  }
+  const { inside, either, above, mean } = result;
+  const shares = Object.entries(above).map(([levels, share]) => `${(100 * share).toFixed(3)} % by more than ${levels}`).join(', ');
+  t.diagnostic(`${what}: of ${inside} pixels differ ${shares} levels; ${mean.toFixed(3)} on average; ${either - inside} pixels at the border`);
+  assert.ok(inside > 0.1 * width * height && inside > 0.9 * either, `${inside} pixels of ${either} have the surface in both`);
+  return { above, shares };
+}
+
 const cases = [
-  ['knot', 'shape:trefoil', { azimuth: 30, elevation: 20, stripes: 40 }],
-  ['edges', 'shape:box', { azimuth: 40, elevation: 35, stripes: 24 }],
-  ['near', 'shape:sphere,resolution=24', { azimuth: 200, elevation: -30, zoom: 4, stripes: 60 }],
-  ['fine', 'shape:torus', { azimuth: 0, elevation: 75, stripes: 200 }],
-  ['spot', join(models, 'spot.obj'), { azimuth: -50, elevation: 10, up: 'y', stripes: 50 }],
+  ['knot', 'shape:trefoil', { azimuth: 30, elevation: 20, words: ['--stripes', '40'] }],
+  ['edges', 'shape:box', { azimuth: 40, elevation: 35, words: ['--stripes', '24'] }],
+  ['near', 'shape:sphere,resolution=24', { azimuth: 200, elevation: -30, zoom: 4, words: ['--stripes', '60'] }],
+  ['fine', 'shape:torus', { azimuth: 0, elevation: 75, words: ['--stripes', '200'] }],
+  ['spot', join(models, 'spot.obj'), { azimuth: -50, elevation: 10, up: 'y', words: ['--stripes', '50'] }],
 ];
 
-for (const [name, mesh, { stripes, ...view }] of cases) {
+for (const [name, mesh, asked] of cases) {
   test(`${name}: the pixels of the tool`, async (t) => {
     if (!tool) return t.skip('BRINDLE_TOOL names no tool');
     if (!mesh.startsWith('shape:') && !existsSync(mesh)) return t.skip('the model is not here');
-    const { azimuth, elevation, zoom = 1, up = 'z' } = view, picture = `${name}.png`, written = join(scratch, `${name}.ply`);
-    execFileSync(tool, ['stripe', mesh, '--stripes', String(stripes), '--camera', `${azimuth},${elevation},${zoom}`, '--up', up,
-                        '--size', `${width}x${height}`, '--quality', 'interactive', '--transparent', '--colors', '#1c325a,#f4efe5',
-                        '--quiet', '--output', join(scratch, picture), '--output', written], { stdio: 'pipe' });
-    const { vertices: v, triangles } = readPLY(written);
-    const positions = columns(v.x, v.y, v.z);
-    const surface = brindle.surface({ positions, triangles });
-    const given = {
-      positions: [...surface.positions()], normals: [...surface.normals()], triangles,
-      directions: [...columns(v.direction_x, v.direction_y, v.direction_z)], frequencies: v.frequency,
-      phases: v.phase.flatMap((phase) => (Number.isNaN(phase) ? [0, 1] : [Math.cos(phase), Math.sin(phase)])),
-    };
-    const { viewFromWorld, clipFromView, up: upwards } = surface.camera({ azimuth, elevation, zoom, up, width, height });
-    given.camera = { viewFromWorld: [...viewFromWorld], clipFromView: [...clipFromView], up: [...upwards] };
-    const { inside, either, above, mean } = await page.evaluate((...all) => window.compared(...all), address + picture, given);
-    if (shots) {
-      mkdirSync(shots, { recursive: true });
-      writeFileSync(join(shots, `tool_${name}.png`), readFileSync(join(scratch, picture)));
-      writeFileSync(join(shots, `webgl_${name}.png`), await (await page.$('canvas')).screenshot({ omitBackground: true }));
-    }
-    const what = Object.entries(above).map(([levels, share]) => `${(100 * share).toFixed(3)} % by more than ${levels}`).join(', ');
-    t.diagnostic(`of ${inside} pixels differ ${what} levels; ${mean.toFixed(3)} on average; ${either - inside} pixels at the border`);
-    assert.ok(inside > 0.1 * width * height, `${inside} pixels have the surface`);
-    assert.ok(inside > 0.9 * either, `${inside} of ${either}`);
-    assert.ok(above[2] < 0.01 && above[32] < 0.002, what);
+    const { picture, surface, waves, drawn } = toolOf(name, mesh, asked);
+    const { directions, frequencies } = waves, plain = { directions: [...directions], frequencies: [...frequencies] };
+    const same = await compared(t, name, picture, "the tool's phases", { ...drawn, ...plain, phases: waves.phases });
+    const contours = asked.zoom > 1 ? 0.02 : 1;  // none are in the picture
+    assert.ok(same.above[2] < 0.04 * contours && same.above[8] < 0.015 * contours && same.above[32] < 0.003 * contours, same.shares);
+    const pattern = surface.stripes(directions, { frequency: frequencies });
+    const own = await compared(t, name, picture, 'own phases', { ...drawn, ...plain, phases: [...pattern.phases()] });
+    assert.ok(own.above[8] < 0.02 && own.above[32] < 0.004, own.shares);
+    assert.deepEqual(complaints, []);
+    surface.dispose();
+    return undefined;
+  });
+}
+
+for (const tile of ['arrows', 'checker', 'bricks', 'plusminus']) {
+  test(`${tile}: the tiles of the tool`, async (t) => {
+    if (!tool) return t.skip('BRINDLE_TOOL names no tool');
+    const oriented = tile === 'arrows', direction = [0.31, 0.9, 0.27];
+    const { picture, surface, drawn } = toolOf(tile, 'shape:torus,resolution=80', { azimuth: 20, elevation: 50,
+      words: ['--direction', direction.join(','), '--stripes', '24', '--texture', tile, ...(oriented ? ['--oriented'] : [])] });
+    const texture = surface.texture(surface.projectedField(direction), { stripes: 24, oriented });
+    const { u, v } = texture.waves(), broken = texture.brokenTiles(tile), { side, distances } = brindle.tile(tile);
+    const { above, shares } = await compared(t, tile, picture, 'own phases', { ...drawn,
+      texture: { u: [...u], v: [...v], side, distances: [...distances], ...broken, words: [...broken.words] } });
+    assert.ok(above[8] < 0.02 && above[32] < 0.004, shares);
     assert.deepEqual(complaints, []);
     surface.dispose();
     return undefined;
